@@ -1,0 +1,39 @@
+"""The Glovetrack engine: glove bytes and camera pixels in, a tracked hand out.
+
+Conventions, the same in every module
+-------------------------------------
+Units
+    SI and radians. A value in any other unit says so in its name (``_deg``, ``_mm``, ``_px``).
+Time
+    ``t`` is seconds on the host's monotonic clock, a whole number of nanoseconds (`tracker.clock`).
+Arrays
+    Rows are samples: N points are (N, 3).
+Pixels
+    (u, v); the centre of the top-left pixel is (0, 0).
+Frames
+    G global (z up), C left rectified camera (x right, y down, z forward), B a hand segment (origin
+    at its proximal joint, x to the tip, z dorsal, y = z × x the flexion axis), I an IMU's own axes.
+Names
+    ``R_GB`` maps B to G, ``p_GB`` is B's origin in G; neighbours cancel:
+    ``p_G = R_GB @ p_B + p_GB``.
+Quaternions
+    Hamilton, unit, stored x, y, z, w.
+Rotation errors
+    Local: ``R_true = R_est @ Exp(dtheta)``.
+Joints
+    ``R_parentB = R_rest @ Rz(abduction) @ Ry(flexion) @ Rx(twist)``.
+
+No module below this one knows Qt, starts a thread (except `runner`) or reads a clock that was not
+handed to it.
+"""
+
+import os
+
+# Two BLAS threads make small products up to a hundred times slower on a loaded machine, so the
+# pool is held to one thread. It has to be said before numpy is first imported.
+for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")
+
+__version__ = "0.1.0"
+GRAVITY = 9.80665
+"""Standard gravity, m/s²."""

@@ -1,0 +1,38 @@
+"""Time as whole nanoseconds at the borders and float seconds inside.
+
+A session stores wall-clock nanoseconds; the engine works in seconds of a monotonic clock. Every
+``t`` is made by `seconds` from an integer, so that a value read back from a file is the same float.
+"""
+
+from dataclasses import dataclass
+
+NS = 1_000_000_000
+
+
+def seconds(ns: int) -> float:
+    """The float time ``t`` of an integer number of nanoseconds."""
+    return ns / NS
+
+
+def nanoseconds(t: float) -> int:
+    """The integer nearest to ``t``; the inverse of `seconds` for |t| below 4e6 s (46 days)."""
+    return round(t * NS)
+
+
+@dataclass(frozen=True)
+class ClockAnchor:
+    """One instant on both clocks: what turns monotonic time into the stamps of a file.
+
+    The difference is fixed for a session's life, so stamps never jump when the wall clock is set.
+    """
+
+    wall_ns: int
+    monotonic_ns: int
+
+    def wall(self, t: float) -> int:
+        """Nanoseconds since 1970 for the monotonic time ``t`` (s)."""
+        return nanoseconds(t) + self.wall_ns - self.monotonic_ns
+
+    def monotonic(self, wall_ns: int) -> float:
+        """The monotonic time (s) of a stamp in nanoseconds since 1970."""
+        return seconds(wall_ns - self.wall_ns + self.monotonic_ns)

@@ -1,0 +1,1 @@
+"""Rotations, quaternions and projections: small functions, tested against SciPy."""

@@ -1,0 +1,1 @@
+"""IMUs and markers on a hand: their file and their geometry."""

@@ -1,0 +1,85 @@
+"""Glove files (TOML, schema 1)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tracker.geometry import so3
+from tracker.glove.model import GloveModel, Imu, Keypoint, Marker
+from tracker.hand.model import HandModel
+from tracker.hand.names import KEYPOINTS
+from tracker.toml_reader import TomlTable, read_text, read_toml
+
+
+def load_glove(path: Path, hand: HandModel) -> GloveModel:
+    """Read a glove file for ``hand``. Raises FileError in words, with file, key and line."""
+    return parse_glove(read_text(Path(path)), hand, str(path))
+
+
+def glove_hand_name(text: str, name: str = "glove.toml") -> str:
+    """Name of the hand that a glove file's positions refer to."""
+    return read_toml(text, name).text("hand")
+
+
+def parse_glove(text: str, hand: HandModel, name: str = "glove.toml") -> GloveModel:
+    """A glove from the text of its file; segments are those of ``hand``."""
+    root = read_toml(text, name)
+    if root.integer("schema") != 1:
+        raise root.fail("schema", "must be 1")
+    glove_name = root.text("name")
+    side = root.text("side", among=("right", "left"))
+    if side != hand.side:
+        raise root.fail("side", f"is {side} but the hand {hand.name!r} is a {hand.side} one")
+    hand_name = root.text("hand")
+    imus = tuple(_imu(t, hand) for t in root.table_list("imu"))
+    _distinct(root, "imu", [i.name for i in imus])
+    _distinct(root, "imu", [i.segment for i in imus], "two IMUs on")
+    markers = tuple(_marker(t, hand) for t in root.table_list("marker"))
+    _distinct(root, "marker", [str(m.id) for m in markers])
+    if sorted(m.id for m in markers) != list(range(len(markers))):
+        raise root.fail("marker", f"must have the ids 0 to {len(markers) - 1}")
+    markers = tuple(sorted(markers, key=lambda m: m.id))
+    keypoints = tuple(_keypoint(root, n, t, hand) for n, t in root.tables("keypoints").items())
+    root.finish()
+    return GloveModel(glove_name, side, hand_name, imus, markers, keypoints)
+
+
+def _distinct(root: TomlTable, key: str, names: list[str], what: str = "twice") -> None:
+    for n in names:
+        if names.count(n) > 1:
+            raise root.fail(key, f"has {what} {n!r}")
+
+
+def _imu(t: TomlTable, hand: HandModel) -> Imu:
+    imu = Imu(
+        name=t.text("name"),
+        segment=t.text("segment", among=hand.segment_names),
+        position=t.vector("position", 3, limit=0.5),
+        R_BI=so3.matrix_from_quat(t.unit("orientation_xyzw", 4)),
+    )
+    t.finish()
+    return imu
+
+
+def _marker(t: TomlTable, hand: HandModel) -> Marker:
+    marker = Marker(
+        id=t.integer("id"),
+        hue=t.text("hue"),
+        shape=t.text("shape", among=("circle", "square")),
+        size=t.number("size", low=1e-3, high=0.1),
+        segment=t.text("segment", among=hand.segment_names),
+        position=t.vector("position", 3, limit=0.5),
+        normal=t.unit("normal", 3),
+    )
+    t.finish()
+    return marker
+
+
+def _keypoint(root: TomlTable, name: str, t: TomlTable, hand: HandModel) -> Keypoint:
+    if name in KEYPOINTS:
+        raise root.fail("keypoints", f"names {name!r} again, which the skeleton has")
+    keypoint = Keypoint(
+        name, t.text("segment", among=hand.segment_names), t.vector("position", 3, limit=0.5)
+    )
+    t.finish()
+    return keypoint

@@ -1,0 +1,115 @@
+"""A glove: IMUs and coloured markers fixed to the segments of a hand.
+
+Positions refer to the hand named in the glove's file. Arrays are laid out once, in file order
+(IMUs) or by id (markers), for the code that works on all of them at a time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from tracker.hand.model import HandModel
+from tracker.messages import Array, IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Imu:
+    """``position`` (3,) m of I in B; ``R_BI`` (3, 3) the nominal mounting."""
+
+    name: str
+    segment: str
+    position: Array
+    R_BI: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Marker:
+    """A fabric patch: ``position`` (3,) m and outward ``normal`` (3,) in B; ``size`` m."""
+
+    id: int
+    hue: str
+    shape: str  # "circle" or "square"
+    size: float
+    segment: str
+    position: Array
+    normal: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Keypoint:
+    """An extra named point of the glove, ``position`` (3,) m in B."""
+
+    name: str
+    segment: str
+    position: Array
+
+
+@dataclass(frozen=True, eq=False)
+class GloveModel:
+    """Sensors and markers of one glove."""
+
+    name: str
+    side: str
+    hand_name: str
+    imus: tuple[Imu, ...]
+    markers: tuple[Marker, ...]
+    keypoints: tuple[Keypoint, ...]
+
+    @cached_property
+    def imu_names(self) -> tuple[str, ...]:
+        return tuple(i.name for i in self.imus)
+
+    @cached_property
+    def hues(self) -> tuple[str, ...]:
+        """Hue names in order of first use."""
+        return tuple(dict.fromkeys(m.hue for m in self.markers))
+
+    @cached_property
+    def marker_position(self) -> Array:
+        """(M, 3) m, in each marker's B."""
+        return np.array([m.position for m in self.markers], float).reshape(-1, 3)
+
+    @cached_property
+    def marker_normal(self) -> Array:
+        """(M, 3), in each marker's B."""
+        return np.array([m.normal for m in self.markers], float).reshape(-1, 3)
+
+    @cached_property
+    def marker_size(self) -> Array:
+        return np.array([m.size for m in self.markers], float)
+
+    @cached_property
+    def marker_hue(self) -> IntArray:
+        """(M,) index into `hues`."""
+        return np.array([self.hues.index(m.hue) for m in self.markers], np.int64)
+
+    def marker_segment(self, hand: HandModel) -> IntArray:
+        """(M,) row of each marker's segment."""
+        return np.array([hand.index[m.segment] for m in self.markers], np.int64)
+
+    def imu_segment(self, hand: HandModel) -> IntArray:
+        """(n,) row of each IMU's segment."""
+        return np.array([hand.index[i.segment] for i in self.imus], np.int64)
+
+    def keypoint_names(self, hand: HandModel) -> tuple[str, ...]:
+        """The skeleton's keypoints, then the glove's own."""
+        return (*hand.keypoint_names, *(k.name for k in self.keypoints))
+
+    def keypoint_positions(
+        self, hand: HandModel, R: Array, p: Array, scale: Array | None = None
+    ) -> Array:
+        """(K, 3) m in G of all keypoints, from segment poses R (S, 3, 3), p (S, 3)."""
+        points = [hand.keypoints(R, p, scale)]
+        for k in self.keypoints:
+            i = hand.index[k.segment]
+            offset = k.position if scale is None else k.position * scale[i]
+            points.append((p[i] + R[i] @ offset)[None])
+        return np.concatenate(points)
+
+    def keypoint_segments(self, hand: HandModel) -> IntArray:
+        """(K,) row of the segment that each keypoint moves with."""
+        extra = [hand.index[k.segment] for k in self.keypoints]
+        return np.array([*hand.keypoint_segment, *extra], np.int64)

@@ -1,0 +1,1 @@
+"""The skeleton: its file, its kinematics, and the conventions of others."""

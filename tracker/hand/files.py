@@ -1,0 +1,145 @@
+"""Hand files (TOML, schema 1)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from tracker.geometry import so3
+from tracker.hand.model import HandModel, Joint, Segment, Synergy
+from tracker.hand.names import AXES, SEGMENTS
+from tracker.toml_reader import TomlTable, read_text, read_toml
+
+ROOT = "dorsum"
+
+
+def load_hand(path: Path) -> HandModel:
+    """Read a hand file. Raises FileError in words, with file, key and line."""
+    return parse_hand(read_text(Path(path)), str(path))
+
+
+def parse_hand(text: str, name: str = "hand.toml") -> HandModel:
+    """A hand from the text of its file; ``name`` stands for the file in messages."""
+    root = read_toml(text, name)
+    if root.integer("schema") != 1:
+        raise root.fail("schema", "must be 1")
+    hand_name = root.text("name")
+    side = root.text("side", among=("right", "left"))
+    length = root.number("length", low=0.05, high=0.5)
+    tables = root.tables("segments")
+    raw = {n: _segment(root, n, t) for n, t in tables.items()}
+    segments = _sorted(root, raw)
+    joints = _joints(root, raw)
+    hand = HandModel(hand_name, side, length, segments, joints, ())
+    synergies = _synergies(root, hand)
+    root.finish()
+    hand = HandModel(hand_name, side, length, segments, joints, synergies)
+    _check_length(root, hand)
+    return hand
+
+
+def _segment(root: TomlTable, name: str, t: TomlTable) -> Segment:
+    if name not in SEGMENTS:
+        raise root.fail("segments", f"holds the unknown segment {name!r}")
+    is_root = name == ROOT
+    segment = Segment(
+        name=name,
+        parent=None if is_root else t.text("parent"),
+        origin=np.zeros(3) if is_root else t.vector("origin", 3, limit=0.5),
+        R_rest=np.eye(3) if is_root else so3.matrix_from_quat(_rest(t)),
+        length=t.number("length", low=1e-3, high=0.3),
+        radius=t.number("radius", low=1e-3, high=0.05),
+        width=t.number("width", low=1e-3, high=0.3) if is_root else 0.0,
+    )
+    t.finish()
+    return segment
+
+
+def _rest(t: TomlTable) -> np.ndarray:
+    return t.unit("rest_xyzw", 4) if t.has("rest_xyzw") else np.array([0.0, 0, 0, 1])
+
+
+def _sorted(root: TomlTable, raw: dict[str, Segment]) -> tuple[Segment, ...]:
+    """Parents first, else in the conventions' order; complains about loops and orphans."""
+    if ROOT not in raw:
+        raise root.fail("segments", f"has no {ROOT}")
+    for s in raw.values():
+        if s.parent is not None and s.parent not in raw:
+            raise root.fail("segments", f"says that the parent of {s.name} is {s.parent!r}")
+    out: list[Segment] = []
+    placed: set[str] = set()
+    while len(out) < len(raw):
+        ready = [
+            n
+            for n in SEGMENTS
+            if n in raw and n not in placed and (n == ROOT or raw[n].parent in placed)
+        ]
+        if not ready:
+            loop = sorted(set(raw) - placed)
+            raise root.fail("segments", f"has a loop through {', '.join(loop)}")
+        out += [raw[n] for n in ready]
+        placed |= set(ready)
+    return tuple(sorted(out, key=lambda s: (_depth(raw, s), SEGMENTS.index(s.name))))
+
+
+def _depth(raw: dict[str, Segment], s: Segment) -> int:
+    return 0 if s.parent is None else 1 + _depth(raw, raw[s.parent])
+
+
+def _joints(root: TomlTable, segments: dict[str, Segment]) -> tuple[Joint, ...]:
+    joints: list[Joint] = []
+    seen: set[str] = set()
+    for name, t in root.tables("joints").items():
+        child = t.text("child", among=[s for s in segments if s != ROOT])
+        if child in seen:
+            raise t.fail("child", f"{child!r} has two joints")
+        seen.add(child)
+        axes = t.names("axes", AXES)
+        axes = tuple(a for a in ("flexion", "abduction", "twist") if a in axes)
+        limits_deg = t.table("limits_deg")
+        limits = {a: _limit(limits_deg, a) for a in axes}
+        limits_deg.finish()
+        t.finish()
+        joints.append(Joint(name, child, axes, limits))
+    return tuple(joints)
+
+
+def _limit(t: TomlTable, axis: str) -> tuple[float, float]:
+    low, high = t.vector(axis, 2, limit=360)
+    if low >= high:
+        raise t.fail(axis, "must be [lower, upper]")
+    return float(np.deg2rad(low)), float(np.deg2rad(high))
+
+
+def _synergies(root: TomlTable, hand: HandModel) -> tuple[Synergy, ...]:
+    out: list[Synergy] = []
+    for angle, t in root.tables("synergies").items():
+        if angle not in hand.angle_index:
+            raise root.fail("synergies", f"holds the unknown angle {angle!r}")
+        of = t.text("of", among=hand.joint_names)
+        ratio = t.number("ratio", low=-10, high=10)
+        offset = np.deg2rad(t.number("offset_deg", 0.0, low=-180, high=180))
+        t.finish()
+        out.append(Synergy(angle, of, ratio, float(offset)))
+    source = {s.angle: s.of for s in out}
+    for s in out:
+        seen, angle = {s.angle}, s.of
+        while angle in source:
+            if angle in seen:
+                raise root.fail("synergies", f"has a loop through {angle}")
+            seen.add(angle)
+            angle = source[angle]
+    return tuple(out)
+
+
+def _check_length(root: TomlTable, hand: HandModel) -> None:
+    parts = (ROOT, "middle_proximal", "middle_intermediate", "middle_distal")
+    if not all(p in hand.index for p in parts):
+        return
+    total = sum(hand.segments[hand.index[p]].length for p in parts)
+    if abs(total / hand.length - 1) > 0.02:
+        raise root.fail(
+            "length",
+            f"is {hand.length:g} m but the dorsum and the middle finger add up to {total:.4g} m",
+        )

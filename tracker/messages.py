@@ -1,0 +1,220 @@
+"""What passes between stages. Each message is immutable and its arrays are read-only.
+
+Messages are compared by identity: they hold arrays. Times are seconds of the host's monotonic
+clock. ``freeze`` is called by the constructors, so a producer hands over an array it no longer
+writes to.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+
+class Validity(IntEnum):
+    """How far a joint or keypoint can be trusted."""
+
+    LOST = 0
+    INFERRED = 1  # synergy, rest pose, or nothing saw it lately
+    MEASURED = 2  # an IMU or a marker saw it lately
+
+
+class Tracking(IntEnum):
+    """State of tracking as a whole."""
+
+    SEARCHING = 0  # no pose yet
+    TRACKING = 1  # markers are being matched
+    COASTING = 2  # inertial only, position still bounded and useful
+    LOST = 3  # position unknown; articulation may still be measured
+
+
+class _Frozen:
+    """Makes every array field read-only when the message is built."""
+
+    def __post_init__(self) -> None:
+        for f in fields(self):  # type: ignore[arg-type]
+            value = getattr(self, f.name)
+            if isinstance(value, np.ndarray):
+                value.setflags(write=False)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ImuSample(_Frozen):
+    """One packet of a glove: all its IMUs at one instant, in the glove file's order.
+
+    accel (n, 3) m/s² specific force and gyro (n, 3) rad/s, each in its IMU's frame I; rows of IMUs
+    that did not answer are NaN and ``valid`` is False there.
+    """
+
+    t: float  # estimated sampling instant
+    t_arrival: float
+    t_device: float  # the glove's own clock, unwrapped, s; NaN where unknown
+    seq: int  # unwrapped packet number; -1 where unknown
+    accel: Array
+    gyro: Array
+    valid: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CameraPose(_Frozen):
+    """Pose of the left rectified camera in G: R_GC (3, 3), p_GC (3,)."""
+
+    R_GC: Array
+    p_GC: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class StereoFrame(_Frozen):
+    """One exposure of both cameras. Images are (h, w, 3) uint8 BGR; None where a camera is dark."""
+
+    t: float  # exposure midpoint
+    t_arrival: float
+    left: NDArray[np.uint8] | None
+    right: NDArray[np.uint8] | None
+    pose: CameraPose | None = None  # of a moving camera; None: the rig's fixed pose
+    index: int = -1
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Blobs(_Frozen):
+    """Coloured blobs found in one image, in pixels of the image as recorded.
+
+    uv (n, 2) centroids, size (n, 2) extents, hue (n,) index into ``hue_names`` of the frame,
+    score (n,) in 0..1.
+    """
+
+    uv: Array
+    size: Array
+    hue: IntArray
+    score: Array
+
+    @staticmethod
+    def empty() -> Blobs:
+        return Blobs(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0))
+
+    def __len__(self) -> int:
+        return len(self.uv)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RejectedBlobs(_Frozen):
+    """Blobs of the right hue and the wrong shape, for display: uv (n, 2), reason per row."""
+
+    uv: Array
+    hue: IntArray
+    reason: tuple[str, ...]  # "size", "convexity", "circularity", "edge"
+
+    @staticmethod
+    def empty() -> RejectedBlobs:
+        return RejectedBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), ())
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class BlobFrame(_Frozen):
+    """What the detector found in one stereo exposure. A side without a picture is None."""
+
+    t: float
+    t_arrival: float
+    hue_names: tuple[str, ...]
+    left: Blobs | None
+    right: Blobs | None
+    pose: CameraPose | None = None
+    rejected_left: RejectedBlobs | None = None
+    rejected_right: RejectedBlobs | None = None
+    index: int = -1
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class FrameResult(_Frozen):
+    """What the tracker made of one BlobFrame, for overlays and statistics.
+
+    predicted_left/right (M, 2) px of each marker (raw image), NaN outside; predicted_cov (M, 2, 2)
+    of the left image; visible (M,) prior probability; match_left/right (M,) blob index or -1;
+    residual (M, 4) px (left u, v, right u, v), NaN where unmatched.
+    """
+
+    t: float
+    tracking: Tracking
+    predicted_left: Array
+    predicted_right: Array
+    predicted_cov: Array
+    visible: Array
+    match_left: IntArray
+    match_right: IntArray
+    residual: Array
+    stereo_points: int  # markers matched in both images
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Estimate(_Frozen):
+    """The hand at one instant.
+
+    keypoints (K, 3) m in G and keypoint_q (K, 4) xyzw of the segment that starts there, in the
+    order of ``HandModel.keypoint_names`` then the glove's extra ones; NaN where lost.
+    angles (J,) rad in the order of ``HandModel.joint_names``; NaN where lost. keypoint_sd (K,) m is
+    the root of the mean variance of a keypoint. segment_R (S, 3, 3), segment_p (S, 3): R_GB, p_GB.
+    """
+
+    t: float
+    tracking: Tracking
+    keypoints: Array
+    keypoint_q: Array
+    keypoint_state: IntArray
+    keypoint_sd: Array
+    angles: Array
+    angle_state: IntArray
+    segment_R: Array
+    segment_p: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Calibration(_Frozen):
+    """Estimated parameters with standard deviations, one row per segment with an IMU or marker.
+
+    scale, scale_sd (S, 3) factors along B; mounting, mounting_sd (S, 3) rad, the rotation vector of
+    the estimated q_BI against the glove file's; gyro_bias(+_sd) (S, 3) rad/s; accel_bias(+_sd)
+    (S, 3) m/s². NaN where a segment has no such parameter.
+    """
+
+    t: float
+    segments: tuple[str, ...]
+    scale: Array
+    scale_sd: Array
+    mounting: Array
+    mounting_sd: Array
+    gyro_bias: Array
+    gyro_bias_sd: Array
+    accel_bias: Array
+    accel_bias_sd: Array
+    hand_length: float
+    hand_length_sd: float
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something worth a line in the log and in the session: a device, a recording, a note."""
+
+    t: float
+    kind: str  # "note", "device", "tracking", "recording", "error"
+    text: str
+    data: dict[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Status:
+    """Rates, latencies and losses at one instant; names are stable, see docs/architecture.md."""
+
+    t: float
+    tracking: Tracking
+    values: dict[str, float]
+
+
+Message = (
+    ImuSample | StereoFrame | BlobFrame | FrameResult | Estimate | Calibration | Event | Status
+)

@@ -1,0 +1,1 @@
+"""From pixels to blobs, and from blobs to points: colours, detection, the stereo rig, CPD."""

@@ -1,0 +1,142 @@
+"""A calibrated stereo camera.
+
+Pixels of a message are those of the image as recorded ("raw"); the filter works in rectified pixels
+where both cameras share K and rows. The four matrices are those of a ROS CameraInfo: K, D, R, P.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import cv2
+import numpy as np
+
+from tracker.errors import ConfigError
+from tracker.messages import Array, CameraPose
+
+
+@dataclass(frozen=True, eq=False)
+class Camera:
+    """One lens: K (3, 3), D (n,) plumb_bob, R (3, 3) rectification, P (3, 4) projection."""
+
+    width: int
+    height: int
+    K: Array
+    D: Array
+    R: Array
+    P: Array
+
+    @cached_property
+    def is_rectified(self) -> bool:
+        """Whether raw pixels are rectified pixels already."""
+        return bool(
+            not np.any(self.D)
+            and np.allclose(self.R, np.eye(3))
+            and np.allclose(self.K, self.P[:, :3])
+        )
+
+    def rectify(self, uv: Array) -> Array:
+        """Raw pixels (n, 2) to rectified pixels (n, 2)."""
+        if self.is_rectified or len(uv) == 0:
+            return np.array(uv, float).reshape(-1, 2)
+        points = np.ascontiguousarray(uv, float).reshape(-1, 1, 2)
+        return cv2.undistortPoints(points, self.K, self.D, R=self.R, P=self.P[:, :3]).reshape(-1, 2)
+
+    def unrectify(self, uv: Array) -> Array:
+        """Rectified pixels (n, 2) to raw pixels (n, 2); the inverse of `rectify`."""
+        if self.is_rectified or len(uv) == 0:
+            return np.array(uv, float).reshape(-1, 2)
+        rays = np.column_stack([uv, np.ones(len(uv))]) @ np.linalg.inv(self.P[:, :3]).T
+        rays = rays @ self.R  # rows: R^T ray
+        raw, _ = cv2.projectPoints(rays.reshape(-1, 1, 3), np.zeros(3), np.zeros(3), self.K, self.D)
+        return raw.reshape(-1, 2)
+
+
+@dataclass(frozen=True, eq=False)
+class StereoRig:
+    """Two cameras and, for a fixed rig, where it stands in G."""
+
+    left: Camera
+    right: Camera
+    pose: CameraPose
+
+    def __post_init__(self) -> None:
+        if self.baseline <= 1e-4:
+            raise ConfigError(
+                f"The stereo calibration has a baseline of {self.baseline * 1000:.1f} mm: "
+                "left and right are swapped, or this is no stereo pair."
+            )
+        if not np.allclose(self.left.P[:, :3], self.right.P[:, :3], rtol=1e-6, atol=1e-6):
+            raise ConfigError("The two rectified cameras must share one matrix P[:, :3].")
+
+    @property
+    def fx(self) -> float:
+        return float(self.left.P[0, 0])
+
+    @property
+    def fy(self) -> float:
+        return float(self.left.P[1, 1])
+
+    @property
+    def cx(self) -> float:
+        return float(self.left.P[0, 2])
+
+    @property
+    def cy(self) -> float:
+        return float(self.left.P[1, 2])
+
+    @property
+    def baseline(self) -> float:
+        """Distance of the two lenses, m."""
+        return float(-self.right.P[0, 3] / self.right.P[0, 0])
+
+    def project(self, p_C: Array, right: bool = False) -> Array:
+        """Points (…, 3) of C to rectified pixels (…, 2). NaN for points not in front (z < 1 cm)."""
+        p = np.asarray(p_C, float)
+        z = np.where(p[..., 2] < 0.01, np.nan, p[..., 2])
+        shift = self.baseline if right else 0.0
+        u = self.fx * (p[..., 0] - shift) / z + self.cx
+        v = self.fy * p[..., 1] / z + self.cy
+        return np.stack([u, v], axis=-1)
+
+    def triangulate(self, left: Array, right: Array) -> Array:
+        """Rectified pixel pairs (n, 2), (n, 2) to points (n, 3) of C; NaN where disparity ≤ 0."""
+        disparity = left[:, 0] - right[:, 0]
+        disparity = np.where(disparity > 0, disparity, np.nan)
+        z = self.fx * self.baseline / disparity
+        x = (left[:, 0] - self.cx) * z / self.fx
+        y = ((left[:, 1] + right[:, 1]) / 2 - self.cy) * z / self.fy
+        return np.column_stack([x, y, z])
+
+
+def ideal_rig(
+    width: int = 1280,
+    height: int = 720,
+    hfov_deg: float = 90.0,
+    vfov_deg: float = 60.0,
+    baseline: float = 0.063,
+    pose: CameraPose | None = None,
+) -> StereoRig:
+    """A distortion-free rig, by default of the ZED Mini's field of view (Lee et al. 2021).
+
+    90° by 60° on 1280 by 720 are not square pixels by themselves (fx 640, fy 623.5); both are kept.
+    """
+    fx = width / 2 / np.tan(np.deg2rad(hfov_deg) / 2)
+    fy = height / 2 / np.tan(np.deg2rad(vfov_deg) / 2)
+    K = np.array([[fx, 0, (width - 1) / 2], [0, fy, (height - 1) / 2], [0, 0, 1.0]])
+    P_left = np.column_stack([K, np.zeros(3)])
+    P_right = np.column_stack([K, [-fx * baseline, 0, 0]])
+    none = np.zeros(5)
+    left = Camera(width, height, K, none, np.eye(3), P_left)
+    right = Camera(width, height, K, none, np.eye(3), P_right)
+    return StereoRig(left, right, pose or default_pose())
+
+
+def default_pose() -> CameraPose:
+    """The evaluation's stand: 0.40 m above the origin of G, looking forward and 60° down."""
+    down = np.deg2rad(60.0)
+    z = np.array([np.cos(down), 0.0, -np.sin(down)])  # optical axis in G
+    x = np.array([0.0, -1.0, 0.0])  # image right is G's -y
+    y = np.cross(z, x)
+    return CameraPose(np.column_stack([x, y, z]), np.array([0.0, 0.0, 0.40]))
