@@ -77,7 +77,7 @@ def _value(default: Any, value: Any, path: str, name: str) -> Any:
     if dataclasses.is_dataclass(default):
         if not isinstance(value, dict):
             raise ConfigError(f"{name}: {path} must be a table.")
-        return _read(type(default), value, path, name)  # type: ignore[type-var]
+        return _read(type(default), value, path, name)
     if isinstance(default, float) and isinstance(value, int) and not isinstance(value, bool):
         value = float(value)
     if type(value) is not type(default):
