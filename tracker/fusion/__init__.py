@@ -1,0 +1,1 @@
+"""The filters: `chain` (ours) and what any engine shares (buffer, layout, update, start)."""

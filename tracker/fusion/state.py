@@ -1,0 +1,90 @@
+"""The chain filter's state: what changes, and how an error vector is added to it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tracker.fusion.layout import ChainLayout
+from tracker.geometry import so3
+from tracker.messages import Array
+
+SCALE_LIMITS = (0.6, 1.5)
+
+
+@dataclass(eq=False)
+class ChainState:
+    """Nominal state and covariance at time ``t``. Shapes: A active segments, n IMUs, M markers.
+
+    p, v (3,) of the root's IMU in G; R_GB (A, 3, 3); bg, ba (n, 3); R_IB (n, 3, 3); scale (A, 2)
+    length and girth; joint (B, 3) m in the root's B; marker (M, 3) m in each marker's B;
+    P (N, N) in the order of `ChainLayout`.
+    """
+
+    t: float
+    p: Array
+    v: Array
+    R_GB: Array
+    bg: Array
+    R_IB: Array
+    ba: Array
+    scale: Array
+    joint: Array
+    marker: Array
+    P: Array
+
+    def copy(self) -> ChainState:
+        """An independent copy."""
+        return replace(
+            self,
+            **{k: v.copy() for k, v in vars(self).items() if isinstance(v, np.ndarray)},
+        )
+
+    def scale3(self) -> Array:
+        """(A, 3) factors along B: length, girth, girth."""
+        return self.scale[:, [0, 1, 1]]
+
+    def joint_offsets(self, layout: ChainLayout) -> Array:
+        """(A, 3) offset of each segment's joint, zero where it is not a finger base."""
+        out = np.zeros((len(layout.active), 3))
+        bases = layout.base_of >= 0
+        out[bases] = self.joint[layout.base_of[bases]]
+        return out
+
+
+def initial_state(layout: ChainLayout) -> ChainState:
+    """A flat hand at the origin with nominal geometry and no certainty (P is zero)."""
+    n, a = len(layout.glove.imus), len(layout.active)
+    R = np.empty((a, 3, 3))
+    for i in range(a):
+        parent = layout.parent[i]
+        R[i] = np.eye(3) if parent < 0 else R[parent] @ layout.R_rest[i]
+    return ChainState(
+        t=0.0,
+        p=np.zeros(3),
+        v=np.zeros(3),
+        R_GB=R,
+        bg=np.zeros((n, 3)),
+        R_IB=layout.R_IB.copy(),
+        ba=np.zeros((n, 3)),
+        scale=np.ones((a, 2)),
+        joint=np.zeros((int(np.sum(layout.base_of >= 0)), 3)),
+        marker=np.zeros((len(layout.glove.markers), 3)),
+        P=np.zeros((layout.size, layout.size)),
+    )
+
+
+def inject(state: ChainState, layout: ChainLayout, dx: Array) -> None:
+    """Add an error vector (N,) to the nominal state in place; rotations by local perturbation."""
+    state.p += dx[0:3]
+    state.v += dx[3:6]
+    state.R_GB = state.R_GB @ so3.exp(dx[layout.theta : layout.n_dynamic].reshape(-1, 3))
+    state.bg += dx[layout.bg : layout.phi].reshape(-1, 3)
+    state.R_IB = state.R_IB @ so3.exp(dx[layout.phi : layout.ba].reshape(-1, 3))
+    state.ba += dx[layout.ba : layout.scale].reshape(-1, 3)
+    state.scale = np.clip(
+        state.scale + dx[layout.scale : layout.joint].reshape(-1, 2), *SCALE_LIMITS
+    )
+    state.joint += dx[layout.joint : layout.marker].reshape(-1, 3)
+    state.marker += dx[layout.marker :].reshape(-1, 3)
