@@ -1,0 +1,65 @@
+# make demo         the application on a simulated glove and camera
+# make test         linters, type checker, import contracts and all tests
+# make lint         the same without the tests
+# make firmware     the glove's firmware and its simulator; prints their sizes
+# make screenshots  pictures of the window for the documentation
+# make bench        speed and accuracy against the goals, into bench.json
+# make lock         requirements.lock anew, from what is installed
+# make clean        removes what was built and measured, and the virtual environment
+#
+# Each sets up what it needs: .venv from requirements.lock, and system packages (by apt-get when run
+# by root; otherwise it prints the line to run).
+
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+SCREEN := $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname -s)))
+OFFSCREEN := QT_QPA_PLATFORM=offscreen
+FIRMWARE_BUILD := build/firmware
+
+# Recordings that some tests read lie beside the checkout, where they are present at all.
+ifneq ($(wildcard ../shared/data),)
+export GLOVETRACK_DATA ?= $(abspath ../shared/data)
+endif
+
+.PHONY: demo test lint firmware screenshots bench lock clean
+.DELETE_ON_ERROR:
+
+demo: $(READY)
+ifneq ($(SCREEN),)
+	$(BIN)/glovetrack demo
+else
+	$(OFFSCREEN) $(BIN)/python -m app --demo --headless-report 30 --out demo
+endif
+
+test: lint
+	$(OFFSCREEN) $(BIN)/pytest -n 2
+
+lint: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+firmware:
+	packaging/system_libraries.sh firmware
+	$(MAKE) -C resources/firmware BUILD=$(abspath $(FIRMWARE_BUILD)) all size
+
+screenshots: $(READY)
+	$(OFFSCREEN) $(BIN)/python -m app.screenshots docs/screenshots
+
+bench: $(READY)
+	$(OFFSCREEN) $(BIN)/python -m tracker.evaluation.bench --json bench.json
+
+lock: $(READY)
+	packaging/lock.sh $(VENV)
+
+clean:
+	rm -rf build dist demo bench bench.json $(VENV) *.egg-info
+	rm -rf .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	find app tracker resources tests -name __pycache__ -prune -exec rm -rf {} +
+
+$(READY): requirements.lock pyproject.toml packaging/environment.sh packaging/system_libraries.sh
+	packaging/system_libraries.sh app
+	packaging/environment.sh $(VENV)
+	touch $@

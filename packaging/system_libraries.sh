@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# Looks for the system packages that Glovetrack needs and that pip cannot bring.
+#
+#   packaging/system_libraries.sh [app] [firmware]
+#
+# Run by root on Debian or Ubuntu it installs what is missing; otherwise it prints the line to run.
+# Fails only where something essential stays missing: without the packages marked "display" the
+# application still runs off-screen.
+set -euo pipefail
+PATH=$PATH:/usr/sbin:/sbin # where ldconfig lives, for users too
+
+# probe                            package              needed
+app_needs='
+lib:libEGL.so.1                    libegl1              essential
+lib:libEGL_mesa.so.0               libegl-mesa0         essential
+lib:libGL.so.1                     libgl1               essential
+lib:libGLX_mesa.so.0               libglx-mesa0         essential
+lib:libX11.so.6                    libx11-6             essential
+lib:libdbus-1.so.3                 libdbus-1-3          essential
+lib:libfontconfig.so.1             libfontconfig1       essential
+lib:libglib-2.0.so.0               libglib2.0-0         essential
+lib:libstdc++.so.6                 libstdc++6           essential
+lib:libxkbcommon.so.0              libxkbcommon0        essential
+font:any                           fonts-dejavu-core    essential
+lib:libX11-xcb.so.1                libx11-xcb1          display
+lib:libxcb-cursor.so.0             libxcb-cursor0       display
+lib:libxcb-icccm.so.4              libxcb-icccm4        display
+lib:libxcb-image.so.0              libxcb-image0        display
+lib:libxcb-keysyms.so.1            libxcb-keysyms1      display
+lib:libxcb-randr.so.0              libxcb-randr0        display
+lib:libxcb-render-util.so.0        libxcb-render-util0  display
+lib:libxcb-shape.so.0              libxcb-shape0        display
+lib:libxcb-xkb.so.1                libxcb-xkb1          display
+lib:libxkbcommon-x11.so.0          libxkbcommon-x11-0   display
+'
+firmware_needs='
+command:avr-gcc                    gcc-avr              essential
+file:/usr/lib/avr/include/avr/io.h avr-libc             essential
+file:/usr/include/simavr/sim_avr.h libsimavr-dev        essential
+file:/usr/include/libelf.h         libelf-dev           essential
+command:cc                         gcc                  essential
+file:/usr/include/stdio.h          libc6-dev            essential
+'
+
+libraries=$(ldconfig -p 2>/dev/null || true)
+
+is_there() { # kind:what
+    local what=${1#*:}
+    case $1 in
+    lib:*) [[ $libraries == *"$what "* ]] ;;
+    command:*) command -v "$what" >/dev/null ;;
+    file:*) [ -e "$what" ] ;;
+    font:*) [ -n "$(find -L /usr/share/fonts /usr/local/share/fonts ~/.fonts ~/.local/share/fonts \
+        -name '*.[ot]t[fc]' -print -quit 2>/dev/null)" ] ;;
+    esac
+}
+
+missing() { # table, needed: one package a line
+    local probe package needed
+    while read -r probe package needed; do
+        if [ "$needed" = "$2" ] && ! is_there "$probe"; then echo "$package"; fi
+    done <<<"$(grep . <<<"$1")"
+}
+
+install() { # packages
+    export DEBIAN_FRONTEND=noninteractive
+    apt-get update -qq && apt-get install -y -qq --no-install-recommends "$@"
+}
+
+needs=
+for group in "${@:-app}"; do
+    case $group in
+    app) needs+=$app_needs ;;
+    firmware) needs+=$firmware_needs ;;
+    *) echo "unknown group $group: use app or firmware" >&2 && exit 2 ;;
+    esac
+done
+
+mapfile -t lacking < <({ missing "$needs" essential; missing "$needs" display; } | sort -u)
+[ ${#lacking[@]} -eq 0 ] && exit 0
+
+if [ "$(id -u)" -eq 0 ] && command -v apt-get >/dev/null; then
+    echo "Installing system packages: ${lacking[*]}"
+    install "${lacking[@]}" >/dev/null || echo "apt-get could not install them." >&2
+    libraries=$(ldconfig -p 2>/dev/null || true)
+    mapfile -t lacking < <({ missing "$needs" essential; missing "$needs" display; } | sort -u)
+    [ ${#lacking[@]} -eq 0 ] && exit 0
+fi
+
+essential=$(missing "$needs" essential)
+if [ -n "$essential" ]; then
+    echo "System packages are missing. Run this line, then the same make command again:" >&2
+else
+    echo "The window needs more system packages (off-screen work goes on without them):" >&2
+fi
+echo "    sudo apt-get update && sudo apt-get install -y --no-install-recommends ${lacking[*]}" >&2
+[ -z "$essential" ]
