@@ -1,0 +1,96 @@
+"""What the window needs of an engine: live, simulated or replayed, they all look like this."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
+
+from tracker.clock import ClockAnchor
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    Calibration,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    Message,
+    Status,
+    StereoFrame,
+)
+from tracker.vision.rig import StereoRig
+
+if TYPE_CHECKING:
+    from tracker.vision.colours import ColourProfile
+
+
+class Recorder(Protocol):
+    """Takes every message for a file."""
+
+    def write(self, message: Message) -> None: ...
+
+    def close(self) -> None: ...
+
+
+class LiveEngine(Protocol):
+    """The part of `tracker.runner.LiveTracker` that the window talks to."""
+
+    def start(self) -> None: ...
+
+    def stop(self) -> None: ...
+
+    def latest_estimate(self) -> Estimate | None: ...
+
+    def latest_frame(self) -> tuple[StereoFrame, BlobFrame, FrameResult] | None: ...
+
+    def recent_imu(self) -> Sequence[ImuSample]: ...
+
+    def calibration(self) -> Calibration | None: ...
+
+    def status(self) -> Status: ...
+
+    def take_events(self) -> list[Event]: ...
+
+    def set_profile(self, profile: ColourProfile) -> None: ...
+
+    def set_recorder(self, recorder: Recorder | None) -> None: ...
+
+
+@dataclass(frozen=True)
+class Truth:
+    """The simulated hand as it is: keypoints (K, 3) m and segment poses R (S, 3, 3), p (S, 3)."""
+
+    keypoints: Array
+    R_GB: Array
+    p_GB: Array
+
+
+@dataclass(frozen=True)
+class RecordingRequest:
+    """What the user wants on disk."""
+
+    path: Path
+    participant: str
+    task: str
+
+
+@dataclass(frozen=True, eq=False)
+class EngineSetup:
+    """An engine and what it works with. ``close`` frees what `LiveEngine.stop` does not."""
+
+    name: str
+    engine: LiveEngine
+    hand: HandModel
+    glove: GloveModel
+    rig: StereoRig
+    profile: ColourProfile
+    anchor: ClockAnchor
+    close: Callable[[], None]
+    make_recorder: Callable[[RecordingRequest], Recorder] | None = None
+    truth: Callable[[float], Truth | None] | None = None
+    simulated: bool = False
+    replayed: bool = False

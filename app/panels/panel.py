@@ -1,0 +1,31 @@
+"""What every panel of the window is."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from app.session import Session
+from app.viewmodels.snapshot import Snapshot
+
+
+class Panel(QWidget):
+    """A dock's content. ``refresh`` is called at most every ``period`` seconds, when in sight."""
+
+    name = ""  # stable, for layouts and tests
+    period = 1 / 30
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.session = session
+        self.setObjectName(f"panel_{self.name}")
+
+    def title(self) -> str:
+        """The dock's title, translated."""
+        raise NotImplementedError
+
+    def refresh(self, view: Snapshot | None) -> None:
+        """Show ``view``; None while no engine is open."""
+        raise NotImplementedError
+
+    def shut_down(self) -> None:
+        """Free what Qt does not; called once, before the window goes."""

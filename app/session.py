@@ -1,0 +1,193 @@
+"""The one object between the window and the engine.
+
+Panels never touch the engine: they read a `Snapshot` and call this object, and it tells them of
+events by signal.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from app.engine import EngineSetup, Recorder, RecordingRequest
+from app.tasks import Progress, TaskOwner
+from app.viewmodels.snapshot import Snapshot, nearest
+from tracker.errors import GlovetrackError
+from tracker.messages import Estimate, Event
+
+if TYPE_CHECKING:
+    from tracker.vision.colours import ColourProfile
+
+_log = logging.getLogger(__name__)
+SetupFactory = Callable[[Progress], EngineSetup]
+RECENT_ESTIMATES = 60
+"""One second at the window's rate: more than any picture is late."""
+
+
+class Session(QObject):
+    """Owns the engine, its recorder and the jobs that make and end them."""
+
+    opened = Signal(object)  # EngineSetup
+    closed = Signal()
+    running_changed = Signal(bool)
+    recording_changed = Signal(bool)
+    profile_changed = Signal(object)  # ColourProfile
+    event = Signal(object)  # Event
+    error = Signal(str)
+
+    def __init__(self, tasks: TaskOwner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._tasks = tasks
+        self._setup: EngineSetup | None = None
+        self._recorder: Recorder | None = None
+        self._request: RecordingRequest | None = None
+        self._paused = False
+        self._recent: deque[Estimate] = deque(maxlen=RECENT_ESTIMATES)
+        self.running = False
+        self.opening = False
+
+    # --- life of the engine
+
+    @property
+    def setup(self) -> EngineSetup | None:
+        return self._setup
+
+    def open(self, title: str, factory: SetupFactory, start: bool = True) -> None:
+        """Build an engine in the background (it compiles, opens ports) and start it."""
+        if self.opening:
+            return
+        self.shut_down()
+        self.opening = True
+        task = self._tasks.run(title, factory, lambda setup: self.adopt(setup, start))
+        task.ended.connect(self._opening_ended)
+
+    def _opening_ended(self) -> None:
+        self.opening = False
+
+    def adopt(self, setup: EngineSetup, start: bool = True) -> None:
+        """Take over a built engine."""
+        self.shut_down()
+        self._setup = setup
+        self.opened.emit(setup)
+        if start:
+            self.start()
+
+    def start(self) -> None:
+        if self._setup is None or self.running:
+            return
+        try:
+            self._setup.engine.start()
+        except GlovetrackError as error:
+            self.error.emit(str(error))
+            return
+        self.running = True
+        self.running_changed.emit(True)
+
+    def stop(self) -> None:
+        if self._setup is None or not self.running:
+            return
+        self.stop_recording()
+        self._setup.engine.stop()
+        self.running = False
+        self.running_changed.emit(False)
+
+    def shut_down(self) -> None:
+        """Stop, close the file, free the devices. Safe to call at any time."""
+        self.stop()
+        if self._setup is None:
+            return
+        setup, self._setup = self._setup, None
+        self._recent.clear()
+        setup.close()
+        self.closed.emit()
+
+    # --- recording
+
+    @property
+    def recording(self) -> RecordingRequest | None:
+        return self._request
+
+    @property
+    def paused(self) -> bool:
+        return self._paused
+
+    def record(self, request: RecordingRequest) -> bool:
+        """Begin a file; False, with an `error`, where that is impossible."""
+        setup = self._setup
+        if setup is None or setup.make_recorder is None or self._request is not None:
+            return False
+        try:
+            self._recorder = setup.make_recorder(request)
+        except (GlovetrackError, OSError) as error:
+            self.error.emit(str(error))
+            return False
+        self._request = request
+        self._paused = False
+        setup.engine.set_recorder(self._recorder)
+        self.recording_changed.emit(True)
+        return True
+
+    def pause(self, paused: bool) -> None:
+        """Hold the file back or let it go on."""
+        if self._setup is None or self._recorder is None:
+            return
+        self._paused = paused
+        self._setup.engine.set_recorder(None if paused else self._recorder)
+        self.recording_changed.emit(True)
+
+    def stop_recording(self) -> None:
+        if self._setup is None or self._recorder is None:
+            return
+        self._setup.engine.set_recorder(None)
+        recorder, self._recorder = self._recorder, None
+        self._request = None
+        try:
+            recorder.close()
+        except (GlovetrackError, OSError) as error:
+            self.error.emit(str(error))
+        self.recording_changed.emit(False)
+
+    def note(self, text: str) -> None:
+        """A note with the instant of now, to the log and to the file."""
+        estimate = self._setup.engine.latest_estimate() if self._setup else None
+        event = Event(estimate.t if estimate else 0.0, "note", text)
+        if self._recorder is not None and not self._paused:
+            self._recorder.write(event)
+        self.event.emit(event)
+
+    # --- what panels ask
+
+    def set_profile(self, profile: ColourProfile) -> None:
+        if self._setup is not None:
+            self._setup.engine.set_profile(profile)
+        self.profile_changed.emit(profile)
+
+    def snapshot(self) -> Snapshot | None:
+        """The latest of everything, and the events since the last call by signal."""
+        setup = self._setup
+        if setup is None:
+            return None
+        for event in setup.engine.take_events():
+            self.event.emit(event)
+        estimate = setup.engine.latest_estimate()
+        if estimate is not None and (not self._recent or self._recent[-1].t != estimate.t):
+            self._recent.append(estimate)
+        triple = setup.engine.latest_frame()
+        frame, blobs, result = triple if triple is not None else (None, None, None)
+        return Snapshot(
+            setup=setup,
+            running=self.running,
+            estimate=estimate,
+            estimate_at_frame=nearest(self._recent, frame.t) if frame is not None else estimate,
+            frame=frame,
+            blobs=blobs,
+            result=result,
+            calibration=setup.engine.calibration(),
+            status=setup.engine.status(),
+            imu=setup.engine.recent_imu(),
+            truth=setup.truth(estimate.t) if setup.truth and estimate is not None else None,
+        )

@@ -1,0 +1,123 @@
+"""Long jobs: plain functions with progress and cancel, run one thread each, joined by one owner."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from tracker.errors import GlovetrackError
+
+
+class Cancelled(Exception):
+    """Raised inside a job when the user has cancelled it."""
+
+
+class Progress:
+    """Handed to a job: it reports how far it is and learns here that it shall end."""
+
+    def __init__(self, report: Callable[[float, str], None]) -> None:
+        self._report = report
+        self._cancel = threading.Event()
+
+    def __call__(self, fraction: float, text: str = "") -> None:
+        """Report ``fraction`` (0..1, negative where unknown); raises Cancelled when cancelled."""
+        if self._cancel.is_set():
+            raise Cancelled
+        self._report(fraction, text)
+
+    def cancel(self) -> None:
+        self._cancel.set()
+
+    @property
+    def cancelled(self) -> bool:
+        return self._cancel.is_set()
+
+
+Job = Callable[[Progress], Any]
+
+
+class Task(QObject):
+    """One job under way. Signals arrive in the window's thread."""
+
+    progressed = Signal(float, str)
+    done = Signal(object)
+    failed = Signal(str)
+    ended = Signal()
+
+    def __init__(self, title: str, job: Job, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.title = title
+        self._job = job
+        self._progress = Progress(self.progressed.emit)
+        self._thread = threading.Thread(target=self._run, name=f"glovetrack-task {title}")
+
+    def start(self) -> None:
+        self._thread.start()
+
+    def cancel(self) -> None:
+        self._progress.cancel()
+
+    def join(self, timeout: float | None = None) -> None:
+        self._thread.join(timeout)
+
+    @property
+    def alive(self) -> bool:
+        return self._thread.is_alive()
+
+    def _run(self) -> None:
+        try:
+            result = self._job(self._progress)
+        except Cancelled:
+            pass  # wanted by the user: `ended` alone says it
+        except GlovetrackError as error:
+            self.failed.emit(str(error))
+        except Exception as error:  # noqa: BLE001  a job's crash must reach the window, whatever it is
+            self.failed.emit(f"{self.title} failed: {type(error).__name__}: {error}")
+        else:
+            self.done.emit(result)
+        self.ended.emit()
+
+
+class TaskOwner(QObject):
+    """Starts, lists, cancels and joins jobs."""
+
+    changed = Signal()
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._tasks: list[Task] = []
+
+    @property
+    def tasks(self) -> tuple[Task, ...]:
+        return tuple(self._tasks)
+
+    def run(self, title: str, job: Job, done: Callable[[Any], None] | None = None) -> Task:
+        """Run ``job`` in its own thread; ``done`` is called with its result in this thread."""
+        task = Task(title, job, self)
+        if done is not None:
+            task.done.connect(done, Qt.ConnectionType.QueuedConnection)
+        task.failed.connect(self.failed, Qt.ConnectionType.QueuedConnection)
+        task.ended.connect(lambda: self._forget(task), Qt.ConnectionType.QueuedConnection)
+        self._tasks.append(task)
+        task.start()
+        self.changed.emit()
+        return task
+
+    def _forget(self, task: Task) -> None:
+        if task in self._tasks:
+            task.join()
+            self._tasks.remove(task)
+            task.deleteLater()
+            self.changed.emit()
+
+    def shut_down(self) -> None:
+        """Cancel everything and wait for it."""
+        for task in self._tasks:
+            task.cancel()
+        for task in self._tasks:
+            task.join()
+        self._tasks.clear()

@@ -1,0 +1,1 @@
+"""What each panel shows, computed from messages; plain Python, no Qt."""

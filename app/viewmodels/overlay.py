@@ -1,0 +1,179 @@
+"""What is drawn over a camera picture, from one stereo exposure and what the tracker made of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.viewmodels.snapshot import Snapshot
+from app.viewmodels.states import GREY, VALIDITY
+from app.widgets.overlay import Cross, Ellipse, Label, Line, Ring, Shape
+from tracker.hand.names import FINGERS
+from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Validity
+from tracker.vision.rig import StereoRig
+
+VISIBLE = 0.5
+"""A marker is drawn full where the prior says that it is likelier seen than not, else dimmed."""
+DIM = 0.35
+REASONS = {
+    "size": "wrong size",
+    "convexity": "not convex",
+    "circularity": "not round",
+    "edge": "at the edge",
+}
+WHITE = "#FFFFFF"
+
+
+@dataclass(frozen=True)
+class Layers:
+    """Which parts of the overlay the user wants."""
+
+    blobs: bool = True
+    rejected: bool = True
+    predicted: bool = True
+    residuals: bool = True
+    skeleton: bool = True
+
+
+def overlay(view: Snapshot, layers: Layers, colours: dict[str, str], right: bool) -> list[Shape]:
+    """All shapes for one side; ``colours`` maps hue names to what they look like."""
+    shapes: list[Shape] = []
+    if layers.skeleton:
+        shapes += _skeleton(view, right)
+    blobs, rejected = _side(view, right)
+    names = view.blobs.hue_names if view.blobs is not None else ()
+    if layers.rejected and rejected is not None:
+        shapes += _rejected(rejected)
+    if view.result is not None and layers.predicted:
+        shapes += _predicted(view, view.result, colours, right)
+    if blobs is not None and view.result is not None and layers.residuals:
+        shapes += _residuals(view.result, blobs, right)
+    if blobs is not None and layers.blobs:
+        shapes += _blobs(view, blobs, names, colours, right)
+    return shapes
+
+
+def _side(view: Snapshot, right: bool) -> tuple[Blobs | None, RejectedBlobs | None]:
+    if view.blobs is None:
+        return None, None
+    if right:
+        return view.blobs.right, view.blobs.rejected_right
+    return view.blobs.left, view.blobs.rejected_left
+
+
+def _blobs(
+    view: Snapshot, blobs: Blobs, names: tuple[str, ...], colours: dict[str, str], right: bool
+) -> list[Shape]:
+    """A ring per blob in its hue: full where it became a marker, dashed where nobody claims it."""
+    claimed = _claimed(view.result, len(blobs), right)
+    out: list[Shape] = []
+    for i, (u, v) in enumerate(blobs.uv):
+        radius = float(max(blobs.size[i])) / 2 + 2
+        colour = colours.get(names[blobs.hue[i]], WHITE)
+        out.append(Ring(float(u), float(v), radius, colour, 2.0, dashed=not claimed[i]))
+    return out
+
+
+def _claimed(result: FrameResult | None, count: int, right: bool) -> list[bool]:
+    if result is None:
+        return [True] * count
+    match = result.match_right if right else result.match_left
+    taken = set(match[match >= 0].tolist())
+    return [i in taken for i in range(count)]
+
+
+def _rejected(rejected: RejectedBlobs) -> list[Shape]:
+    out: list[Shape] = []
+    for (u, v), reason in zip(rejected.uv.tolist(), rejected.reason, strict=True):
+        out.append(Cross(u, v, "#FF8A65", diagonal=True))
+        out.append(Label(u, v, REASONS.get(reason, reason), "#FFB199"))
+    return out
+
+
+def _predicted(
+    view: Snapshot, result: FrameResult, colours: dict[str, str], right: bool
+) -> list[Shape]:
+    """Where each marker is expected, with its id and (left) the 2σ ellipse."""
+    uv = result.predicted_right if right else result.predicted_left
+    out: list[Shape] = []
+    for marker in view.setup.glove.markers:
+        u, v = (float(x) for x in uv[marker.id])
+        if not np.isfinite([u, v]).all():
+            continue
+        opacity = 1.0 if result.visible[marker.id] >= VISIBLE else DIM
+        colour = colours.get(marker.hue, WHITE)
+        out.append(Cross(u, v, colour, opacity=opacity))
+        if opacity == 1.0:
+            out.append(Label(u, v, str(marker.id), WHITE, opacity))
+            if not right:
+                out += _ellipse(u, v, result.predicted_cov[marker.id])
+    return out
+
+
+def _ellipse(u: float, v: float, cov: Array) -> list[Shape]:
+    """The 2σ ellipse of a 2 by 2 covariance in px²."""
+    if not np.isfinite(cov).all():
+        return []
+    values, vectors = np.linalg.eigh(cov)
+    b, a = 2 * np.sqrt(np.maximum(values, 0))
+    angle = float(np.arctan2(vectors[1, 1], vectors[0, 1]))
+    return [Ellipse(u, v, float(a), float(b), angle, WHITE, 0.8)]
+
+
+def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shape]:
+    """A line from each prediction to the blob that it was matched with."""
+    match = result.match_right if right else result.match_left
+    uv = result.predicted_right if right else result.predicted_left
+    out: list[Shape] = []
+    for marker, i in enumerate(match.tolist()):
+        if 0 <= i < len(blobs) and np.isfinite(uv[marker]).all():
+            u0, v0 = uv[marker].tolist()
+            u1, v1 = blobs.uv[i].tolist()
+            out.append(Line(u0, v0, u1, v1, WHITE, 1.0))
+    return out
+
+
+def bones(names: tuple[str, ...]) -> list[tuple[int, int]]:
+    """Pairs of keypoint rows that a bone joins, wrist to tips."""
+    chains = [("wrist", "thumb_cmc", "thumb_mcp", "thumb_ip", "thumb_tip")]
+    chains += [("wrist", *(f"{f}_{p}" for p in ("mcp", "pip", "dip", "tip"))) for f in FINGERS]
+    row = {n: i for i, n in enumerate(names)}
+    return [
+        (row[a], row[b])
+        for chain in chains
+        for a, b in zip(chain, chain[1:], strict=False)
+        if a in row and b in row
+    ]
+
+
+def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
+    estimate = view.estimate_at_frame
+    if estimate is None:
+        return []
+    pixels = project(view, estimate.keypoints, right)
+    out: list[Shape] = []
+    for a, b in bones(view.setup.glove.keypoint_names(view.setup.hand)):
+        ends = np.concatenate([pixels[a], pixels[b]])
+        if not np.isfinite(ends).all():
+            continue
+        state = int(min(estimate.keypoint_state[a], estimate.keypoint_state[b]))
+        colour = VALIDITY[state].colour if state != Validity.LOST else GREY
+        dashed = state != Validity.MEASURED
+        out.append(Line(*(float(x) for x in ends), colour, 2.5, dashed, 0.85))
+    return out
+
+
+def project(view: Snapshot, p_G: Array, right: bool) -> Array:
+    """Points (n, 3) of G to pixels (n, 2) of the picture as recorded."""
+    rig: StereoRig = view.setup.rig
+    pose = rig.pose
+    if view.frame is not None and view.frame.pose is not None:
+        pose = view.frame.pose
+    p_C = (p_G - pose.p_GC) @ pose.R_GC
+    camera = rig.right if right else rig.left
+    rectified = rig.project(p_C, right=right)
+    raw = np.full_like(rectified, np.nan)
+    seen = np.isfinite(rectified).all(axis=1)
+    raw[seen] = camera.unrectify(rectified[seen])
+    return raw

@@ -1,0 +1,43 @@
+"""One look at the engine: what all panels of one tick share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from app.engine import EngineSetup, Truth
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    Estimate,
+    FrameResult,
+    ImuSample,
+    Status,
+    StereoFrame,
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshot:
+    """The latest of every stream; None where there is nothing yet.
+
+    ``estimate_at_frame`` is the estimate nearest to the exposure of ``frame``: pictures are some
+    40 ms old when they arrive, so an overlay of the newest estimate would lead the hand.
+    """
+
+    setup: EngineSetup
+    running: bool
+    estimate: Estimate | None = None
+    estimate_at_frame: Estimate | None = None
+    frame: StereoFrame | None = None
+    blobs: BlobFrame | None = None
+    result: FrameResult | None = None
+    calibration: Calibration | None = None
+    status: Status | None = None
+    imu: Sequence[ImuSample] = field(default_factory=tuple)
+    truth: Truth | None = None
+
+
+def nearest(estimates: Sequence[Estimate], t: float) -> Estimate | None:
+    """The estimate whose instant is nearest to ``t``."""
+    return min(estimates, key=lambda e: abs(e.t - t), default=None)

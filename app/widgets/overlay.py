@@ -1,0 +1,68 @@
+"""Shapes drawn over a picture: plain data in picture pixels, painted by `PictureView`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Ring:
+    """A circle around a point, ``radius`` in picture pixels."""
+
+    u: float
+    v: float
+    radius: float
+    colour: str
+    width: float = 1.5
+    dashed: bool = False
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True)
+class Cross:
+    """An upright or (``diagonal``) lying cross of fixed size on the screen."""
+
+    u: float
+    v: float
+    colour: str
+    diagonal: bool = False
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True)
+class Ellipse:
+    """Half axes ``a``, ``b`` in picture pixels; ``angle`` rad of the first against u."""
+
+    u: float
+    v: float
+    a: float
+    b: float
+    angle: float
+    colour: str
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True)
+class Line:
+    u0: float
+    v0: float
+    u1: float
+    v1: float
+    colour: str
+    width: float = 1.5
+    dashed: bool = False
+    opacity: float = 1.0
+
+
+@dataclass(frozen=True)
+class Label:
+    """Text beside a point; its size does not follow the zoom."""
+
+    u: float
+    v: float
+    text: str
+    colour: str
+    opacity: float = 1.0
+
+
+Shape = Ring | Cross | Ellipse | Line | Label
