@@ -60,9 +60,7 @@ def propagate(
     _move_nominal(state, w, f, dt, coasting)
 
 
-def _move_nominal(
-    state: ChainState, w: Array, f: Array | None, dt: float, coasting: bool
-) -> None:
+def _move_nominal(state: ChainState, w: Array, f: Array | None, dt: float, coasting: bool) -> None:
     if f is None:
         state.p = state.p + state.v * dt
         state.v = state.v * np.exp(-COAST_DAMPING * dt)
@@ -105,9 +103,7 @@ def _transition(
     return Phi
 
 
-def _follow_parent(
-    Phi: Array, state: ChainState, layout: ChainLayout, i: int, rows: slice
-) -> None:
+def _follow_parent(Phi: Array, state: ChainState, layout: ChainLayout, i: int, rows: slice) -> None:
     """R_rel stays: theta_c moves by R_rel^T times what theta_parent moved by."""
     a = int(layout.parent[i])
     R_ca = state.R_GB[i].T @ state.R_GB[a]

@@ -41,6 +41,10 @@ class ChainState:
             **{k: v.copy() for k, v in vars(self).items() if isinstance(v, np.ndarray)},
         )
 
+    def copy_nominal(self) -> ChainState:
+        """A copy that shares every array: for trying other poses, whose arrays are replaced."""
+        return replace(self)
+
     def scale3(self) -> Array:
         """(A, 3) factors along B: length, girth, girth."""
         return self.scale[:, [0, 1, 1]]

@@ -82,9 +82,7 @@ def _row(
 ) -> tuple[Array, Array, float]:
     """J_f_error (3, N), predicted reading (3,), size of the kinematic part (m/s²)."""
     segment = chain[0][0]
-    c_of = [
-        (a, _cross(alpha[a], lever) + _cross(w[a], _cross(w[a], lever))) for a, lever in chain
-    ]
+    c_of = [(a, _cross(alpha[a], lever) + _cross(w[a], _cross(w[a], lever))) for a, lever in chain]
     kinematic_G = sum((state.R_GB[a] @ c for a, c in c_of), np.zeros(3))
     s_G = kinematic_G + state.R_GB[0] @ f_0
     s = state.R_GB[segment].T @ s_G

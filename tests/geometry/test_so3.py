@@ -1,0 +1,45 @@
+"""Rotations against SciPy and by their laws."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from tracker.geometry import so3
+
+RNG = np.random.default_rng(1)
+VECTORS = np.concatenate(
+    [RNG.normal(size=(50, 3)), 1e-9 * RNG.normal(size=(5, 3)), np.zeros((1, 3))]
+)
+NEAR_PI = Rotation.from_rotvec((np.pi - 1e-7) * np.eye(3))
+
+
+def test_exp_equals_scipy() -> None:
+    assert np.allclose(so3.exp(VECTORS), Rotation.from_rotvec(VECTORS).as_matrix(), atol=1e-14)
+
+
+def test_log_inverts_exp_within_half_a_turn() -> None:
+    assert np.allclose(
+        so3.log(so3.exp(VECTORS)), Rotation.from_rotvec(VECTORS).as_rotvec(), atol=1e-7
+    )
+
+
+def test_log_near_half_a_turn() -> None:
+    assert np.allclose(so3.log(NEAR_PI.as_matrix()), NEAR_PI.as_rotvec(), atol=1e-6)
+
+
+@pytest.mark.parametrize("rotation", [Rotation.random(40, rng=2), NEAR_PI])
+def test_quaternions_equal_scipy(rotation: Rotation) -> None:
+    q = so3.quat_from_matrix(rotation.as_matrix())
+    assert np.allclose(q, rotation.as_quat(canonical=True), atol=1e-9)
+    assert np.allclose(so3.matrix_from_quat(q), rotation.as_matrix(), atol=1e-12)
+
+
+def test_zyx_beyond_a_right_angle_of_flexion() -> None:
+    for abduction, flexion, twist in [(0.2, 1.9, -0.1), (-0.3, 0.5, 0.2), (0.1, -0.4, 0.0)]:
+        R = so3.rz(abduction) @ so3.ry(flexion) @ so3.rx(twist)
+        assert np.allclose(so3.zyx_from_matrix(R), (abduction, flexion, twist), atol=1e-12)
+
+
+def test_skew_is_the_cross_product() -> None:
+    a, b = RNG.normal(size=(2, 3))
+    assert np.allclose(so3.skew(a) @ b, np.cross(a, b))

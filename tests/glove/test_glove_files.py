@@ -1,0 +1,50 @@
+"""Glove files."""
+
+import numpy as np
+import pytest
+
+from tests.conftest import RESOURCES
+from tracker.errors import FileError
+from tracker.glove.files import parse_glove
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+
+TEXT = (RESOURCES / "gloves" / "vist-small.toml").read_text()
+
+
+def test_the_papers_glove(glove: GloveModel) -> None:
+    assert len(glove.imus) == 7 and len(glove.markers) == 37
+    assert set(glove.hues) == {"red", "yellow", "green", "blue"}
+    assert {m.shape for m in glove.markers} == {"circle"}
+    assert np.allclose(glove.marker_size, 0.012)
+
+
+def test_markers_lie_on_the_surface(hand: HandModel, glove: GloveModel) -> None:
+    for m in glove.markers:
+        segment = hand.segments[hand.index[m.segment]]
+        depth = m.position @ m.normal
+        assert segment.radius <= depth <= segment.radius + 0.003
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("normal = [0.0, 0.0, 1]", "normal = [0.0, 0.0, 1.1]", "length 1.1"),
+        ("id = 1\n", "id = 0\n", "twice"),
+        ("id = 36\n", "id = 40\n", "ids 0 to 36"),
+        ('segment = "dorsum"', 'segment = "elbow"', "one of"),
+        ('shape = "circle"', 'shape = "star"', "circle, square"),
+        ("position = [0.045", "position = [inf", "finite"),
+        ('side = "right"', 'side = "left"', "right one"),
+        ("[keypoints.dorsum]", "[keypoints.wrist]", "which the skeleton has"),
+    ],
+)
+def test_a_wrong_file_is_refused_in_words(hand: HandModel, old: str, new: str, words: str) -> None:
+    assert old in TEXT
+    with pytest.raises(FileError, match=words):
+        parse_glove(TEXT.replace(old, new, 1), hand, "glove.toml")
+
+
+def test_a_glove_may_be_empty(hand: HandModel) -> None:
+    glove = parse_glove('schema = 1\nname = "bare"\nside = "right"\nhand = "x"\n', hand)
+    assert glove.imus == () and glove.marker_position.shape == (0, 3)

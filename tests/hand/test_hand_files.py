@@ -1,0 +1,61 @@
+"""Hand files: what they hold, and one clear error for what they must not hold."""
+
+import numpy as np
+import pytest
+
+from tests.conftest import RESOURCES
+from tracker.errors import FileError
+from tracker.hand.files import load_hand, parse_hand
+from tracker.hand.model import HandModel
+
+TEXT = (RESOURCES / "hands" / "reference-right.toml").read_text()
+
+
+def test_reference_hand_has_the_names_of_the_conventions(hand: HandModel) -> None:
+    assert len(hand.keypoint_names) == 21
+    assert hand.keypoint_names[0] == "wrist" and hand.keypoint_names[8] == "index_tip"
+    assert {"thumb_cmc_twist", "index_mcp_abduction", "little_dip_flexion"} <= set(hand.joint_names)
+    flat = hand.keypoints(*hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3)))
+    assert np.linalg.norm(flat[hand.keypoint_names.index("middle_tip")]) == pytest.approx(
+        hand.length, abs=1e-3
+    )
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("length = 0.183", "length = nan", "finite"),
+        ("length = 0.183", "length = 0.25", "add up"),
+        ('side = "right"', 'side = "up"', "right, left"),
+        ("schema = 1", "schema = 2", "schema"),
+        ("width = 0.08", "breadth = 0.08", "width is missing"),
+        ("width = 0.08", "width = 0.08\ncolour = 1", "colour is not a key"),
+        ('parent = "index_proximal"', 'parent = "index_distal"', "loop"),
+        ("[segments.index_distal]", "[segments.tail]", "unknown segment"),
+        ('of = "index_pip_flexion"', 'of = "index_dip_flexion"', "loop"),
+        ("ratio = 0.67", 'ratio = "much"', "number"),
+    ],
+)
+def test_a_wrong_file_is_refused_in_words(old: str, new: str, words: str) -> None:
+    assert old in TEXT
+    with pytest.raises(FileError, match=words) as error:
+        parse_hand(TEXT.replace(old, new, 1), "my-hand.toml")
+    assert str(error.value).startswith("my-hand.toml")
+
+
+def test_the_error_names_the_line() -> None:
+    number = TEXT.splitlines().index("length = 0.082") + 1
+    with pytest.raises(FileError, match=f"line {number}: segments.dorsum.length"):
+        parse_hand(TEXT.replace("length = 0.082", 'length = "long"', 1), "h.toml")
+
+
+def test_the_left_hand_mirrors_the_right(hand: HandModel) -> None:
+    left = load_hand(RESOURCES / "hands" / "reference-left.toml")
+    mirror = np.array([1.0, -1.0, 1.0])
+    rng = np.random.default_rng(3)
+    low, high = hand.angle_limits.T
+    angles = low + rng.random(len(low)) * (high - low)
+    sign = np.array([1.0 if n.endswith("flexion") else -1.0 for n in hand.joint_names])
+    right_points = hand.keypoints(*hand.forward(angles, np.eye(3), np.zeros(3)))
+    left_points = left.keypoints(*left.forward(angles * sign, np.eye(3), np.zeros(3)))
+    assert np.allclose(left_points, right_points * mirror, atol=1e-9)

@@ -1,0 +1,58 @@
+"""The command ``glovetrack``.
+
+Exit status: 0 done, 1 the work failed (one message on standard error), 2 wrong usage. Rooms bring
+their own sub-commands; imports happen inside them, so that ``glovetrack info`` starts at once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+from tracker import __version__
+from tracker.errors import GlovetrackError
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; returns the exit status."""
+    args = _parser().parse_args(argv)
+    try:
+        return int(args.func(args) or 0)
+    except GlovetrackError as error:
+        print(f"glovetrack: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("glovetrack: stopped", file=sys.stderr)
+        return 1
+    except BrokenPipeError:
+        return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    from tracker.evaluation.commands import add_commands as add_evaluation
+    from tracker.offline.commands import add_commands as add_offline
+    from tracker.session.commands import add_commands as add_session
+
+    parser = argparse.ArgumentParser(
+        prog="glovetrack", description="Hand tracking with a sensor glove and a stereo camera."
+    )
+    parser.add_argument("--version", action="version", version=f"glovetrack {__version__}")
+    parser.set_defaults(func=_app, demo=False)
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND")
+    demo = commands.add_parser("demo", help="the app on the simulated glove and camera")
+    demo.set_defaults(func=_app, demo=True)
+    add_offline(commands)
+    add_session(commands)
+    add_evaluation(commands)
+    return parser
+
+
+def _app(args: argparse.Namespace) -> int:
+    from app.__main__ import main as run_app
+
+    return run_app(["--demo"] if args.demo else [])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

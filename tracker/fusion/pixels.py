@@ -1,0 +1,182 @@
+"""Markers in the two pictures: prediction, correspondence, and the stacked pixel update.
+
+A marker's placement error is common to both images: the noise of a stereo pair is
+A A^T s_m² + I s_px² with A = [Pi_L; Pi_R] R_CG. Treating it as independent pixel noise would throw
+the depth away. A marker that one camera sees gives two rows, one that both see gives four.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions, segment_positions
+from tracker.fusion.layout import ChainLayout
+from tracker.fusion.params import NoiseParams
+from tracker.fusion.state import ChainState
+from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
+from tracker.vision.correspondence import HandShape, assign_gated, visibility
+from tracker.vision.rig import StereoRig
+
+SIDES = ("left", "right")
+MIN_PRIOR = 0.01
+
+
+@dataclass(frozen=True, eq=False)
+class SeenBlobs:
+    """Blobs of one image in rectified pixels uv (n, 2), hue (n,) numbered as the glove's."""
+
+    uv: Array
+    hue: IntArray
+    source: IntArray  # (n,) row in the original message
+
+    @staticmethod
+    def of(
+        blobs: Blobs | None, hue_names: tuple[str, ...], hues: tuple[str, ...], rectify
+    ) -> SeenBlobs:  # type: ignore[no-untyped-def]
+        """Those of hues that the glove wears."""
+        if blobs is None or len(blobs) == 0:
+            return SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))
+        number = np.array([hues.index(h) if h in hues else -1 for h in hue_names])
+        hue = number[blobs.hue]
+        keep = np.flatnonzero((hue >= 0) & np.all(np.isfinite(blobs.uv), axis=1))
+        return SeenBlobs(rectify(blobs.uv[keep]), hue[keep], keep)
+
+
+def seen_blobs(frame: BlobFrame, rig: StereoRig, hues: tuple[str, ...]) -> tuple[SeenBlobs, ...]:
+    """Left and right."""
+    return (
+        SeenBlobs.of(frame.left, frame.hue_names, hues, rig.left.rectify),
+        SeenBlobs.of(frame.right, frame.hue_names, hues, rig.right.rectify),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """Markers as the filter expects them; n of them may be seen.
+
+    rows (n,) marker ids; p_C (M, 3); uv (2, M, 2) rectified; prior (2, M); and of the n rows
+    H (n, 3, N), HP (n, 3, N), A (2, n, 2, 3) = d uv / d p_G, S (2, n, 2, 2) innovation covariance.
+    """
+
+    rows: IntArray
+    uv: Array
+    prior: Array
+    H: Array
+    HP: Array
+    A: Array
+    S: Array
+
+
+class PixelModel:
+    """Prediction and matching for one glove seen by one rig."""
+
+    def __init__(self, layout: ChainLayout, rig: StereoRig, noise: NoiseParams) -> None:
+        self._layout, self._rig, self._noise = layout, rig, noise
+        self._shape = HandShape.of(layout.hand)
+
+    def predict(
+        self,
+        state: ChainState,
+        pose: CameraPose,
+        R_all: Array,
+        p_all: Array,
+    ) -> Prediction:
+        """Where markers should be. R_all, p_all: poses of all hand segments, for occlusion."""
+        lay, glove = self._layout, self._layout.glove
+        p_G = marker_positions(state, lay)
+        normal_G = np.einsum("mij,mj->mi", state.R_GB[lay.marker_segment], glove.marker_normal)
+        p_C = (p_G - pose.p_GC) @ pose.R_GC
+        uv = np.stack([self._rig.project(p_C), self._rig.project(p_C, right=True)])
+        prior = visibility(
+            self._shape,
+            self._rig,
+            pose,
+            p_G,
+            normal_G,
+            glove.marker_segment(lay.hand),
+            R_all,
+            p_all,
+        )
+        prior = np.where(np.isfinite(uv[..., 0]), prior, 0.0)
+        rows = np.flatnonzero(prior.max(axis=0) > MIN_PRIOR)
+        H = marker_jacobians(state, lay, rows)
+        HP = (H.reshape(-1, lay.size) @ state.P).reshape(H.shape)
+        A = self._pixel_jacobians(p_C[rows], pose)
+        cov = np.einsum("kin,kjn->kij", HP, H) + np.eye(3) * self._noise.marker**2
+        S = np.einsum("ckai,kij,ckbj->ckab", A, cov, A) + np.eye(2) * self._noise.pixel_px**2
+        return Prediction(rows, uv, prior, H, HP, A, S)
+
+    def _pixel_jacobians(self, p_C: Array, pose: CameraPose) -> Array:
+        """(2, n, 2, 3) d uv / d p_G of both cameras."""
+        rig = self._rig
+        z = np.maximum(p_C[:, 2], 0.01)
+        out = np.zeros((2, len(p_C), 2, 3))
+        for c, shift in enumerate((0.0, rig.baseline)):
+            out[c, :, 0, 0] = rig.fx / z
+            out[c, :, 0, 2] = -rig.fx * (p_C[:, 0] - shift) / z**2
+            out[c, :, 1, 1] = rig.fy / z
+            out[c, :, 1, 2] = -rig.fy * p_C[:, 1] / z**2
+        return out @ pose.R_GC.T
+
+    def match(self, prediction: Prediction, seen: tuple[SeenBlobs, ...]) -> IntArray:
+        """(2, M) row of `seen` for each marker, -1 for none."""
+        glove = self._layout.glove
+        out = np.full((2, len(glove.markers)), -1, np.int64)
+        rows = prediction.rows
+        for c in range(2):
+            found = assign_gated(
+                seen[c].uv,
+                seen[c].hue,
+                prediction.uv[c, rows],
+                prediction.S[c],
+                glove.marker_hue[rows],
+                prediction.prior[c, rows],
+            )
+            out[c, rows] = found
+        return out
+
+    def rows(
+        self, prediction: Prediction, seen: tuple[SeenBlobs, ...], match: IntArray
+    ) -> tuple[Array, Array, Array, Array]:
+        """Stacked H (m, N), HP (m, N), innovation (m,), noise (m, m) of all matched markers."""
+        H: list[Array] = []
+        HP: list[Array] = []
+        r: list[Array] = []
+        blocks: list[Array] = []
+        for k, marker in enumerate(prediction.rows):
+            sides = [c for c in range(2) if match[c, marker] >= 0]
+            if not sides:
+                continue
+            A = np.concatenate([prediction.A[c, k] for c in sides])
+            innovation = np.concatenate(
+                [seen[c].uv[match[c, marker]] - prediction.uv[c, marker] for c in sides]
+            )
+            H_k, HP_k = A @ prediction.H[k], A @ prediction.HP[k]
+            noise = A @ A.T * self._noise.marker**2
+            noise += np.eye(len(A)) * self._noise.pixel_px**2
+            noise *= self._huber(innovation, HP_k @ H_k.T + noise)
+            H.append(H_k)
+            HP.append(HP_k)
+            r.append(innovation)
+            blocks.append(noise)
+        return np.concatenate(H), np.concatenate(HP), np.concatenate(r), _block_diagonal(blocks)
+
+    def _huber(self, r: Array, S: Array) -> float:
+        """Factor on the noise: 1 up to the threshold, then growing with the distance."""
+        distance = float(np.sqrt(r @ np.linalg.solve(S, r) / len(r)))
+        return max(1.0, distance / self._noise.huber) ** 2
+
+    def segment_poses(self, state: ChainState) -> tuple[Array, Array]:
+        return state.R_GB, segment_positions(state, self._layout)
+
+
+def _block_diagonal(blocks: list[Array]) -> Array:
+    size = sum(len(b) for b in blocks)
+    out = np.zeros((size, size))
+    k = 0
+    for b in blocks:
+        out[k : k + len(b), k : k + len(b)] = b
+        k += len(b)
+    return out

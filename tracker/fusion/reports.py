@@ -1,0 +1,97 @@
+"""Messages made of a chain filter's state: calibration, frame results."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.fusion.layout import ChainLayout
+from tracker.fusion.pixels import Prediction, SeenBlobs
+from tracker.fusion.state import ChainState
+from tracker.geometry import so3
+from tracker.messages import Array, BlobFrame, Calibration, FrameResult, IntArray, Tracking
+from tracker.vision.rig import StereoRig
+
+
+def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
+    """Scales, mountings and biases with their standard deviations."""
+    sd = np.sqrt(np.maximum(np.diag(state.P), 0.0))
+    n = len(layout.active)
+    scale_sd = sd[layout.scale : layout.joint].reshape(n, 2)[:, [0, 1, 1]]
+    per_imu = {
+        "mounting": (
+            so3.log(layout.R_IB.swapaxes(1, 2) @ state.R_IB),
+            sd[layout.phi : layout.ba].reshape(-1, 3),
+        ),
+        "gyro_bias": (state.bg, sd[layout.bg : layout.phi].reshape(-1, 3)),
+        "accel_bias": (state.ba, sd[layout.ba : layout.scale].reshape(-1, 3)),
+    }
+    rows: dict[str, Array] = {}
+    for name, (value, value_sd) in per_imu.items():
+        for key, source in ((name, value), (f"{name}_sd", value_sd)):
+            full = np.full((n, 3), np.nan)
+            full[layout.imu_segment] = source
+            rows[key] = full
+    length, length_sd = hand_length(layout, state)
+    return Calibration(
+        t=state.t,
+        segments=layout.names,
+        scale=state.scale3(),
+        scale_sd=scale_sd,
+        hand_length=length,
+        hand_length_sd=length_sd,
+        **rows,
+    )
+
+
+def hand_length(layout: ChainLayout, state: ChainState) -> tuple[float, float]:
+    """Wrist to middle fingertip (m) and its standard deviation, from the length scales."""
+    hand = layout.hand
+    gain = np.zeros(len(layout.active))
+    chain = ("dorsum", "middle_proximal", "middle_intermediate", "middle_distal")
+    last = 0
+    for name in chain:
+        if name not in hand.index:
+            continue
+        last = layout.row_of.get(hand.index[name], last)
+        gain[last] += hand.segments[hand.index[name]].length
+    P = state.P[layout.scale : layout.joint : 2, layout.scale : layout.joint : 2]
+    return float(gain @ state.scale[:, 0]), float(np.sqrt(max(gain @ P @ gain, 0.0)))
+
+
+def frame_result(
+    frame: BlobFrame,
+    rig: StereoRig,
+    tracking: Tracking,
+    prediction: Prediction,
+    seen: tuple[SeenBlobs, ...],
+    match: IntArray,
+) -> FrameResult:
+    """What was made of a picture, in raw pixels."""
+    m = prediction.uv.shape[1]
+    residual = np.full((m, 4), np.nan)
+    source = np.full((2, m), -1, np.int64)
+    for c in range(2):
+        hit = np.flatnonzero(match[c] >= 0)
+        residual[hit, 2 * c : 2 * c + 2] = seen[c].uv[match[c, hit]] - prediction.uv[c, hit]
+        source[c, hit] = seen[c].source[match[c, hit]]
+    cov = np.full((m, 2, 2), np.nan)
+    cov[prediction.rows] = prediction.S[0]
+    return FrameResult(
+        t=frame.t,
+        tracking=tracking,
+        predicted_left=_raw(rig.left, prediction.uv[0]),
+        predicted_right=_raw(rig.right, prediction.uv[1]),
+        predicted_cov=cov,
+        visible=prediction.prior.max(axis=0),
+        match_left=source[0],
+        match_right=source[1],
+        residual=residual,
+        stereo_points=int(np.sum(np.all(match >= 0, axis=0))),
+    )
+
+
+def _raw(camera, uv: Array) -> Array:  # type: ignore[no-untyped-def]
+    out = np.full_like(uv, np.nan)
+    ok = np.isfinite(uv[:, 0])
+    out[ok] = camera.unrectify(uv[ok])
+    return out

@@ -1,0 +1,1 @@
+"""Work without devices: making simulated sessions, tracking recorded ones again."""

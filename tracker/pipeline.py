@@ -1,0 +1,110 @@
+"""The stages joined: packets and blobs in, the hand out. No threads, no clock of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from tracker.errors import ConfigError
+from tracker.fusion.chain import ChainEngine
+from tracker.fusion.engine import Engine
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    CameraPose,
+    Estimate,
+    FrameResult,
+    ImuSample,
+)
+from tracker.settings import Settings
+from tracker.vision.detector import DetectionHints
+from tracker.vision.rig import StereoRig
+
+Builder = Callable[[HandModel, GloveModel, StereoRig, Settings], Engine]
+
+ENGINES: dict[str, Builder] = {
+    "chain": lambda hand, glove, rig, s: ChainEngine(hand, glove, rig, s.chain),
+}
+
+HINT_MARGIN_PX = 12.0
+
+
+class Pipeline:
+    """One hand, one glove, one stereo camera, one engine.
+
+    Raises ConfigError for an unknown engine.
+    """
+
+    def __init__(
+        self,
+        hand: HandModel,
+        glove: GloveModel,
+        rig: StereoRig,
+        settings: Settings | None = None,
+    ) -> None:
+        self.hand, self.glove, self.rig = hand, glove, rig
+        self.settings = settings or Settings()
+        build = ENGINES.get(self.settings.engine)
+        if build is None:
+            raise ConfigError(
+                f"There is no engine {self.settings.engine!r}; there are {', '.join(ENGINES)}."
+            )
+        self._engine = build(hand, glove, rig, self.settings)
+
+    @property
+    def keypoint_names(self) -> tuple[str, ...]:
+        """Rows of ``Estimate.keypoints``."""
+        return self.glove.keypoint_names(self.hand)
+
+    def feed_imu(self, sample: ImuSample) -> Estimate:
+        """Take a packet; the hand at the packet's instant."""
+        return self._engine.feed_imu(sample)
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        """Take what was seen in a picture; see `take_results`."""
+        self._engine.feed_frame(frame)
+
+    def take_results(self) -> list[FrameResult]:
+        """What was made of pictures since the last call, oldest first."""
+        return self._engine.take_results()
+
+    def predict(self, t: float) -> Estimate:
+        """The hand at any instant near now. Moves nothing."""
+        return self._engine.predict(t)
+
+    def calibration(self) -> Calibration:
+        """Estimated parameters with their uncertainty."""
+        return self._engine.calibration()
+
+    def hints(
+        self, t: float, pose: CameraPose | None = None
+    ) -> tuple[DetectionHints, DetectionHints] | None:
+        """Where markers are expected in the two pictures at ``t``; None while searching."""
+        markers = self._engine.predicted_markers(t)
+        if markers is None:
+            return None
+        p_G, sd, ids = markers
+        pose = pose or self.rig.pose
+        p_C = (p_G - pose.p_GC) @ pose.R_GC
+        out = []
+        for right in (False, True):
+            uv = self.rig.project(p_C, right)
+            z = np.maximum(p_C[:, 2], 0.05)
+            radius = self.rig.fx * (self.glove.marker_size[ids] + 3 * sd) / z + HINT_MARGIN_PX
+            ok = np.flatnonzero(np.isfinite(uv[:, 0]))
+            camera = self.rig.right if right else self.rig.left
+            raw = camera.unrectify(uv[ok])
+            out.append(DetectionHints(raw, radius[ok], self.glove.marker_hue[ids[ok]]))
+        return out[0], out[1]
+
+    def get_state(self) -> Any:
+        """Everything that changes; `set_state` goes on identically."""
+        return self._engine.get_state()
+
+    def set_state(self, state: Any) -> None:
+        """Go on from `get_state`."""
+        self._engine.set_state(state)

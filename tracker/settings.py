@@ -1,0 +1,15 @@
+"""All settings of a tracking run, as one tree that a session carries along."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tracker.fusion.params import ChainParams
+
+
+@dataclass(frozen=True)
+class Settings:
+    """``engine`` is one of `tracker.pipeline.ENGINES`."""
+
+    engine: str = "chain"
+    chain: ChainParams = field(default_factory=ChainParams)
