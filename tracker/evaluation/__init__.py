@@ -1,0 +1,1 @@
+"""The papers' protocols: motions, errors, metrics, tables and figures."""

@@ -1,0 +1,55 @@
+"""Angles from the accelerometers alone (Lemak et al. 2020, section 2.2.2)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from tracker.inertial.planar import PlanarReadings, copied
+from tracker.inertial.plane import SENSORS, ComplexArray, gravity_angle
+from tracker.messages import Array
+
+
+class GravityState(NamedTuple):
+    """theta (2,) rad."""
+
+    theta: Array
+
+
+class Gravity:
+    """θ_k = atan2 of the reading against joint 0's specific force; right while motion is slow."""
+
+    def __init__(self) -> None:
+        self._state = GravityState(np.zeros(SENSORS))
+
+    @property
+    def state(self) -> GravityState:
+        return copied(self._state)  # type: ignore[no-any-return]
+
+    @state.setter
+    def state(self, value: GravityState) -> None:
+        self._state = copied(value)
+
+    def update(self, gyro: Array, accel: ComplexArray, root: complex) -> Array:
+        _step(self._state, accel, root)
+        return self._state.theta.copy()
+
+    def run(self, readings: PlanarReadings) -> Array:
+        out = np.empty(readings.gyro.shape)
+        _run(self._state, readings.accel, readings.root, out)
+        return out
+
+
+@njit(cache=True)
+def _step(state: GravityState, accel: ComplexArray, root: complex) -> None:
+    for k in range(SENSORS):
+        state.theta[k] = gravity_angle(root, accel[k])
+
+
+@njit(cache=True)
+def _run(state: GravityState, accel: ComplexArray, root: ComplexArray, out: Array) -> None:
+    for i in range(len(root)):
+        _step(state, accel[i], root[i])
+        out[i] = state.theta

@@ -1,0 +1,69 @@
+"""Angles by integrating the gyroscopes (Lemak et al. 2020, section 2.2.3)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from tracker.inertial.planar import PlanarReadings, copied, start_angles
+from tracker.inertial.plane import SENSORS, ComplexArray, runge_kutta
+from tracker.messages import Array
+
+
+class IntegrationState(NamedTuple):
+    """theta (2,) rad; rate (2, 2) rad/s of the last and the last but one sample; count (1,)."""
+
+    theta: Array
+    rate: Array
+    count: Array
+
+    @staticmethod
+    def start(theta: Array | tuple[float, float]) -> IntegrationState:
+        return IntegrationState(start_angles(theta), np.zeros((2, SENSORS)), np.zeros(1))
+
+
+class Integration:
+    """Runge-Kutta from a known start; drifts by the gyroscopes' offset."""
+
+    def __init__(self, dt: float, theta: Array | tuple[float, float] = (0.0, 0.0)) -> None:
+        self._dt = dt
+        self._state = IntegrationState.start(theta)
+
+    @property
+    def state(self) -> IntegrationState:
+        return copied(self._state)  # type: ignore[no-any-return]
+
+    @state.setter
+    def state(self, value: IntegrationState) -> None:
+        self._state = copied(value)
+
+    def update(self, gyro: Array, accel: ComplexArray, root: complex) -> Array:
+        integrate(self._state, gyro, self._dt)
+        return self._state.theta.copy()
+
+    def run(self, readings: PlanarReadings) -> Array:
+        out = np.empty(readings.gyro.shape)
+        _run(self._state, readings.gyro, self._dt, out)
+        return out
+
+
+@njit(cache=True)
+def integrate(state: IntegrationState, gyro: Array, dt: float) -> None:
+    """Advance θ by one sample. The first sample stands at the known start and moves nothing."""
+    last, older = state.rate[0], state.rate[1]
+    for k in range(SENSORS):
+        if state.count[0] > 0:
+            before = older[k] if state.count[0] > 1 else 2 * last[k] - gyro[k]
+            state.theta[k] += runge_kutta(gyro[k], last[k], before, dt)
+        older[k] = last[k]
+        last[k] = gyro[k]
+    state.count[0] += 1
+
+
+@njit(cache=True)
+def _run(state: IntegrationState, gyro: Array, dt: float, out: Array) -> None:
+    for i in range(len(gyro)):
+        integrate(state, gyro[i], dt)
+        out[i] = state.theta
