@@ -1,0 +1,88 @@
+"""Forward kinematics of a true hand, many instants at a time."""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+
+from tracker.messages import Array, IntArray
+
+
+@numba.njit(cache=True)
+def forward_many(
+    parent: IntArray,
+    origin: Array,
+    R_rest: Array,
+    column: IntArray,
+    twist_per_flexion: Array,
+    angles: Array,
+    R_root: Array,
+    p_root: Array,
+) -> tuple[Array, Array]:
+    """Poses of all segments: R_GB (n, S, 3, 3), p_GB (n, S, 3).
+
+    parent (S,), -1 for the root; origin (S, 3) m in the parent's B; R_rest (S, 3, 3); column (S, 3)
+    of abduction, flexion, twist among angles (n, J), -1 where fixed; twist_per_flexion (S,).
+    """
+    n, count = len(angles), len(parent)
+    R = np.empty((n, count, 3, 3))
+    p = np.empty((n, count, 3))
+    joint = np.empty((3, 3))
+    for k in range(n):
+        for s in range(count):
+            a = parent[s]
+            if a < 0:
+                R[k, s] = R_root[k]
+                p[k, s] = p_root[k]
+                continue
+            _joint_rotation(column[s], twist_per_flexion[s], angles[k], joint)
+            R[k, s] = R[k, a] @ (R_rest[s] @ joint)
+            p[k, s] = p[k, a] + R[k, a] @ origin[s]
+    return R, p
+
+
+@numba.njit(cache=True)
+def _joint_rotation(column: IntArray, twist_per_flexion: float, angles: Array, out: Array) -> None:
+    """Rz(abduction) Ry(flexion) Rx(twist), the twist with what flexion brings along."""
+    a = angles[column[0]] if column[0] >= 0 else 0.0
+    f = angles[column[1]] if column[1] >= 0 else 0.0
+    w = twist_per_flexion * f + (angles[column[2]] if column[2] >= 0 else 0.0)
+    ca, sa, cf, sf, cw, sw = np.cos(a), np.sin(a), np.cos(f), np.sin(f), np.cos(w), np.sin(w)
+    out[0, 0], out[0, 1], out[0, 2] = ca * cf, ca * sf * sw - sa * cw, ca * sf * cw + sa * sw
+    out[1, 0], out[1, 1], out[1, 2] = sa * cf, sa * sf * sw + ca * cw, sa * sf * cw - ca * sw
+    out[2, 0], out[2, 1], out[2, 2] = -sf, cf * sw, cf * cw
+
+
+def angles_from_many(
+    parent: IntArray, R_rest: Array, column: IntArray, R_GB: Array, count: int
+) -> Array:
+    """Joint angles (n, count) rad as the hand file defines them, of orientations R_GB (n, S, 3, 3).
+
+    The branch with the smaller |abduction| + |twist| is taken: a finger may flex beyond 90°.
+    """
+    out = np.zeros((len(R_GB), count))
+    for s in range(len(parent)):
+        if parent[s] < 0:
+            continue
+        R = R_rest[s].T @ np.swapaxes(R_GB[:, parent[s]], 1, 2) @ R_GB[:, s]
+        values = _zyx(R)
+        for i in range(3):
+            if column[s, i] >= 0:
+                out[:, column[s, i]] = values[:, i]
+    return out
+
+
+def _zyx(R: Array) -> Array:
+    """(n, 3) abduction, flexion, twist of Rz Ry Rx (n, 3, 3)."""
+    first = np.stack(
+        [
+            np.arctan2(R[:, 1, 0], R[:, 0, 0]),
+            np.arctan2(-R[:, 2, 0], np.hypot(R[:, 0, 0], R[:, 1, 0])),
+            np.arctan2(R[:, 2, 1], R[:, 2, 2]),
+        ],
+        axis=1,
+    )
+    second = np.stack([first[:, 0] + np.pi, np.pi - first[:, 1], first[:, 2] + np.pi], axis=1)
+    second = (second + np.pi) % (2 * np.pi) - np.pi
+    far = np.abs(second[:, [0, 2]]).sum(1) < np.abs(first[:, [0, 2]]).sum(1)
+    return np.where(far[:, None], second, first)

@@ -1,0 +1,113 @@
+"""What a motion is, and ways to change one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from tracker.messages import Array
+from tracker.simulation.smooth import minimum_jerk
+
+
+class Poses(NamedTuple):
+    """The hand at n instants: angles (n, J) rad; the dorsum's R_GB (n, 3, 3) and p_GB (n, 3) m."""
+
+    angles: Array
+    R_GB: Array
+    p_GB: Array
+
+
+class Motion(Protocol):
+    """A hand moving, twice continuously differentiable in time."""
+
+    @property
+    def duration(self) -> float:
+        """Seconds from t = 0; later instants repeat the last posture."""
+        ...
+
+    @property
+    def follows_synergies(self) -> bool:
+        """Whether distal angles come from the hand file's synergies and not from a measurement."""
+        ...
+
+    def poses(self, t: Array) -> Poses:
+        """The hand at the times t (n,) s."""
+        ...
+
+
+def pose_at(motion: Motion, t: float) -> tuple[Array, Array, Array]:
+    """(angles (J,), R_GB (3, 3), p_GB (3,)) at one instant."""
+    poses = motion.poses(np.array([t]))
+    return poses.angles[0], poses.R_GB[0], poses.p_GB[0]
+
+
+@dataclass(frozen=True, eq=False)
+class Still:
+    """One posture for as long as wanted: angles (J,), R_GB (3, 3), p_GB (3,)."""
+
+    angles: Array
+    R_GB: Array
+    p_GB: Array
+    duration: float = 10.0
+    follows_synergies: bool = True
+
+    def poses(self, t: Array) -> Poses:
+        n = len(t)
+        return Poses(
+            np.tile(self.angles, (n, 1)), np.tile(self.R_GB, (n, 1, 1)), np.tile(self.p_GB, (n, 1))
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Faster:
+    """A motion played ``factor`` times as fast."""
+
+    motion: Motion
+    factor: float
+
+    @property
+    def duration(self) -> float:
+        return self.motion.duration / self.factor
+
+    @property
+    def follows_synergies(self) -> bool:
+        return self.motion.follows_synergies
+
+    def poses(self, t: Array) -> Poses:
+        return self.motion.poses(np.asarray(t) * self.factor)
+
+
+@dataclass(frozen=True, eq=False)
+class Away:
+    """A motion that leaves the view: shifted by ``shift_G`` (3,) m during each (t0, t1) of spans.
+
+    The hand is fully away from t0 to t1 and takes ``travel`` seconds to go and to come back.
+    """
+
+    motion: Motion
+    spans: tuple[tuple[float, float], ...]
+    shift_G: Array
+    travel: float = 0.7
+
+    @property
+    def duration(self) -> float:
+        return self.motion.duration
+
+    @property
+    def follows_synergies(self) -> bool:
+        return self.motion.follows_synergies
+
+    def poses(self, t: Array) -> Poses:
+        poses = self.motion.poses(t)
+        return poses._replace(p_GB=poses.p_GB + self._share(t)[:, None] * self.shift_G)
+
+    def _share(self, t: Array) -> Array:
+        """0 in view, 1 away."""
+        share = np.zeros(len(t))
+        for t0, t1 in self.spans:
+            going = minimum_jerk((t - t0) / self.travel + 1)
+            coming = minimum_jerk((t - t1) / self.travel)
+            share = np.maximum(share, going * (1 - coming))
+        return share

@@ -1,0 +1,108 @@
+"""A whole simulated session: messages in the order of their arrival, and the truth beside them."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.clock import nanoseconds, seconds
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array, BlobFrame, ImuSample, StereoFrame
+from tracker.simulation.imu import ImuParams, ImuSimulator
+from tracker.simulation.motion import Motion
+from tracker.simulation.scene import BlobParams, Extra, Scene
+from tracker.simulation.smooth import rng_for
+from tracker.simulation.wearer import Wearer, WearerParams
+from tracker.vision.rig import StereoRig, ideal_rig
+
+MARGIN = 0.01
+"""Nothing is sampled in the last 10 ms of a motion, s."""
+
+
+@dataclass(frozen=True)
+class SimulationParams:
+    """The person, the sensors and the delays."""
+
+    wearer: WearerParams = field(default_factory=WearerParams)
+    imu: ImuParams = field(default_factory=ImuParams)
+    blobs: BlobParams = field(default_factory=BlobParams)
+    delay_least: float = 0.030  # s from the middle of an exposure to its arrival
+    delay_most: float = 0.050
+
+
+class Truth(NamedTuple):
+    """The wearer's true hand: keypoints (K, 3) m in G in the order of ``glove.keypoint_names``,
+    angles (J,) rad as the hand file defines them, R_GB (S, 3, 3), p_GB (S, 3) m."""
+
+    keypoints: Array
+    angles: Array
+    R_GB: Array
+    p_GB: Array
+
+
+class Simulation:
+    """One wearer, one motion, one rig, one seed."""
+
+    def __init__(
+        self,
+        hand: HandModel,
+        glove: GloveModel,
+        motion: Motion,
+        seed: int,
+        params: SimulationParams | None = None,
+        fps: float = 60.0,
+        rig: StereoRig | None = None,
+        extras: Sequence[Extra] = (),
+    ) -> None:
+        self.hand, self.glove, self.motion, self.seed = hand, glove, motion, seed
+        self.params, self.fps, self.rig = params or SimulationParams(), fps, rig or ideal_rig()
+        self.wearer = Wearer.random(hand, glove, seed, self.params.wearer)
+        self.imus = ImuSimulator(self.wearer, motion, seed, self.params.imu)
+        self.scene = Scene(self.wearer, motion, self.rig, seed, self.params.blobs, extras)
+
+    @property
+    def duration(self) -> float:
+        return self.motion.duration
+
+    def imu_samples(self) -> Iterator[ImuSample]:
+        """All packets in order."""
+        return self.imus.samples(0.0, self.duration - MARGIN)
+
+    def exposures(self) -> Iterator[tuple[int, float, float]]:
+        """(index, exposure midpoint, arrival) of each frame, s; whole nanoseconds."""
+        rng = rng_for(self.seed, "frames")
+        phase, arrival = float(rng.uniform(0, 1 / self.fps)), 0.0
+        for k in range(int((self.duration - MARGIN - phase) * self.fps) + 1):
+            t = seconds(nanoseconds(phase + k / self.fps))
+            delay = rng.uniform(self.params.delay_least, self.params.delay_most)
+            arrival = max(seconds(nanoseconds(t + delay)), arrival)
+            yield k, t, arrival
+
+    def frames(self, images: bool = False) -> Iterator[BlobFrame] | Iterator[StereoFrame]:
+        """All frames in order: blobs, or pictures."""
+        return self._blob_frames()
+
+    def _blob_frames(self) -> Iterator[BlobFrame]:
+        for index, t, arrival in self.exposures():
+            yield self.scene.blobs(t, arrival, index)
+
+    def feed(self, images: bool = False) -> Iterator[ImuSample | BlobFrame | StereoFrame]:
+        """All messages in the order of arrival; IMU packets first where two arrive together."""
+        return heapq.merge(self.imu_samples(), self.frames(images), key=lambda m: m.t_arrival)
+
+    def truth(self, t: float) -> Truth:
+        """The true hand at the time t (s)."""
+        return self.truths(np.array([t]))[0]
+
+    def truths(self, t: Array) -> list[Truth]:
+        """The true hand at many instants at once."""
+        hand = self.wearer.truth(self.motion, t)
+        return [
+            Truth(self.wearer.keypoints(R, p), angles, R, p)
+            for angles, R, p in zip(hand.angles, hand.R_GB, hand.p_GB, strict=True)
+        ]

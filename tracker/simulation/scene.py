@@ -1,0 +1,194 @@
+"""What the stereo camera sees of a wearer, marker by marker: blobs without pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from tracker.clock import nanoseconds
+from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
+from tracker.simulation.motion import Motion
+from tracker.simulation.patches import CIRCLE, SQUARE, hidden, sample_pattern, view_patches
+from tracker.simulation.smooth import rng_for
+from tracker.simulation.solids import BodyShape, Solids, together
+from tracker.simulation.wearer import Wearer
+from tracker.vision.rig import Camera, StereoRig
+
+
+@dataclass(frozen=True)
+class BlobParams:
+    """What makes a marker a blob, and how well it is measured."""
+
+    noise_px: float = 0.3
+    dropout: float = 0.02  # of blobs that should be there
+    facing: float = 0.36  # mean cosine of the patch, at least: 69° off the axis
+    whole: float = 0.6  # share not hidden, at least
+    size_noise: float = 0.05
+
+
+class Extra(Protocol):
+    """Something else in the scene: an object in the hand, a device, a coloured distractor."""
+
+    def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
+        """Its solids in G, given the segments' poses R_GB (S, 3, 3), p_GB (S, 3)."""
+        ...
+
+    def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
+        """Balls of a marker's hue: centres (n, 3) m in G, radii (n,) m, hue names."""
+        ...
+
+
+class Instant(NamedTuple):
+    """A scene at one instant, in C: R_CB (S, 3, 3), p_CB (S, 3), solids; markers (M, 3) in B."""
+
+    R_CB: Array
+    p_CB: Array
+    solids: Solids
+    markers: Array
+
+
+class Seen(NamedTuple):
+    """Markers in one image: raw pixel centroids (M, 2), extents (M, 2) px, and whether a blob."""
+
+    uv: Array
+    extent: Array
+    visible: np.ndarray
+
+
+class Scene:
+    """A wearer moving before a rig."""
+
+    def __init__(
+        self,
+        wearer: Wearer,
+        motion: Motion,
+        rig: StereoRig,
+        seed: int,
+        params: BlobParams | None = None,
+        extras: Sequence[Extra] = (),
+    ) -> None:
+        self.wearer, self.motion, self.rig = wearer, motion, rig
+        self.params, self.extras = params or BlobParams(), tuple(extras)
+        self.shape = BodyShape.of(wearer)
+        self._seed = seed
+        glove = wearer.glove
+        self._pattern = sample_pattern()
+        self._kind = np.array([SQUARE if m.shape == "square" else CIRCLE for m in glove.markers])
+        self._flat = (wearer.marker_segment == wearer.hand.index["dorsum"]).astype(np.int64)
+
+    def pose(self, t: float) -> CameraPose:
+        """The camera's true pose at the time t (s)."""
+        return self.rig.pose
+
+    def instant(self, t: float) -> Instant:
+        """Everything in C at the time t (s)."""
+        R_GB, p_GB, _ = self.wearer.segments(self.motion, np.array([t]))
+        parts = [self.shape.solids(R_GB[0], p_GB[0])]
+        parts += [e.solids(t, R_GB[0], p_GB[0]) for e in self.extras]
+        pose = self.pose(t)
+        R_CG, p_CG = pose.R_GC.T, -pose.R_GC.T @ pose.p_GC
+        solids = together(parts).moved(R_CG, p_CG)
+        return Instant(R_CG @ R_GB[0], p_GB[0] @ R_CG.T + p_CG, solids, self.wearer.markers(t))
+
+    def markers_seen(self, now: Instant, right: bool) -> Seen:
+        """The markers in one image without noise."""
+        rig, glove = self.rig, self.wearer.glove
+        eye = np.array([rig.baseline if right else 0.0, 0.0, 0.0])
+        s = now.solids
+        uv, extent, facing, whole = view_patches(
+            eye, np.array([rig.fx, rig.fy, rig.cx, rig.cy]),
+            now.markers, glove.marker_normal, glove.marker_size, self._kind,
+            self.wearer.marker_segment, self._flat, now.R_CB, now.p_CB, self._pattern,
+            s.a, s.b, s.radius, s.owner, s.box_R, s.centre, s.half, s.box_owner,
+        )  # fmt: skip
+        camera = rig.right if right else rig.left
+        some = np.isfinite(uv[:, 0])
+        uv[some] = camera.unrectify(uv[some])
+        visible = (facing > self.params.facing) & (whole > self.params.whole)
+        visible &= inside(camera, uv, extent)
+        return Seen(uv, extent, visible)
+
+    def visible(self, t: float) -> tuple[np.ndarray, np.ndarray]:
+        """(M,) bool for the left and the right image: which markers make a blob."""
+        now = self.instant(t)
+        return self.markers_seen(now, False).visible, self.markers_seen(now, True).visible
+
+    def blobs(self, t: float, t_arrival: float | None = None, index: int = -1) -> BlobFrame:
+        """What a good detector finds in the exposure at t (s)."""
+        now = self.instant(t)
+        rng = rng_for(self._seed, "blobs", nanoseconds(t) % 2**32, nanoseconds(t) // 2**32)
+        left, right = (self._side(now, t, right, rng) for right in (False, True))
+        arrival = t if t_arrival is None else t_arrival
+        hues = self.wearer.glove.hues
+        return BlobFrame(t, arrival, hues, left, right, index=index)
+
+    def _side(self, now: Instant, t: float, right: bool, rng: np.random.Generator) -> Blobs:
+        seen = self.markers_seen(now, right)
+        kept = seen.visible & (rng.random(len(seen.visible)) >= self.params.dropout)
+        hue = self.wearer.glove.marker_hue[kept]
+        uv, size = seen.uv[kept], seen.extent[kept]
+        for extra in self.extras:
+            more = self._coloured(now, extra, t, right)
+            uv, size = np.concatenate([uv, more[0]]), np.concatenate([size, more[1]])
+            hue = np.concatenate([hue, more[2]])
+        free = ~touching(uv, size, hue)
+        return self._measured(uv[free], size[free], hue[free], rng)
+
+    def _measured(self, uv: Array, size: Array, hue: IntArray, rng: np.random.Generator) -> Blobs:
+        """With noise, in no telling order."""
+        order = rng.permutation(len(uv))
+        noise = rng.normal(0, self.params.noise_px, uv.shape)
+        size = size * (1 + self.params.size_noise * rng.normal(size=size.shape))
+        score = rng.uniform(0.7, 1.0, len(uv))
+        return Blobs((uv + noise)[order], size[order], hue[order], score)
+
+    def _coloured(
+        self, now: Instant, extra: Extra, t: float, right: bool
+    ) -> tuple[Array, Array, IntArray]:
+        """Distractors in one image that nothing hides: uv, size (px) and hue index."""
+        centre, radius, names = extra.coloured(t)
+        pose = self.pose(t)
+        p_C = (centre - pose.p_GC) @ pose.R_GC
+        camera = self.rig.right if right else self.rig.left
+        uv = self.rig.project(p_C, right).reshape(-1, 2)
+        front = np.isfinite(uv[:, 0])
+        uv[front] = camera.unrectify(uv[front])
+        size = 2 * radius[:, None] * [self.rig.fx, self.rig.fy] / np.maximum(p_C[:, 2:], 0.01)
+        hues = self.wearer.glove.hues
+        known = np.array([h in hues for h in names], bool)
+        seen = front & known & inside(camera, uv, size) & self._in_sight(now, p_C, radius, right)
+        hue = np.array([hues.index(h) if h in hues else -1 for h in names], np.int64)
+        return uv[seen], size[seen], hue[seen]
+
+    def _in_sight(self, now: Instant, p_C: Array, radius: Array, right: bool) -> np.ndarray:
+        """(n,) bool: whether the balls' middles are seen past the solids."""
+        eye = np.array([self.rig.baseline if right else 0.0, 0.0, 0.0])
+        s, out = now.solids, np.zeros(len(p_C), bool)
+        for i, x in enumerate(p_C):
+            near = x - (x - eye) / np.linalg.norm(x - eye) * (radius[i] + 1e-4)
+            out[i] = not hidden(
+                eye, near, -2, s.a, s.b, s.radius, s.owner, s.box_R, s.centre, s.half, s.box_owner
+            )
+        return out
+
+
+def inside(camera: Camera, uv: Array, extent: Array) -> np.ndarray:
+    """(n,) bool: whether blobs lie whole in the image."""
+    low = uv - extent / 2
+    high = uv + extent / 2
+    with np.errstate(invalid="ignore"):
+        return (
+            (low[:, 0] > 0) & (low[:, 1] > 0)
+            & (high[:, 0] < camera.width - 1) & (high[:, 1] < camera.height - 1)
+        )  # fmt: skip
+
+
+def touching(uv: Array, size: Array, hue: IntArray) -> np.ndarray:
+    """(n,) bool: blobs of one hue that run together, which a detector drops for their shape."""
+    gap = np.abs(uv[:, None] - uv[None]) - (size[:, None] + size[None]) / 2
+    close = np.all(gap < 0, axis=2) & (hue[:, None] == hue[None])
+    np.fill_diagonal(close, False)
+    return close.any(axis=1)

@@ -1,0 +1,149 @@
+"""The solid things of a scene: capsules and boxes, in any one frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.geometry import so3
+from tracker.glove.model import GloveModel
+from tracker.messages import Array, IntArray
+from tracker.simulation.wearer import Wearer
+
+NOBODY = -1
+"""Owner of a solid that is no part of the hand."""
+
+
+class Solids(NamedTuple):
+    """P capsules from ``a`` to ``b`` and Q boxes of centre ``centre`` and half edges ``half``, m.
+
+    ``owner`` is the segment's row, or NOBODY; ``colour`` BGR 0..255. box_R (Q, 3, 3) maps the box's
+    axes to the frame.
+    """
+
+    a: Array
+    b: Array
+    radius: Array
+    owner: IntArray
+    colour: Array
+    box_R: Array
+    centre: Array
+    half: Array
+    box_owner: IntArray
+    box_colour: Array
+
+    def moved(self, R: Array, p: Array) -> Solids:
+        """In another frame: x_new = R x + p."""
+        return self._replace(
+            a=self.a @ R.T + p,
+            b=self.b @ R.T + p,
+            box_R=R @ self.box_R,
+            centre=self.centre @ R.T + p,
+        )
+
+
+def capsules(a: Array, b: Array, radius: Array, owner: IntArray, colour: Array) -> Solids:
+    """Solids without boxes; colour (P, 3) or (3,)."""
+    n = len(a)
+    return Solids(
+        np.asarray(a, float).reshape(n, 3),
+        np.asarray(b, float).reshape(n, 3),
+        np.asarray(radius, float),
+        np.asarray(owner, np.int64),
+        np.broadcast_to(np.asarray(colour, float), (n, 3)).copy(),
+        np.zeros((0, 3, 3)),
+        np.zeros((0, 3)),
+        np.zeros((0, 3)),
+        np.zeros(0, np.int64),
+        np.zeros((0, 3)),
+    )
+
+
+def boxes(R: Array, centre: Array, half: Array, owner: IntArray, colour: Array) -> Solids:
+    """Solids without capsules."""
+    n = len(centre)
+    none = np.zeros((0, 3))
+    empty = capsules(none, none, np.zeros(0), np.zeros(0, np.int64), np.zeros(3))
+    return empty._replace(
+        box_R=np.asarray(R, float).reshape(n, 3, 3),
+        centre=np.asarray(centre, float).reshape(n, 3),
+        half=np.asarray(half, float).reshape(n, 3),
+        box_owner=np.asarray(owner, np.int64),
+        box_colour=np.broadcast_to(np.asarray(colour, float), (n, 3)).copy(),
+    )
+
+
+def together(parts: list[Solids]) -> Solids:
+    """All solids of ``parts``."""
+    return Solids(*(np.ascontiguousarray(np.concatenate(f)) for f in zip(*parts, strict=True)))
+
+
+GLOVE_BGR = (62.0, 60.0, 58.0)
+SLEEVE_BGR = (96.0, 90.0, 84.0)
+
+
+@dataclass(frozen=True)
+class BodyShape:
+    """The gloved hand's surface: radius (S,) m of each segment, the slab's edges, the forearm."""
+
+    radius: Array
+    length: Array
+    slab: tuple[float, float]  # length and half width of the flat rectangle in the dorsum, m
+    root: int
+
+    @staticmethod
+    def of(wearer: Wearer) -> BodyShape:
+        """The cloth's surface lies where the glove file has its markers, else 1 mm above skin."""
+        hand, glove = wearer.hand, wearer.glove
+        nominal = np.array([_surface(hand.segments[i].radius, glove, s) for i, s in
+                            enumerate(hand.segment_names)])  # fmt: skip
+        root = hand.index["dorsum"]
+        girth = wearer.scale[:, 1]
+        length = np.array([s.length for s in hand.segments]) * wearer.scale[:, 0]
+        radius = nominal * girth
+        half_width = max(hand.segments[root].width / 2 * girth[root] - radius[root], 1e-4)
+        return BodyShape(radius, length, (float(length[root] - radius[root]), half_width), root)
+
+    def solids(self, R: Array, p: Array) -> Solids:
+        """The hand in G from its segments' poses R (S, 3, 3), p (S, 3)."""
+        fingers = np.array([i for i in range(len(p)) if i != self.root], np.int64)
+        tip = p + R[:, :, 0] * self.length[:, None]
+        chain = capsules(
+            p[fingers], tip[fingers], self.radius[fingers], fingers, np.array(GLOVE_BGR)
+        )
+        return together([chain, *self._palm(R[self.root], p[self.root])])
+
+    def _palm(self, R: Array, p: Array) -> list[Solids]:
+        """A rectangle swept by a sphere: a box and the four capsules of its edges; the forearm."""
+        length, half, r = *self.slab, self.radius[self.root]
+        corners = np.array([[0, half, 0], [length, half, 0], [length, -half, 0], [0, -half, 0]])
+        corners_G = corners @ R.T + p
+        owner = np.full(4, self.root)
+        rim = capsules(
+            corners_G, np.roll(corners_G, -1, axis=0), np.full(4, r), owner, np.array(GLOVE_BGR)
+        )
+        middle = np.array([length / 2, 0, 0]) @ R.T + p
+        flat = boxes(
+            R[None], middle[None], np.array([[length / 2, half, r]]), owner[:1], np.array(GLOVE_BGR)
+        )
+        arm = np.array([[-0.02, 0.0, 0.0], [-0.09, 0.0, 0.0]]) @ R.T + p
+        wrist = np.array([1.7 * r])
+        sleeve = capsules(arm[:1], arm[1:], wrist, np.array([NOBODY]), np.array(SLEEVE_BGR))
+        return [rim, flat, sleeve]
+
+
+def _surface(radius: float, glove: GloveModel, segment: str) -> float:
+    """Distance of the cloth from the bone, m: the median of the segment's markers there."""
+    height = [
+        float(np.hypot(m.position[1], m.position[2]) if segment != "dorsum" else abs(m.position[2]))
+        for m in glove.markers
+        if m.segment == segment and abs(m.normal[0]) < 0.5
+    ]
+    return float(np.median(height)) if height else radius + 0.001
+
+
+def random_rotation(rng: np.random.Generator) -> Array:
+    """Uniform over rotations."""
+    return so3.matrix_from_quat(rng.normal(size=4))

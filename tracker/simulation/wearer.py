@@ -1,0 +1,198 @@
+"""One person in one glove: how the true hand differs from the files that the tracker reads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.geometry import so3
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array, IntArray
+from tracker.simulation.kinematics import angles_from_many, forward_many
+from tracker.simulation.motion import Motion
+from tracker.simulation.smooth import SmoothNoise, rng_for
+
+
+@dataclass(frozen=True)
+class WearerParams:
+    """Standard deviations over people and fittings, unless another word is used."""
+
+    common_size: float = 0.05  # of everything, a factor
+    largest_size: float = 0.10  # the common size stays within 1 ± this
+    length: float = 0.02  # of a segment on its own, a factor
+    girth: float = 0.03
+    joint_offset: float = 0.0015  # m, of the fingers' first joints in the dorsum
+    axis_deg: float = 3.0  # oblique joint axes, about each axis
+    twist_per_flexion: float = 0.05  # twist that flexion brings along
+    synergy_ratio: float = 0.06  # of a person's own ratio
+    synergy_offset_deg: float = 3.5
+    synergy_drift_deg: float = 4.0
+    synergy_time: float = 2.0  # s, correlation
+    mounting_deg: float = 4.33  # about each axis: 7.5° in all
+    wobble_deg: float = 1.2  # about each axis, with posture and time
+    imu_place: float = 0.001  # m along each axis
+    marker_place: float = 0.00125  # m, tangential, in all
+    slip: float = 0.001  # m, of the cloth on a segment, in all
+    slip_time: float = 4.0  # s, correlation
+
+
+class TrueHand(NamedTuple):
+    """The hand at n instants: angles (n, J) rad, R_GB (n, S, 3, 3), p_GB (n, S, 3) m."""
+
+    angles: Array
+    R_GB: Array
+    p_GB: Array
+
+
+class Wearer:
+    """The true hand and fitting; every array in the order of the hand's segments or the glove's."""
+
+    def __init__(
+        self, hand: HandModel, glove: GloveModel, seed: int, params: WearerParams | None = None
+    ) -> None:
+        self.hand, self.glove, self.params = hand, glove, params or WearerParams()
+        self._column = np.array(hand.axis_columns, np.int64)
+        self._parent = np.array(hand.parent, np.int64)
+        self._draw_hand(rng_for(seed, "hand"))
+        self._draw_synergies(rng_for(seed, "synergy"))
+        self._draw_imus(rng_for(seed, "imu"))
+        self._draw_markers(rng_for(seed, "markers"))
+
+    @classmethod
+    def exact(cls, hand: HandModel, glove: GloveModel) -> Wearer:
+        """A wearer who is just what the files say."""
+        zeros = {name: 0.0 for name in WearerParams.__dataclass_fields__ if "time" not in name}
+        return cls(hand, glove, 0, WearerParams(**zeros))
+
+    @classmethod
+    def random(
+        cls, hand: HandModel, glove: GloveModel, seed: int, params: WearerParams | None = None
+    ) -> Wearer:
+        """Somebody, drawn from ``seed``."""
+        return cls(hand, glove, seed, params)
+
+    def _draw_hand(self, rng: np.random.Generator) -> None:
+        p, n = self.params, len(self.hand.segments)
+        common = np.clip(rng.normal(0, p.common_size), -p.largest_size, p.largest_size)
+        length = (1 + common) * (1 + rng.normal(0, p.length, n))
+        girth = (1 + common) * (1 + rng.normal(0, p.girth, n))
+        self.scale: Array = np.column_stack([length, girth, girth])
+        origin = np.array([s.origin for s in self.hand.segments]) * self.scale[self._parent]
+        on_root = self._parent == self.hand.index["dorsum"]
+        origin += on_root[:, None] * rng.normal(0, p.joint_offset, (n, 3))
+        self._origin = origin
+        rest = np.array([s.R_rest for s in self.hand.segments])
+        self._R_rest = rest @ so3.exp(rng.normal(0, np.deg2rad(p.axis_deg), (n, 3)))
+        self._twist = rng.normal(0, p.twist_per_flexion, n) * (self._column[:, 1] >= 0)
+
+    def _draw_synergies(self, rng: np.random.Generator) -> None:
+        """Own ratio and offset, and a slow drift, for each angle that the file infers from one."""
+        p, hand = self.params, self.hand
+        own = [s for s in hand.synergies if s.angle.split("_")[1] in ("dip", "ip")]
+        self._synergy_angle = np.array([hand.angle_index[s.angle] for s in own], np.int64)
+        self._synergy_of = np.array([hand.angle_index[s.of] for s in own], np.int64)
+        self._synergy_ratio = rng.normal(0, p.synergy_ratio, len(own))
+        self._synergy_offset = rng.normal(0, np.deg2rad(p.synergy_offset_deg), len(own))
+        self._synergy_drift = SmoothNoise(rng, (len(own),), p.synergy_time)
+
+    def _draw_imus(self, rng: np.random.Generator) -> None:
+        p, glove, n = self.params, self.glove, len(self.glove.imus)
+        self.imu_segment: IntArray = glove.imu_segment(self.hand)
+        nominal = np.array([i.position for i in glove.imus]).reshape(-1, 3)
+        place = rng.normal(0, p.imu_place, (n, 3))
+        self.imu_position: Array = nominal * self.scale[self.imu_segment] + place
+        mounting = rng.normal(0, np.deg2rad(p.mounting_deg), (n, 3))
+        R_BI = np.array([i.R_BI for i in glove.imus]).reshape(-1, 3, 3)
+        self.imu_R_BI: Array = R_BI @ so3.exp(mounting)
+        self._wobble_time = SmoothNoise(rng, (n, 3), 1.0)
+        self._wobble_axis = rng.normal(0, 1.5, (n, 3, len(self.hand.joint_names)))
+        self._wobble_axis *= self._own_angles()[:, None, :]
+        self._wobble_phase = rng.uniform(0, 2 * np.pi, (n, 3))
+
+    def _own_angles(self) -> Array:
+        """(n, J) 1 where an angle turns the IMU's own segment."""
+        own = np.zeros((len(self.imu_segment), len(self.hand.joint_names)))
+        for i, s in enumerate(self.imu_segment):
+            for column in self._column[s]:
+                if column >= 0:
+                    own[i, column] = 1.0
+        return own
+
+    def _draw_markers(self, rng: np.random.Generator) -> None:
+        p, glove = self.params, self.glove
+        self.marker_segment: IntArray = glove.marker_segment(self.hand)
+        scale = self.scale[self.marker_segment]
+        self.marker_normal: Array = glove.marker_normal
+        self._tangents = _tangents(self.marker_normal)
+        place = rng.normal(0, p.marker_place / np.sqrt(2), (len(scale), 2))
+        self._marker_base = glove.marker_position * scale
+        self._marker_place = place
+        self._slip = SmoothNoise(rng, (len(self.hand.segments), 2), p.slip_time)
+
+    def truth(self, motion: Motion, t: Array) -> TrueHand:
+        """Segment poses at the times t (n,) s, with angles as the hand file defines them."""
+        R, p, _ = self.segments(motion, t)
+        count = len(self.hand.joint_names)
+        rest = np.array([s.R_rest for s in self.hand.segments])
+        return TrueHand(angles_from_many(self._parent, rest, self._column, R, count), R, p)
+
+    def segments(self, motion: Motion, t: Array) -> tuple[Array, Array, Array]:
+        """R_GB (n, S, 3, 3), p_GB (n, S, 3) and the angles (n, J) about the person's own axes."""
+        t = np.asarray(t, float)
+        poses = motion.poses(t)
+        angles = poses.angles
+        if motion.follows_synergies and len(self._synergy_angle):
+            angles = angles.copy()
+            angles[:, self._synergy_angle] += self._synergy_error(t, angles)
+        R, p = forward_many(
+            self._parent,
+            self._origin,
+            self._R_rest,
+            self._column,
+            self._twist,
+            np.ascontiguousarray(angles),
+            np.ascontiguousarray(poses.R_GB),
+            np.ascontiguousarray(poses.p_GB),
+        )
+        return R, p, angles
+
+    def _synergy_error(self, t: Array, angles: Array) -> Array:
+        """(n, synergies) rad: how far a distal angle is from what the hand file infers."""
+        drift = np.deg2rad(self.params.synergy_drift_deg) * self._synergy_drift(t)
+        source = angles[:, self._synergy_of]
+        return self._synergy_ratio * source + self._synergy_offset + drift
+
+    def imus(self, motion: Motion, t: Array) -> tuple[Array, Array]:
+        """R_GI (n, I, 3, 3) and p_GI (n, I, 3) m of all IMUs, with the wobble of soft tissue."""
+        R, p, angles = self.segments(motion, t)
+        R_GB, p_GB = R[:, self.imu_segment], p[:, self.imu_segment]
+        p_GI = p_GB + np.einsum("tnij,nj->tni", R_GB, self.imu_position)
+        return R_GB @ self.imu_R_BI @ so3.exp(self._wobble(t, angles)), p_GI
+
+    def _wobble(self, t: Array, angles: Array) -> Array:
+        """(n, I, 3) rad: half of the variance comes with posture, half with time."""
+        phase = np.einsum("nkj,tj->tnk", self._wobble_axis, angles) + self._wobble_phase
+        unit = np.cos(phase) + np.sqrt(0.5) * self._wobble_time(np.asarray(t, float))
+        return np.deg2rad(self.params.wobble_deg) * unit
+
+    def markers(self, t: float) -> Array:
+        """(M, 3) m: where each marker's centre is in its segment's B at the time t (s)."""
+        slip = self._slip(np.array([t]))[0, self.marker_segment] * self.params.slip / np.sqrt(2)
+        moved = np.einsum("mki,mk->mi", self._tangents, self._marker_place + slip)
+        return self._marker_base + moved
+
+    def keypoints(self, R: Array, p: Array) -> Array:
+        """(K, 3) m in G of the glove's keypoints on the true hand, from R (S, 3, 3), p (S, 3)."""
+        return self.glove.keypoint_positions(self.hand, R, p, self.scale)
+
+
+def _tangents(normal: Array) -> Array:
+    """(M, 2, 3): along the bone as far as the surface allows, and around it."""
+    along = np.tile([1.0, 0, 0], (len(normal), 1))
+    along[np.abs(normal[:, 0]) > 0.9] = [0, 0, 1.0]
+    along -= np.sum(along * normal, axis=1, keepdims=True) * normal
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    return np.stack([along, np.cross(normal, along)], axis=1)
