@@ -9,6 +9,7 @@ import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
+from tracker.geometry.kernels import zyx3
 from tracker.messages import Array
 
 
@@ -53,23 +54,6 @@ class Completion:
 
 
 @numba.njit(cache=True)
-def _wrap(a):  # type: ignore[no-untyped-def]
-    return (a + np.pi) % (2 * np.pi) - np.pi
-
-
-@numba.njit(cache=True)
-def _zyx(R):  # type: ignore[no-untyped-def]
-    """(abduction, flexion, twist); the branch with the smaller |abduction| + |twist|."""
-    a = np.arctan2(R[1, 0], R[0, 0])
-    b = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
-    c = np.arctan2(R[2, 1], R[2, 2])
-    a2, b2, c2 = _wrap(a + np.pi), _wrap(np.pi - b), _wrap(c + np.pi)
-    if abs(a2) + abs(c2) < abs(a) + abs(c):
-        return a2, b2, c2
-    return a, b, c
-
-
-@numba.njit(cache=True)
 def _rotation(a, b, c):  # type: ignore[no-untyped-def]
     """Rz(a) Ry(b) Rx(c)."""
     ca, sa, cb, sb, cc, sc = np.cos(a), np.sin(a), np.cos(b), np.sin(b), np.cos(c), np.sin(c)
@@ -95,7 +79,7 @@ def _complete(  # type: ignore[no-untyped-def]
         R_all[i], p_all[i], scale[i] = R[row[i]], p[row[i]], scale3[row[i]]
         if parent[i] >= 0:
             relative = R_rest[i].T @ R_all[parent[i]].T @ R_all[i]
-            values = _zyx(relative)
+            values = zyx3(relative)
             for k in range(3):
                 if columns[i, k] >= 0:
                     angles[columns[i, k]] = values[k]

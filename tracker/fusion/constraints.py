@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ConstraintParams
 from tracker.fusion.state import ChainState
-from tracker.geometry import so3
+from tracker.geometry.kernels import cross3, zyx3
 from tracker.messages import Array
 
 E_X, E_Y, E_Z = np.eye(3)
@@ -47,74 +48,95 @@ class Constraints:
 
     def __init__(self, layout: ChainLayout, params: ConstraintParams) -> None:
         self._layout, self._params = layout, params
-        self.axes = tuple(_axes(layout, params))
-        self.flexions = tuple(_flexions(layout))
+        axes, flexions = _axes(layout, params), _flexions(layout)
+        self.axes, self.flexions = tuple(axes), tuple(flexions)
+        self._axis_child = np.array([a.child for a in axes], np.int64)
+        self._axis_e = np.array([a.e for a in axes]).reshape(-1, 3)
+        self._axis_f = np.array([a.f for a in axes]).reshape(-1, 3)
+        self._axis_var = np.array([a.sd**2 for a in axes])
+        self._flexion_child = np.array([f.child for f in flexions], np.int64)
+        self._flexion_source = np.array([f.source for f in flexions], np.int64)
+        self._flexion_numbers = np.array(
+            [[f.low, f.high, f.ratio, f.offset] for f in flexions]
+        ).reshape(-1, 4)
 
     def rows(self, state: ChainState) -> tuple[Array, Array, Array]:
-        """Stacked H (m, N), innovation r (m,), variances (m,)."""
-        H: list[Array] = []
-        r: list[float] = []
-        var: list[float] = []
-        for axis in self.axes:
-            h, value = self._axis_row(state, axis)
-            H.append(h)
-            r.append(-value)
-            var.append(axis.sd**2)
-        for flexion in self.flexions:
-            self._flexion_rows(state, flexion, H, r, var)
-        return np.array(H).reshape(-1, self._layout.size), np.array(r), np.array(var)
+        """Stacked H (m, N), innovation r (m,), variances (m,).
 
-    def relative(self, state: ChainState, child: int) -> Array:
-        """R_rel of the joint at ``child``."""
+        A limit gives a row only where it is passed.
+        """
         lay = self._layout
-        a = lay.parent[child]
-        return lay.R_rest[child].T @ state.R_GB[a].T @ state.R_GB[child]
+        return _rows(
+            lay.parent,
+            lay.R_rest,
+            state.R_GB,
+            self._axis_child,
+            self._axis_e,
+            self._axis_f,
+            self._axis_var,
+            self._flexion_child,
+            self._flexion_source,
+            self._flexion_numbers,
+            self._params.limit**2,
+            self._params.synergy**2,
+            lay.theta,
+            lay.size,
+        )
 
-    def _axis_row(self, state: ChainState, axis: Axis) -> tuple[Array, float]:
-        R = self.relative(state, axis.child)
+
+@numba.njit(cache=True)
+def _relative(parent, R_rest, R_GB, child):  # type: ignore[no-untyped-def]
+    return R_rest[child].T @ R_GB[parent[child]].T @ R_GB[child]
+
+
+@numba.njit(cache=True)
+def _put(h, parent, theta, child, J_a, J_c, gain):  # type: ignore[no-untyped-def]
+    """Add a row's derivatives by the parent's and the child's orientation."""
+    for r in range(3):
+        h[theta + 3 * parent[child] + r] += gain * J_a[r]
+        h[theta + 3 * child + r] += gain * J_c[r]
+
+
+@numba.njit(cache=True)
+def _put_flexion(h, parent, R_rest, R_GB, theta, child, gain):  # type: ignore[no-untyped-def]
+    """Flexion turns about the child's own y (its twist being small)."""
+    y = np.array([0.0, 1.0, 0.0])
+    R = _relative(parent, R_rest, R_GB, child)
+    _put(h, parent, theta, child, -(R_rest[child] @ (R @ y)), y, gain)
+
+
+@numba.njit(cache=True)
+def _rows(  # type: ignore[no-untyped-def]
+    parent, R_rest, R_GB, axis_child, axis_e, axis_f, axis_var,
+    flexion_child, flexion_source, flexion_numbers, limit_var, synergy_var, theta, size,
+):  # fmt: skip
+    n = len(axis_child)
+    most = n + 2 * len(flexion_child)
+    H, r, var = np.zeros((most, size)), np.zeros(most), np.zeros(most)
+    for k in range(n):
+        c, e, f = axis_child[k], axis_e[k], axis_f[k]
+        R = _relative(parent, R_rest, R_GB, c)
         # e^T R_rest^T Exp(-beta_a) R_a^T R_c Exp(beta_c) f
-        J_a = self._layout.R_rest[axis.child] @ np.cross(axis.e, R @ axis.f)
-        J_c = np.cross(axis.f, R.T @ axis.e)
-        return self._row(axis.child, J_a, J_c), float(axis.e @ R @ axis.f)
-
-    def _row(self, child: int, J_a: Array, J_c: Array) -> Array:
-        lay = self._layout
-        a = int(lay.parent[child])
-        h = np.zeros(lay.size)
-        h[lay.theta + 3 * a : lay.theta + 3 * a + 3] = J_a
-        h[lay.theta + 3 * child : lay.theta + 3 * child + 3] = J_c
-        return h
-
-    def flexion(self, state: ChainState, child: int) -> float:
-        """Flexion of the joint at ``child``, rad, continuous through ±90°."""
-        return so3.zyx_from_matrix(self.relative(state, child))[1]
-
-    def _flexion_row(self, state: ChainState, child: int) -> Array:
-        """Flexion turns about the child's own y (its twist being small)."""
-        R = self.relative(state, child)
-        y_in_parent = self._layout.R_rest[child] @ (R @ E_Y)
-        return self._row(child, -y_in_parent, E_Y)
-
-    def _flexion_rows(
-        self,
-        state: ChainState,
-        flexion: Flexion,
-        H: list[Array],
-        r: list[float],
-        var: list[float],
-    ) -> None:
-        value = self.flexion(state, flexion.child)
-        bound = min(max(value, flexion.low), flexion.high)
+        _put(H[k], parent, theta, c, R_rest[c] @ cross3(e, R @ f), cross3(f, R.T @ e), 1.0)
+        r[k] = -(e @ (R @ f))
+        var[k] = axis_var[k]
+    m = n
+    for k in range(len(flexion_child)):
+        c, s = flexion_child[k], flexion_source[k]
+        low, high, ratio, offset = flexion_numbers[k]
+        value = zyx3(_relative(parent, R_rest, R_GB, c))[1]
+        bound = min(max(value, low), high)
         if bound != value:
-            H.append(self._flexion_row(state, flexion.child))
-            r.append(bound - value)
-            var.append(self._params.limit**2)
-        if flexion.source >= 0:
-            wanted = flexion.ratio * self.flexion(state, flexion.source) + flexion.offset
-            row = self._flexion_row(state, flexion.child)
-            H.append(row - flexion.ratio * self._flexion_row(state, flexion.source))
-            r.append(wanted - value)
-            var.append(self._params.synergy**2)
+            _put_flexion(H[m], parent, R_rest, R_GB, theta, c, 1.0)
+            r[m], var[m] = bound - value, limit_var
+            m += 1
+        if s >= 0:
+            source = zyx3(_relative(parent, R_rest, R_GB, s))[1]
+            _put_flexion(H[m], parent, R_rest, R_GB, theta, c, 1.0)
+            _put_flexion(H[m], parent, R_rest, R_GB, theta, s, -ratio)
+            r[m], var[m] = ratio * source + offset - value, synergy_var
+            m += 1
+    return H[:m], r[:m], var[:m]
 
 
 def _axes(layout: ChainLayout, params: ConstraintParams) -> list[Axis]:

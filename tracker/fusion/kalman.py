@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
 from scipy.linalg import cho_factor, cho_solve, solve_triangular
-from scipy.linalg.blas import dsyrk
 
 from tracker.messages import Array
 
@@ -26,10 +24,7 @@ def update_with(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> tuple[Ar
     L, _ = cho_factor(S, lower=True, check_finite=False)
     W = solve_triangular(L, HP, lower=True, check_finite=False)
     dx = W.T @ solve_triangular(L, r, lower=True, check_finite=False)
-    lower = dsyrk(-1.0, W, beta=1.0, c=P, trans=1, lower=1)
-    out = np.tril(lower)
-    out += np.tril(lower, -1).T
-    return dx, out
+    return dx, P - W.T @ W  # numpy multiplies a matrix by its own transpose symmetrically
 
 
 def mahalanobis2(HPH: Array, r: Array, R: Array) -> float:

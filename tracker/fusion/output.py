@@ -8,7 +8,7 @@ import numpy as np
 
 from tracker.fusion.completion import Completion
 from tracker.fusion.layout import ChainLayout
-from tracker.geometry import so3
+from tracker.geometry.kernels import quats
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
 
@@ -47,7 +47,7 @@ class HandOutput:
         keypoint_state = self._keypoint_state(segment_state, sensed.tracking)
         lost = keypoint_state == Validity.LOST
         points[lost] = np.nan
-        q = so3.quat_from_matrix(R_all)[self._keypoint_segments]
+        q = quats(R_all)[self._keypoint_segments]
         q[lost] = np.nan
         angles = np.where(angle_state == Validity.LOST, np.nan, angles)
         return Estimate(

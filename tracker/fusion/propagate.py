@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import numba
 import numpy as np
 
 from tracker import GRAVITY
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ChainParams, NoiseParams
 from tracker.fusion.state import ChainState
-from tracker.geometry import so3
+from tracker.geometry.kernels import exp3, skew3, turn_all
 from tracker.messages import Array, ImuSample
 
 G_VECTOR = np.array([0.0, 0.0, -GRAVITY])
@@ -20,14 +21,20 @@ def body_rates(state: ChainState, layout: ChainLayout, sample: ImuSample) -> Arr
 
     A segment without a (valid) IMU turns with its parent.
     """
-    w = np.zeros((len(layout.active), 3))
-    for i in range(len(w)):
-        j = layout.imu_of[i]
-        if j >= 0 and sample.valid[j]:
-            w[i] = state.R_IB[j].T @ (sample.gyro[j] - state.bg[j])
-        elif layout.parent[i] >= 0:
-            a = layout.parent[i]
-            w[i] = state.R_GB[i].T @ (state.R_GB[a] @ w[a])
+    return _body_rates(
+        layout.imu_of, layout.parent, state.R_GB, state.R_IB, state.bg, sample.gyro, sample.valid
+    )
+
+
+@numba.njit(cache=True)
+def _body_rates(imu_of, parent, R_GB, R_IB, bg, gyro, valid):  # type: ignore[no-untyped-def]
+    w = np.zeros((len(parent), 3))
+    for i in range(len(parent)):
+        j = imu_of[i]
+        if j >= 0 and valid[j]:
+            w[i] = R_IB[j].T @ (gyro[j] - bg[j])
+        elif parent[i] >= 0:
+            w[i] = R_GB[i].T @ (R_GB[parent[i]] @ w[parent[i]])
     return w
 
 
@@ -65,13 +72,13 @@ def _move_nominal(state: ChainState, w: Array, f: Array | None, dt: float, coast
         state.p = state.p + state.v * dt
         state.v = state.v * np.exp(-COAST_DAMPING * dt)
     else:
-        R_mid = state.R_GB[0] @ so3.exp(w[0] * dt / 2)
+        R_mid = state.R_GB[0] @ exp3(w[0] * (dt / 2))
         a_G = R_mid @ f + G_VECTOR
         state.p = state.p + state.v * dt + a_G * dt * dt / 2
         state.v = state.v + a_G * dt
     if coasting:
         state.v = state.v * np.exp(-COAST_DAMPING * dt)
-    state.R_GB = state.R_GB @ so3.exp(w * dt)
+    state.R_GB = turn_all(state.R_GB, w * dt)
     state.t += dt
 
 
@@ -84,39 +91,54 @@ def _transition(
     dt: float,
 ) -> Array:
     """(D, scale) Phi: the dynamic rows against all columns before the scales."""
-    D, width = layout.n_dynamic, layout.scale
-    Phi = np.eye(D, width)
-    Phi[0:3, 3:6] = np.eye(3) * dt
-    shrink = so3.exp(w * dt).swapaxes(-1, -2)
-    spin = so3.skew(w) * dt
-    for i in range(len(layout.active)):
-        rows = slice(layout.theta + 3 * i, layout.theta + 3 * i + 3)
-        j = layout.imu_of[i]
-        if j >= 0 and sample.valid[j]:
-            Phi[rows, rows] = shrink[i]
-            Phi[rows, layout.phi + 3 * j : layout.phi + 3 * j + 3] = spin[i]
-            Phi[rows, layout.bg + 3 * j : layout.bg + 3 * j + 3] = -state.R_IB[j].T * dt
-        elif layout.parent[i] >= 0:
-            _follow_parent(Phi, state, layout, i, rows)
+    Phi = _orientation_rows(
+        layout.imu_of,
+        layout.parent,
+        state.R_GB,
+        state.R_IB,
+        sample.valid,
+        w,
+        dt,
+        layout.theta,
+        layout.bg,
+        layout.phi,
+        layout.scale,
+    )
     if f is not None:
         _root_rows(Phi, state, layout, f, dt)
     return Phi
 
 
-def _follow_parent(Phi: Array, state: ChainState, layout: ChainLayout, i: int, rows: slice) -> None:
-    """R_rel stays: theta_c moves by R_rel^T times what theta_parent moved by."""
-    a = int(layout.parent[i])
-    R_ca = state.R_GB[i].T @ state.R_GB[a]
-    parent = Phi[layout.theta + 3 * a : layout.theta + 3 * a + 3].copy()
-    parent[:, layout.theta + 3 * a : layout.theta + 3 * a + 3] -= np.eye(3)
-    Phi[rows] += R_ca @ parent
+@numba.njit(cache=True)
+def _orientation_rows(  # type: ignore[no-untyped-def]
+    imu_of, parent, R_GB, R_IB, valid, w, dt, theta, bg, phi, width
+):
+    Phi = np.eye(theta + 3 * len(parent), width)
+    for r in range(3):
+        Phi[r, 3 + r] = dt
+    for i in range(len(parent)):
+        k = theta + 3 * i
+        j = imu_of[i]
+        if j >= 0 and valid[j]:
+            Phi[k : k + 3, k : k + 3] = exp3(w[i] * dt).T
+            Phi[k : k + 3, phi + 3 * j : phi + 3 * j + 3] = skew3(w[i]) * dt
+            Phi[k : k + 3, bg + 3 * j : bg + 3 * j + 3] = -R_IB[j].T * dt
+        elif parent[i] >= 0:
+            # R_rel stays: theta_c moves by R_rel^T times what theta_parent moved by
+            a = theta + 3 * parent[i]
+            R_ca = R_GB[i].T @ R_GB[parent[i]]
+            moved = Phi[a : a + 3].copy()
+            for r in range(3):
+                moved[r, a + r] -= 1.0
+            Phi[k : k + 3] += R_ca @ moved
+    return Phi
 
 
 def _root_rows(Phi: Array, state: ChainState, layout: ChainLayout, f: Array, dt: float) -> None:
     """p and v against the root's orientation, mounting and accelerometer bias."""
     j = layout.imu_of[0]
     R = state.R_GB[0]
-    J_a_theta = -R @ so3.skew(f)
+    J_a_theta = -R @ skew3(f)
     J_a_ba = -R @ state.R_IB[j].T
     th = slice(layout.theta, layout.theta + 3)
     phi = slice(layout.phi + 3 * j, layout.phi + 3 * j + 3)

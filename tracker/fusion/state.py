@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
-from tracker.geometry import so3
+from tracker.geometry.kernels import turn_all
 from tracker.messages import Array
 
 SCALE_LIMITS = (0.6, 1.5)
@@ -83,9 +83,9 @@ def inject(state: ChainState, layout: ChainLayout, dx: Array) -> None:
     """Add an error vector (N,) to the nominal state in place; rotations by local perturbation."""
     state.p += dx[0:3]
     state.v += dx[3:6]
-    state.R_GB = state.R_GB @ so3.exp(dx[layout.theta : layout.n_dynamic].reshape(-1, 3))
+    state.R_GB = turn_all(state.R_GB, dx[layout.theta : layout.n_dynamic].reshape(-1, 3))
     state.bg += dx[layout.bg : layout.phi].reshape(-1, 3)
-    state.R_IB = state.R_IB @ so3.exp(dx[layout.phi : layout.ba].reshape(-1, 3))
+    state.R_IB = turn_all(state.R_IB, dx[layout.phi : layout.ba].reshape(-1, 3))
     state.ba += dx[layout.ba : layout.scale].reshape(-1, 3)
     state.scale = np.clip(
         state.scale + dx[layout.scale : layout.joint].reshape(-1, 2), *SCALE_LIMITS

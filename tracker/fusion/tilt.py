@@ -15,7 +15,7 @@ from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ConstraintParams
 from tracker.fusion.propagate import body_rates, root_force
 from tracker.fusion.state import ChainState
-from tracker.geometry import so3
+from tracker.geometry.kernels import cross3, skew3
 from tracker.messages import Array, ImuSample
 
 
@@ -82,7 +82,7 @@ def _row(
 ) -> tuple[Array, Array, float]:
     """J_f_error (3, N), predicted reading (3,), size of the kinematic part (m/s²)."""
     segment = chain[0][0]
-    c_of = [(a, _cross(alpha[a], lever) + _cross(w[a], _cross(w[a], lever))) for a, lever in chain]
+    c_of = [(a, cross3(alpha[a], lever) + cross3(w[a], cross3(w[a], lever))) for a, lever in chain]
     kinematic_G = sum((state.R_GB[a] @ c for a, c in c_of), np.zeros(3))
     s_G = kinematic_G + state.R_GB[0] @ f_0
     s = state.R_GB[segment].T @ s_G
@@ -91,20 +91,13 @@ def _row(
     h = np.zeros((3, layout.size))
     for a, c in c_of:
         total = c + f_0 if a == 0 else c
-        h[:, layout.theta + 3 * a : layout.theta + 3 * a + 3] -= M @ state.R_GB[a] @ so3.skew(total)
-    turn = R_IB @ so3.skew(s)
+        h[:, layout.theta + 3 * a : layout.theta + 3 * a + 3] -= M @ state.R_GB[a] @ skew3(total)
+    turn = R_IB @ skew3(s)
     h[:, layout.theta + 3 * segment : layout.theta + 3 * segment + 3] += turn
     h[:, layout.phi + 3 * j : layout.phi + 3 * j + 3] -= turn
     h[:, layout.ba + 3 * j : layout.ba + 3 * j + 3] += np.eye(3)
     root = layout.imu_of[0]
     R_0 = M @ state.R_GB[0]
-    h[:, layout.phi + 3 * root : layout.phi + 3 * root + 3] += R_0 @ so3.skew(f_0)
+    h[:, layout.phi + 3 * root : layout.phi + 3 * root + 3] += R_0 @ skew3(f_0)
     h[:, layout.ba + 3 * root : layout.ba + 3 * root + 3] -= R_0 @ state.R_IB[root].T
     return h, R_IB @ s + state.ba[j], float(np.linalg.norm(kinematic_G))
-
-
-def _cross(a: Array, b: Array) -> Array:
-    """np.cross for two 3-vectors without its overhead."""
-    return np.array(
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    )

@@ -1,0 +1,95 @@
+"""Compiled twins of `so3` for single rotations, used inside the filters' loops."""
+
+import numba
+import numpy as np
+
+
+@numba.njit(cache=True)
+def exp3(v):  # type: ignore[no-untyped-def]
+    """Rotation matrix (3, 3) of a rotation vector (3,)."""
+    x, y, z = v[0], v[1], v[2]
+    angle2 = x * x + y * y + z * z
+    if angle2 < 1e-16:
+        a, b = 1.0 - angle2 / 6, 0.5 - angle2 / 24
+    else:
+        angle = np.sqrt(angle2)
+        a = np.sin(angle) / angle
+        half = np.sin(angle / 2) / angle
+        b = 2 * half * half
+    R = np.empty((3, 3))
+    R[0, 0] = 1 - b * (y * y + z * z)
+    R[1, 1] = 1 - b * (x * x + z * z)
+    R[2, 2] = 1 - b * (x * x + y * y)
+    R[0, 1], R[1, 0] = b * x * y - a * z, b * x * y + a * z
+    R[0, 2], R[2, 0] = b * x * z + a * y, b * x * z - a * y
+    R[1, 2], R[2, 1] = b * y * z - a * x, b * y * z + a * x
+    return R
+
+
+@numba.njit(cache=True)
+def turn_all(R, v):  # type: ignore[no-untyped-def]
+    """R (n, 3, 3) times Exp of v (n, 3)."""
+    out = np.empty_like(R)
+    for i in range(len(R)):
+        out[i] = R[i] @ exp3(v[i])
+    return out
+
+
+@numba.njit(cache=True)
+def skew3(v):  # type: ignore[no-untyped-def]
+    """The cross-product matrix of v (3,)."""
+    return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
+
+
+@numba.njit(cache=True)
+def cross3(a, b):  # type: ignore[no-untyped-def]
+    """a x b of two (3,) vectors."""
+    return np.array(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )
+
+
+@numba.njit(cache=True)
+def zyx3(R):  # type: ignore[no-untyped-def]
+    """(abduction, flexion, twist) of R = Rz Ry Rx, as `so3.zyx_from_matrix`."""
+    a = np.arctan2(R[1, 0], R[0, 0])
+    b = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
+    c = np.arctan2(R[2, 1], R[2, 2])
+    a2, b2, c2 = _wrap(a + np.pi), _wrap(np.pi - b), _wrap(c + np.pi)
+    if abs(a2) + abs(c2) < abs(a) + abs(c):
+        return a2, b2, c2
+    return a, b, c
+
+
+@numba.njit(cache=True)
+def _wrap(a):  # type: ignore[no-untyped-def]
+    return (a + np.pi) % (2 * np.pi) - np.pi
+
+
+@numba.njit(cache=True)
+def quats(R):  # type: ignore[no-untyped-def]
+    """Unit quaternions (n, 4) xyzw, w >= 0, of matrices (n, 3, 3)."""
+    out = np.empty((len(R), 4))
+    for i in range(len(R)):
+        M = R[i]
+        trace = M[0, 0] + M[1, 1] + M[2, 2]
+        k = 3
+        best = trace
+        for r in range(3):
+            if M[r, r] > best:
+                best, k = M[r, r], r
+        q = out[i]
+        if k == 3:
+            q[0], q[1] = M[2, 1] - M[1, 2], M[0, 2] - M[2, 0]
+            q[2], q[3] = M[1, 0] - M[0, 1], 1 + trace
+        else:
+            j, n = (k + 1) % 3, (k + 2) % 3
+            q[k] = 1 - trace + 2 * M[k, k]
+            q[j], q[n] = M[j, k] + M[k, j], M[n, k] + M[k, n]
+            q[3] = M[n, j] - M[j, n]
+        norm = np.sqrt(q[0] ** 2 + q[1] ** 2 + q[2] ** 2 + q[3] ** 2)
+        if q[3] < 0:
+            norm = -norm
+        for r in range(4):
+            q[r] /= norm
+    return out
