@@ -13,14 +13,18 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from tracker.messages import Array, IntArray
+from tracker.vision.cpd import translation_em
 from tracker.vision.visibility import HandShape, VisibilityParams, both_cameras, visibility
 
 __all__ = [
     "GateParams",
     "HandShape",
+    "TranslationMatch",
+    "TranslationParams",
     "VisibilityParams",
     "assign_gated",
     "both_cameras",
+    "match_translation",
     "visibility",
 ]
 
@@ -111,3 +115,98 @@ def _gated_costs(
             if d2 < gate and du * du + dv * dv < gate_px * gate_px:
                 cost[i, j] = d2 + base
     return cost
+
+
+@dataclass(frozen=True)
+class TranslationParams:
+    """CPD between stereo points and predicted markers."""
+
+    outlier: float = 0.1  # w_c of eq. 2
+    volume: float = 1e-3  # m³, over which an outlier is uniform
+    spread_first: float = 0.012  # m, annealed
+    spread_last: float = 0.004  # m
+    iterations: int = 15
+    min_posterior: float = 0.5  # of belonging to any marker
+    max_distance: float = 0.020  # m from the shifted marker
+
+
+@dataclass(frozen=True, eq=False)
+class TranslationMatch:
+    """marker (n,) of each point, -1 for none; eta (3,) m the common shift; posterior (n,)."""
+
+    marker: IntArray
+    eta: Array
+    posterior: Array
+
+
+def match_translation(
+    points_G: Array,
+    hue: IntArray,
+    markers_G: Array,
+    marker_hue: IntArray,
+    prior: Array,
+    cov: Array,
+    params: TranslationParams | None = None,
+) -> TranslationMatch:
+    """Markers of stereo points by 3-DOF CPD per hue (Lee et al. 2021, eqs. 1 to 3).
+
+    points_G (n, 3) and markers_G (M, 3) m, prior (M,) of being seen by both cameras, cov (3, 3) or
+    (n, 3, 3) m² the noise of triangulation in G. A point takes its likeliest marker; of several
+    points on one marker the nearest stays. ``eta`` serves the assignment only.
+    """
+    params = params or TranslationParams()
+    n = len(points_G)
+    if n == 0 or len(markers_G) == 0:
+        return TranslationMatch(np.full(n, -1, np.int64), np.zeros(3), np.zeros(n))
+    points, markers = np.ascontiguousarray(points_G, float), np.ascontiguousarray(markers_G, float)
+    each = np.ascontiguousarray(np.broadcast_to(cov, (n, 3, 3)), float)
+    eta, P = translation_em(
+        points,
+        hue,
+        each,
+        markers,
+        marker_hue,
+        _normalised(prior, marker_hue),
+        params.outlier,
+        params.volume,
+        (params.spread_first, params.spread_last),
+        params.iterations,
+    )
+    marker, posterior = _likeliest(
+        P, points, markers, eta, params.min_posterior, params.max_distance
+    )
+    return TranslationMatch(marker, eta, posterior)
+
+
+@numba.njit(cache=True, nogil=True)
+def _normalised(prior: Array, hue: IntArray) -> Array:
+    """Priors that sum to one within each hue; a hue of zeros stays so."""
+    out = np.zeros(len(prior))
+    for j in range(len(prior)):
+        total = 0.0
+        for k in range(len(prior)):
+            if hue[k] == hue[j]:
+                total += prior[k]
+        if total > 0:
+            out[j] = prior[j] / total
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
+def _likeliest(
+    P: Array, points: Array, markers: Array, eta: Array, min_posterior: float, reach: float
+) -> tuple[IntArray, Array]:
+    """MAP marker of each point within the limits, and each marker given once."""
+    n, m = P.shape
+    out, posterior = np.full(n, -1, np.int64), np.zeros(n)
+    owner, least = np.full(m, -1, np.int64), np.full(m, reach)
+    for i in range(n):
+        j = np.argmax(P[i])
+        posterior[i] = P[i].sum()
+        distance = np.sqrt(((points[i] - markers[j] - eta) ** 2).sum())
+        if posterior[i] <= min_posterior or distance >= least[j]:
+            continue
+        if owner[j] >= 0:
+            out[owner[j]] = -1
+        out[i], owner[j], least[j] = j, i, distance
+    return out, posterior

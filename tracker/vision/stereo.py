@@ -1,0 +1,207 @@
+"""From blobs of two images to points: matching by one parallax, or every pair that could be.
+
+Pixels are rectified, so that partners share a row. `match_stereo` is what Lee et al. 2021 do while
+tracking; `all_pairs` feeds a search from nothing, where wrong pairs find no company.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numba
+import numpy as np
+
+from tracker.messages import Array, IntArray
+from tracker.vision.cpd import parallax_em
+from tracker.vision.rig import StereoRig
+
+
+@dataclass(frozen=True)
+class StereoParams:
+    """Limits of stereo matching."""
+
+    row_px: float = 3.0  # |dv|, the first outlier condition
+    parallax_px: float = 45.0  # |du - zeta|, the second
+    unit_u_px: float = 8.0  # du of this size counts as much as one pixel of dv
+    sd_u_min_px: float = 6.0
+    sd_u_max_px: float = 30.0
+    sd_v_px: float = 1.0
+    outlier: float = 0.1
+    iterations: int = 20
+    nearest: float = 0.15  # m
+    farthest: float = 0.9  # m
+
+
+@dataclass(frozen=True)
+class PairParams:
+    """Which pairs are possible at all."""
+
+    row_px: float = 3.0
+    nearest: float = 0.18  # m
+    farthest: float = 0.70  # m
+
+
+@dataclass(frozen=True, eq=False)
+class StereoMatches:
+    """Pairs of blobs: rows left_index (n,), right_index (n,), and points p_C (n, 3) m."""
+
+    left_index: IntArray
+    right_index: IntArray
+    p_C: Array
+
+    def __len__(self) -> int:
+        return len(self.left_index)
+
+
+def match_stereo(
+    left_uv: Array,
+    left_hue: IntArray,
+    right_uv: Array,
+    right_hue: IntArray,
+    rig: StereoRig,
+    params: StereoParams | None = None,
+    z_hint: float | None = None,
+) -> StereoMatches:
+    """One partner at most for each blob. ``z_hint`` is the hand's distance (m) where known."""
+    params = params or StereoParams()
+    left, right = _pixels(left_uv), _pixels(right_uv)
+    focal = rig.fx * rig.baseline
+    limits = (focal / params.farthest, focal / params.nearest)
+    start = focal / z_hint if z_hint else commonest_parallax(
+        left, left_hue, right, right_hue, params.row_px, limits, params.sd_u_min_px
+    )  # fmt: skip
+    zeta, _ = parallax_em(
+        left,
+        left_hue,
+        right,
+        right_hue,
+        start,
+        (params.sd_u_min_px, params.sd_u_max_px),
+        params.sd_v_px,
+        params.outlier,
+        params.iterations,
+    )
+    i, j = _mutual_nearest(
+        left,
+        left_hue,
+        right,
+        right_hue,
+        zeta,
+        params.unit_u_px,
+        params.row_px,
+        params.parallax_px,
+    )
+    return _matches(i, j, left, right, rig)
+
+
+def all_pairs(
+    left_uv: Array,
+    left_hue: IntArray,
+    right_uv: Array,
+    right_hue: IntArray,
+    rig: StereoRig,
+    params: PairParams | None = None,
+) -> StereoMatches:
+    """Every same-hue pair on one row whose depth is possible; a blob may stand in several."""
+    params = params or PairParams()
+    left, right = _pixels(left_uv), _pixels(right_uv)
+    focal = rig.fx * rig.baseline
+    du = left[:, None, 0] - right[None, :, 0]
+    dv = left[:, None, 1] - right[None, :, 1]
+    possible = np.asarray(left_hue)[:, None] == np.asarray(right_hue)[None]
+    possible &= np.abs(dv) < params.row_px
+    possible &= (du > focal / params.farthest) & (du < focal / params.nearest)
+    i, j = np.nonzero(possible)
+    return _matches(i, j, left, right, rig)
+
+
+def _pixels(uv: Array) -> Array:
+    return np.ascontiguousarray(uv, float).reshape(-1, 2)
+
+
+def _matches(i: IntArray, j: IntArray, left: Array, right: Array, rig: StereoRig) -> StereoMatches:
+    p_C = rig.triangulate(left[i], right[j])
+    ok = np.isfinite(p_C[:, 2])
+    return StereoMatches(i[ok], j[ok], p_C[ok])
+
+
+@numba.njit(cache=True, nogil=True)
+def commonest_parallax(
+    left: Array,
+    left_hue: IntArray,
+    right: Array,
+    right_hue: IntArray,
+    row_px: float,
+    limits: tuple[float, float],
+    width_px: float,
+) -> float:
+    """The disparity in ``limits`` (px) that most same-hue pairs agree on within ``width_px``.
+
+    A start for the EM where the hand's distance is unknown. Each left blob votes once: many
+    partners of one blob are no agreement.
+    """
+    best, best_votes = 0.5 * (limits[0] + limits[1]), 0.0
+    for i in range(len(left)):
+        for j in range(len(right)):
+            zeta = left[i, 0] - right[j, 0]
+            if left_hue[i] != right_hue[j] or abs(left[i, 1] - right[j, 1]) > row_px:
+                continue
+            if zeta < limits[0] or zeta > limits[1]:
+                continue
+            votes = _votes(left, left_hue, right, right_hue, zeta, row_px, width_px)
+            if votes > best_votes:
+                best, best_votes = zeta, votes
+    return best
+
+
+@numba.njit(cache=True, nogil=True)
+def _votes(
+    left: Array,
+    left_hue: IntArray,
+    right: Array,
+    right_hue: IntArray,
+    zeta: float,
+    row_px: float,
+    width_px: float,
+) -> float:
+    """How many left blobs have a partner near the parallax, each 1 at it and 0 at 4 widths."""
+    total, reach = 0.0, 4.0 * width_px
+    for i in range(len(left)):
+        nearest = reach
+        for j in range(len(right)):
+            if left_hue[i] == right_hue[j] and abs(left[i, 1] - right[j, 1]) < row_px:
+                nearest = min(nearest, abs(left[i, 0] - right[j, 0] - zeta))
+        total += 1.0 - (nearest / reach) ** 2
+    return total
+
+
+@numba.njit(cache=True, nogil=True)
+def _mutual_nearest(
+    left: Array,
+    left_hue: IntArray,
+    right: Array,
+    right_hue: IntArray,
+    zeta: float,
+    unit_u: float,
+    row_px: float,
+    parallax_px: float,
+) -> tuple[IntArray, IntArray]:
+    """Pairs that are each other's nearest after the shift and meet both outlier conditions."""
+    n, m = len(left), len(right)
+    partner, back = np.full(n, -1, np.int64), np.full(m, -1, np.int64)
+    least, least_back = np.full(n, np.inf), np.full(m, np.inf)
+    for i in range(n):
+        for j in range(m):
+            if left_hue[i] != right_hue[j]:
+                continue
+            du = left[i, 0] - right[j, 0] - zeta
+            dv = left[i, 1] - right[j, 1]
+            if abs(dv) >= row_px or abs(du) >= parallax_px:
+                continue
+            d2 = (du / unit_u) ** 2 + dv * dv
+            if d2 < least[i]:
+                least[i], partner[i] = d2, j
+            if d2 < least_back[j]:
+                least_back[j], back[j] = d2, i
+    rows = np.array([i for i in range(n) if partner[i] >= 0 and back[partner[i]] == i], np.int64)
+    return rows, partner[rows]
