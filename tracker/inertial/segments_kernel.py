@@ -1,0 +1,184 @@
+"""The filter of `tracker.inertial.segments`, compiled; a row of the state is one IMU."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from tracker.messages import Array
+
+# Columns of the state.
+Q = 0  # q_GB, xyzw
+OFFSET = 4  # of the gyroscope, rad/s
+FIRST = 7  # specific force in G, low-passed once, m/s²
+SECOND = 10  # and twice
+MEAN_GYRO = 13  # slow averages in B, against which stillness is judged
+MEAN_ACCEL = 16
+STILL = 19  # s since the IMU began to stand still
+TICKS = 20  # samples since the last levelling
+COUNT = 21  # samples in all
+SIZE = 22
+
+# Coefficients.
+DT, K_TILT, EVERY, K_OFFSET, REST_TIME, K_REST, REST_GYRO, REST_ACCEL, K_REST_OFFSET, LIMIT = range(
+    10
+)
+
+
+@njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "nsz", "arcp"})
+def step(state: Array, c: Array, gyro: Array, accel: Array) -> None:
+    """One sample of every IMU."""
+    for i in range(len(state)):
+        # rows are not taken out here: a view each would cost as much as the arithmetic
+        g_x, g_y, g_z = gyro[i, 0], gyro[i, 1], gyro[i, 2]
+        a_x, a_y, a_z = accel[i, 0], accel[i, 1], accel[i, 2]
+        if not np.isfinite(g_x + g_y + g_z + a_x + a_y + a_z):
+            continue
+        if state[i, COUNT] == 0:
+            _start(state[i], gyro[i], accel[i])
+        else:
+            _turn(state, i, c[DT], g_x, g_y, g_z)
+        _filter(state, i, c[K_TILT], a_x, a_y, a_z)
+        state[i, COUNT] += 1
+        state[i, TICKS] += 1
+        if state[i, TICKS] >= c[EVERY]:
+            _judge_rest(state[i], c, gyro[i], accel[i])
+            _level(state[i], c)
+            state[i, TICKS] = 0
+
+
+@njit(cache=True)
+def _start(s: Array, g: Array, a: Array) -> None:
+    """Level on the first sample."""
+    s[MEAN_GYRO : MEAN_GYRO + 3] = g
+    s[MEAN_ACCEL : MEAN_ACCEL + 3] = a
+    norm = np.sqrt(a[0] ** 2 + a[1] ** 2 + a[2] ** 2)
+    if norm > 0:
+        _turn_to_up(s, a[0] / norm, a[1] / norm, a[2] / norm)
+
+
+@njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "nsz", "arcp"})
+def _turn(state: Array, i: int, dt: float, g_x: float, g_y: float, g_z: float) -> None:
+    """q ← q ⊗ exp(ω dt / 2), by series: a half angle below 0.3 rad leaves 1e-7."""
+    h = 0.5 * dt
+    x, y, z = h * (g_x - state[i, 4]), h * (g_y - state[i, 5]), h * (g_z - state[i, 6])
+    n2 = x * x + y * y + z * z
+    w = 1 - n2 * (0.5 - n2 * (1 / 24))
+    f = 1 - n2 * (1 / 6 - n2 * (1 / 120))
+    x, y, z = f * x, f * y, f * z
+    q_x, q_y, q_z, q_w = state[i, 0], state[i, 1], state[i, 2], state[i, 3]
+    n_x = q_w * x + q_x * w + q_y * z - q_z * y
+    n_y = q_w * y - q_x * z + q_y * w + q_z * x
+    n_z = q_w * z + q_x * y - q_y * x + q_z * w
+    n_w = q_w * w - q_x * x - q_y * y - q_z * z
+    m = 1.5 - 0.5 * (n_x * n_x + n_y * n_y + n_z * n_z + n_w * n_w)  # one Newton step of 1/norm
+    state[i, 0], state[i, 1], state[i, 2], state[i, 3] = m * n_x, m * n_y, m * n_z, m * n_w
+
+
+@njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "nsz", "arcp"})
+def _filter(state: Array, i: int, k: float, a_x: float, a_y: float, a_z: float) -> None:
+    """Specific force into G and through both low passes; plain averages while these are young."""
+    x, y, z, w = state[i, 0], state[i, 1], state[i, 2], state[i, 3]
+    t_x = 2 * (y * a_z - z * a_y)
+    t_y = 2 * (z * a_x - x * a_z)
+    t_z = 2 * (x * a_y - y * a_x)
+    f_x = a_x + w * t_x + y * t_z - z * t_y
+    f_y = a_y + w * t_y + z * t_x - x * t_z
+    f_z = a_z + w * t_z + x * t_y - y * t_x
+    if k * (state[i, COUNT] + 1) < 1:
+        k = 1 / (state[i, COUNT] + 1)
+    state[i, 7] += k * (f_x - state[i, 7])
+    state[i, 8] += k * (f_y - state[i, 8])
+    state[i, 9] += k * (f_z - state[i, 9])
+    state[i, 10] += k * (state[i, 7] - state[i, 10])
+    state[i, 11] += k * (state[i, 8] - state[i, 11])
+    state[i, 12] += k * (state[i, 9] - state[i, 12])
+
+
+@njit(cache=True)
+def _judge_rest(s: Array, c: Array, g: Array, a: Array) -> None:
+    """Rest is when the samples at levellings stay close to their slow averages."""
+    off_gyro, off_accel = 0.0, 0.0
+    for j in range(3):
+        d_g = g[j] - s[MEAN_GYRO + j]
+        d_a = a[j] - s[MEAN_ACCEL + j]
+        s[MEAN_GYRO + j] += c[K_REST] * d_g
+        s[MEAN_ACCEL + j] += c[K_REST] * d_a
+        off_gyro += d_g * d_g
+        off_accel += d_a * d_a
+        if abs(s[MEAN_GYRO + j]) > c[LIMIT]:
+            off_gyro = np.inf
+    if off_gyro > c[REST_GYRO] ** 2 or off_accel > c[REST_ACCEL] ** 2:
+        s[STILL] = 0.0
+    else:
+        s[STILL] += s[TICKS] * c[DT]
+    if s[STILL] >= c[REST_TIME]:
+        for j in range(3):
+            s[OFFSET + j] += c[K_REST_OFFSET] * (s[MEAN_GYRO + j] - s[OFFSET + j])
+
+
+@njit(cache=True)
+def _level(s: Array, c: Array) -> None:
+    """Turn G, by the shortest way, until the averaged specific force points up."""
+    norm = np.sqrt(s[10] ** 2 + s[11] ** 2 + s[12] ** 2)
+    if norm == 0:
+        return
+    e_x, e_y, e_z = s[10] / norm, s[11] / norm, s[12] / norm
+    if s[STILL] < c[REST_TIME]:
+        _learn_offset(s, c, e_y, -e_x)
+    x, y, w = _turn_to_up(s, e_x, e_y, e_z)
+    _turn_vector(s, FIRST, x, y, w)
+    _turn_vector(s, SECOND, x, y, w)
+
+
+@njit(cache=True)
+def _learn_offset(s: Array, c: Array, r_x: float, r_y: float) -> None:
+    """A levelling (r_x, r_y, 0) rad in G is what the offset has turned the IMU by, the other way.
+
+    b += -k Rᵀ r: an offset not known turns the estimate by R b dt and is levelled back.
+    """
+    x, y, z, w = s[0], s[1], s[2], s[3]
+    t_x = 2 * (-z * r_y)
+    t_y = 2 * (z * r_x)
+    t_z = 2 * (x * r_y - y * r_x)
+    # Rᵀ r: the rotation by the conjugate
+    b_x = r_x - w * t_x + y * t_z - z * t_y
+    b_y = r_y - w * t_y + z * t_x - x * t_z
+    b_z = -w * t_z + x * t_y - y * t_x
+    k, limit = c[K_OFFSET], c[LIMIT]
+    s[4] = min(max(s[4] - k * b_x, -limit), limit)
+    s[5] = min(max(s[5] - k * b_y, -limit), limit)
+    s[6] = min(max(s[6] - k * b_z, -limit), limit)
+
+
+@njit(cache=True)
+def _turn_to_up(s: Array, u_x: float, u_y: float, u_z: float) -> tuple[float, float, float]:
+    """Turn q by the shortest rotation of the unit vector u to z; its quaternion (x, y, 0, w)."""
+    w = np.sqrt(max(0.5 * (1 + u_z), 1e-12))
+    x, y = 0.5 * u_y / w, -0.5 * u_x / w
+    if u_z < -1 + 1e-9:  # upside down: any horizontal axis will do
+        x, y, w = 1.0, 0.0, 0.0
+    q_x, q_y, q_z, q_w = s[0], s[1], s[2], s[3]
+    s[0] = w * q_x + x * q_w + y * q_z
+    s[1] = w * q_y + y * q_w - x * q_z
+    s[2] = w * q_z + x * q_y - y * q_x
+    s[3] = w * q_w - x * q_x - y * q_y
+    return x, y, w
+
+
+@njit(cache=True)
+def _turn_vector(s: Array, at: int, x: float, y: float, w: float) -> None:
+    """Rotate the vector that starts at column ``at`` by the quaternion (x, y, 0, w)."""
+    v_x, v_y, v_z = s[at], s[at + 1], s[at + 2]
+    t_x, t_y, t_z = 2 * y * v_z, -2 * x * v_z, 2 * (x * v_y - y * v_x)
+    s[at] = v_x + w * t_x + y * t_z
+    s[at + 1] = v_y + w * t_y - x * t_z
+    s[at + 2] = v_z + w * t_z + x * t_y - y * t_x
+
+
+@njit(cache=True)
+def run(state: Array, c: Array, gyro: Array, accel: Array, out: Array) -> None:
+    """`step` over m samples; q_GB (m, n, 4) into ``out``."""
+    for k in range(len(gyro)):
+        step(state, c, gyro[k], accel[k])
+        out[k] = state[:, Q : Q + 4]
