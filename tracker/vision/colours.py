@@ -1,0 +1,152 @@
+"""The colour profile: which pixels are cloth of which hue, and what shape a patch may have.
+
+OpenCV units: hue 0..179 (2° each), saturation and value 0..255. A hue range whose first number is
+the larger one wraps through 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import Array
+from tracker.toml_reader import TomlTable, read_text, read_toml
+
+HUES = 180
+LEVELS = 256
+SCHEMA = 1
+
+
+@dataclass(frozen=True)
+class HueRange:
+    """One hue by name; both ends of every interval belong to it."""
+
+    name: str
+    hue: tuple[int, int]
+    saturation: tuple[int, int] = (90, 255)
+    value: tuple[int, int] = (45, 255)
+
+    @property
+    def centre(self) -> float:
+        """The middle of the hue interval, 0 up to 180."""
+        return (self.hue[0] + self.width / 2) % HUES
+
+    @property
+    def width(self) -> int:
+        """From the first hue to the last, wrapping."""
+        return (self.hue[1] - self.hue[0]) % HUES
+
+    def contains(self, hsv: Array | NDArray[np.uint8]) -> NDArray[np.bool_]:
+        """Which pixels (…, 3) in HSV belong to it; shape (…)."""
+        pixel = np.asarray(hsv).astype(np.int64)
+        inside = (pixel[..., 0] - self.hue[0]) % HUES <= self.width
+        for channel, (low, high) in ((1, self.saturation), (2, self.value)):
+            inside &= (pixel[..., channel] >= low) & (pixel[..., channel] <= high)
+        return inside
+
+    def overlaps(self, other: HueRange) -> bool:
+        """Whether some pixel belongs to both."""
+        hues = (other.hue[0] - self.hue[0]) % HUES <= self.width
+        hues = hues or (self.hue[0] - other.hue[0]) % HUES <= other.width
+        return hues and all(
+            a[0] <= b[1] and b[0] <= a[1]
+            for a, b in ((self.saturation, other.saturation), (self.value, other.value))
+        )
+
+
+@dataclass(frozen=True)
+class ShapeLimits:
+    """What a patch may look like: size against the expected one, and two shape factors."""
+
+    size: tuple[float, float] = (0.35, 1.6)
+    convexity: float = 0.85  # area / hull area, at least
+    circularity: float = 0.45  # 4 pi area / perimeter², at least
+
+
+@dataclass(frozen=True)
+class ColourProfile:
+    """Hues in the order that blobs are numbered by. A pixel of two hues counts as the first."""
+
+    name: str
+    hues: tuple[HueRange, ...]
+    shape: ShapeLimits = ShapeLimits()
+
+    @property
+    def hue_names(self) -> tuple[str, ...]:
+        return tuple(h.name for h in self.hues)
+
+
+def load_profile(path: Path) -> ColourProfile:
+    """Read a profile. Raises FileError that names file, key and line."""
+    return parse_profile(read_text(path), path.name)
+
+
+def parse_profile(text: str, name: str = "colours.toml") -> ColourProfile:
+    """A profile from TOML text; ``name`` stands for the file in messages."""
+    root = read_toml(text, name)
+    if (schema := root.integer("schema")) != SCHEMA:
+        raise root.fail("schema", f"is {schema}; this version reads {SCHEMA}")
+    title = root.text("name")
+    hues = tuple(_hue_range(key, table) for key, table in root.tables("hues").items())
+    if not hues:
+        raise root.fail("hues", "must hold at least one hue")
+    shape = _shape(root.table("shape", {}))
+    root.finish()
+    return ColourProfile(title, hues, shape)
+
+
+def _hue_range(name: str, table: TomlTable) -> HueRange:
+    hue = _interval(table, "hue", HUES - 1, wraps=True)
+    saturation = _interval(table, "saturation", LEVELS - 1)
+    value = _interval(table, "value", LEVELS - 1)
+    table.finish()
+    return HueRange(name, hue, saturation, value)
+
+
+def _interval(table: TomlTable, key: str, top: int, wraps: bool = False) -> tuple[int, int]:
+    low, high = table.vector(key, 2)
+    if low % 1 or high % 1:
+        raise table.fail(key, "must be two whole numbers")
+    if not (0 <= low <= top and 0 <= high <= top):
+        raise table.fail(key, f"must lie between 0 and {top}")
+    if low > high and not wraps:
+        raise table.fail(key, "must have the smaller number first")
+    return int(low), int(high)
+
+
+def _shape(table: TomlTable) -> ShapeLimits:
+    default = ShapeLimits()
+    low, high = table.vector("size", 2, list(default.size))
+    if not 0 <= low < high:
+        raise table.fail("size", "must be two numbers, 0 or more, the smaller first")
+    convexity = table.number("convexity", default.convexity, 0.0, 1.0)
+    circularity = table.number("circularity", default.circularity, 0.0, 1.0)
+    table.finish()
+    return ShapeLimits((float(low), float(high)), convexity, circularity)
+
+
+def profile_to_toml(profile: ColourProfile) -> str:
+    """The file that `parse_profile` reads back as an equal profile."""
+    lines = [f"schema = {SCHEMA}", f"name = {_quoted(profile.name)}", ""]
+    for h in profile.hues:
+        lines.append(f"[hues.{_quoted(h.name) if not _is_bare(h.name) else h.name}]")
+        for key in ("hue", "saturation", "value"):
+            low, high = getattr(h, key)
+            lines.append(f"{key} = [{low}, {high}]")
+        lines.append("")
+    s = profile.shape
+    lines += ["[shape]", f"size = [{s.size[0]!r}, {s.size[1]!r}]"]
+    lines += [f"convexity = {float(s.convexity)!r}", f"circularity = {float(s.circularity)!r}"]
+    return "\n".join(lines) + "\n"
+
+
+def _is_bare(key: str) -> bool:
+    """Whether TOML takes the key without quotes."""
+    return key.isascii() and key.replace("-", "").replace("_", "").isalnum()
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
