@@ -1,0 +1,107 @@
+#include "events.h"
+
+#include <simavr/avr_adc.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WEAK 0.2
+#define DIVIDER 4 /* 300 kΩ over 100 kΩ */
+
+typedef void (*action_t)(spi_bus_t *bus, imu_model_t *imu, int number);
+
+static void unplug(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    (void)bus, (void)number;
+    imu->present = false;
+}
+
+static void plug(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    (void)number;
+    imu->present = true;
+    imu_power_on(imu, bus_time(bus->avr));
+}
+
+static void brownout(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    (void)bus, (void)number;
+    imu_power_on(imu, 0);
+}
+
+static void weak_accel(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    (void)bus, (void)number;
+    imu->weak_accel = WEAK;
+}
+
+static void weak_gyro(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    (void)bus, (void)number;
+    imu->weak_gyro = WEAK;
+}
+
+static void battery(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    (void)imu;
+    avr_raise_irq(avr_io_getirq(bus->avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC7), number / DIVIDER);
+}
+
+static void reset(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    (void)imu, (void)number;
+    avr_reset(bus->avr);
+}
+
+static const struct {
+    const char *name;
+    action_t action;
+    int most; /* the largest number it takes */
+} commands[] = {
+    {"unplug", unplug, BUS_IMUS - 1},
+    {"plug", plug, BUS_IMUS - 1},
+    {"brownout", brownout, BUS_IMUS - 1},
+    {"weak-accel", weak_accel, BUS_IMUS - 1},
+    {"weak-gyro", weak_gyro, BUS_IMUS - 1},
+    {"battery", battery, 20000},
+    {"reset", reset, 0},
+};
+
+/* Index of the command in `text` and its number, or -1. */
+static int parse(const char *text, int *number)
+{
+    char name[16] = "";
+    *number = 0;
+    sscanf(text, "%15s %d", name, number);
+    for (unsigned i = 0; i < sizeof commands / sizeof *commands; i++)
+        if (!strcmp(name, commands[i].name) && *number >= 0 && *number <= commands[i].most)
+            return i;
+    return -1;
+}
+
+bool events_add(events_t *events, const char *text)
+{
+    char *rest;
+    int number;
+    double t = strtod(text, &rest);
+    if (rest == text || *rest != ':' || parse(rest + 1, &number) < 0 ||
+        events->count == EVENTS_MAX) {
+        fprintf(stderr, "%s is not T:COMMAND, or one event too many.\n", text);
+        return false;
+    }
+    events->list[events->count++] = (event_t){t, rest + 1};
+    return true;
+}
+
+void events_poll(events_t *events, spi_bus_t *bus)
+{
+    for (int i = 0; i < events->count; i++) {
+        event_t *event = &events->list[i];
+        int number;
+        if (!event->command || bus_time(bus->avr) < event->t)
+            continue;
+        int which = parse(event->command, &number);
+        commands[which].action(bus, &bus->imu[number % BUS_IMUS], number);
+        event->command = NULL;
+    }
+}

@@ -1,0 +1,26 @@
+/* The glove's IMUs as a set: started, tested, read, and brought back when they return. */
+#ifndef IMUS_H
+#define IMUS_H
+
+#include <stdint.h>
+
+#include "board.h"
+#include "mpu9250.h"
+
+/* What an IMU that does not answer reads: no chip gives it on all six axes. */
+#define IMU_NO_READING INT16_MIN
+
+/* Resets and starts all; takes about 0.15 s. */
+void imus_start(void);
+
+/* Bit j is set where IMU j answers. */
+uint16_t imus_ok(void);
+
+/* Reads all into `readings`, IMU_NO_READING for those that do not answer or have lost their settings.
+ * Returns the bits of the IMUs that have just stopped answering. */
+uint16_t imus_read(imu_reading_t readings[IMU_COUNT]);
+
+/* Tries to start again those that do not answer; takes under 1.5 ms. */
+void imus_revive(void);
+
+#endif

@@ -1,0 +1,122 @@
+/* Glovetrack's glove: seven MPU-9250 sampled by Timer1 and sent to the host. */
+#include <avr/interrupt.h>
+#include <avr/pgmspace.h>
+#include <avr/sleep.h>
+#include <avr/wdt.h>
+
+#include "battery.h"
+#include "board.h"
+#include "clock.h"
+#include "haptic.h"
+#include "imus.h"
+#include "link.h"
+#include "selftest.h"
+#include "spi.h"
+#include "uart.h"
+
+#define START_RATE_HZ 100
+#define SECOND_US 1000000UL
+
+static imu_reading_t readings[IMU_COUNT];
+
+/* The watchdog stays armed over the reset that it causes, at its shortest time. */
+void __attribute__((naked, used, section(".init3"))) disarm_watchdog(void)
+{
+    MCUSR = 0;
+    wdt_disable();
+}
+
+static void report_selftest(const uint8_t failed[])
+{
+    uint16_t silent = ~imus_ok() & (_BV(IMU_COUNT) - 1), accel = 0, gyro = 0;
+    for (uint8_t i = 0; i < IMU_COUNT; i++) {
+        accel |= failed[i] & SELFTEST_ACCEL ? _BV(i) : 0;
+        gyro |= failed[i] & SELFTEST_GYRO ? _BV(i) : 0;
+    }
+    if (silent)
+        link_send_error(PSTR("no answer from IMU"), silent);
+    if (accel)
+        link_send_error(PSTR("accelerometer self-test failed on IMU"), accel);
+    if (gyro)
+        link_send_error(PSTR("gyroscope self-test failed on IMU"), gyro);
+}
+
+static int16_t temperature(void)
+{
+    for (uint8_t i = 0; i < IMU_COUNT; i++)
+        if (imus_ok() & _BV(i))
+            return readings[i].temperature;
+    return 0;
+}
+
+static void sample(uint32_t t_us, uint8_t skipped)
+{
+    uint16_t lost = imus_read(readings);
+    link_send_samples(t_us, skipped, readings);
+    if (lost)
+        link_send_error(PSTR("no answer from IMU"), lost);
+}
+
+/* What happens once a second; at once after a start. */
+static void each_second(uint32_t now_us)
+{
+    static uint32_t last_us;
+    static bool was_streaming;
+    bool started = link_is_streaming() && !was_streaming;
+    was_streaming = link_is_streaming();
+    if (!started && now_us - last_us < SECOND_US)
+        return;
+    last_us = now_us;
+    imus_revive();
+    if (link_is_streaming())
+        link_send_status(temperature());
+    else
+        link_send_hello();
+}
+
+static void sleep_until_interrupt(void)
+{
+    cli(); /* so that nothing comes between the question and the sleep */
+    if (!clock_tick_waits() && !uart_has_input()) {
+        sleep_enable();
+        sei();
+        sleep_cpu();
+        sleep_disable();
+    }
+    sei();
+}
+
+static void start(void)
+{
+    uint8_t failed[IMU_COUNT];
+    wdt_enable(WDTO_1S);
+    uart_init();
+    spi_init();
+    haptic_init();
+    battery_init();
+    clock_init(START_RATE_HZ);
+    set_sleep_mode(SLEEP_MODE_IDLE);
+    sei();
+    imus_start();
+    selftest_run(failed);
+    link_send_hello();
+    report_selftest(failed);
+}
+
+int main(void)
+{
+    start();
+    for (;;) {
+        uint32_t t_us;
+        uint8_t skipped;
+        wdt_reset();
+        link_obey();
+        if (clock_take_tick(&t_us, &skipped)) {
+            if (link_is_streaming())
+                sample(t_us, skipped);
+            each_second(clock_us());
+        }
+        haptic_poll(clock_us());
+        sleep_until_interrupt();
+    }
+}
