@@ -44,6 +44,7 @@ from tracker.messages import (
 from tracker.vision.rig import StereoRig
 
 SEEN_LATELY = 0.5  # s
+RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
 @dataclass(eq=False)
@@ -92,6 +93,7 @@ class ChainEngine:
         sample = self._health.check(sample)
         if not self._buffer.add(sample):
             return self.predict(sample.t)
+        self._welcome(sample)
         self._track.felt[sample.valid] = sample.t
         self._process_waiting()
         self._keep_up(sample.t)
@@ -122,8 +124,15 @@ class ChainEngine:
         """Covered by packets, or the glove has been silent for too long to wait for them."""
         if self._buffer.covers(frame.t):
             return True
-        newest = self._buffer.newest
-        return newest is not None and frame.t_arrival - newest.t > self._params.match.lost_after
+        newest, now = self._buffer.newest, self._waiting[-1].t_arrival
+        return newest is not None and now - newest.t > self._params.match.lost_after
+
+    def _welcome(self, sample: ImuSample) -> None:
+        """A segment whose IMU was away may stand anywhere: doubt it, its own weight aside."""
+        away = np.asarray(sample.valid) & (sample.t - self._track.felt > RETURN_AFTER)
+        for j in np.flatnonzero(away & np.isfinite(self._track.felt)):
+            rows = self._layout.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
+            self._filter.P[rows, rows] += self._params.prior.returned**2
 
     def _keep_up(self, now: float) -> None:
         """Without pictures the filter follows at a fixed lag, held together by anatomy."""
@@ -222,17 +231,33 @@ class ChainEngine:
         prediction = self._predict(self._filter, pose)
         match = self._pixels.match(prediction, seen)
         if self._should_search(frame.t, prediction, match):
-            found = self._starter.again(self._filter, seen, pose, self._count(match))
             self._track.last_search = frame.t
-            if found is not None:
-                self._filter.R_GB, self._filter.p = found.R_GB, found.p
-                self._filter.v = np.zeros(3)
-                reset_pose(self._filter.P, self._layout, self._params.prior)
-                prediction = self._predict(self._filter, pose)
-                match = self._pixels.match(prediction, seen)
+            prediction, match = self._search_again(seen, pose, prediction, match)
         self._correct(prediction, seen, match)
         self._judge(frame.t, self._count(match) >= self._params.match.min_markers)
         self._finish(frame, seen, prediction, match)
+
+    def _search_again(
+        self,
+        seen: tuple[SeenBlobs, ...],
+        pose: CameraPose,
+        prediction: Prediction,
+        match: IntArray,
+    ) -> tuple[Prediction, IntArray]:
+        """Move to a better place where the pictures show one; else all stays as it is."""
+        found = self._starter.again(self._filter, seen, pose, self._count(match))
+        if found is None:
+            return prediction, match
+        before = self._filter
+        self._filter = before.copy()
+        self._filter.R_GB, self._filter.p, self._filter.v = found.R_GB, found.p, np.zeros(3)
+        reset_pose(self._filter.P, self._layout, self._params.prior)
+        there = self._predict(self._filter, pose)
+        matched = self._pixels.match(there, seen)
+        if self._count(matched) <= 1.2 * self._count(match):
+            self._filter = before
+            return prediction, match
+        return there, matched
 
     def _start(self, frame: BlobFrame, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> None:
         if frame.t - self._track.last_search < self._params.match.search_period:

@@ -160,17 +160,13 @@ def _axes(layout: ChainLayout, params: ConstraintParams) -> list[Axis]:
 
 def _flexions(layout: ChainLayout) -> list[Flexion]:
     hand = layout.hand
-    synergies = {s.angle: s for s in hand.synergies}
-    child_of = {f"{j.name}_flexion": hand.index[j.child] for j in hand.joints}
+    source, gain = layout.drive
     out: list[Flexion] = []
     for child, name in enumerate(layout.names):
         joint = hand.joint_of.get(name)
         if joint is None or "flexion" not in joint.axes:
             continue
         low, high = joint.limits["flexion"]
-        source, ratio, offset = -1, 0.0, 0.0
-        s = synergies.get(f"{joint.name}_flexion")
-        if s is not None and layout.imu_of[child] < 0 and child_of.get(s.of) in layout.row_of:
-            source, ratio, offset = layout.row_of[child_of[s.of]], s.ratio, s.offset
-        out.append(Flexion(child, low, high, source, ratio, offset))
+        ratio, offset = gain[child]
+        out.append(Flexion(child, low, high, int(source[child]), ratio, offset))
     return out

@@ -106,6 +106,20 @@ class ChainLayout:
         out[bases] = np.arange(len(bases))
         return out
 
+    @cached_property
+    def drive(self) -> tuple[IntArray, Array]:
+        """(A,) active segment whose flexion drives each segment by synergy, -1 for none (always
+        for a segment with an IMU), and (A, 2) ratio and offset (rad)."""
+        hand = self.hand
+        source = np.full(len(self.active), -1, np.int64)
+        gain = np.zeros((len(self.active), 2))
+        child_of = {f"{j.name}_flexion": hand.index[j.child] for j in hand.joints}
+        for s in hand.synergies:
+            child, of = self.row_of.get(child_of.get(s.angle, -1)), child_of.get(s.of, -1)
+            if child is not None and of in self.row_of and self.imu_of[child] < 0:
+                source[child], gain[child] = self.row_of[of], (s.ratio, s.offset)
+        return source, gain
+
     # Where each block starts.
     p = 0
     v = 3

@@ -13,7 +13,10 @@ class NoiseParams:
     accel_bias: float = 2e-3  # m/s²/√s
     scale: float = 1e-4  # 1/√s
     mounting: float = 4e-3  # rad/√s: stays alive, cloth moves
-    free_rotation: float = 1.0  # rad/√s: a segment without an IMU, against its parent
+    free_rotation: float = 0.3  # rad/√s: a segment without an IMU, against its parent
+    free_root_rotation: float = 0.5  # rad/√s: the hand while its own IMU is silent
+    free_accel: float = 1.0  # m/s²·√s: the same for its place
+    offset: float = 1e-4  # m/√s: joints and markers
     marker: float = 0.0025  # m, placement and cloth that the offset states do not hold
     pixel_px: float = 1.0
     huber: float = 3.0
@@ -25,6 +28,7 @@ class PriorParams:
 
     position: float = 0.020  # m
     velocity: float = 0.3  # m/s
+    returned: float = 0.4  # rad, added when an IMU answers again
     rotation: float = 0.12  # rad
     mounting: float = 0.0873  # rad, 5° an axis
     gyro_bias: float = 0.021  # rad/s
@@ -41,7 +45,7 @@ class PriorParams:
 class ConstraintParams:
     """Anatomy as pseudo-measurements, applied once per picture."""
 
-    rotation: float = 0.06  # rad: no twist, no abduction of a hinge
+    rotation: float = 0.1  # rad: no twist, no abduction of a hinge
     thumb_abduction: float = 0.12  # rad, soft
     synergy: float = 0.13  # rad, for a segment seen only by markers
     limit: float = 0.05  # rad, beyond a joint's limit

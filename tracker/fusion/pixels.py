@@ -16,11 +16,13 @@ from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import NoiseParams
 from tracker.fusion.state import ChainState
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
-from tracker.vision.correspondence import HandShape, assign_gated, visibility
+from tracker.vision.correspondence import GateParams, HandShape, assign_gated, visibility
 from tracker.vision.rig import StereoRig
 
 SIDES = ("left", "right")
 MIN_PRIOR = 0.01
+GATE = GateParams()
+USUAL_SPREAD = 10.0  # ln det of an innovation covariance in px⁴ that the default gate is made for
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,6 +135,7 @@ class PixelModel:
                 prediction.S[c],
                 glove.marker_hue[rows],
                 prediction.prior[c, rows],
+                _gate(prediction.S[c]),
             )
             out[c, rows] = found
         return out
@@ -170,6 +173,14 @@ class PixelModel:
 
     def segment_poses(self, state: ChainState) -> tuple[Array, Array]:
         return state.R_GB, segment_positions(state, self._layout)
+
+
+def _gate(S: Array) -> GateParams:
+    """The cost of no match grows with the spread, or an unsure filter would match nothing."""
+    if len(S) == 0:
+        return GateParams()
+    spread = float(np.median(np.log(np.linalg.det(S))))
+    return GateParams(dummy_cost=GATE.dummy_cost + max(0.0, spread - USUAL_SPREAD))
 
 
 def _block_diagonal(blocks: list[Array]) -> Array:

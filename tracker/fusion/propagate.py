@@ -19,15 +19,26 @@ COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies awa
 def body_rates(state: ChainState, layout: ChainLayout, sample: ImuSample) -> Array:
     """(A, 3) rad/s of each active segment in its own B.
 
-    A segment without a (valid) IMU turns with its parent.
+    A segment without a (valid) IMU turns with its parent, and bends as its synergy says.
     """
+    source, gain = layout.drive
     return _body_rates(
-        layout.imu_of, layout.parent, state.R_GB, state.R_IB, state.bg, sample.gyro, sample.valid
+        layout.imu_of,
+        layout.parent,
+        source,
+        gain,
+        state.R_GB,
+        state.R_IB,
+        state.bg,
+        sample.gyro,
+        sample.valid,
     )
 
 
 @numba.njit(cache=True)
-def _body_rates(imu_of, parent, R_GB, R_IB, bg, gyro, valid):  # type: ignore[no-untyped-def]
+def _body_rates(  # type: ignore[no-untyped-def]
+    imu_of, parent, source, gain, R_GB, R_IB, bg, gyro, valid
+):  # fmt: skip
     w = np.zeros((len(parent), 3))
     for i in range(len(parent)):
         j = imu_of[i]
@@ -35,6 +46,10 @@ def _body_rates(imu_of, parent, R_GB, R_IB, bg, gyro, valid):  # type: ignore[no
             w[i] = R_IB[j].T @ (gyro[j] - bg[j])
         elif parent[i] >= 0:
             w[i] = R_GB[i].T @ (R_GB[parent[i]] @ w[parent[i]])
+            s = source[i]
+            if 0 <= s < i:
+                relative = w[s] - R_GB[s].T @ (R_GB[parent[s]] @ w[parent[s]])
+                w[i, 1] += gain[i, 0] * relative[1]
     return w
 
 
@@ -63,7 +78,8 @@ def propagate(
     f = root_force(state, layout, sample)
     if covariance:
         Phi = _transition(state, layout, sample, w, f, dt)
-        _move_covariance(state, layout, Phi, _noise(layout, params.noise, sample, f, dt))
+        _move_covariance(state, layout, Phi, _noise(layout, params.noise, f, dt))
+        _add_turn_noise(state, layout, params.noise, sample, dt)
     _move_nominal(state, w, f, dt, coasting)
 
 
@@ -149,24 +165,42 @@ def _root_rows(Phi: Array, state: ChainState, layout: ChainLayout, f: Array, dt:
         Phi[rows, ba] = J_a_ba * gain
 
 
-def _noise(
-    layout: ChainLayout, noise: NoiseParams, sample: ImuSample, f: Array | None, dt: float
-) -> Array:
-    """(N,) diagonal of the discrete process noise."""
+def _noise(layout: ChainLayout, noise: NoiseParams, f: Array | None, dt: float) -> Array:
+    """(N,) diagonal of the discrete process noise, but for the orientations'."""
     q = np.zeros(layout.size)
-    accel = noise.accel if f is not None else 10 * noise.accel
+    accel = noise.accel if f is not None else noise.free_accel
     q[0:3] = accel**2 * dt**3 / 3
     q[3:6] = accel**2 * dt
-    for i in range(len(layout.active)):
-        j = layout.imu_of[i]
-        sd = noise.gyro if j >= 0 and sample.valid[j] else noise.free_rotation
-        q[layout.theta + 3 * i : layout.theta + 3 * i + 3] = sd**2 * dt
     q[layout.bg : layout.phi] = noise.gyro_bias**2 * dt
     q[layout.phi : layout.ba] = noise.mounting**2 * dt
     q[layout.ba : layout.scale] = noise.accel_bias**2 * dt
     q[layout.scale : layout.joint] = noise.scale**2 * dt
-    q[layout.joint :] = (1e-4) ** 2 * dt
+    q[layout.joint :] = noise.offset**2 * dt
     return q
+
+
+def _add_turn_noise(
+    state: ChainState, layout: ChainLayout, noise: NoiseParams, sample: ImuSample, dt: float
+) -> None:
+    """Noise of the orientations: a segment without an IMU takes its parent's along."""
+    felt = np.array([j >= 0 and bool(sample.valid[j]) for j in layout.imu_of])
+    sd = np.where(felt, noise.gyro, noise.free_rotation)
+    if not felt[0]:
+        sd[0] = noise.free_root_rotation
+    block = slice(layout.theta, layout.n_dynamic)
+    if felt.all():
+        rows = np.arange(layout.theta, layout.n_dynamic)
+        state.P[rows, rows] += np.repeat(sd**2 * dt, 3)
+        return
+    n = len(layout.active)
+    L = np.zeros((3 * n, 3 * n))
+    for i in range(n):
+        rows_i = slice(3 * i, 3 * i + 3)
+        L[rows_i, rows_i] = np.eye(3) * sd[i]
+        a = int(layout.parent[i])
+        if not felt[i] and a >= 0:
+            L[rows_i] += (state.R_GB[i].T @ state.R_GB[a]) @ L[3 * a : 3 * a + 3]
+    state.P[block, block] += L @ L.T * dt
 
 
 def _move_covariance(state: ChainState, layout: ChainLayout, Phi: Array, q: Array) -> None:

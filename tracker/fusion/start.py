@@ -60,7 +60,7 @@ class Starter:
         ``matched`` markers agree with the present pose; another one must do clearly better.
         """
         headings = np.deg2rad(np.arange(-60, 61, 7.5))
-        params = replace(self._search, radius=0.020)
+        params = replace(self._search, radius=0.020, min_score=0.3)
         best = self._best(state, [state.R_GB], headings, seen, pose, params)
         if best is None or best.support <= 1.3 * matched:
             return None

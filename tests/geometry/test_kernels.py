@@ -1,0 +1,18 @@
+"""Compiled kernels against their plain twins."""
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from tracker.geometry import kernels, so3
+
+VECTORS = np.concatenate([np.random.default_rng(0).normal(size=(30, 3)), np.zeros((1, 3))])
+
+
+def test_rotations() -> None:
+    R = Rotation.random(31, rng=1).as_matrix()
+    assert np.allclose(kernels.turn_all(R, VECTORS), R @ so3.exp(VECTORS), atol=1e-14)
+    assert np.allclose(kernels.quats(R), so3.quat_from_matrix(R), atol=1e-12)
+    for M, v in zip(R, VECTORS, strict=True):
+        assert np.allclose(kernels.zyx3(M), so3.zyx_from_matrix(M), atol=1e-12)
+        assert np.array_equal(kernels.skew3(v), so3.skew(v))
+        assert np.allclose(kernels.cross3(v, M[0]), np.cross(v, M[0]), atol=1e-15)
