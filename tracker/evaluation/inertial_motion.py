@@ -74,7 +74,7 @@ def grasp(finger: Finger, t_m: float, rate_hz: float, condition: Condition = VER
 
 def _root(sway: Array, condition: Condition) -> ComplexArray:
     """Specific force of joint 0 in P: swaying along the hand, gravity against the palm (-i)."""
-    return sway - 1j * GRAVITY * condition.in_plane
+    return np.asarray(sway - 1j * GRAVITY * condition.in_plane, complex)
 
 
 def _sine(t: Array, amplitude: float, frequency: float) -> tuple[Array, Array, Array]:

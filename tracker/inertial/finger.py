@@ -26,7 +26,7 @@ class Finger:
 
     @property
     def levers(self) -> Levers:
-        return Levers(self.sensor_0, self.length_0, self.sensor_1)
+        return Levers(complex(self.sensor_0), complex(self.length_0), complex(self.sensor_1))
 
 
 def phalanx_angles(joints: Array) -> Array:

@@ -26,7 +26,7 @@ class Gravity:
 
     @property
     def state(self) -> GravityState:
-        return copied(self._state)  # type: ignore[no-any-return]
+        return copied(self._state)
 
     @state.setter
     def state(self, value: GravityState) -> None:

@@ -13,11 +13,11 @@ from tracker.messages import Array
 
 
 class IntegrationState(NamedTuple):
-    """theta (2,) rad; rate (2, 2) rad/s of the last and the last but one sample; count (1,)."""
+    """theta (2,) rad; rate (2, 2) rad/s of the last and the last but one sample; samples (1,) so far."""
 
     theta: Array
     rate: Array
-    count: Array
+    samples: Array
 
     @staticmethod
     def start(theta: Array | tuple[float, float]) -> IntegrationState:
@@ -33,7 +33,7 @@ class Integration:
 
     @property
     def state(self) -> IntegrationState:
-        return copied(self._state)  # type: ignore[no-any-return]
+        return copied(self._state)
 
     @state.setter
     def state(self, value: IntegrationState) -> None:
@@ -54,12 +54,12 @@ def integrate(state: IntegrationState, gyro: Array, dt: float) -> None:
     """Advance θ by one sample. The first sample stands at the known start and moves nothing."""
     last, older = state.rate[0], state.rate[1]
     for k in range(SENSORS):
-        if state.count[0] > 0:
-            before = older[k] if state.count[0] > 1 else 2 * last[k] - gyro[k]
+        if state.samples[0] > 0:
+            before = older[k] if state.samples[0] > 1 else 2 * last[k] - gyro[k]
             state.theta[k] += runge_kutta(gyro[k], last[k], before, dt)
         older[k] = last[k]
         last[k] = gyro[k]
-    state.count[0] += 1
+    state.samples[0] += 1
 
 
 @njit(cache=True)

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker import GRAVITY
 from tracker.inertial import learned_kernel as kernel
 from tracker.inertial.planar import PlanarReadings, copied, start_angles
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers
@@ -25,10 +26,10 @@ class LearnedParams:
     """Noises per √Hz, standard deviations at the start, and when a pose counts as known."""
 
     gyro_noise: float = np.deg2rad(0.01)  # rad/s/√Hz, MPU-9250
-    accel_noise: float = 300e-6 * 9.80665  # m/s²/√Hz, MPU-9250
+    accel_noise: float = 300e-6 * GRAVITY  # m/s²/√Hz, MPU-9250
     start_sd: float = np.deg2rad(0.05)  # rad, of the known start
     gyro_offset_sd: float = np.deg2rad(5.0)  # rad/s
-    accel_offset_sd: float = 60e-3 * 9.80665  # m/s²
+    accel_offset_sd: float = 60e-3 * GRAVITY  # m/s²
     gyro_walk: float = 2e-6  # rad/s/√s
     accel_walk: float = 5e-5  # m/s²/√s
     lever_share: float = 0.05  # of |μ|: what finger lengths and differentiation leave
@@ -69,7 +70,7 @@ class Learned:
 
     @property
     def state(self) -> kernel.LearnedState:
-        return copied(self._state)  # type: ignore[no-any-return]
+        return copied(self._state)
 
     @state.setter
     def state(self, value: kernel.LearnedState) -> None:
@@ -89,6 +90,11 @@ class Learned:
     def angle_sd(self) -> Array:
         """(2,) rad."""
         return np.sqrt(self._state.P[:, 0, 0])
+
+    def turn(self, angle: float) -> None:
+        """P's own axes have turned by ``angle`` rad in the plane since the last sample."""
+        self._state.x[:, 0] -= angle
+        self._state.root[0] *= np.exp(-1j * angle)
 
     def update(self, gyro: Array, accel: ComplexArray, root: complex) -> Array:
         kernel.step(self._state, self._model, gyro, accel, root)

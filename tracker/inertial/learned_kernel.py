@@ -15,7 +15,7 @@ SIZE = 4  # θ, b_g, b_x (along), b_z (palmar)
 
 class LearnedState(NamedTuple):
     """x (2, 4), P (2, 4, 4); gyro (2, 2) of the last and the last but one sample; accel (2,) and
-    root (1,) of the last; mean of accel since it came to rest (2,); count of samples, of samples
+    root (1,) of the last; mean of accel since it came to rest (2,); samples (1,) so far and of them
     at rest (1,); static (1,) 1 while the known start lasts."""
 
     x: Array
@@ -24,7 +24,7 @@ class LearnedState(NamedTuple):
     accel: ComplexArray
     root: ComplexArray
     rest_accel: ComplexArray
-    count: Array
+    samples: Array
     rest_count: Array
     static: Array
 
@@ -76,7 +76,7 @@ def step(
     state.gyro[0] = gyro
     state.accel[:] = accel
     state.root[0] = root
-    state.count[0] += 1
+    state.samples[0] += 1
 
 
 @njit(cache=True)
@@ -89,7 +89,7 @@ def correct_angle(state: LearnedState, k: int, theta: float, variance: float) ->
 def _watch_rest(state: LearnedState, model: Model, gyro: Array, accel: ComplexArray) -> None:
     """Count samples since both sensors began to stand still; end the static start in time."""
     still = True
-    known = state.static[0] == 0.0 or state.count[0] > 0  # the first sample meets no offset yet
+    known = state.static[0] == 0.0 or state.samples[0] > 0  # the first sample meets no offset yet
     for k in range(SENSORS):
         n = state.rest_count[0]
         if n == 0:
@@ -101,7 +101,7 @@ def _watch_rest(state: LearnedState, model: Model, gyro: Array, accel: ComplexAr
         if abs(accel[k] - state.rest_accel[k]) > model.rest_accel:
             still = False
     state.rest_count[0] = state.rest_count[0] + 1 if still else 0.0
-    if not still or state.count[0] > model.static_samples:
+    if not still or state.samples[0] > model.static_samples:
         state.static[0] = 0.0
 
 

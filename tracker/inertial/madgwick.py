@@ -98,13 +98,13 @@ def _step(
     """Central: correct at the last sample, then integrate to this one. Else the other way."""
     s = state.integrator
     if gains.central:
-        if s.count[0] > 1:
+        if s.samples[0] > 1:
             alpha = (gyro - s.rate[1]) / (2 * gains.dt)
             _descend(s.theta, gains, levers, s.rate[0], alpha, state.accel, state.root[0])
         integrate(s, gyro, gains.dt)
     else:
         alpha = (gyro - s.rate[0]) / gains.dt
-        first = s.count[0] == 0
+        first = s.samples[0] == 0
         integrate(s, gyro, gains.dt)
         if not first:
             _descend(s.theta, gains, levers, gyro, alpha, accel, root)

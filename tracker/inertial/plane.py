@@ -31,11 +31,14 @@ def out_of_plane(v: ComplexArray) -> Array:
 
 
 class Levers(NamedTuple):
-    """Lengths that enter the sensors' accelerations, m (p_k and l_i of the paper)."""
+    """Levers of the sensors' accelerations, m in each phalanx's axes (h_k and r_i of the paper).
 
-    sensor_0: float  # joint 0 to the sensor on phalanx 0
-    length_0: float  # joint 0 to joint 1
-    sensor_1: float  # joint 1 to the sensor on phalanx 1
+    The paper's sensors lie on the bones' axes and so have real levers; a glove's lie above them.
+    """
+
+    sensor_0: complex  # joint 0 to the sensor on phalanx 0
+    length_0: complex  # joint 0 to joint 1
+    sensor_1: complex  # joint 1 to the sensor on phalanx 1
 
 
 @njit(cache=True)

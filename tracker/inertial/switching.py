@@ -73,6 +73,10 @@ class Switching:
     def state(self, value: SwitchingState) -> None:
         self._state = _copied(value)
 
+    def turn(self, angle: float) -> None:
+        """P's own axes have turned by ``angle`` rad in the plane since the last sample."""
+        self._state.integrator.theta[:] -= angle
+
     def update(self, gyro: Array, accel: ComplexArray, root: complex) -> Array:
         _step(self._state, self._bounds, gyro, accel, root)
         return self._state.integrator.theta.copy()
@@ -93,12 +97,12 @@ def _acceleration_bounds(
 ) -> tuple[float, float]:
     """Largest |μ_k| of both sensors at the measured rates, m/s²."""
     jump = np.zeros(SENSORS)
-    if state.integrator.count[0] > 0:
+    if state.integrator.samples[0] > 0:
         jump[:] = (gyro - state.integrator.rate[0]) / bounds.dt
     if bounds.own_levers:
         a_0, a_1 = np.sqrt(jump**2 + gyro**4)
         levers = bounds.levers
-        return levers.sensor_0 * a_0, levers.length_0 * a_0 + levers.sensor_1 * a_1
+        return abs(levers.sensor_0) * a_0, abs(levers.length_0) * a_0 + abs(levers.sensor_1) * a_1
     arm = bounds.longest * np.sqrt(np.max(np.abs(jump)) ** 2 + np.max(np.abs(gyro)) ** 4)
     return arm, 2 * arm  # eq. 6
 
@@ -108,7 +112,7 @@ def _step(
     state: SwitchingState, bounds: _Bounds, gyro: Array, accel: ComplexArray, root: complex
 ) -> None:
     """One sample for both sensors: integrate, and take gravity's angle where that errs less."""
-    started = state.integrator.count[0] > 0
+    started = state.integrator.samples[0] > 0
     mu = _acceleration_bounds(state, bounds, gyro)
     integrate(state.integrator, gyro, bounds.dt)  # from the last estimate, whichever it was
     size = abs(root)

@@ -1,0 +1,71 @@
+"""A finger's planar estimators on a dorsum that moves in three dimensions.
+
+P stands still in the flexion plane as the dorsum carries it, so θ is each phalanx against the
+dorsum. What the dorsum turns about the plane's normal, P turns under the finger.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker import GRAVITY
+from tracker.geometry import so3
+from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry, force_at
+from tracker.inertial.learned import Learned
+from tracker.inertial.plane import Levers, in_plane, runge_kutta
+from tracker.inertial.switching import Switching, SwitchingParams
+from tracker.messages import Array
+
+OFFSET = 60e-3 * GRAVITY  # m/s², zero-g tolerance of an MPU-9250
+
+
+class PlaneFinger:
+    """`switching`, `switching_offset` or `learned` for one finger of a real glove."""
+
+    def __init__(self, geometry: FingerGeometry, dt: float, variant: str) -> None:
+        self._geometry, self._dt = geometry, dt
+        self._planar = _planar(variant, dt, _levers(geometry))
+        self._w: list[Array] = []  # the dorsum's last two rates, newest last
+
+    def update(self, dorsum: DorsumMotion, gyro: Array, accel: Array) -> tuple[Array, Array]:
+        """R_01, R_12 from the dorsum and both IMUs (2, 3)."""
+        g = self._geometry
+        self._planar.turn(self._turned(dorsum.w_B))
+        alpha = self._alpha(dorsum.w_B)
+        root_B = force_at(dorsum, alpha, g.joint_0)
+        root = complex(in_plane(g.R_rest_0.T @ root_B))
+        theta = self._planar.update(gyro[:, 1].copy(), in_plane(accel), root)
+        self._w = [*self._w[-1:], dorsum.w_B.copy()]
+        rest_1 = np.arctan2(g.R_rest_1[0, 2], g.R_rest_1[0, 0])  # a bend of the straight finger
+        flexion_1 = theta[1] - theta[0] - rest_1
+        return g.R_rest_0 @ so3.ry(theta[0]), g.R_rest_1 @ so3.ry(flexion_1)
+
+    def _turned(self, w_B: Array) -> float:
+        """Angle (rad) by which the dorsum has turned about the plane's normal since last time."""
+        if not self._w:
+            return 0.0
+        normal = self._geometry.R_rest_0[:, 1]
+        new, last = float(w_B @ normal), float(self._w[-1] @ normal)
+        older = float(self._w[0] @ normal) if len(self._w) > 1 else 2 * last - new
+        return float(runge_kutta(new, last, older, self._dt))
+
+    def _alpha(self, w_B: Array) -> Array:
+        """The dorsum's angular acceleration, rad/s², by a backward difference."""
+        if not self._w:
+            return np.zeros(3)
+        alpha: Array = (w_B - self._w[-1]) / self._dt
+        return alpha
+
+
+def _planar(variant: str, dt: float, levers: Levers) -> Switching | Learned:
+    if variant == "learned":
+        return Learned(dt, levers)
+    if variant == "switching_offset":
+        return Switching(dt, levers, SwitchingParams.with_offset(OFFSET))
+    return Switching(dt, levers, SwitchingParams(longest=abs(levers.length_0)))
+
+
+def _levers(geometry: FingerGeometry) -> Levers:
+    """The geometry's levers in the plane."""
+    g = geometry
+    return Levers(*(complex(in_plane(v)) for v in (g.sensor_0, g.joint_1, g.sensor_1)))
