@@ -1,0 +1,150 @@
+"""What is evaluated: experiments, participants, and variants of an engine (ablations)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+
+from tracker.errors import ConfigError
+from tracker.messages import BlobFrame, ImuSample, StereoFrame
+from tracker.settings import Settings
+
+EXPERIMENTS = ("free", "object", "device")
+MINUTES = {"free": 3.0, "object": 2.0, "device": 2.0}
+LEVELS = ("points", "images")
+SETTLING = 5.0
+"""Seconds at a trial's beginning that are not judged, as the hand is first found and measured."""
+
+Feed = Iterator[ImuSample | BlobFrame | StereoFrame]
+
+
+@dataclass(frozen=True)
+class Case:
+    """One row of the table: an experiment with an engine, or a variant of one."""
+
+    experiment: str
+    engine: str
+    level: str = "points"
+    ablation: str | None = None
+    minutes: float = 3.0
+    fps: float = 60.0
+    seed: int = 0
+    motion_files: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Ablation:
+    """A variant: other settings, other messages, another motion, other instants judged.
+
+    ``outage`` (s): pictures are withheld so long, again and again, and errors are judged in the
+    last second of each outage, in the dorsum's frame, since the place of the hand is then unknown.
+    """
+
+    name: str
+    text: str
+    engines: tuple[str, ...]
+    settings: Callable[[Settings], Settings] = lambda s: s
+    feed: Callable[[Feed], Feed] = lambda feed: feed
+    fps: float | None = None
+    speed: float = 1.0
+    outage: float = 0.0
+
+
+BLIND_FROM = 4.0  # s: a start needs gravity, so the IMUs fall silent once the hand is found
+PAUSE = 10.0  # s of pictures between two outages
+
+
+def in_outage(t: float, outage: float) -> bool:
+    """Whether pictures are withheld at ``t``: outages follow pauses of `PAUSE` seconds."""
+    return outage > 0 and t % (PAUSE + outage) >= PAUSE
+
+
+def judged_in_outage(t: float, outage: float) -> bool:
+    """The last second of an outage."""
+    return t % (PAUSE + outage) >= PAUSE + outage - 1.0
+
+
+def without_pictures(outage: float) -> Callable[[Feed], Feed]:
+    """Drops exposures that fall into an outage."""
+
+    def keep(feed: Feed) -> Feed:
+        for m in feed:
+            if isinstance(m, ImuSample) or not in_outage(m.t, outage):
+                yield m
+
+    return keep
+
+
+def without_imus(feed: Feed) -> Feed:
+    """Every IMU falls silent once the hand has been found."""
+    for m in feed:
+        if isinstance(m, ImuSample) and m.t > BLIND_FROM:
+            yield replace(m, valid=m.valid & False)
+        else:
+            yield m
+
+
+def _no_autocalibration(s: Settings) -> Settings:
+    prior = replace(
+        s.chain.prior,
+        mounting=1e-6,
+        common_length=1e-6,
+        common_girth=1e-6,
+        own_length=1e-6,
+        own_girth=1e-6,
+        joint=1e-6,
+        marker=1e-6,
+    )
+    noise = replace(s.chain.noise, scale=0.0, mounting=0.0)
+    return replace(s, chain=replace(s.chain, prior=prior, noise=noise))
+
+
+def _no_finger_accelerometers(s: Settings) -> Settings:
+    return replace(s, chain=replace(s.chain, constraint=replace(s.chain.constraint, tilt=1e6)))
+
+
+def _outage(seconds: float) -> Ablation:
+    return Ablation(
+        f"imu-only-{seconds:.0f}s",
+        f"articulation in the dorsum's frame after {seconds:.0f} s without pictures",
+        ("chain", "vist"),
+        feed=without_pictures(seconds),
+        outage=seconds,
+    )
+
+
+ABLATIONS: dict[str, Ablation] = {
+    a.name: a
+    for a in (
+        Ablation(
+            "no-autocalibration",
+            "hand and fitting taken as the files say",
+            ("chain", "vist"),
+            settings=_no_autocalibration,
+        ),
+        Ablation(
+            "no-finger-accelerometers",
+            "relative tilt not used",
+            ("chain",),
+            settings=_no_finger_accelerometers,
+        ),
+        Ablation(
+            "vision-only", "IMUs silent after the start", ("chain", "vist"), feed=without_imus
+        ),
+        _outage(5.0),
+        _outage(10.0),
+        _outage(30.0),
+    )
+}
+
+
+def ablation_of(case: Case) -> Ablation | None:
+    """The variant a case asks for. Raises ConfigError for an unknown name."""
+    if case.ablation is None:
+        return None
+    found = ABLATIONS.get(case.ablation)
+    if found is None:
+        raise ConfigError(
+            f"There is no ablation {case.ablation!r}; there are {', '.join(ABLATIONS)}."
+        )
+    return found
