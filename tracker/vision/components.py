@@ -1,0 +1,242 @@
+"""Connected regions of one hue, grown from seed pixels by horizontal runs.
+
+A seed is a pixel of a hue on a sparse grid; from it the whole 8-connected region is filled at full
+resolution. With a grid of every pixel that is a full scan; with a coarser one the same regions come
+out, bit for bit, save those so small that the grid misses them.
+"""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import Array
+from tracker.vision.hue_table import pixel_class
+
+_Bytes = NDArray[np.uint8]
+_Masks = NDArray[np.int64]
+Runs = NDArray[np.int32]
+"""(n, 3): row, first and last column of each run of a region."""
+
+
+@numba.njit(cache=True, nogil=True)
+def grown(a: Runs) -> Runs:
+    """The same rows in an array of twice the length."""
+    out = np.empty((2 * len(a), a.shape[1]), a.dtype)
+    out[: len(a)] = a
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
+def _run(
+    image: _Bytes,
+    visited: _Bytes,
+    y: int,
+    x: int,
+    hue: int,
+    table: _Bytes,
+    masks: _Masks,
+) -> tuple[int, int]:
+    """The run of ``hue`` around (x, y), marked as visited: first and last column."""
+    first, last, right = x, x, image.shape[1] - 1
+    while first > 0 and pixel_class(image, y, first - 1, table, masks) == hue:
+        first -= 1
+    while last < right and pixel_class(image, y, last + 1, table, masks) == hue:
+        last += 1
+    for k in range(first, last + 1):
+        visited[y, k] = 1
+    return first, last
+
+
+@numba.njit(cache=True, nogil=True)
+def fill(
+    image: _Bytes,
+    visited: _Bytes,
+    y: int,
+    x: int,
+    hue: int,
+    table: _Bytes,
+    masks: _Masks,
+    runs: Runs,
+) -> tuple[Runs, int]:
+    """All runs of the 8-connected region that (x, y) belongs to; ``runs`` is the memory used.
+
+    The list of runs is at once the queue of those whose neighbours are still to be looked at.
+    """
+    height, width = image.shape[0], image.shape[1]
+    first, last = _run(image, visited, y, x, hue, table, masks)
+    runs[0, 0], runs[0, 1], runs[0, 2] = y, first, last
+    n, done = 1, 0
+    while done < n:
+        row, first, last = runs[done, 0], runs[done, 1], runs[done, 2]
+        done += 1
+        for near in (row - 1, row + 1):
+            if near < 0 or near >= height:
+                continue
+            k, end = max(first - 1, 0), min(last + 1, width - 1)
+            while k <= end:
+                if visited[near, k] or pixel_class(image, near, k, table, masks) != hue:
+                    k += 1
+                    continue
+                a, b = _run(image, visited, near, k, hue, table, masks)
+                if n == len(runs):
+                    runs = grown(runs)
+                runs[n, 0], runs[n, 1], runs[n, 2] = near, a, b
+                n += 1
+                k = b + 2
+    return runs, n
+
+
+@numba.njit(cache=True, nogil=True)
+def moments(runs: Runs) -> tuple[float, float, float, float, float, float]:
+    """Area, centroid u and v, and central second moments uu, uv, vv (px²) of a region.
+
+    Second moments include a pixel's own extent (1/12), so that they are those of the area.
+    """
+    u0, v0 = runs[0, 1], runs[0, 0]  # sums near zero keep their digits
+    area, su, sv, suu, suv, svv = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    for k in range(len(runs)):
+        a, b, v = float(runs[k, 1] - u0), float(runs[k, 2] - u0), float(runs[k, 0] - v0)
+        n = b - a + 1.0
+        line = n * (a + b) / 2.0
+        area += n
+        su += line
+        sv += n * v
+        suv += line * v
+        svv += n * v * v
+        # sum of squares from a to b: n mean² + n (n² - 1) / 12
+        suu += line * line / n + n * (n * n - 1.0) / 12.0
+    u, v = su / area, sv / area
+    uu, vv = suu / area - u * u + 1.0 / 12.0, svv / area - v * v + 1.0 / 12.0
+    return area, u + u0, v + v0, uu, suv / area - u * v, vv
+
+
+@numba.njit(cache=True, nogil=True)
+def bounds(runs: Runs) -> tuple[int, int, int, int]:
+    """Least and greatest column, least and greatest row."""
+    return runs[:, 1].min(), runs[:, 2].max(), runs[:, 0].min(), runs[:, 0].max()
+
+
+@numba.njit(cache=True, nogil=True)
+def hull(runs: Runs) -> tuple[float, float]:
+    """Pixels inside the convex hull of a region's pixel centres, and the region's girth (px).
+
+    By Pick's theorem the hull holds area + boundary / 2 + 1 pixels, so that a digitally convex
+    region has convexity 1 at any size. The girth is the hull's, plus π for the pixels' own extent.
+    """
+    _, _, top, bottom = bounds(runs)
+    rows = bottom - top + 1
+    side = np.empty((2, rows), np.int64)
+    side[0], side[1] = 1 << 30, -(1 << 30)
+    for k in range(len(runs)):
+        r = runs[k, 0] - top
+        side[0, r], side[1, r] = min(side[0, r], runs[k, 1]), max(side[1, r], runs[k, 2])
+    chain = np.empty(rows, np.int64)
+    pixels = 1.0 + 0.5 * ((side[1, 0] - side[0, 0]) + (side[1, -1] - side[0, -1]))
+    girth = float(side[1, 0] - side[0, 0] + side[1, -1] - side[0, -1]) + np.pi
+    for s in range(2):
+        sign = 2 * s - 1  # the left side bulges to smaller columns
+        n = _chain(side[s], sign, chain)
+        for k in range(n - 1):
+            r0, r1 = chain[k], chain[k + 1]
+            x0, x1 = side[s, r0], side[s, r1]
+            pixels += sign * 0.5 * (x0 + x1) * (r1 - r0) + 0.5 * _gcd(abs(x1 - x0), r1 - r0)
+            girth += np.hypot(float(x1 - x0), float(r1 - r0))
+    return pixels, girth
+
+
+@numba.njit(cache=True, nogil=True)
+def _chain(x: NDArray[np.int64], sign: int, chain: NDArray[np.int64]) -> int:
+    """Rows of the hull's vertices along one side, from top to bottom (Andrew's monotone chain)."""
+    n = 0
+    for r in range(len(x)):
+        while n >= 2:
+            a, b = chain[n - 2], chain[n - 1]
+            if sign * ((x[b] - x[a]) * (r - a) - (x[r] - x[a]) * (b - a)) > 0:
+                break
+            n -= 1
+        chain[n] = r
+        n += 1
+    return n
+
+
+@numba.njit(cache=True, nogil=True)
+def _gcd(a: int, b: int) -> int:
+    while b:
+        a, b = b, a % b
+    return a
+
+
+@numba.njit(cache=True, nogil=True)
+def axes(uu: float, uv: float, vv: float) -> tuple[float, float, float]:
+    """Full lengths (px) of the ellipse with these second moments, and its long axis' angle."""
+    mean, half = 0.5 * (uu + vv), np.hypot(0.5 * (uu - vv), uv)
+    return (
+        4.0 * np.sqrt(mean + half),
+        4.0 * np.sqrt(max(mean - half, 0.0)),
+        0.5 * np.arctan2(2.0 * uv, uu - vv),
+    )
+
+
+@numba.njit(cache=True, nogil=True)
+def waist(runs: Runs, u: float, v: float, angle: float) -> tuple[float, float]:
+    """Where a region is narrowest across its long axis, and how narrow.
+
+    Returns the place along the axis (px from the centroid) and its width over the smaller of the
+    greatest widths on either side; 1 where there is no waist.
+    """
+    c, s = np.cos(angle), np.sin(angle)
+    reach = 0.0
+    for k in range(len(runs)):
+        for x in (runs[k, 1], runs[k, 2]):
+            reach = max(reach, abs((x - u) * c + (runs[k, 0] - v) * s))
+    half = int(reach) + 2
+    width = np.zeros(2 * half + 1)
+    for k in range(len(runs)):
+        for x in range(runs[k, 1], runs[k, 2] + 1):
+            t = (x - u) * c + (runs[k, 0] - v) * s + half
+            i = int(t)
+            width[i] += 1.0 - (t - i)  # shared between two bins, or aliasing would carve waists
+            width[i + 1] += t - i
+    return _narrowest(width, half)
+
+
+@numba.njit(cache=True, nogil=True)
+def _narrowest(width: Array, half: int) -> tuple[float, float]:
+    n = len(width)
+    smooth = np.zeros(n)
+    for i in range(1, n - 1):
+        smooth[i] = 0.25 * width[i - 1] + 0.5 * width[i] + 0.25 * width[i + 1]
+    place, ratio = 0.0, 1.0
+    for i in range(n // 5, n - n // 5):
+        widest = min(smooth[:i].max(), smooth[i + 1 :].max()) if 0 < i < n - 1 else 0.0
+        if widest > 0.0 and smooth[i] / widest < ratio:
+            place, ratio = float(i - half), smooth[i] / widest
+    return place, ratio
+
+
+@numba.njit(cache=True, nogil=True)
+def cut(runs: Runs, u: float, v: float, angle: float, place: float) -> tuple[Runs, int]:
+    """Runs parted by the line across the long axis at ``place``: first those before it.
+
+    Returns the runs and how many of them lie before the line.
+    """
+    c, s = np.cos(angle), np.sin(angle)
+    out = np.empty((2 * len(runs), 3), np.int32)
+    n, before = 0, 0
+    for side in range(2):
+        for k in range(len(runs)):
+            first = -1
+            for x in range(runs[k, 1], runs[k, 2] + 2):
+                t = (x - u) * c + (runs[k, 0] - v) * s
+                inside = x <= runs[k, 2] and (t < place) == (side == 0)
+                if inside and first < 0:
+                    first = x
+                elif not inside and first >= 0:
+                    out[n, 0], out[n, 1], out[n, 2] = runs[k, 0], first, x - 1
+                    n += 1
+                    break
+        if side == 0:
+            before = n
+    return out[:n], before

@@ -1,0 +1,182 @@
+"""Coloured blobs in one picture: pixels of a hue, regions of pixels, regions of the right shape.
+
+The requirements are those of Lee et al. 2021: HSV within the intervals of a profile; size for the
+marker's distance, convexity and circularity. A foreshortened disc is an ellipse and stays.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.errors import GlovetrackError
+from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
+from tracker.vision import search
+from tracker.vision.colours import ColourProfile, ShapeLimits
+from tracker.vision.hue_table import HueTable
+
+Image = NDArray[np.uint8]
+REASONS = ("size", "convexity", "circularity", "edge")
+SQUARE_CIRCULARITY = np.pi / 4
+
+
+@dataclass(frozen=True)
+class DetectorParams:
+    """How a picture is searched, and how far away markers may be where nothing is predicted."""
+
+    stride: int = 4  # of the seeds' grid; 1 scans every pixel
+    hint_stride: int = 2  # the same around predicted markers
+    regions_only: bool = False  # look nowhere else while there is a prediction
+    min_area_px: float = 6.0
+    nearest: float = 0.15  # m
+    farthest: float = 0.90  # m
+
+
+@dataclass(frozen=True, eq=False)
+class DetectionHints:
+    """Where markers of one picture are expected, in pixels as recorded.
+
+    uv (n, 2); radius_px (n,) within which the marker is surely; hue (n,) index into the profile's
+    hues; size_px (n,) expected extent of a marker seen square on, None where unknown.
+    """
+
+    uv: Array
+    radius_px: Array
+    hue: IntArray
+    size_px: Array | None = None
+
+
+class Detector:
+    """One colour profile, made ready. Calls are independent of each other and may be concurrent.
+
+    ``marker_size`` (m) and the camera's focal length ``fx`` (px) give the size that blobs may have.
+    """
+
+    def __init__(
+        self,
+        profile: ColourProfile,
+        marker_size: float = 0.012,
+        fx: float = 640.0,
+        params: DetectorParams | None = None,
+    ) -> None:
+        self.profile = profile
+        self.params = params or DetectorParams()
+        self._table = HueTable.of(profile)
+        extent = marker_size * fx
+        self._extent = (extent / self.params.farthest, extent / self.params.nearest)
+
+    def detect(
+        self, image: Image, hints: DetectionHints | None = None
+    ) -> tuple[Blobs, RejectedBlobs]:
+        """Blobs of a BGR picture (h, w, 3) uint8, and what had the hue but not the shape."""
+        pixels = _checked(image)
+        height, width = pixels.shape[:2]
+        rows = search.find_regions(
+            pixels,
+            np.zeros((height, width), np.uint8),
+            self._table.table,
+            self._table.masks,
+            self._windows(width, height, hints),
+            self.params.min_area_px,
+        )
+        reason = self._reasons(rows, hints)
+        return _blobs(rows[reason < 0]), _rejected(rows[reason >= 0], reason[reason >= 0])
+
+    def _windows(self, width: int, height: int, hints: DetectionHints | None) -> IntArray:
+        """Rows (first and last column, first and last row, stride) to look for seeds in."""
+        whole = np.array([[0, width - 1, 0, height - 1, self.params.stride]], np.int64)
+        if hints is None or len(hints.uv) == 0:
+            return whole
+        reach = hints.radius_px
+        low = np.clip(np.floor(hints.uv - reach[:, None]), 0, None)
+        high = np.minimum(np.ceil(hints.uv + reach[:, None]), [width - 1, height - 1])
+        stride = np.full(len(low), self.params.hint_stride)
+        near = np.column_stack([low[:, 0], high[:, 0], low[:, 1], high[:, 1], stride])
+        near = near[np.all(np.isfinite(near), axis=1)].astype(np.int64)
+        return near if self.params.regions_only else np.concatenate([near, whole])
+
+    def _reasons(self, rows: Array, hints: DetectionHints | None) -> IntArray:
+        """Index into REASONS of the first requirement that each region fails, -1 for none."""
+        shape = self.profile.shape
+        out = np.full(len(rows), -1, np.int64)
+        wrong = (
+            ~self._has_size(rows, shape, hints),
+            rows[:, search.CONVEXITY] < shape.convexity,
+            rows[:, search.CIRCULARITY] < shape.circularity,
+            rows[:, search.EDGE] > 0,
+        )
+        for k in reversed(range(len(REASONS))):
+            out[wrong[k]] = k
+        return out
+
+    def _has_size(
+        self, rows: Array, shape: ShapeLimits, hints: DetectionHints | None
+    ) -> NDArray[np.bool_]:
+        """Whether the long axis suits a marker at its predicted, or at any possible distance."""
+        low, high = shape.size
+        extent = rows[:, search.MAJOR]
+        anywhere = (extent >= low * self._extent[0]) & (extent <= high * self._extent[1])
+        if hints is None or hints.size_px is None or len(hints.uv) == 0:
+            return anywhere
+        d = rows[:, None, [search.U, search.V]] - hints.uv
+        near = np.hypot(d[..., 0], d[..., 1]) <= hints.radius_px
+        near &= rows[:, search.HUE, None] == hints.hue
+        ratio = extent[:, None] / hints.size_px
+        suits = np.any(near & (ratio >= low) & (ratio <= high), axis=1)
+        return anywhere & (suits | ~near.any(axis=1))
+
+
+def detect_frame(
+    detector: Detector,
+    frame: StereoFrame,
+    hints: tuple[DetectionHints, DetectionHints] | None = None,
+) -> BlobFrame:
+    """Both pictures of an exposure; a side without a picture stays None."""
+    sides: list[Blobs | None] = []
+    rejected: list[RejectedBlobs | None] = []
+    for k, image in enumerate((frame.left, frame.right)):
+        found = None if image is None else detector.detect(image, hints[k] if hints else None)
+        sides.append(found[0] if found else None)
+        rejected.append(found[1] if found else None)
+    return BlobFrame(
+        t=frame.t,
+        t_arrival=frame.t_arrival,
+        hue_names=detector.profile.hue_names,
+        left=sides[0],
+        right=sides[1],
+        pose=frame.pose,
+        rejected_left=rejected[0],
+        rejected_right=rejected[1],
+        index=frame.index,
+    )
+
+
+def _checked(image: Image) -> Image:
+    if image.ndim != 3 or image.shape[2] != 3 or image.dtype != np.uint8:
+        raise GlovetrackError(
+            f"A picture must be colour with 8 bits a channel; this one has shape {image.shape} "
+            f"and type {image.dtype}."
+        )
+    return np.ascontiguousarray(image)
+
+
+def _blobs(rows: Array) -> Blobs:
+    score = rows[:, search.CONVEXITY] * np.minimum(
+        rows[:, search.CIRCULARITY] / SQUARE_CIRCULARITY, 1.0
+    )
+    return Blobs(
+        rows[:, [search.U, search.V]],
+        rows[:, [search.WIDTH, search.HEIGHT]],
+        rows[:, search.HUE].astype(np.int64),
+        np.minimum(score, 1.0),
+    )
+
+
+def _rejected(rows: Array, reason: IntArray) -> RejectedBlobs:
+    return RejectedBlobs(
+        rows[:, [search.U, search.V]],
+        rows[:, search.HUE].astype(np.int64),
+        tuple(REASONS[k] for k in reason),
+    )

@@ -1,0 +1,102 @@
+"""The detector's inner loop: seeds on a grid, regions, and what each region measures."""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import Array
+from tracker.vision.components import Runs, axes, bounds, cut, fill, grown, hull, moments, waist
+from tracker.vision.hue_table import pixel_class
+
+_Bytes = NDArray[np.uint8]
+_Masks = NDArray[np.int64]
+
+# Columns of a measurement row.
+HUE, U, V, AREA, MAJOR, MINOR, CONVEXITY, CIRCULARITY, WIDTH, HEIGHT, EDGE = range(11)
+COLUMNS = 11
+
+SPLIT_ELONGATION = 1.45  # long over short axis, from which a region may be two
+SPLIT_WAIST = 0.70  # width of the waist over that of the narrower half
+SPLIT_THICKNESS = 5.0  # px; pixels carve waists into thinner regions
+SPLIT_CONVEXITY = 0.88  # of each half
+
+
+@numba.njit(cache=True, nogil=True)
+def find_regions(
+    image: _Bytes,
+    visited: _Bytes,
+    table: _Bytes,
+    masks: _Masks,
+    windows: NDArray[np.int64],
+    min_area: float,
+) -> Array:
+    """Measurements (n, COLUMNS) of all regions that a seed meets, in the order of the seeds.
+
+    visited (h, w) zeros, marked here; windows (k, 5): first and last column, first and last row,
+    and the grid's stride. Every other row of the grid is shifted by half a stride, which lets
+    nothing larger than 0.7 strides through.
+    """
+    out = np.empty((64, COLUMNS))
+    runs = np.empty((256, 3), np.int32)
+    n = 0
+    for k in range(len(windows)):
+        stride = windows[k, 4]
+        for y in range(windows[k, 2], windows[k, 3] + 1, stride):
+            shift = (y // stride % 2) * (stride // 2)
+            for x in range(windows[k, 0] + shift, windows[k, 1] + 1, stride):
+                hue = pixel_class(image, y, x, table, masks)
+                if hue == 0 or visited[y, x]:
+                    continue
+                runs, used = fill(image, visited, y, x, hue, table, masks, runs)
+                if n + 2 > len(out):
+                    out = grown(out)
+                n += _measure_parts(runs[:used], hue, min_area, image.shape, out[n : n + 2])
+    return out[:n]
+
+
+@numba.njit(cache=True, nogil=True)
+def _measure_parts(
+    runs: Runs, hue: int, min_area: float, shape: tuple[int, int, int], rows: Array
+) -> int:
+    """Measure a region as one blob, or as two where a waist says so; returns how many."""
+    if not _measure(runs, hue, min_area, shape, rows[0]):
+        return 0
+    if rows[0, MAJOR] < SPLIT_ELONGATION * rows[0, MINOR] or rows[0, MINOR] < SPLIT_THICKNESS:
+        return 1
+    _, u, v, uu, uv, vv = moments(runs)
+    angle = axes(uu, uv, vv)[2]
+    place, ratio = waist(runs, u, v, angle)
+    if ratio > SPLIT_WAIST:
+        return 1
+    parts, before = cut(runs, u, v, angle, place)
+    halves = np.empty((2, COLUMNS))
+    for i, part in enumerate((parts[:before], parts[before:])):
+        if len(part) == 0 or not _measure(part, hue, min_area, shape, halves[i]):
+            return 1
+        if halves[i, CONVEXITY] < SPLIT_CONVEXITY:
+            return 1
+    rows[:] = halves
+    return 2
+
+
+@numba.njit(cache=True, nogil=True)
+def _measure(
+    runs: Runs, hue: int, min_area: float, shape: tuple[int, int, int], row: Array
+) -> bool:
+    """Fill one row; False where the region is a speck."""
+    area, u, v, uu, uv, vv = moments(runs)
+    if area < min_area:
+        return False
+    pixels, girth = hull(runs)
+    left, right, top, bottom = bounds(runs)
+    major, minor, _ = axes(uu, uv, vv)
+    row[HUE], row[U], row[V], row[AREA] = hue - 1, u, v, area
+    row[MAJOR], row[MINOR] = major, minor
+    row[CONVEXITY] = area / pixels
+    row[CIRCULARITY] = min(4.0 * np.pi * area / (girth * girth), 1.0)
+    row[WIDTH], row[HEIGHT] = right - left + 1, bottom - top + 1
+    edge = left == 0 or top == 0 or right == shape[1] - 1 or bottom == shape[0] - 1
+    row[EDGE] = 1.0 if edge else 0.0
+    return True
