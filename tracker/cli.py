@@ -1,4 +1,4 @@
-"""The command ``glovetrack``.
+"""The commands of ``glovetrack`` that need no window (`app.command` adds the two that do).
 
 Exit status: 0 done, 1 the work failed (one message on standard error), 2 wrong usage. Rooms bring
 their own sub-commands; imports happen inside them, so that ``glovetrack info`` starts at once.
@@ -38,20 +38,11 @@ def _parser() -> argparse.ArgumentParser:
         prog="glovetrack", description="Hand tracking with a sensor glove and a stereo camera."
     )
     parser.add_argument("--version", action="version", version=f"glovetrack {__version__}")
-    parser.set_defaults(func=_app, demo=False)
-    commands = parser.add_subparsers(title="commands", metavar="COMMAND")
-    demo = commands.add_parser("demo", help="the app on the simulated glove and camera")
-    demo.set_defaults(func=_app, demo=True)
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     add_offline(commands)
     add_session(commands)
     add_evaluation(commands)
     return parser
-
-
-def _app(args: argparse.Namespace) -> int:
-    from app.__main__ import main as run_app
-
-    return run_app(["--demo"] if args.demo else [])
 
 
 if __name__ == "__main__":

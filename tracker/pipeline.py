@@ -10,6 +10,7 @@ import numpy as np
 from tracker.errors import ConfigError
 from tracker.fusion.chain import ChainEngine
 from tracker.fusion.engine import Engine
+from tracker.fusion.hybrid import HybridEngine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -28,6 +29,12 @@ Builder = Callable[[HandModel, GloveModel, StereoRig, Settings], Engine]
 
 ENGINES: dict[str, Builder] = {
     "chain": lambda hand, glove, rig, s: ChainEngine(hand, glove, rig, s.chain),
+    "switching": lambda hand, glove, rig, s: HybridEngine(
+        hand, glove, rig, s.chain, s.hybrid, "switching_offset"
+    ),
+    "madgwick": lambda hand, glove, rig, s: HybridEngine(
+        hand, glove, rig, s.chain, s.hybrid, "madgwick_adaptive"
+    ),
 }
 
 HINT_MARGIN_PX = 12.0

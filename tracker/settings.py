@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from tracker.fusion.hybrid import HybridParams
 from tracker.fusion.params import ChainParams
 
 
@@ -13,3 +14,4 @@ class Settings:
 
     engine: str = "chain"
     chain: ChainParams = field(default_factory=ChainParams)
+    hybrid: HybridParams = field(default_factory=HybridParams)

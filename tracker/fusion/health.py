@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracker.messages import Array, ImuSample
+from tracker.messages import Array, ImuSample, IntArray
 
 STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
 
@@ -14,7 +14,7 @@ class ImuHealth:
 
     def __init__(self, n: int) -> None:
         self._last: Array = np.full((n, 6), np.nan)
-        self._same = np.zeros(n, np.int64)
+        self._same: IntArray = np.zeros(n, np.int64)
 
     def check(self, sample: ImuSample) -> ImuSample:
         """The packet with ``valid`` cleared where an IMU is not to be believed."""
@@ -36,8 +36,8 @@ class ImuHealth:
             valid,
         )
 
-    def state(self) -> tuple[Array, Array]:
+    def state(self) -> tuple[Array, IntArray]:
         return self._last.copy(), self._same.copy()
 
-    def restore(self, state: tuple[Array, Array]) -> None:
+    def restore(self, state: tuple[Array, IntArray]) -> None:
         self._last, self._same = state[0].copy(), state[1].copy()

@@ -7,6 +7,7 @@ the depth away. A marker that one camera sees gives two rows, one that both see 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,8 +36,11 @@ class SeenBlobs:
 
     @staticmethod
     def of(
-        blobs: Blobs | None, hue_names: tuple[str, ...], hues: tuple[str, ...], rectify
-    ) -> SeenBlobs:  # type: ignore[no-untyped-def]
+        blobs: Blobs | None,
+        hue_names: tuple[str, ...],
+        hues: tuple[str, ...],
+        rectify: Callable[[Array], Array],
+    ) -> SeenBlobs:
         """Those of hues that the glove wears."""
         if blobs is None or len(blobs) == 0:
             return SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))

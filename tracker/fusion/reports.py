@@ -55,7 +55,7 @@ def hand_length(layout: ChainLayout, state: ChainState) -> tuple[float, float]:
         last = layout.row_of.get(hand.index[name], last)
         gain[last] += hand.segments[hand.index[name]].length
     P = state.P[layout.scale : layout.joint : 2, layout.scale : layout.joint : 2]
-    return float(gain @ state.scale[:, 0]), float(np.sqrt(max(gain @ P @ gain, 0.0)))
+    return float(gain @ state.scale[:, 0]), max(float(gain @ P @ gain), 0.0) ** 0.5
 
 
 def frame_result(

@@ -36,10 +36,11 @@ class ChainState:
 
     def copy(self) -> ChainState:
         """An independent copy."""
-        return replace(
-            self,
-            **{k: v.copy() for k, v in vars(self).items() if isinstance(v, np.ndarray)},
-        )
+        out = replace(self)
+        for name, value in vars(self).items():
+            if isinstance(value, np.ndarray):
+                setattr(out, name, value.copy())
+        return out
 
     def copy_nominal(self) -> ChainState:
         """A copy that shares every array: for trying other poses, whose arrays are replaced."""

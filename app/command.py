@@ -1,0 +1,27 @@
+"""The command ``glovetrack``: the window by itself, everything else by `tracker.cli`."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+WINDOW = {"demo": ["--demo"]}
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """``glovetrack`` and ``glovetrack demo`` open the app; other words are commands.
+
+    Qt is imported for the window alone, so that ``glovetrack info`` starts at once.
+    """
+    words = list(sys.argv[1:] if argv is None else argv)
+    if not words or words[0] in WINDOW or words[0].endswith(".mcap"):
+        from app.__main__ import main as run_window
+
+        return run_window([*WINDOW.get(words[0], words[:1]), *words[1:]] if words else [])
+    from tracker.cli import main as run_command
+
+    return run_command(words)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

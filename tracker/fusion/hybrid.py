@@ -1,0 +1,228 @@
+"""The hybrids of Lemak et al. 2020 for the real glove: vision for the dorsum, IMUs for the fingers.
+
+The dorsum's pose comes from its own markers and IMU through the chain filter; each finger's two
+joints come from that finger's two IMUs alone. No finger needs a marker.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from tracker.errors import ConfigError
+from tracker.fusion.chain import SEEN_LATELY, ChainEngine
+from tracker.fusion.health import ImuHealth
+from tracker.fusion.layout import ChainLayout
+from tracker.fusion.output import HandOutput, Sensed
+from tracker.fusion.params import ChainParams
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.inertial.finger3d import FingerEstimator3D, ImuPair, finger_geometry, finger_pairs
+from tracker.inertial.geometry3d import DorsumMotion
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    Calibration,
+    Estimate,
+    FrameResult,
+    ImuSample,
+    IntArray,
+    Tracking,
+)
+from tracker.vision.rig import StereoRig
+
+MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
+
+
+@dataclass(frozen=True)
+class HybridParams:
+    """``rate_hz`` of the glove; the dorsum's filter has its own settings."""
+
+    rate_hz: float = 100.0
+
+
+@dataclass(eq=False)
+class _Moving:
+    """What changes: estimator and joint rotations per finger, when each IMU answered."""
+
+    estimators: list[FingerEstimator3D]
+    joints: list[tuple[Array, Array]]
+    felt: Array
+    last_t: float = np.nan
+
+
+class HybridEngine:
+    """``variant`` names a finger estimator of `tracker.inertial.finger3d`.
+
+    Raises ConfigError for a glove without a dorsum IMU and dorsum markers.
+    """
+
+    def __init__(
+        self,
+        hand: HandModel,
+        glove: GloveModel,
+        rig: StereoRig,
+        chain: ChainParams,
+        params: HybridParams,
+        variant: str,
+    ) -> None:
+        root = hand.segments[0].name
+        names = [i.segment for i in glove.imus]
+        if root not in names or not any(m.segment == root for m in glove.markers):
+            raise ConfigError(f"The engine {variant!r} needs an IMU and markers on the {root}.")
+        self._hand, self._glove, self._params = hand, glove, params
+        self._root = names.index(root)
+        self._markers = np.array([m.id for m in glove.markers if m.segment == root])
+        self._dorsum = ChainEngine(hand, _only(glove, root), rig, chain)
+        self._layout = ChainLayout(hand, glove)
+        self._output = HandOutput(self._layout)
+        self._pairs = finger_pairs(hand, glove)
+        self._rows = [tuple(names.index(s) for s in pair) for pair in self._pairs]
+        self._health = ImuHealth(len(names))
+        dt = 1.0 / params.rate_hz
+        self._moving = _Moving(
+            [FingerEstimator3D(finger_geometry(hand, glove, *p), dt, variant) for p in self._pairs],
+            [self._straight(pair) for pair in self._pairs],
+            np.full(len(names), -np.inf),
+        )
+
+    def _straight(self, pair: Sequence[str]) -> tuple[Array, Array]:
+        first, second = (self._hand.segments[self._hand.index[s]] for s in pair)
+        return first.R_rest, second.R_rest
+
+    def feed_imu(self, sample: ImuSample) -> Estimate:
+        sample = self._health.check(sample)
+        self._moving.felt[sample.valid] = sample.t
+        dorsum = self._dorsum.feed_imu(self._of_root(sample))
+        if dorsum.tracking != Tracking.SEARCHING:
+            self._update_fingers(sample, dorsum.segment_R[0])
+        self._moving.last_t = sample.t
+        return self._whole(dorsum, sample.t)
+
+    def _of_root(self, sample: ImuSample) -> ImuSample:
+        j = slice(self._root, self._root + 1)
+        return replace(
+            sample,
+            accel=sample.accel[j].copy(),
+            gyro=sample.gyro[j].copy(),
+            valid=np.asarray(sample.valid)[j].copy(),
+        )
+
+    def _update_fingers(self, sample: ImuSample, R_GB: Array) -> None:
+        if not sample.valid[self._root]:
+            return
+        R_BI = self._glove.imus[self._root].R_BI
+        motion = DorsumMotion(
+            R_GB,
+            R_BI @ sample.gyro[self._root],
+            R_BI @ sample.accel[self._root],
+            self._glove.imus[self._root].position,
+        )
+        for k, rows in enumerate(self._rows):
+            pair = self._readings(sample, rows)
+            for _ in range(self._packets_since(sample.t)):
+                joints = self._moving.estimators[k].update(motion, pair)
+            self._moving.joints[k] = (joints.R_01, joints.R_12)
+
+    def _packets_since(self, t: float) -> int:
+        """Packets that should have come since the last one; lost ones are bridged."""
+        gap = (t - self._moving.last_t) * self._params.rate_hz
+        return 1 if not np.isfinite(gap) else int(np.clip(round(gap), 1, MAX_REPEAT))
+
+    def _readings(self, sample: ImuSample, rows: Sequence[int]) -> ImuPair:
+        """Both IMUs' readings in their segments' B; NaN where one does not answer."""
+        gyro, accel = np.full((2, 3), np.nan), np.full((2, 3), np.nan)
+        for k, j in enumerate(rows):
+            if sample.valid[j]:
+                R_BI = self._glove.imus[j].R_BI
+                gyro[k], accel[k] = R_BI @ sample.gyro[j], R_BI @ sample.accel[j]
+        return ImuPair(gyro, accel)
+
+    def _whole(self, dorsum: Estimate, t: float) -> Estimate:
+        """The dorsum's pose with every finger's joints hung on it."""
+        lay, hand = self._layout, self._hand
+        n = len(lay.active)
+        R, p = np.empty((n, 3, 3)), np.empty((n, 3))
+        R[0], p[0] = dorsum.segment_R[0], dorsum.segment_p[0]
+        turn = {lay.names.index(s): r for s, r in self._joint_rotations()}
+        for i in range(1, n):
+            a = lay.parent[i]
+            R[i] = R[a] @ turn.get(i, lay.R_rest[i])
+            p[i] = p[a] + R[a] @ hand.segments[lay.active[i]].origin
+        sd = np.full(n, dorsum.keypoint_sd[0])
+        scale = np.ones((n, 3))
+        sensed = Sensed(self._sensed(t), dorsum.tracking)
+        return self._output.estimate(t, R, p, scale, sensed, sd)
+
+    def _joint_rotations(self) -> list[tuple[str, Array]]:
+        out: list[tuple[str, Array]] = []
+        for pair, joints in zip(self._pairs, self._moving.joints, strict=True):
+            out += list(zip(pair, joints, strict=True))
+        return out
+
+    def _sensed(self, t: float) -> IntArray:
+        out = np.zeros(len(self._layout.active), np.int64)
+        out[self._layout.imu_segment[t - self._moving.felt < SEEN_LATELY]] = 1
+        return out
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        self._dorsum.feed_frame(frame)
+
+    def take_results(self) -> list[FrameResult]:
+        return [self._spread(r) for r in self._dorsum.take_results()]
+
+    def _spread(self, result: FrameResult) -> FrameResult:
+        """Rows of the dorsum's markers put where the whole glove has them."""
+        m = len(self._glove.markers)
+
+        def wide(values: Any, empty: float) -> Any:
+            out = np.full((m, *values.shape[1:]), empty, values.dtype)
+            out[self._markers] = values
+            return out
+
+        return replace(
+            result,
+            predicted_left=wide(result.predicted_left, np.nan),
+            predicted_right=wide(result.predicted_right, np.nan),
+            predicted_cov=wide(result.predicted_cov, np.nan),
+            visible=wide(result.visible, 0.0),
+            match_left=wide(result.match_left, -1),
+            match_right=wide(result.match_right, -1),
+            residual=wide(result.residual, np.nan),
+        )
+
+    def predict(self, t: float) -> Estimate:
+        return self._whole(self._dorsum.predict(t), t)
+
+    def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
+        """None: finger markers of the same hues are there too, so no place is ruled out."""
+        return None
+
+    def calibration(self) -> Calibration:
+        return self._dorsum.calibration()
+
+    def get_state(self) -> dict[str, Any]:
+        return {
+            "dorsum": self._dorsum.get_state(),
+            "moving": copy.deepcopy(self._moving),
+            "health": self._health.state(),
+        }
+
+    def set_state(self, state: dict[str, Any]) -> None:
+        self._dorsum.set_state(state["dorsum"])
+        self._moving = copy.deepcopy(state["moving"])
+        self._health.restore(state["health"])
+
+
+def _only(glove: GloveModel, segment: str) -> GloveModel:
+    """The part of a glove on one segment, markers renumbered."""
+    markers = [m for m in glove.markers if m.segment == segment]
+    return replace(
+        glove,
+        imus=tuple(i for i in glove.imus if i.segment == segment),
+        markers=tuple(replace(m, id=k) for k, m in enumerate(markers)),
+    )
