@@ -12,13 +12,11 @@ from typing import Any
 
 from tracker.errors import ConfigError
 
-Parsers = argparse._SubParsersAction[argparse.ArgumentParser]
-
 QUICK_PARTICIPANTS = 2
 QUICK_MINUTES = 0.35
 
 
-def add_evaluate_vist(subparsers: Parsers) -> None:
+def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Adds the sub-command."""
     p = subparsers.add_parser("vist", help="hand tracking: three experiments, simulated")
     p.add_argument("--participants", type=_count, default=15, metavar="N")

@@ -85,14 +85,14 @@ def _track(
     record = _Record()
     check = MatchCheck(simulation)
     images = case.level == "images"
-    detect = _detector(simulation) if images else None
+    detect = _detector(simulation) if images else _as_it_is
     feed = simulation.feed(images)
     for message in feed if variant is None else variant.feed(feed):
         begin = time.process_time()
         if isinstance(message, ImuSample):
             record.estimates.append(pipeline.feed_imu(message))
         else:
-            frame = detect(message, pipeline) if detect is not None else message
+            frame = detect(message, pipeline)
             pipeline.feed_frame(frame)
             check.remember(frame)
         results = pipeline.take_results()
@@ -107,7 +107,15 @@ def _track(
     return record
 
 
-def _detector(simulation: Simulation) -> Callable[[StereoFrame, Pipeline], BlobFrame]:
+def _as_it_is(frame: BlobFrame | StereoFrame, pipeline: Pipeline) -> BlobFrame:
+    """Blobs need no detector."""
+    assert isinstance(frame, BlobFrame)
+    return frame
+
+
+def _detector(
+    simulation: Simulation,
+) -> Callable[[BlobFrame | StereoFrame, Pipeline], BlobFrame]:
     """Pictures to blobs, with the pipeline's hints, as the live tracker does it."""
     from tracker.vision.colours import load_profile
     from tracker.vision.detector import Detector, detect_frame
@@ -115,7 +123,9 @@ def _detector(simulation: Simulation) -> Callable[[StereoFrame, Pipeline], BlobF
     with as_file(resources.folder("colours") / "fabric-default.toml") as path:
         detector = Detector(load_profile(path), fx=simulation.rig.fx)
 
-    def detect(frame: StereoFrame, pipeline: Pipeline) -> BlobFrame:
+    def detect(frame: BlobFrame | StereoFrame, pipeline: Pipeline) -> BlobFrame:
+        if isinstance(frame, BlobFrame):
+            return frame
         return detect_frame(detector, frame, pipeline.hints(frame.t))
 
     return detect
@@ -129,7 +139,7 @@ class MatchCheck:
         self._frames: dict[float, BlobFrame] = {}
         self._count = 0
 
-    def remember(self, frame: Any) -> None:
+    def remember(self, frame: BlobFrame) -> None:
         """Keep a frame whose result will come, every `CHECK_EVERY`-th of them."""
         self._count += 1
         if self._count % CHECK_EVERY == 0:
