@@ -16,6 +16,7 @@ from tracker.vision.hue_table import pixel_class
 
 _Bytes = NDArray[np.uint8]
 _Masks = NDArray[np.int64]
+_Table = NDArray[np.int8]
 Runs = NDArray[np.int32]
 """(n, 3): row, first and last column of each run of a region."""
 
@@ -35,7 +36,7 @@ def _run(
     y: int,
     x: int,
     hue: int,
-    table: _Bytes,
+    table: _Table,
     masks: _Masks,
 ) -> tuple[int, int]:
     """The run of ``hue`` around (x, y), marked as visited: first and last column."""
@@ -56,7 +57,7 @@ def fill(
     y: int,
     x: int,
     hue: int,
-    table: _Bytes,
+    table: _Table,
     masks: _Masks,
     runs: Runs,
 ) -> tuple[Runs, int]:

@@ -18,11 +18,12 @@ from tracker.vision.colours import HUES, LEVELS, ColourProfile
 
 BITS = 6
 DROP = 8 - BITS
-MIXED = 255  # the bin's colours disagree
+MIXED = -1  # the bin's colours disagree
 MAX_HUES = 30  # bits of a mask
 
 _Bytes = NDArray[np.uint8]
 _Masks = NDArray[np.int64]
+_Table = NDArray[np.int8]
 
 
 def _division_table(numerator: float) -> NDArray[np.int64]:
@@ -43,7 +44,7 @@ class HueTable:
     Bit k of masks[channel, level] says whether hue k takes that level.
     """
 
-    table: _Bytes
+    table: _Table
     masks: _Masks
 
     @staticmethod
@@ -94,20 +95,20 @@ def exact_class(b: int, g: int, r: int, masks: _Masks) -> int:
 
 
 @numba.njit(cache=True, nogil=True)
-def pixel_class(image: _Bytes, y: int, x: int, table: _Bytes, masks: _Masks) -> int:
+def pixel_class(image: _Bytes, y: int, x: int, table: _Table, masks: _Masks) -> int:
     """Class of one pixel of a BGR image."""
     b, g, r = image[y, x, 0], image[y, x, 1], image[y, x, 2]
     key = ((b >> DROP) << (2 * BITS)) | ((g >> DROP) << BITS) | (r >> DROP)
     found = table[key]
     if found != MIXED:
         return int(found)
-    return exact_class(int(b), int(g), int(r), masks)
+    return exact_class(np.int64(b), np.int64(g), np.int64(r), masks)
 
 
 @numba.njit(cache=True, nogil=True)
-def _coarse_table(masks: _Masks) -> _Bytes:
+def _coarse_table(masks: _Masks) -> _Table:
     n, step = 1 << BITS, 1 << DROP
-    out = np.empty(n * n * n, np.uint8)
+    out = np.empty(n * n * n, np.int8)
     key = 0
     for b in range(0, LEVELS, step):
         for g in range(0, LEVELS, step):

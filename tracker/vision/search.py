@@ -12,6 +12,7 @@ from tracker.vision.hue_table import pixel_class
 
 _Bytes = NDArray[np.uint8]
 _Masks = NDArray[np.int64]
+_Table = NDArray[np.int8]
 
 # Columns of a measurement row.
 HUE, U, V, AREA, MAJOR, MINOR, CONVEXITY, CIRCULARITY, WIDTH, HEIGHT, EDGE = range(11)
@@ -27,7 +28,7 @@ SPLIT_CONVEXITY = 0.88  # of each half
 def find_regions(
     image: _Bytes,
     visited: _Bytes,
-    table: _Bytes,
+    table: _Table,
     masks: _Masks,
     windows: NDArray[np.int64],
     min_area: float,
