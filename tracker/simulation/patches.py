@@ -16,6 +16,7 @@ def sample_pattern() -> Array:
     k = np.arange(_SAMPLES) + 0.5
     radius, turn = 0.5 * np.sqrt(k / _SAMPLES), np.pi * (3 - np.sqrt(5)) * k
     circle = np.column_stack([radius * np.cos(turn), radius * np.sin(turn)])
+    circle -= circle.mean(axis=0)  # a spiral of few points is off its middle
     edge = (np.arange(4) + 0.5) / 4 - 0.5
     square = np.stack(np.meshgrid(edge, edge), axis=-1).reshape(-1, 2)
     return np.stack([circle, square])

@@ -28,8 +28,10 @@ class PostureParams:
     high: float = 0.25  # of the half picture, up and down
     roll_deg: float = 38.0  # standard deviation, about the forearm
     pitch_deg: float = 24.0
+    pitch_mean_deg: float = -6.0  # negative: fingers up
     yaw_deg: float = 18.0
     largest_deg: float = 55.0  # of roll and pitch
+    lowest_deg: float = 30.0  # of fingers down: beyond it the arm hides the hand
     palm_up: float = 0.08  # share of postures
     sway_deg: float = 1.2
     sway_mm: float = 2.5
@@ -86,7 +88,7 @@ class RandomPostures:
         roll = np.clip(rng.normal(0, p.roll_deg), -largest, largest)
         if rng.random() < p.palm_up:
             roll += 180.0
-        pitch = np.clip(rng.normal(0, p.pitch_deg), -largest, largest)
+        pitch = np.clip(rng.normal(p.pitch_mean_deg, p.pitch_deg), -largest, p.lowest_deg)
         yaw, pitch, roll = np.deg2rad([rng.normal(0, p.yaw_deg), pitch, roll])
         return so3.rz(yaw) @ so3.ry(pitch) @ so3.rx(roll)
 

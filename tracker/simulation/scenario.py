@@ -5,6 +5,7 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -15,6 +16,7 @@ from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, ImuSample, StereoFrame
 from tracker.simulation.imu import ImuParams, ImuSimulator
 from tracker.simulation.motion import Motion
+from tracker.simulation.render import Renderer, RenderParams
 from tracker.simulation.scene import BlobParams, Extra, Scene
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.wearer import Wearer, WearerParams
@@ -31,6 +33,7 @@ class SimulationParams:
     wearer: WearerParams = field(default_factory=WearerParams)
     imu: ImuParams = field(default_factory=ImuParams)
     blobs: BlobParams = field(default_factory=BlobParams)
+    render: RenderParams = field(default_factory=RenderParams)
     delay_least: float = 0.030  # s from the middle of an exposure to its arrival
     delay_most: float = 0.050
 
@@ -85,11 +88,20 @@ class Simulation:
 
     def frames(self, images: bool = False) -> Iterator[BlobFrame] | Iterator[StereoFrame]:
         """All frames in order: blobs, or pictures."""
-        return self._blob_frames()
+        return self._pictures() if images else self._blob_frames()
 
     def _blob_frames(self) -> Iterator[BlobFrame]:
         for index, t, arrival in self.exposures():
             yield self.scene.blobs(t, arrival, index)
+
+    @cached_property
+    def renderer(self) -> Renderer:
+        """Made at the first picture: it holds ray maps and backgrounds."""
+        return Renderer(self.scene, self.params.render)
+
+    def _pictures(self) -> Iterator[StereoFrame]:
+        for index, t, arrival in self.exposures():
+            yield self.renderer.frame(t, arrival, index)
 
     def feed(self, images: bool = False) -> Iterator[ImuSample | BlobFrame | StereoFrame]:
         """All messages in the order of arrival; IMU packets first where two arrive together."""

@@ -73,7 +73,7 @@ class Scene:
         self.wearer, self.motion, self.rig = wearer, motion, rig
         self.params, self.extras = params or BlobParams(), tuple(extras)
         self.shape = BodyShape.of(wearer)
-        self._seed = seed
+        self.seed = seed
         glove = wearer.glove
         self._pattern = sample_pattern()
         self._kind = np.array([SQUARE if m.shape == "square" else CIRCLE for m in glove.markers])
@@ -82,6 +82,10 @@ class Scene:
     def pose(self, t: float) -> CameraPose:
         """The camera's true pose at the time t (s)."""
         return self.rig.pose
+
+    def reported_pose(self, t: float) -> CameraPose | None:
+        """What the camera says of its pose; None for one that stands still."""
+        return None
 
     def instant(self, t: float) -> Instant:
         """Everything in C at the time t (s)."""
@@ -119,11 +123,11 @@ class Scene:
     def blobs(self, t: float, t_arrival: float | None = None, index: int = -1) -> BlobFrame:
         """What a good detector finds in the exposure at t (s)."""
         now = self.instant(t)
-        rng = rng_for(self._seed, "blobs", nanoseconds(t) % 2**32, nanoseconds(t) // 2**32)
+        rng = rng_for(self.seed, "blobs", nanoseconds(t) % 2**32, nanoseconds(t) // 2**32)
         left, right = (self._side(now, t, right, rng) for right in (False, True))
         arrival = t if t_arrival is None else t_arrival
         hues = self.wearer.glove.hues
-        return BlobFrame(t, arrival, hues, left, right, index=index)
+        return BlobFrame(t, arrival, hues, left, right, self.reported_pose(t), index=index)
 
     def _side(self, now: Instant, t: float, right: bool, rng: np.random.Generator) -> Blobs:
         seen = self.markers_seen(now, right)

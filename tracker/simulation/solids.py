@@ -128,7 +128,7 @@ class BodyShape:
         flat = boxes(
             R[None], middle[None], np.array([[length / 2, half, r]]), owner[:1], np.array(GLOVE_BGR)
         )
-        arm = np.array([[-0.02, 0.0, 0.0], [-0.09, 0.0, 0.0]]) @ R.T + p
+        arm = np.array([[-0.02, 0.0, 0.0], [-0.07, 0.0, 0.0]]) @ R.T + p
         wrist = np.array([1.7 * r])
         sleeve = capsules(arm[:1], arm[1:], wrist, np.array([NOBODY]), np.array(SLEEVE_BGR))
         return [rim, flat, sleeve]

@@ -126,7 +126,7 @@ class Wearer:
         self.marker_segment: IntArray = glove.marker_segment(self.hand)
         scale = self.scale[self.marker_segment]
         self.marker_normal: Array = glove.marker_normal
-        self._tangents = _tangents(self.marker_normal)
+        self._tangents = tangents(self.marker_normal)
         place = rng.normal(0, p.marker_place / np.sqrt(2), (len(scale), 2))
         self._marker_base = glove.marker_position * scale
         self._marker_place = place
@@ -189,7 +189,7 @@ class Wearer:
         return self.glove.keypoint_positions(self.hand, R, p, self.scale)
 
 
-def _tangents(normal: Array) -> Array:
+def tangents(normal: Array) -> Array:
     """(M, 2, 3): along the bone as far as the surface allows, and around it."""
     along = np.tile([1.0, 0, 0], (len(normal), 1))
     along[np.abs(normal[:, 0]) > 0.9] = [0, 0, 1.0]
