@@ -1,0 +1,109 @@
+"""The commands ``simulate`` and ``track``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from tracker.errors import GlovetrackError
+
+
+def add_commands(commands: Any) -> None:
+    """Add both to the sub-parsers of ``glovetrack``."""
+    _add_simulate(commands.add_parser("simulate", help="a session with truth from the simulator"))
+    _add_track(commands.add_parser("track", help="track a recording again"))
+
+
+def _add_simulate(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session, .mcap")
+    parser.add_argument("--motion", default="", help="recorded motion: Qualisys TSV, Leap, BVH")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--duration", type=float, default=60.0, help="seconds")
+    parser.add_argument("--fps", type=float, default=60.0)
+    parser.add_argument("--glove", default="vist-small", help="name or file")
+    parser.add_argument("--hand", default="", help="name or file; the glove's own if not given")
+    parser.add_argument("--blobs-only", action="store_true", help="blobs instead of pictures")
+    parser.set_defaults(func=_simulate)
+
+
+def _add_track(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", type=Path, help="a session, .mcap")
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session, .mcap")
+    parser.add_argument("--engine", default="", help="chain, vist, switching or madgwick")
+    parser.add_argument("--hand", default="", help="name or file")
+    parser.add_argument("--glove", default="", help="name or file")
+    parser.add_argument("--colours", default="", help="name or file")
+    parser.add_argument("--with-sensors", action="store_true", help="copy the sensor topics too")
+    parser.add_argument("--json", default="", metavar="FILE", help="report; - is standard output")
+    parser.set_defaults(func=_track)
+
+
+def _simulate(args: argparse.Namespace) -> int:
+    from tracker.offline.simulate import SimulateOptions, simulate
+
+    options = SimulateOptions(
+        glove=args.glove,
+        hand=args.hand,
+        motion=args.motion,
+        seed=args.seed,
+        duration=args.duration,
+        fps=args.fps,
+        pictures=not args.blobs_only,
+    )
+    simulate(args.out, options, progress_line("simulating"))
+    return 0
+
+
+def _track(args: argparse.Namespace) -> int:
+    from tracker.offline.track import TrackOptions, track
+
+    options = TrackOptions(args.engine, args.hand, args.glove, args.colours, args.with_sensors)
+    report = track(args.source, args.out, options, progress_line("tracking")).to_json()
+    if args.json:
+        write_json(report, args.json)
+    else:
+        print(_summary(report))
+    return 0
+
+
+def _summary(report: dict[str, Any]) -> str:
+    text = (
+        f"{report['estimates']} estimates over {report['duration_s']:.1f} s in "
+        f"{report['wall_s']:.1f} s, {report['frames']} pictures, lost for {report['lost_s']:.1f} s"
+    )
+    if "error_mm" in report:
+        text += f", mean error {report['error_mm']['mean']:.1f} mm"
+    return text + "."
+
+
+def write_json(value: object, target: str) -> None:
+    """To a file, or to standard output for ``-``."""
+    text = json.dumps(value, indent=1, sort_keys=True)
+    if target == "-":
+        print(text)
+        return
+    try:
+        Path(target).write_text(text + "\n", "utf-8")
+    except OSError as error:
+        raise GlovetrackError(f"{target} cannot be written: {error.strerror}.") from error
+
+
+def progress_line(what: str) -> Callable[[float], None]:
+    """Shows the share that is done on standard error, four times a second, on a terminal only."""
+    if not sys.stderr.isatty():
+        return lambda share: None
+    shown = [0.0]
+
+    def show(share: float) -> None:
+        now = time.monotonic()
+        if share >= 1.0 or now - shown[0] > 0.25:
+            shown[0] = now
+            end = "\n" if share >= 1.0 else ""
+            print(f"\r{what} {100 * share:3.0f} %", end=end, file=sys.stderr, flush=True)
+
+    return show

@@ -1,0 +1,106 @@
+"""``glovetrack simulate``: a session with truth from the simulator."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from tracker import library
+from tracker.clock import ClockAnchor
+from tracker.errors import ConfigError
+from tracker.geometry import so3
+from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validity
+from tracker.session.description import SessionInfo, describe
+from tracker.session.writer import RecorderParams, SessionRecorder
+from tracker.simulation.motion import Motion
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation, Truth
+
+EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
+MONOTONIC_NS = 0
+
+
+@dataclass(frozen=True)
+class SimulateOptions:
+    """What to simulate. ``motion`` is a recording's path, or empty for random postures."""
+
+    glove: str = library.DEFAULT_GLOVE
+    hand: str = ""
+    motion: str = ""
+    seed: int = 0
+    duration: float = 60.0
+    fps: float = 60.0
+    pictures: bool = True
+    jpeg_quality: int = 90
+
+
+def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
+    """The simulation and what its session is about.
+
+    Raises ConfigError for impossible numbers, FileError for missing files.
+    """
+    if not 1.0 <= options.duration <= 36_000:
+        raise ConfigError("The duration must lie between 1 s and 10 h.")
+    if not 5 <= options.fps <= 240:
+        raise ConfigError("The frame rate must lie between 5 and 240 a second.")
+    hand_text, glove_text = library.texts(options.glove, options.hand or None)
+    info = describe(
+        hand_text,
+        glove_text,
+        ClockAnchor(EPOCH_NS, MONOTONIC_NS),
+        colours_text=library.text("colours", library.DEFAULT_COLOURS),
+        simulated=True,
+        notes=f"seed {options.seed}, motion {Path(options.motion).name or 'random postures'}",
+    )
+    motion = _motion(options, info)
+    sim = Simulation(info.hand, info.glove, motion, options.seed, fps=options.fps)
+    return sim, replace(info, rig=sim.rig)
+
+
+def _motion(options: SimulateOptions, info: SessionInfo) -> Motion:
+    if not options.motion:
+        return RandomPostures(info.hand, options.seed, duration=options.duration)
+    from tracker.simulation.recorded import load_motion
+
+    return load_motion(Path(options.motion), info.hand)
+
+
+def simulate(
+    out: Path, options: SimulateOptions, progress: Callable[[float], None] = lambda share: None
+) -> SessionInfo:
+    """Write a simulated session with its truth; ``progress`` hears the share that is done."""
+    sim, info = build(options)
+    pictures = "jpeg" if options.pictures else "none"
+    params = RecorderParams(pictures=pictures, jpeg_quality=options.jpeg_quality, sync=False)
+    end = min(sim.duration, options.duration)
+    with SessionRecorder(out, info, params) as recorder:
+        for message in sim.feed(images=options.pictures):
+            if message.t > end:
+                break
+            recorder.write(message)
+            if isinstance(message, ImuSample):
+                recorder.write_truth(truth_message(message.t, sim.truth(message.t), info))
+            if isinstance(message, StereoFrame) or message.t % 1.0 < 0.01:
+                progress(message.t / end)
+    return info
+
+
+def truth_message(t: float, truth: Truth, info: SessionInfo) -> Estimate:
+    """The true hand in the form of an estimate: everything measured."""
+    k, j = len(truth.keypoints), len(truth.angles)
+    q = so3.quat_from_matrix(truth.R_GB)[info.glove.keypoint_segments(info.hand)]
+    return Estimate(
+        t=t,
+        tracking=Tracking.TRACKING,
+        keypoints=truth.keypoints.copy(),
+        keypoint_q=q,
+        keypoint_state=np.full(k, int(Validity.MEASURED), np.int64),
+        keypoint_sd=np.zeros(k),
+        angles=truth.angles.copy(),
+        angle_state=np.full(j, int(Validity.MEASURED), np.int64),
+        segment_R=truth.R_GB.copy(),
+        segment_p=truth.p_GB.copy(),
+    )

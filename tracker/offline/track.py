@@ -1,0 +1,239 @@
+"""``glovetrack track``: a recorded session through the pipeline again."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from tracker import library
+from tracker.config import from_toml, to_toml
+from tracker.errors import FileError
+from tracker.messages import (
+    BlobFrame,
+    Estimate,
+    ImuSample,
+    StereoFrame,
+    Tracking,
+)
+from tracker.pipeline import Pipeline
+from tracker.session.description import COLOURS, SETTINGS, SessionInfo
+from tracker.session.reader import SessionReader
+from tracker.session.writer import RecorderParams, SessionRecorder
+from tracker.settings import Settings
+from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.detector import Detector, DetectorParams, detect_frame
+
+CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
+KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
+
+
+@dataclass(frozen=True)
+class TrackOptions:
+    """Names or paths; empty takes what the session holds."""
+
+    engine: str = ""
+    hand: str = ""
+    glove: str = ""
+    colours: str = ""
+    with_sensors: bool = False
+
+
+@dataclass(eq=False)
+class TrackReport:
+    """What came of it; ``error_mm`` is filled where the session holds the truth."""
+
+    duration_s: float = 0.0
+    wall_s: float = 0.0
+    estimates: int = 0
+    frames: int = 0
+    losses: dict[str, int] = field(default_factory=dict)
+    lost_s: float = 0.0
+    error_mm: dict[str, float] = field(default_factory=dict)
+
+    def to_json(self) -> dict[str, object]:
+        out = dict(vars(self))
+        if not self.error_mm:
+            del out["error_mm"]
+        return out
+
+
+def track(
+    source: Path,
+    out: Path,
+    options: TrackOptions | None = None,
+    progress: Callable[[float], None] = lambda share: None,
+) -> TrackReport:
+    """Track ``source`` again into the new file ``out``.
+
+    Raises FileError for a session that lacks what tracking needs.
+    """
+    options = options or TrackOptions()
+    started = time.perf_counter()
+    with SessionReader(source) as reader:
+        info, settings = _described(reader, options)
+        assert info.rig is not None
+        pipeline = Pipeline(info.hand, info.glove, info.rig, settings)
+        with SessionRecorder(out, _output_info(info, settings, source), _PARAMS) as recorder:
+            run = _Run(pipeline, recorder, options.with_sensors)
+            span = max(reader.duration, 1e-9)
+            first: float | None = None
+            for message in _messages(reader, info, options):
+                run.feed(message)
+                first = message.t if first is None else first
+                progress(min((message.t - first) / span, 1.0))
+            run.finish()
+        report = run.report
+        report.error_mm = _errors(reader, info, run.shown)
+    report.wall_s = time.perf_counter() - started
+    return report
+
+
+_PARAMS = RecorderParams(sync=False)
+
+
+def _described(reader: SessionReader, options: TrackOptions) -> tuple[SessionInfo, Settings]:
+    """What to track with: the session's own models unless others are named."""
+    hand = library.text("hands", options.hand) if options.hand else None
+    glove = library.text("gloves", options.glove) if options.glove else None
+    colours = library.text("colours", options.colours) if options.colours else None
+    info = reader.info_with(hand_text=hand, glove_text=glove, colours_text=colours)
+    if info.rig is None:
+        raise FileError(f"{reader.path} holds no camera calibration (camera_info).")
+    text = info.settings_text
+    settings = from_toml(Settings, text, SETTINGS) if text else Settings(engine=info.engine)
+    if options.engine:
+        settings = replace(settings, engine=options.engine)
+    return info, settings
+
+
+def _output_info(info: SessionInfo, settings: Settings, source: Path) -> SessionInfo:
+    extra = {"source": source.name, "source_sha256": _sha256(source)}
+    return replace(
+        info, engine=settings.engine, settings_text=to_toml(settings), extra={**info.extra, **extra}
+    )
+
+
+def _sha256(path: Path) -> str:
+    digest = hashlib.sha256()
+    with path.open("rb") as file:
+        while block := file.read(1 << 20):
+            digest.update(block)
+    return digest.hexdigest()
+
+
+Input = ImuSample | BlobFrame | StereoFrame
+
+
+def _messages(
+    reader: SessionReader, info: SessionInfo, options: TrackOptions
+) -> Iterator[ImuSample | BlobFrame]:
+    """Packets and blobs in the order of the live run.
+
+    Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
+    there are none, the pictures are searched.
+    """
+    if reader.has_blobs and not options.colours:
+        yield from reader.inputs(pictures=False)
+        return
+    if not reader.has_pictures:
+        raise FileError(f"{reader.path} holds no pictures, so other colours cannot be tried on it.")
+    detector = make_detector(profile_of(info), info)
+    for message in reader.inputs(pictures=True):
+        if isinstance(message, StereoFrame):
+            yield detect_frame(detector, message)
+        elif isinstance(message, ImuSample):
+            yield message
+
+
+def profile_of(info: SessionInfo) -> ColourProfile:
+    """The session's colour profile; the default one where it brings none."""
+    text = info.colours_text or library.text("colours", library.DEFAULT_COLOURS)
+    return parse_profile(text, COLOURS)
+
+
+def make_detector(profile: ColourProfile, info: SessionInfo) -> Detector:
+    """A detector for the session's glove and camera."""
+    assert info.rig is not None
+    size = float(np.median(info.glove.marker_size)) if info.glove.markers else 0.012
+    return Detector(profile, marker_size=size, fx=info.rig.fx, params=DetectorParams())
+
+
+class _Run:
+    """Feeds a pipeline and writes what comes out."""
+
+    def __init__(self, pipeline: Pipeline, recorder: SessionRecorder, with_sensors: bool) -> None:
+        self._pipeline, self._recorder, self._with_sensors = pipeline, recorder, with_sensors
+        self.report = TrackReport()
+        self.shown: list[Estimate] = []
+        self._last_imu: ImuSample | None = None
+        self._next_calibration = -np.inf
+        self._first = self._last = np.nan
+
+    def feed(self, message: ImuSample | BlobFrame) -> None:
+        if self._with_sensors:
+            self._recorder.write(message)
+        if isinstance(message, BlobFrame):
+            self._pipeline.feed_frame(message)
+            self.report.frames += 1
+        else:
+            self._feed_imu(message)
+        self._pipeline.take_results()
+
+    def _feed_imu(self, sample: ImuSample) -> None:
+        estimate = self._pipeline.feed_imu(sample)
+        self._recorder.write(estimate)
+        self.shown.append(estimate)
+        self._count(sample, estimate)
+        if sample.t >= self._next_calibration:
+            self._next_calibration = sample.t + CALIBRATION_PERIOD
+            if estimate.tracking != Tracking.SEARCHING:
+                self._recorder.write(self._pipeline.calibration())
+
+    def _count(self, sample: ImuSample, estimate: Estimate) -> None:
+        r, last = self.report, self._last_imu
+        r.estimates += 1
+        if last is None:
+            self._first = sample.t
+        else:
+            gap = sample.t - last.t
+            if estimate.tracking in (Tracking.SEARCHING, Tracking.LOST):
+                r.lost_s += gap
+            if sample.seq >= 0 and last.seq >= 0 and sample.seq > last.seq + 1:
+                missing = sample.seq - last.seq - 1
+                r.losses["imu_packets"] = r.losses.get("imu_packets", 0) + missing
+        silent = int(np.sum(~np.asarray(sample.valid)))
+        if silent:
+            r.losses["imu_readings"] = r.losses.get("imu_readings", 0) + silent
+        self._last_imu, self._last = sample, sample.t
+
+    def finish(self) -> None:
+        if self.report.estimates:
+            self.report.duration_s = float(self._last - self._first)
+            self._recorder.write(self._pipeline.calibration())
+
+
+def _errors(reader: SessionReader, info: SessionInfo, shown: list[Estimate]) -> dict[str, float]:
+    """Mean error in mm of the four keypoints against the session's truth, if it has one."""
+    truth = {round(e.t * 1e6): e.keypoints for e in reader.truth()}
+    names = list(info.keypoint_names)
+    wanted = [k for k in KEYPOINTS if k in names]
+    rows = [names.index(k) for k in wanted]
+    pairs = [
+        (e.keypoints[rows], truth[key][rows]) for e in shown if (key := round(e.t * 1e6)) in truth
+    ]
+    if not pairs:
+        return {}
+    distance_mm = 1e3 * np.array([np.linalg.norm(a - b, axis=1) for a, b in pairs])
+    seen = distance_mm[np.isfinite(distance_mm).all(axis=1)]
+    if len(seen) == 0:
+        return {}
+    out = {k: float(v) for k, v in zip(wanted, seen.mean(axis=0), strict=True)}
+    out["mean"] = float(seen.mean())
+    out["pck20"] = float((seen.max(axis=1) < 20).mean())
+    out["tracked_share"] = len(seen) / len(distance_mm)
+    return out
