@@ -1,0 +1,59 @@
+"""Every command of the window, once: menus, tool bar, shortcuts and the palette read this."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QMainWindow, QMenu
+
+
+@dataclass(frozen=True)
+class Command:
+    """``menu`` is its translated title; ``key`` stable for tests."""
+
+    key: str
+    menu: str
+    text: str
+    run: Callable[[], None]
+    shortcut: str = ""
+    checkable: bool = False
+    separator: bool = False  # before it
+
+
+class Commands:
+    """Makes and keeps the actions."""
+
+    def __init__(self, window: QMainWindow) -> None:
+        self._window = window
+        self._menus: dict[str, QMenu] = {}
+        self.actions: dict[str, QAction] = {}
+
+    def menu(self, title: str) -> QMenu:
+        if title not in self._menus:
+            self._menus[title] = self._window.menuBar().addMenu(title)
+        return self._menus[title]
+
+    def add(self, command: Command) -> QAction:
+        action = QAction(command.text, self._window)
+        action.setCheckable(command.checkable)
+        if command.shortcut:
+            action.setShortcut(QKeySequence(command.shortcut))
+            action.setShortcutContext(Qt.ShortcutContext.WindowShortcut)
+        action.triggered.connect(lambda _checked=False: command.run())
+        menu = self.menu(command.menu)
+        if command.separator:
+            menu.addSeparator()
+        menu.addAction(action)
+        self.actions[command.key] = action
+        return action
+
+    def adopt(self, key: str, menu: str, action: QAction) -> None:
+        """List an action that something else made (a dock's toggle)."""
+        self.menu(menu).addAction(action)
+        self.actions[key] = action
+
+    def enable(self, key: str, on: bool) -> None:
+        self.actions[key].setEnabled(on)

@@ -1,0 +1,82 @@
+"""What happened to devices and tracking, in plain words."""
+
+from __future__ import annotations
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.panels.panel import Panel
+from app.session import Session
+from app.viewmodels.log import KINDS, Log
+from tracker.messages import Event
+
+
+class LogPanel(Panel):
+    name = "log"
+    period = 1.0
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(session, parent)
+        self.model = Log()
+        self.kind = QComboBox()
+        self.kind.addItem(self.tr("Everything"), "")
+        for kind, look in KINDS.items():
+            self.kind.addItem(f"{look.sign}  {look.word}", kind)
+        self.kind.currentIndexChanged.connect(self._rebuild)
+        self.search = QLineEdit()
+        self.search.setPlaceholderText(self.tr("Filter"))
+        self.search.setClearButtonEnabled(True)
+        self.search.textChanged.connect(self._rebuild)
+        copy = QPushButton(self.tr("Copy"))
+        copy.clicked.connect(self.copy)
+        self.list = QListWidget()
+        self.list.setUniformItemSizes(True)
+        self.list.setAlternatingRowColors(True)
+        row = QHBoxLayout()
+        row.addWidget(self.kind)
+        row.addWidget(self.search, 1)
+        row.addWidget(copy)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(6, 6, 6, 6)
+        column.addLayout(row)
+        column.addWidget(self.list, 1)
+        session.event.connect(self.add)
+        session.error.connect(lambda text: self.add(Event(0.0, "error", text)))
+
+    def title(self) -> str:
+        return self.tr("Log")
+
+    def add(self, event: Event) -> None:
+        entry = self.model.add(event)
+        if self.model.shows(entry, self._kind(), self.search.text()):
+            self._append(entry.line, entry.colour)
+            self.list.scrollToBottom()
+
+    def _append(self, line: str, colour: str) -> None:
+        item = QListWidgetItem(line)
+        item.setToolTip(line)
+        self.list.addItem(item)
+        while self.list.count() > self.model.capacity:
+            self.list.takeItem(0)
+
+    def _kind(self) -> str:
+        return str(self.kind.currentData() or "")
+
+    def _rebuild(self) -> None:
+        self.list.clear()
+        for entry in self.model.entries(self._kind(), self.search.text()):
+            self._append(entry.line, entry.colour)
+
+    def copy(self) -> None:
+        """What is shown now, as text, to the clipboard."""
+        entries = self.model.entries(self._kind(), self.search.text())
+        QGuiApplication.clipboard().setText("\n".join(e.line for e in entries))

@@ -1,0 +1,185 @@
+"""Recording: who and what, the file, its growth and the room left."""
+
+from __future__ import annotations
+
+import time
+from datetime import datetime
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engine import RecordingRequest
+from app.panels.panel import Panel
+from app.session import Session
+from app.settings import SettingsStore, sessions_folder
+from app.viewmodels.recording import (
+    RateMeter,
+    automatic_path,
+    disk,
+    duration_text,
+    free_bytes,
+    size_text,
+)
+from app.viewmodels.snapshot import Snapshot
+
+
+class RecordingPanel(Panel):
+    name = "recording"
+    period = 0.5
+
+    def __init__(
+        self, session: Session, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(session, parent)
+        self._store = store
+        self._rate = RateMeter()
+        self._started = 0.0
+        column = QVBoxLayout(self)
+        column.setContentsMargins(12, 12, 12, 12)
+        column.setSpacing(12)
+        column.addLayout(self._form())
+        column.addLayout(self._buttons())
+        column.addLayout(self._figures())
+        column.addStretch(1)
+        session.recording_changed.connect(self._recording_changed)
+        session.running_changed.connect(lambda _on: self._enable())
+        self._enable()
+
+    def title(self) -> str:
+        return self.tr("Recording")
+
+    def _form(self) -> QFormLayout:
+        settings = self._store.value
+        self.participant = QLineEdit(settings.participant)
+        self.participant.setPlaceholderText(self.tr("for example P01"))
+        self.task = QLineEdit(settings.task)
+        self.task.setPlaceholderText(self.tr("for example pinch"))
+        self.folder = QLineEdit(str(sessions_folder(settings)))
+        self.folder.setReadOnly(True)
+        choose = QPushButton(self.tr("Change…"))
+        choose.clicked.connect(self._choose_folder)
+        row = QHBoxLayout()
+        row.addWidget(self.folder, 1)
+        row.addWidget(choose)
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.ExpandingFieldsGrow)
+        form.addRow(self.tr("Participant"), self.participant)
+        form.addRow(self.tr("Task"), self.task)
+        form.addRow(self.tr("Folder"), row)
+        return form
+
+    def _buttons(self) -> QHBoxLayout:
+        self.record_button = QPushButton(self.tr("Record"))
+        self.record_button.setProperty("role", "primary")
+        self.record_button.clicked.connect(self.toggle)
+        self.pause_button = QPushButton(self.tr("Pause"))
+        self.pause_button.setCheckable(True)
+        self.pause_button.clicked.connect(self.session.pause)
+        self.note_text = QLineEdit()
+        self.note_text.setPlaceholderText(self.tr("Note (Enter adds it)"))
+        self.note_text.returnPressed.connect(self._note)
+        row = QHBoxLayout()
+        row.addWidget(self.record_button)
+        row.addWidget(self.pause_button)
+        row.addWidget(self.note_text, 1)
+        return row
+
+    def _figures(self) -> QFormLayout:
+        self.file_label = QLabel("–")
+        self.file_label.setWordWrap(True)
+        self.time_label = QLabel("–")
+        self.size_label = QLabel("–")
+        self.disk_label = QLabel("–")
+        self.warning = QLabel()
+        self.warning.setProperty("role", "warning")
+        self.warning.hide()
+        form = QFormLayout()
+        form.addRow(self.tr("File"), self.file_label)
+        form.addRow(self.tr("Time"), self.time_label)
+        form.addRow(self.tr("Size"), self.size_label)
+        form.addRow(self.tr("Disk"), self.disk_label)
+        form.addRow(self.warning)
+        return form
+
+    # --- what the user does
+
+    def toggle(self) -> None:
+        """Begin a file, or end it."""
+        if self.session.recording is not None:
+            self.session.stop_recording()
+            return
+        folder = Path(self.folder.text())
+        participant, task = self.participant.text().strip(), self.task.text().strip()
+        self._store.update(participant=participant, task=task)
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            self.session.error.emit(
+                self.tr("Nothing can be recorded to {}: {}.").format(folder, reason)
+            )
+            return
+        path = automatic_path(folder, participant, task, datetime.now())
+        self.session.record(RecordingRequest(path, participant, task))
+
+    def _choose_folder(self) -> None:
+        folder = QFileDialog.getExistingDirectory(
+            self, self.tr("Folder for recordings"), self.folder.text()
+        )
+        if folder:
+            self.set_folder(Path(folder))
+
+    def set_folder(self, folder: Path) -> None:
+        self.folder.setText(str(folder))
+        self._store.update(sessions_folder=str(folder))
+
+    def _note(self) -> None:
+        text = self.note_text.text().strip()
+        if text:
+            self.session.note(text)
+            self.note_text.clear()
+
+    # --- what it shows
+
+    def _recording_changed(self, on: bool) -> None:
+        if on and not self.session.paused:
+            self._started = self._started or time.monotonic()
+        if not on:
+            self._started = 0.0
+            self._rate = RateMeter()
+        self._enable()
+
+    def _enable(self) -> None:
+        recording = self.session.recording is not None
+        self.record_button.setText(self.tr("Stop") if recording else self.tr("Record"))
+        self.record_button.setEnabled(self.session.running)
+        self.pause_button.setEnabled(recording)
+        self.pause_button.setChecked(self.session.paused and recording)
+        for field in (self.participant, self.task):
+            field.setEnabled(not recording)
+
+    def refresh(self, view: Snapshot | None) -> None:
+        request = self.session.recording
+        rate = 0.0
+        if request is not None:
+            size = request.path.stat().st_size if request.path.exists() else 0
+            now = time.monotonic()
+            rate = self._rate.add(now, size)
+            self.file_label.setText(request.path.name)
+            self.time_label.setText(duration_text(now - self._started))
+            self.size_label.setText(f"{size_text(size)}  ({size_text(rate)}/s)")
+        room = disk(free_bytes(Path(self.folder.text())), rate)
+        self.disk_label.setText(room.text)
+        self.warning.setText(room.warning)
+        self.warning.setVisible(bool(room.warning))
+        if room.full and request is not None:
+            self.session.stop_recording()

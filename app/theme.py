@@ -1,0 +1,114 @@
+"""Light and dark: Qt's Fusion style with a palette of ours and a few lines of style sheet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QApplication
+
+THEMES = ("system", "light", "dark")
+
+
+@dataclass(frozen=True)
+class Colours:
+    """The colours of one theme; text on window and on base has a contrast of 7 or more."""
+
+    window: str
+    base: str
+    raised: str
+    border: str
+    text: str
+    faint: str  # secondary text, contrast 4.5 or more
+    accent: str
+    on_accent: str
+    scene: str  # background of the 3D view
+
+
+LIGHT = Colours(
+    "#F3F4F6", "#FFFFFF", "#E7E9ED", "#CBD0D7", "#1C2127", "#59626D", "#0B63B0", "#FFFFFF", "#E9EDF2"
+)
+DARK = Colours(
+    "#1E2227", "#16191D", "#2A2F36", "#3D444D", "#E8EBEE", "#A3ACB7", "#4FA3E3", "#0B1116", "#181C21"
+)
+
+
+def is_dark(theme: str) -> bool:
+    """Whether ``theme`` means dark now; "system" asks the desktop."""
+    if theme == "system":
+        app = QApplication.instance()
+        assert isinstance(app, QApplication)
+        return app.styleHints().colorScheme() == Qt.ColorScheme.Dark
+    return theme == "dark"
+
+
+def colours(theme: str) -> Colours:
+    return DARK if is_dark(theme) else LIGHT
+
+
+def apply(app: QApplication, theme: str) -> Colours:
+    """Dress the whole application; returns what it wears now."""
+    c = colours(theme)
+    app.setStyle("Fusion")
+    app.setPalette(_palette(c))
+    app.setStyleSheet(_style_sheet(c))
+    return c
+
+
+def _palette(c: Colours) -> QPalette:
+    palette = QPalette()
+    roles = {
+        QPalette.ColorRole.Window: c.window,
+        QPalette.ColorRole.WindowText: c.text,
+        QPalette.ColorRole.Base: c.base,
+        QPalette.ColorRole.AlternateBase: c.window,
+        QPalette.ColorRole.Text: c.text,
+        QPalette.ColorRole.Button: c.raised,
+        QPalette.ColorRole.ButtonText: c.text,
+        QPalette.ColorRole.ToolTipBase: c.raised,
+        QPalette.ColorRole.ToolTipText: c.text,
+        QPalette.ColorRole.PlaceholderText: c.faint,
+        QPalette.ColorRole.Highlight: c.accent,
+        QPalette.ColorRole.HighlightedText: c.on_accent,
+        QPalette.ColorRole.Link: c.accent,
+        QPalette.ColorRole.Accent: c.accent,
+        QPalette.ColorRole.Mid: c.border,
+    }
+    for role, colour in roles.items():
+        palette.setColor(role, QColor(colour))
+    for role in (QPalette.ColorRole.Text, QPalette.ColorRole.ButtonText):
+        palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(c.faint))
+    palette.setColor(QPalette.ColorGroup.Disabled, QPalette.ColorRole.WindowText, QColor(c.faint))
+    return palette
+
+
+def _style_sheet(c: Colours) -> str:
+    return f"""
+    QMainWindow::separator {{ background: {c.window}; width: 5px; height: 5px; }}
+    QMainWindow::separator:hover {{ background: {c.accent}; }}
+    QDockWidget {{ font-weight: 600; titlebar-close-icon: none; titlebar-normal-icon: none; }}
+    QDockWidget::title {{ background: {c.raised}; padding: 5px 8px; text-align: left; }}
+    QToolBar {{ border: none; border-bottom: 1px solid {c.border}; padding: 4px 6px; spacing: 4px; }}
+    QToolButton {{ padding: 4px 10px; border: 1px solid transparent; border-radius: 4px; }}
+    QToolButton:hover {{ background: {c.raised}; border-color: {c.border}; }}
+    QToolButton:checked {{ background: {c.accent}; color: {c.on_accent}; }}
+    QStatusBar {{ border-top: 1px solid {c.border}; }}
+    QStatusBar::item {{ border: none; }}
+    QLabel[role="faint"] {{ color: {c.faint}; }}
+    QLabel[role="heading"] {{ font-size: 16pt; font-weight: 600; }}
+    QLabel[role="figure"] {{ font-size: 15pt; font-weight: 600; }}
+    QLabel[role="warning"] {{ background: #5A3A00; color: #FFE3B0; padding: 6px 8px;
+        border-radius: 4px; }}
+    QTableView {{ gridline-color: {c.border}; selection-background-color: {c.accent};
+        selection-color: {c.on_accent}; border: 1px solid {c.border}; }}
+    QHeaderView::section {{ background: {c.raised}; padding: 4px 6px; border: none;
+        border-right: 1px solid {c.border}; border-bottom: 1px solid {c.border}; }}
+    QPushButton {{ padding: 5px 14px; }}
+    QPushButton[role="primary"] {{ background: {c.accent}; color: {c.on_accent}; border: none;
+        border-radius: 4px; font-weight: 600; padding: 6px 16px; }}
+    QPushButton[role="primary"]:disabled {{ background: {c.border}; color: {c.faint}; }}
+    QFrame#banner {{ background: #6B2A00; border-radius: 4px; }}
+    QFrame#banner QLabel {{ color: #FFE9DC; }}
+    QFrame#card {{ background: {c.base}; border: 1px solid {c.border}; border-radius: 6px; }}
+    """

@@ -1,0 +1,115 @@
+"""The hand as bodies in space: where each segment is, how it is known, which markers are seen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.engine import EngineSetup
+from app.viewmodels.overlay import VISIBLE
+from app.viewmodels.snapshot import Snapshot
+from tracker.hand.model import HandModel
+from tracker.messages import Array, Estimate, FrameResult, IntArray, Validity
+
+SEEN_LATELY = 0.5
+"""s for which a marker counts as seen after its last match."""
+MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
+
+
+@dataclass(frozen=True, eq=False)
+class HandScene:
+    """What the 3D view draws, all in G.
+
+    segment_R (S, 3, 3), segment_p (S, 3); segment_state (S,) `Validity`; markers (M, 3) m;
+    marker_state (M,); tips (T, 3) m, tip_sd (T,) m; truth (R (S, 3, 3), p (S, 3)) or None;
+    R_GC, p_GC of the camera.
+    """
+
+    segment_R: Array
+    segment_p: Array
+    segment_state: IntArray
+    markers: Array
+    marker_state: IntArray
+    tips: Array
+    tip_sd: Array
+    truth: tuple[Array, Array] | None
+    R_GC: Array
+    p_GC: Array
+    caption: str
+
+
+class HandSceneModel:
+    """Makes a `HandScene` of each snapshot; remembers when each marker was last matched."""
+
+    def __init__(self, setup: EngineSetup) -> None:
+        self._setup = setup
+        names = setup.glove.keypoint_names(setup.hand)
+        self._tip_rows = [i for i, n in enumerate(names) if n.endswith("_tip")]
+        self._marker_segment = setup.glove.marker_segment(setup.hand)
+        self._seen_at = np.full(len(setup.glove.markers), -np.inf)
+        self._last: tuple[Array, Array] | None = None
+
+    def scene(self, view: Snapshot) -> HandScene | None:
+        """None before the first estimate with a pose."""
+        estimate = view.estimate
+        if estimate is None:
+            return None
+        located = bool(np.isfinite(estimate.segment_p).all())
+        if located:
+            self._last = (estimate.segment_R, estimate.segment_p)
+        if self._last is None:
+            return None
+        R, p = self._last
+        pose = view.setup.rig.pose
+        if view.frame is not None and view.frame.pose is not None:
+            pose = view.frame.pose
+        return HandScene(
+            segment_R=R,
+            segment_p=p,
+            segment_state=segment_states(view.setup.hand, estimate, located),
+            markers=self._markers(R, p),
+            marker_state=self._marker_states(view.result, estimate.t),
+            tips=estimate.keypoints[self._tip_rows],
+            tip_sd=estimate.keypoint_sd[self._tip_rows],
+            truth=None if view.truth is None else (view.truth.R_GB, view.truth.p_GB),
+            R_GC=pose.R_GC,
+            p_GC=pose.p_GC,
+            caption="" if located else "Position lost: the hand stands where it was last seen",
+        )
+
+    def _markers(self, R: Array, p: Array) -> Array:
+        """(M, 3) m in G."""
+        seg = self._marker_segment
+        return p[seg] + np.einsum("mij,mj->mi", R[seg], self._setup.glove.marker_position)
+
+    def _marker_states(self, result: FrameResult | None, t: float) -> IntArray:
+        states = np.full(len(self._seen_at), MARKER_NEVER, np.int64)
+        if result is not None:
+            matched = (result.match_left >= 0) | (result.match_right >= 0)
+            self._seen_at[matched] = result.t
+            states[t - self._seen_at < SEEN_LATELY] = MARKER_LATELY
+            states[matched & (result.visible >= 0)] = MARKER_NOW
+        return states
+
+
+def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArray:
+    """(S,) how each segment is known: the worst of its joint's angles; the root's is the wrist's."""
+    out = np.empty(len(hand.segments), np.int64)
+    for i, s in enumerate(hand.segments):
+        columns = [c for c in hand.axis_columns[i] if c >= 0]
+        if not located:
+            out[i] = Validity.LOST
+        elif s.parent is None or not columns:
+            out[i] = estimate.keypoint_state[0]
+        else:
+            out[i] = min(int(estimate.angle_state[c]) for c in columns)
+    return out
+
+
+def visible_count(result: FrameResult | None) -> tuple[int, int]:
+    """Markers matched in any picture, and those expected to be seen."""
+    if result is None:
+        return 0, 0
+    matched = (result.match_left >= 0) | (result.match_right >= 0)
+    return int(matched.sum()), int((result.visible >= VISIBLE).sum())

@@ -1,0 +1,83 @@
+"""A recording on screen: its name, size, rate and how long the disk still holds."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+LOW_BYTES = 5_000_000_000
+STOP_BYTES = 1_000_000_000
+
+
+def automatic_path(folder: Path, participant: str, task: str, now: datetime) -> Path:
+    """A name that says who, what and when, and that no file has yet."""
+    parts = [_slug(participant), _slug(task), now.strftime("%Y-%m-%d_%H-%M-%S")]
+    stem = "_".join(p for p in parts if p)
+    path = folder / f"{stem}.mcap"
+    count = 2
+    while path.exists():
+        path = folder / f"{stem}-{count}.mcap"
+        count += 1
+    return path
+
+
+def _slug(text: str) -> str:
+    """Letters, digits and dashes only: safe on every file system."""
+    return re.sub(r"[^\w-]+", "-", text.strip()).strip("-")
+
+
+def free_bytes(folder: Path) -> int:
+    """Room on the disk that ``folder`` is or will be on."""
+    while not folder.exists() and folder != folder.parent:
+        folder = folder.parent
+    return shutil.disk_usage(folder).free
+
+
+def size_text(size: float) -> str:
+    for unit in ("B", "kB", "MB", "GB"):
+        if size < 1000:
+            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"
+        size /= 1000
+    return f"{size:.1f} TB"
+
+
+def duration_text(seconds: float) -> str:
+    whole = int(seconds)
+    hours, minutes = whole // 3600, whole // 60 % 60
+    return f"{hours}:{minutes:02d}:{whole % 60:02d}" if hours else f"{minutes}:{whole % 60:02d}"
+
+
+@dataclass(frozen=True)
+class Disk:
+    """Room left and what to say about it."""
+
+    text: str
+    warning: str
+    full: bool
+
+
+def disk(free: int, bytes_per_second: float) -> Disk:
+    left = f"{size_text(free)} free"
+    if bytes_per_second > 0:
+        left += f", about {duration_text(max(0, free - STOP_BYTES) / bytes_per_second)} of recording"
+    if free < STOP_BYTES:
+        return Disk(left, "Under 1 GB is left: recording is not possible on this disk.", True)
+    if free < LOW_BYTES:
+        return Disk(left, "Under 5 GB is left on this disk.", False)
+    return Disk(left, "", False)
+
+
+class RateMeter:
+    """Bytes per second of a growing file, over the last few looks."""
+
+    def __init__(self, looks: int = 8) -> None:
+        self._looks: list[tuple[float, int]] = []
+        self._keep = looks
+
+    def add(self, t: float, size: int) -> float:
+        self._looks = [*self._looks, (t, size)][-self._keep :]
+        (t0, size0), (t1, size1) = self._looks[0], self._looks[-1]
+        return (size1 - size0) / (t1 - t0) if t1 > t0 else 0.0

@@ -1,0 +1,69 @@
+"""The status bar: rates, latency, losses and the state of tracking."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, Look
+from tracker.messages import Status
+
+LATENCY_WARN_MS = 60.0
+LATENCY_BAD_MS = 120.0
+
+
+@dataclass(frozen=True)
+class Field:
+    """One figure: what it is called, its text and how well it is."""
+
+    key: str
+    name: str
+    text: str
+    look: Look
+    tip: str
+
+
+def tracking_look(status: Status | None, running: bool) -> Look:
+    if not running or status is None:
+        return Look(IDLE.colour, IDLE.sign, "Stopped")
+    return TRACKING[status.tracking]
+
+
+def fields(status: Status | None) -> list[Field]:
+    """The figures of the bar, in its order."""
+    v = status.values if status is not None else {}
+    return [
+        _rate("imu_rate_hz", "Glove", v, "Packets of the glove each second"),
+        _rate("frame_rate_hz", "Camera", v, "Stereo pictures each second"),
+        _rate("estimate_rate_hz", "Hand", v, "Estimates of the hand each second"),
+        _latency(v),
+        _losses(v),
+    ]
+
+
+def _rate(key: str, name: str, values: dict[str, float], tip: str) -> Field:
+    rate = values.get(key, math.nan)
+    if not math.isfinite(rate):
+        return Field(key, name, "–", IDLE, tip)
+    return Field(key, name, f"{rate:.0f} Hz", GOOD if rate > 0 else BAD, tip)
+
+
+def _latency(values: dict[str, float]) -> Field:
+    tip = "From the exposure of a picture to the estimate made of it: median, 99th percentile"
+    total = values.get("latency_total_ms", math.nan)
+    if not math.isfinite(total):
+        return Field("latency", "Latency", "–", IDLE, tip)
+    worst = values.get("latency_total_ms_p99", values.get("latency_total_p99_ms", math.nan))
+    text = f"{total:.0f} ms" + (f" (99 %: {worst:.0f})" if math.isfinite(worst) else "")
+    look = GOOD if total < LATENCY_WARN_MS else WARN if total < LATENCY_BAD_MS else BAD
+    return Field("latency", "Latency", text, look, tip)
+
+
+def _losses(values: dict[str, float]) -> Field:
+    tip = "Packets of the glove that never arrived; pictures that came faster than they were read"
+    lost, dropped = values.get("imu_lost", math.nan), values.get("frames_dropped", math.nan)
+    if not math.isfinite(lost) and not math.isfinite(dropped):
+        return Field("losses", "Lost", "–", IDLE, tip)
+    lost, dropped = (0.0 if math.isnan(x) else x for x in (lost, dropped))
+    look = BAD if lost > 0 else GOOD
+    return Field("losses", "Lost", f"{lost:.0f} packets, {dropped:.0f} pictures", look, tip)

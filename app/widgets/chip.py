@@ -1,0 +1,32 @@
+"""A sign, a name and a figure in a row."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+
+
+class Chip(QWidget):
+    """``● Glove 100 Hz``: the sign carries the state by colour and by shape."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._sign, self._text = QLabel(), QLabel()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(6, 0, 6, 0)
+        row.setSpacing(5)
+        row.addWidget(self._sign)
+        row.addWidget(self._text)
+        self._shown = ("", "", "")
+
+    def show_state(self, colour: str, sign: str, text: str, tip: str = "") -> None:
+        if (colour, sign, text) == self._shown:
+            return  # a label repaints even when nothing changes
+        self._shown = (colour, sign, text)
+        self._sign.setText(sign)
+        self._sign.setStyleSheet(f"color: {colour}")
+        self._text.setText(text)
+        self.setToolTip(tip)
+        self.setAccessibleName(text)
+
+    def text(self) -> str:
+        return self._text.text()
