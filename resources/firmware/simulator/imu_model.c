@@ -108,7 +108,7 @@ static void catch_up(imu_model_t *imu, double t)
 void imu_select(imu_model_t *imu, double t)
 {
     imu->now = t;
-    imu->addressed = false;
+    imu->addressed = imu->gave_data = false;
     if (t >= imu->busy_until)
         catch_up(imu, t);
 }
@@ -131,8 +131,10 @@ static void check_clock(imu_model_t *imu, double hz)
 static uint8_t read_register(imu_model_t *imu)
 {
     uint8_t value = imu->registers[imu->address];
-    if (imu->address == INT_STATUS)
+    if (imu->address == INT_STATUS) {
         imu->registers[INT_STATUS] = 0; /* reading it clears it */
+        imu->gave_data = true;
+    }
     return value;
 }
 

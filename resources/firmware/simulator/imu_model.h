@@ -21,6 +21,7 @@ typedef struct {
     int64_t sample;       /* number of the last internal sample */
     uint8_t address;      /* next one of the transaction */
     bool reading, addressed;
+    bool gave_data;       /* the transaction has read a sample */
 } imu_model_t;
 
 void imu_init(imu_model_t *imu, int number, const motion_t *motion);

@@ -61,8 +61,7 @@ static bool parse_options(options_t *options, int argc, char **argv)
 /* simavr calls it instead of sleeping: time is paced elsewhere. */
 static void on_sleep(avr_t *avr, avr_cycle_count_t cycles)
 {
-    (void)avr;
-    asleep += cycles;
+    (void)avr, (void)cycles;
 }
 
 /* simavr's own chatter would go to standard output, among the lines meant for the caller. */
@@ -109,7 +108,11 @@ static bool run_step(avr_t *avr)
 {
     avr_cycle_count_t end = avr->cycle + avr->frequency * STEP_S;
     while (avr->cycle < end) {
+        avr_cycle_count_t before = avr->cycle;
+        int slept = avr->state == cpu_Sleeping;
         int state = avr_run(avr);
+        if (slept)
+            asleep += avr->cycle - before;
         if (state == cpu_Done || state == cpu_Crashed)
             return false;
     }

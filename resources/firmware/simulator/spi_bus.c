@@ -59,16 +59,18 @@ static uint8_t on_read(avr_t *avr, avr_io_addr_t address, void *param)
     return bus->received;
 }
 
-static void note_round(spi_bus_t *bus, int i, int selecting)
+/* Called when chip i is released: how long a reading of all IMUs takes. */
+static void note_round(spi_bus_t *bus, int i)
 {
-    avr_cycle_count_t now = bus->avr->cycle;
-    if (i == 0 && selecting)
-        bus->round = now;
-    if (i == LAST && !selecting && bus->round) {
-        if (now - bus->round > bus->round_max)
-            bus->round_max = now - bus->round;
-        bus->round = 0;
-    }
+    if (!bus->imu[i].gave_data)
+        return;
+    if (i == 0)
+        bus->first = (avr_cycle_count_t)(bus->imu[0].now * bus->avr->frequency);
+    if (i != LAST || !bus->first)
+        return;
+    if (bus->avr->cycle - bus->first > bus->round_max)
+        bus->round_max = bus->avr->cycle - bus->first;
+    bus->first = 0;
 }
 
 static void on_chip_select(spi_bus_t *bus, int i, uint16_t ddr, int bit, uint32_t level)
@@ -78,9 +80,10 @@ static void on_chip_select(spi_bus_t *bus, int i, uint16_t ddr, int bit, uint32_
     if (selecting == was)
         return;
     bus->selected ^= 1u << i;
-    note_round(bus, i, selecting);
     if (selecting)
         imu_select(&bus->imu[i], bus_time(bus->avr));
+    else
+        note_round(bus, i);
 }
 
 static void on_port_c(avr_irq_t *irq, uint32_t level, void *param)

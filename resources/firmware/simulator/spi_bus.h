@@ -14,8 +14,8 @@ typedef struct {
     unsigned selected; /* bit per IMU */
     uint8_t sent, received;
     unsigned conflicts;          /* transfers with two chips selected at once */
-    avr_cycle_count_t round;     /* when IMU 0 was last selected */
-    avr_cycle_count_t round_max; /* longest time from that to the release of the last IMU */
+    avr_cycle_count_t first;     /* when IMU 0 began to give its sample; 0: it did not */
+    avr_cycle_count_t round_max; /* longest time from that to the end of the last IMU's sample */
 } spi_bus_t;
 
 void bus_attach(spi_bus_t *bus, avr_t *avr, const motion_t *motion);

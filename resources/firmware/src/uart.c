@@ -35,9 +35,9 @@ ISR(USART_RX_vect)
 
 void uart_init(void)
 {
-    UBRR0 = DIVIDER;
-    UCSR0A = _BV(U2X0);
+    UCSR0A = _BV(U2X0); /* before the divider: simavr takes the speed when that is written */
     UCSR0C = _BV(UCSZ01) | _BV(UCSZ00);
+    UBRR0 = DIVIDER;
     UCSR0B = _BV(RXCIE0) | _BV(RXEN0) | _BV(TXEN0);
 }
 

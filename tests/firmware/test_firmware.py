@@ -1,0 +1,250 @@
+"""The glove's firmware, run on a simulated chip with simulated IMUs, against its protocol."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from glove_oracle import (
+    ASK_HELLO,
+    ERROR,
+    HAPTIC,
+    HELLO,
+    IMUS,
+    NO_READING,
+    RATE,
+    SAMPLE_BYTES,
+    SAMPLES,
+    START,
+    STATUS,
+    STOP,
+    encode,
+    samples,
+    simulated_glove,
+)
+from numpy.typing import NDArray
+
+GRAVITY = 9.80665
+ACCEL_LSB = 16 * GRAVITY / 32768  # of the ranges that HELLO tells
+GYRO_LSB = np.radians(2000) / 32768
+INNER_PERIOD_S = 0.001  # an MPU-9250 makes a new sample that often
+RAMP_S = 20.0
+
+
+def ramps() -> NDArray[np.float64]:
+    """(7, 6) m/s² and rad/s after RAMP_S of a straight rise from 0: every one another value."""
+    share = (1 + np.arange(IMUS * 6).reshape(IMUS, 6)) / (IMUS * 6 + 1)
+    sign = np.where(np.arange(IMUS * 6).reshape(IMUS, 6) % 2, -1, 1)
+    return sign * share * np.array([15 * GRAVITY] * 3 + [np.radians(1900)] * 3)
+
+
+@pytest.fixture
+def ramp_file(tmp_path: Path) -> Path:
+    path = tmp_path / "ramp.txt"
+    np.savetxt(path, [[0.0] * 43, [RAMP_S, *ramps().ravel()]])
+    return path
+
+
+def test_says_hello_each_second_and_nothing_else_until_start(build: Path) -> None:
+    with simulated_glove(build) as glove:
+        first = glove.wait_for(HELLO, 4)[0]
+        report = glove.stop()
+    assert {f.kind for f in glove.frames} == {HELLO}
+    assert first.numbers == (1, 1, 0, 0, 7, IMUS, 2000, 16, 100, 3)
+    # Start-up and self-test take half a second, then one a second.
+    assert 3 < report["simulated_s"] < 4.5
+
+
+def test_samples_carry_what_each_imu_felt_when_it_felt_it(build: Path, ramp_file: Path) -> None:
+    with simulated_glove(build, motion=ramp_file) as glove:
+        glove.start()
+        seq, t_us, raw = samples(glove.wait_for(SAMPLES, 200))
+    assert np.array_equal(seq, np.arange(200))
+    assert np.all(np.diff(t_us) == 10_000)
+    lsb = np.array([ACCEL_LSB] * 3 + [GYRO_LSB] * 3)
+    felt = raw * lsb
+    # Read back as times, the ramps tell when each IMU was read: after the instant in t_us by no
+    # more than a round over all IMUs takes, and the chip's newest sample is at most 1 ms old.
+    late = felt / ramps() * RAMP_S - 1e-6 * t_us[:, None, None]
+    rounding = lsb / np.abs(ramps()) * RAMP_S
+    assert np.all(late < 0.001 + rounding)
+    assert np.all(late > -INNER_PERIOD_S - rounding)
+
+
+@pytest.mark.parametrize(("baud", "rate_hz"), [(250_000, 100), (250_000, 200), (115_200, 100)])
+def test_the_line_and_the_chip_keep_up(
+    build_firmware: Callable[[int], Path],
+    record_property: Callable[[str, object], None],
+    baud: int,
+    rate_hz: int,
+) -> None:
+    with simulated_glove(build_firmware(baud)) as glove:
+        glove.wait_for(HELLO)
+        glove.send(RATE, "H", rate_hz)
+        glove.send(START)
+        glove.wait_for(SAMPLES)
+        start = len(glove.raw)
+        seq, t_us, _ = samples(glove.wait_for(SAMPLES, 2 * rate_hz))
+        report = glove.stop()
+    bytes_per_s = (len(glove.raw) - start) / 2
+    record_property("bytes_per_s", bytes_per_s)
+    record_property("awake", report["awake"])
+    assert np.all(np.diff(seq) == 1), "samples were dropped"
+    assert np.all(np.diff(t_us) == 1_000_000 // rate_hz)
+    assert SAMPLE_BYTES * rate_hz <= bytes_per_s * 1.02 < 0.95 * baud / 10
+    assert glove.of(STATUS)[-1].numbers[3] == 0
+    assert report["round_us"] < 1000
+    assert report["awake"] < 0.7
+
+
+def test_115200_baud_refuses_200_hz(build_firmware: Callable[[int], Path]) -> None:
+    with simulated_glove(build_firmware(115_200)) as glove:
+        glove.start()
+        glove.send(RATE, "H", 200)
+        assert "250000 baud" in glove.wait_for(ERROR)[0].text
+        _, t_us, _ = samples(glove.wait_for(SAMPLES, 20))
+    assert np.all(np.diff(t_us) == 10_000)
+
+
+def test_a_new_rate_acts_at_once_and_is_told(build: Path) -> None:
+    with simulated_glove(build) as glove:
+        glove.start()
+        glove.wait_for(SAMPLES, 5)
+        glove.send(RATE, "H", 50)
+        glove.send(RATE, "H", 37)
+        glove.wait_for(ERROR)
+        glove.send(ASK_HELLO)
+        told = glove.wait_for(HELLO)[0]
+        glove.wait_for(SAMPLES, 20)
+    _, t_us, _ = samples(glove.of(SAMPLES))
+    steps = np.diff(t_us)
+    slow = int(np.argmax(steps != 10_000))
+    assert told.numbers[8] == 50
+    assert 10_000 < steps[slow] <= 30_000  # part of the old period, then a whole new one
+    assert np.all(steps[slow + 1 :] == 20_000)
+    assert [f.text for f in glove.of(ERROR)] == ["rate must be 50, 100 or 200 Hz"]
+
+
+def test_status_each_second_tells_battery_temperature_and_imus(build: Path) -> None:
+    with simulated_glove(build, "0:battery 3700") as glove:
+        glove.start()
+        glove.wait_for(SAMPLES, 310)
+    status = [f.numbers for f in glove.of(STATUS)]
+    assert len(status) == 4  # one at once, then one a second
+    battery_mV, temperature_cC, imu_ok, dropped = status[-1]
+    assert abs(battery_mV - 3700) <= 8  # two steps of the converter
+    assert abs(temperature_cC - 3100) <= 2
+    assert (imu_ok, dropped) == (0b1111111, 0)
+
+
+def test_stop_ends_the_samples(build: Path) -> None:
+    with simulated_glove(build) as glove:
+        glove.start()
+        glove.wait_for(SAMPLES, 10)
+        glove.send(STOP)
+        glove.wait_for(HELLO, 2)
+        after = [f.kind for f in glove.frames]
+    assert set(after[-1 - after[::-1].index(SAMPLES) + 1 :]) == {HELLO}
+
+
+def test_damaged_commands_are_not_obeyed(build: Path) -> None:
+    good = encode(START)
+    wrong_crc = good[:2] + bytes([good[2] ^ 1]) + good[3:]
+    too_long = encode(START, b"\1")
+    with simulated_glove(build) as glove:
+        glove.wait_for(HELLO)
+        for damaged in (wrong_crc, too_long, b"\xff" * 300 + b"\0", good[1:], b"\0\0\5\1\0"):
+            glove.port.write(damaged)
+        glove.wait_for(HELLO, 2)
+        assert not glove.of(SAMPLES)
+        glove.port.write(b"\x82\x03garbage\0" + good)
+        glove.wait_for(SAMPLES)
+
+
+def test_an_absent_imu_is_told_and_never_reads_as_rest(build: Path) -> None:
+    with simulated_glove(build, "0:unplug 3", "2.2:plug 3") as glove:
+        glove.start()
+        glove.wait_for(SAMPLES, 350)
+    assert glove.of(ERROR)[0].text == "no answer from IMU 3"
+    assert glove.of(STATUS)[0].numbers[2] == 0b1110111
+    assert glove.of(STATUS)[-1].numbers[2] == 0b1111111
+    _, _, raw = samples(glove.of(SAMPLES))
+    assert np.all(raw[:100, 3] == NO_READING)
+    assert np.array_equal(raw[-1, 3], [0, 0, 2048, 0, 0, 0])  # at rest, 1 g of ±16 g
+    assert np.all(raw[:, [0, 1, 2, 4, 5, 6], 2] == 2048)
+
+
+def test_no_sample_of_an_imu_that_lost_its_settings_gets_past(build: Path) -> None:
+    with simulated_glove(build, "1.5:brownout 1", "1.8:unplug 5") as glove:
+        glove.start()
+        glove.wait_for(SAMPLES, 300)
+    _, _, raw = samples(glove.of(SAMPLES))
+    gap = raw[:, 1, 2] == NO_READING
+    assert 1 <= gap.sum() <= 110  # brought back within the second
+    assert np.all(raw[~gap, 1, 2] == 2048)
+    assert not gap[-1]
+    assert np.all(raw[-100:, 5] == NO_READING)
+    assert [f.text for f in glove.of(ERROR)] == ["no answer from IMU 1", "no answer from IMU 5"]
+
+
+def test_the_self_test_finds_weak_sensors_and_only_those(build: Path) -> None:
+    # IMU 0 has no factory codes, so that its absolute limits are tried as well.
+    weak = ("0:weak-gyro 2", "0:weak-accel 4", "0:weak-gyro 4", "0:weak-accel 0")
+    with simulated_glove(build, *weak) as glove:
+        texts = [f.text for f in glove.wait_for(ERROR, 2)]
+        glove.wait_for(HELLO)
+    assert texts == [
+        "accelerometer self-test failed on IMU 0 4",
+        "gyroscope self-test failed on IMU 2 4",
+    ]
+    assert len(glove.of(ERROR)) == 2
+
+
+def test_motors_run_for_their_time_on_their_own_pins(build: Path) -> None:
+    with simulated_glove(build) as glove:
+        glove.start()
+        glove.send(HAPTIC, "BBH", 0, 200, 150)
+        glove.send(HAPTIC, "BBH", 1, 255, 60)
+        glove.send(HAPTIC, "BBH", 2, 1, 400)
+        glove.send(HAPTIC, "BBH", 3, 99, 400)  # there is no such motor
+        glove.wait_for(SAMPLES, 25)
+        glove.send(HAPTIC, "BBH", 2, 0, 100)
+        glove.wait_for(SAMPLES, 60)
+        glove.stop()
+    lines = [line.split()[1:] for line in glove.printed.splitlines() if line.startswith("haptic")]
+    changes: dict[int, list[tuple[int, float]]] = {}
+    for channel, amplitude, t in lines:
+        changes.setdefault(int(channel), []).append((int(amplitude), float(t)))
+    lasted = {c: rows[1][1] - rows[0][1] for c, rows in changes.items()}
+    assert {c: [a for a, _ in rows] for c, rows in changes.items()} == {
+        0: [200, 0],
+        1: [255, 0],
+        2: [1, 0],
+    }
+    assert lasted[0] == pytest.approx(0.150, abs=0.002)
+    assert lasted[1] == pytest.approx(0.060, abs=0.002)
+    assert lasted[2] < 0.390  # stopped before its time
+
+
+def test_a_reset_in_mid_stream_shows_as_a_hello(build: Path) -> None:
+    with simulated_glove(build, "1.5:reset") as glove:
+        glove.start()
+        glove.wait_for(SAMPLES, 50)
+        glove.wait_for(HELLO)
+        before = len(glove.of(SAMPLES))
+        glove.send(START)
+        glove.wait_for(SAMPLES, 10)
+    seq, t_us, _ = samples(glove.of(SAMPLES))
+    assert seq[before] == 0
+    assert t_us[before] < t_us[before - 1]
+
+
+def test_in_real_time_the_packets_come_at_their_rate(build: Path) -> None:
+    with simulated_glove(build, fast=False) as glove:
+        glove.start()
+        seq, _, _ = samples(glove.wait_for(SAMPLES, 100))
+        report = glove.stop()
+    assert np.array_equal(seq, np.arange(100))
+    assert report["bytes_lost"] == 0
