@@ -1,0 +1,107 @@
+"""Our bytes against those of rosbags, an independent implementation of CDR."""
+
+import numpy as np
+import pytest
+
+from tracker.messages import Blobs
+from tracker.session import ros_motion as motion
+from tracker.session import ros_sensors as sensors
+from tracker.session.cdr import CdrError
+from tracker.session.schemas import definition, typestore
+from tracker.vision.rig import ideal_rig
+
+NS = 1_700_000_000_123_456_789
+RNG = np.random.default_rng(3)
+BLOBS = Blobs(
+    RNG.normal(size=(3, 2)), RNG.uniform(1, 9, (3, 2)), np.array([1, 0, 1]), RNG.uniform(size=3)
+)
+
+PACKED = {
+    sensors.IMU: sensors.pack_imu(sensors.Imu(NS, "dorsum", RNG.normal(size=3), np.ones(3))),
+    sensors.IMAGE: sensors.pack_image(sensors.Image(NS, "camera_left", "jpeg", b"\xff\xd8abc")),
+    sensors.CAMERA_INFO: sensors.pack_camera_info(NS, "camera_left", ideal_rig().right),
+    sensors.TIME_REFERENCE: sensors.pack_time_reference(sensors.TimeReference(NS, 12345, "glove")),
+    sensors.DETECTIONS: sensors.pack_detections(
+        sensors.Detections(NS, "camera_left", BLOBS, ("red", "blue"))
+    ),
+    motion.TF: motion.pack_transforms(
+        [motion.Transform(NS, "world", c, RNG.normal(size=3), RNG.normal(size=4)) for c in "ab"]
+    ),
+    motion.POSES: motion.pack_poses(
+        motion.Poses(NS, "world", RNG.normal(size=(5, 3)), RNG.normal(size=(5, 4)))
+    ),
+    motion.JOINTS: motion.pack_joints(motion.Joints(NS, ["a", "bcd"], RNG.normal(size=2))),
+    motion.DIAGNOSTICS: motion.pack_diagnostics(
+        NS,
+        [
+            motion.Diagnostic(1, "n", "words", {"k": "v", "äö": ""}),
+            motion.Diagnostic(0, "", "", {}),
+        ],
+    ),
+    motion.STRING: motion.pack_string("hällo"),
+    motion.NUMBERS: motion.pack_numbers(RNG.normal(size=12)),
+}
+UNPACK = {
+    sensors.IMU: sensors.unpack_imu,
+    sensors.IMAGE: sensors.unpack_image,
+    sensors.CAMERA_INFO: sensors.unpack_camera_info,
+    sensors.TIME_REFERENCE: sensors.unpack_time_reference,
+    sensors.DETECTIONS: sensors.unpack_detections,
+    motion.TF: motion.unpack_transforms,
+    motion.POSES: motion.unpack_poses,
+    motion.JOINTS: motion.unpack_joints,
+    motion.DIAGNOSTICS: motion.unpack_diagnostics,
+    motion.STRING: motion.unpack_string,
+    motion.NUMBERS: motion.unpack_numbers,
+}
+
+
+@pytest.mark.parametrize("name", PACKED)
+def test_rosbags_reads_and_writes_the_same_bytes(name: str) -> None:
+    store = typestore()
+    message = store.deserialize_cdr(PACKED[name], name)
+    assert bytes(store.serialize_cdr(message, name)) == PACKED[name]
+
+
+@pytest.mark.parametrize("name", PACKED)
+def test_a_big_endian_message_is_read_the_same(name: str) -> None:
+    store = typestore()
+    message = store.deserialize_cdr(PACKED[name], name)
+    big = bytes(store.serialize_cdr(message, name, little_endian=False))
+    assert repr(UNPACK[name](big)) == repr(UNPACK[name](PACKED[name]))
+
+
+@pytest.mark.parametrize("name", PACKED)
+def test_a_shortened_message_is_an_error(name: str) -> None:
+    data = PACKED[name]
+    for end in range(0, len(data) - 24, 7):
+        with pytest.raises(CdrError):
+            UNPACK[name](data[:end])
+
+
+def test_fields_land_where_ros_expects_them() -> None:
+    store = typestore()
+    imu = store.deserialize_cdr(PACKED[sensors.IMU], sensors.IMU)
+    assert imu.orientation_covariance[0] == -1
+    assert imu.linear_acceleration.y == 1.0
+    assert imu.header.stamp.nanosec == 123_456_789
+    info = store.deserialize_cdr(PACKED[sensors.CAMERA_INFO], sensors.CAMERA_INFO)
+    assert info.p[3] == pytest.approx(-640 * 0.063)
+    assert (info.width, info.height) == (1280, 720)
+    found = store.deserialize_cdr(PACKED[sensors.DETECTIONS], sensors.DETECTIONS).detections
+    assert [d.results[0].hypothesis.class_id for d in found] == ["blue", "red", "blue"]
+    assert found[2].bbox.center.position.y == BLOBS.uv[2, 1]
+    assert found[1].bbox.size_x == BLOBS.size[1, 0]
+
+
+def test_unpacking_gives_the_identical_floats() -> None:
+    blobs = sensors.unpack_detections(PACKED[sensors.DETECTIONS])
+    assert np.array_equal(blobs.blobs.uv, BLOBS.uv)
+    assert np.array_equal(blobs.blobs.score, BLOBS.score)
+    assert [blobs.names[h] for h in blobs.blobs.hue] == ["blue", "red", "blue"]
+
+
+def test_definitions_name_the_types_they_use() -> None:
+    text = definition(sensors.DETECTIONS)
+    assert "MSG: vision_msgs/BoundingBox2D" in text
+    assert "MSG: geometry_msgs/PoseWithCovariance" in text

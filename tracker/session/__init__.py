@@ -1,0 +1,1 @@
+"""A session's file: writer beside reader, recovery, verdicts and exports."""

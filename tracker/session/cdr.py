@@ -1,0 +1,142 @@
+"""CDR, the byte layout of ROS 2 messages (OMG DDS-RTPS 9.3, plain CDR version 1).
+
+Every value is aligned to its own size, counted from the end of the four-byte header.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tracker.messages import Array
+
+LITTLE_ENDIAN = b"\x00\x01\x00\x00"
+NS = 1_000_000_000
+
+
+class CdrError(ValueError):
+    """The bytes are not the message that they are said to be."""
+
+
+class CdrWriter:
+    """Builds one little-endian message."""
+
+    def __init__(self) -> None:
+        self._body = bytearray()
+
+    def done(self) -> bytes:
+        return LITTLE_ENDIAN + bytes(self._body)
+
+    def _align(self, size: int) -> None:
+        self._body += bytes(-len(self._body) % size)
+
+    def u8(self, value: int) -> None:
+        self._body.append(value)
+
+    def u32(self, value: int) -> None:
+        self._align(4)
+        self._body += struct.pack("<I", value)
+
+    def time(self, ns: int) -> None:
+        """builtin_interfaces/Time of nanoseconds since 1970."""
+        self._align(4)
+        self._body += struct.pack("<iI", *divmod(ns, NS))
+
+    def text(self, value: str) -> None:
+        raw = value.encode()
+        self._align(4)
+        self._body += struct.pack("<I", len(raw) + 1) + raw + b"\0"
+
+    def header(self, ns: int, frame: str) -> None:
+        """std_msgs/Header."""
+        self.time(ns)
+        self.text(frame)
+
+    def doubles(self, values: ArrayLike) -> None:
+        """float64 numbers without a length in front."""
+        raw = np.asarray(values, "<f8").tobytes()
+        if raw:
+            self._align(8)
+            self._body += raw
+
+    def double_list(self, values: ArrayLike) -> None:
+        """A float64 sequence."""
+        values = np.asarray(values, "<f8").ravel()
+        self.u32(len(values))
+        self.doubles(values)
+
+    def text_list(self, values: Iterable[str]) -> None:
+        values = list(values)
+        self.u32(len(values))
+        for v in values:
+            self.text(v)
+
+    def byte_list(self, data: bytes) -> None:
+        """A uint8 sequence."""
+        self.u32(len(data))
+        self._body += data
+
+
+class CdrReader:
+    """Takes one message apart. Raises CdrError where the bytes end early."""
+
+    def __init__(self, data: bytes) -> None:
+        if len(data) < 4 or data[0] != 0 or data[1] not in (0, 1):
+            raise CdrError("not a plain CDR message")
+        self._data = data
+        self._at = 4
+        self._order = "<" if data[1] == 1 else ">"
+
+    def _take(self, size: int, align: int = 1) -> bytes:
+        start = self._at + (4 - self._at) % align
+        end = start + size
+        if size < 0 or end > len(self._data):
+            raise CdrError(f"the message ends {end - len(self._data)} bytes early")
+        self._at = end
+        return self._data[start:end]
+
+    def u8(self) -> int:
+        return self._take(1)[0]
+
+    def u32(self) -> int:
+        return int(struct.unpack(self._order + "I", self._take(4, 4))[0])
+
+    def count(self, smallest: int = 1) -> int:
+        """Length of a sequence whose elements take at least ``smallest`` bytes."""
+        n = self.u32()
+        if n * smallest > len(self._data) - self._at + 8:
+            raise CdrError(f"a list of {n} elements does not fit")
+        return n
+
+    def time(self) -> int:
+        """Nanoseconds since 1970."""
+        sec, nanosec = struct.unpack(self._order + "iI", self._take(8, 4))
+        return int(sec * NS + nanosec)
+
+    def text(self) -> str:
+        raw = self._take(self.u32())
+        try:
+            return raw.rstrip(b"\0").decode()
+        except UnicodeDecodeError as error:
+            raise CdrError("a text is not UTF-8") from error
+
+    def header(self) -> tuple[int, str]:
+        return self.time(), self.text()
+
+    def doubles(self, n: int) -> Array:
+        """(n,) float64, writable."""
+        if n == 0:
+            return np.zeros(0)
+        return np.frombuffer(self._take(8 * n, 8), self._order + "f8").astype(np.float64)
+
+    def double_list(self) -> Array:
+        return self.doubles(self.count(8))
+
+    def text_list(self) -> list[str]:
+        return [self.text() for _ in range(self.count(4))]
+
+    def byte_list(self) -> bytes:
+        return self._take(self.u32())

@@ -1,0 +1,87 @@
+"""What a session is about: the models, the clock and the words that go with a recording."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tracker import __version__
+from tracker.clock import ClockAnchor
+from tracker.glove.files import parse_glove
+from tracker.glove.model import GloveModel
+from tracker.hand.files import parse_hand
+from tracker.hand.model import HandModel
+from tracker.vision.rig import StereoRig
+
+HAND, GLOVE = "hand.toml", "glove.toml"
+COLOURS, SETTINGS = "colours.toml", "settings.toml"
+METADATA = "glovetrack"
+
+
+@dataclass(frozen=True, eq=False)
+class SessionInfo:
+    """``moving_camera``: poses come with the frames and ``rig.pose`` is of no account.
+
+    ``hues`` are the names that blobs' hues index; the glove's unless told. ``extra`` goes into the
+    metadata record as it is (a tracked file's ``source``, for one).
+    """
+
+    hand: HandModel
+    glove: GloveModel
+    hand_text: str
+    glove_text: str
+    anchor: ClockAnchor
+    rig: StereoRig | None = None
+    moving_camera: bool = False
+    colours_text: str | None = None
+    settings_text: str | None = None
+    engine: str = "chain"
+    version: str = __version__
+    participant: str = ""
+    notes: str = ""
+    simulated: bool = False
+    hues: tuple[str, ...] = ()
+    extra: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def side(self) -> str:
+        return self.glove.side
+
+    @property
+    def hue_names(self) -> tuple[str, ...]:
+        return self.hues or self.glove.hues
+
+    @property
+    def keypoint_names(self) -> tuple[str, ...]:
+        """Rows of ``Estimate.keypoints``."""
+        return self.glove.keypoint_names(self.hand)
+
+    def attachments(self) -> dict[str, str]:
+        """File name to text of everything that is attached."""
+        texts = {
+            HAND: self.hand_text,
+            GLOVE: self.glove_text,
+            COLOURS: self.colours_text,
+            SETTINGS: self.settings_text,
+        }
+        return {name: text for name, text in texts.items() if text is not None}
+
+    def metadata(self) -> dict[str, str]:
+        """The record ``glovetrack``: all strings."""
+        return {
+            "version": self.version,
+            "engine": self.engine,
+            "wall_clock_ns": str(self.anchor.wall_ns),
+            "monotonic_ns": str(self.anchor.monotonic_ns),
+            "participant": self.participant,
+            "notes": self.notes,
+            "simulated": "true" if self.simulated else "false",
+            "hues": ",".join(self.hue_names),
+            **self.extra,
+        }
+
+
+def describe(hand_text: str, glove_text: str, anchor: ClockAnchor, **more: object) -> SessionInfo:
+    """A SessionInfo with the models read from their texts; ``more`` are its other fields."""
+    hand = parse_hand(hand_text)
+    glove = parse_glove(glove_text, hand)
+    return SessionInfo(hand, glove, hand_text, glove_text, anchor, **more)  # type: ignore[arg-type]

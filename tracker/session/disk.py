@@ -1,0 +1,110 @@
+"""The file under a recording: whole records only, on a disk that may fill up or vanish."""
+
+from __future__ import annotations
+
+import errno
+import os
+import shutil
+from datetime import UTC, datetime
+from pathlib import Path
+
+from tracker.clock import NS
+from tracker.errors import FileError
+
+_WORDS = {
+    errno.ENOSPC: "the disk is full",
+    errno.EDQUOT: "the disk quota is used up",
+    errno.EFBIG: "the disk allows no file this large",
+    errno.EACCES: "you may not write there",
+    errno.EPERM: "you may not write there",
+    errno.EROFS: "the disk can only be read",
+    errno.EIO: "the disk failed or was taken away",
+    errno.ENODEV: "the disk was taken away",
+    errno.ENXIO: "the disk was taken away",
+    errno.ESTALE: "the network disk is gone",
+    errno.ENOENT: "the folder does not exist",
+    errno.ENOTDIR: "the folder does not exist",
+    errno.ENAMETOOLONG: "the name is too long",
+}
+
+
+class DiskError(FileError):
+    """The disk did not take what was written."""
+
+
+def disk_error(path: Path, error: OSError) -> DiskError:
+    """An operating-system error in the user's words."""
+    why = _WORDS.get(error.errno or 0, error.strerror or str(error))
+    return DiskError(f"{path} cannot be written: {why}.")
+
+
+class WholeRecordFile:
+    """A new file in which every ``write`` lands whole or not at all.
+
+    Bytes go to the operating system at once, so that a killed process loses none of them. Raises
+    FileError if the file exists already or cannot be written.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._size = 0
+        try:
+            self._fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o644)
+        except FileExistsError as error:
+            raise FileError(f"{path} exists already; a recording never overwrites.") from error
+        except OSError as error:
+            raise disk_error(path, error) from error
+
+    def write(self, data: bytes) -> int:
+        view = memoryview(data)
+        try:
+            while view:
+                view = view[os.write(self._fd, view) :]
+        except OSError as error:
+            os.ftruncate(self._fd, self._size)
+            os.lseek(self._fd, self._size, os.SEEK_SET)
+            raise disk_error(self._path, error) from error
+        self._size += len(data)
+        return len(data)
+
+    def tell(self) -> int:
+        return self._size
+
+    def flush(self) -> None:
+        """Nothing is held back."""
+
+    def sync(self) -> None:
+        """Have the disk itself hold what was written, against a loss of power."""
+        try:
+            os.fsync(self._fd)
+        except OSError as error:
+            raise disk_error(self._path, error) from error
+
+    def close(self) -> None:
+        if self._fd >= 0:
+            os.close(self._fd)
+            self._fd = -1
+
+
+def free_bytes(folder: Path) -> int:
+    """Room left on the disk of ``folder``; 0 if it is gone."""
+    try:
+        return shutil.disk_usage(folder).free
+    except OSError:
+        return 0
+
+
+def automatic_path(folder: Path, wall_ns: int, label: str = "") -> Path:
+    """A name that no file in ``folder`` has: ``2026-11-21_05-17-03[_label].mcap`` (UTC)."""
+    stem = datetime.fromtimestamp(wall_ns // NS, UTC).strftime("%Y-%m-%d_%H-%M-%S")
+    words = "".join(c if c.isalnum() or c in "-_" else "-" for c in label)[:40]
+    return free_path(folder / (f"{stem}_{words}.mcap" if words else f"{stem}.mcap"))
+
+
+def free_path(path: Path) -> Path:
+    """``path``, or with ``_2``, ``_3``… before the suffix if it is taken."""
+    candidate, n = path, 1
+    while candidate.exists():
+        n += 1
+        candidate = path.with_name(f"{path.stem}_{n}{path.suffix}")
+    return candidate

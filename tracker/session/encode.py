@@ -1,0 +1,232 @@
+"""Messages of the engine as topics of a session."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from dataclasses import fields
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.clock import nanoseconds
+from tracker.geometry import so3
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    CameraPose,
+    Estimate,
+    Event,
+    ImuSample,
+    Status,
+    Tracking,
+    Validity,
+)
+from tracker.session import ros_motion as motion
+from tracker.session import ros_sensors as sensors
+from tracker.session import topics
+from tracker.session.description import SessionInfo
+from tracker.vision.rig import StereoRig
+
+
+class Out(NamedTuple):
+    """One message for the file. Times in ns since 1970."""
+
+    topic: str
+    type: str
+    log_time: int
+    stamp: int
+    data: bytes
+    sequence: int = 0
+
+
+class Encoder:
+    """Turns messages into bytes; remembers what was said last where only changes are written."""
+
+    def __init__(self, info: SessionInfo) -> None:
+        self._info, self._side, self._wall = info, info.side, info.anchor.wall
+        self._segments = [f"{info.side}_{s}" for s in info.hand.segment_names]
+        self._states: object = None
+        self._pose_stamp = -1
+        self._last_imu = 0
+
+    def imu(self, m: ImuSample) -> Iterator[Out]:
+        """Per IMU that answered one message, then the packet's times on both clocks."""
+        stamp, log = self._wall(m.t), self._wall(m.t_arrival)
+        self._last_imu = max(self._last_imu, log)
+        sequence = (m.seq + 1) % 2**32
+        for i, name in enumerate(self._info.glove.imu_names):
+            if m.valid[i]:
+                data = sensors.pack_imu(sensors.Imu(stamp, name, m.gyro[i], m.accel[i]))
+                yield Out(topics.imu(self._side, name), sensors.IMU, log, stamp, data, sequence)
+        known = math.isfinite(m.t_device)
+        reference = nanoseconds(m.t_device) if known else 0
+        data = sensors.pack_time_reference(
+            sensors.TimeReference(stamp, reference, "glove" if known else "")
+        )
+        yield Out(topics.packets(self._side), sensors.TIME_REFERENCE, log, stamp, data, sequence)
+
+    def camera_pose(self, t: float, t_arrival: float, pose: CameraPose | None) -> Iterator[Out]:
+        """Pose of a moving camera, once per exposure."""
+        stamp = self._wall(t)
+        if pose is not None and stamp != self._pose_stamp:
+            self._pose_stamp = stamp
+            yield from pose_messages(topics.TF, pose, self._wall(t_arrival), stamp)
+
+    def image(
+        self, camera: str, t: float, t_arrival: float, index: int, kind: str, picture: bytes
+    ) -> Out:
+        stamp = self._wall(t)
+        data = sensors.pack_image(sensors.Image(stamp, topics.camera_frame(camera), kind, picture))
+        log = self._wall(t_arrival)
+        return Out(topics.image(camera), sensors.IMAGE, log, stamp, data, (index + 1) % 2**32)
+
+    def blobs(self, m: BlobFrame) -> Iterator[Out]:
+        stamp, log = self._wall(m.t), self._wall(m.t_arrival)
+        yield from self.camera_pose(m.t, m.t_arrival, m.pose)
+        for camera, found in (("left", m.left), ("right", m.right)):
+            if found is None:
+                continue
+            frame = topics.camera_frame(camera)
+            data = sensors.pack_detections(sensors.Detections(stamp, frame, found, m.hue_names))
+            sequence = (m.index + 1) % 2**32
+            yield Out(topics.blobs(camera), sensors.DETECTIONS, log, stamp, data, sequence)
+
+    def estimate(self, m: Estimate) -> Iterator[Out]:
+        """States if they changed, angles, segments, spread, and last the keypoints."""
+        stamp = self._wall(m.t)
+        log = max(stamp, self._last_imu)
+        yield from self._state_changes(m, stamp, log)
+        yield self._joints(topics.hand(self._side, "joint_states"), m, stamp, log)
+        yield self._segment_poses(m, stamp, log)
+        sd = motion.pack_numbers(m.keypoint_sd)
+        yield Out(topics.hand(self._side, "keypoint_sd"), motion.NUMBERS, log, stamp, sd)
+        yield self._keypoints(topics.hand(self._side, "keypoints"), m, stamp, log)
+
+    def truth(self, m: Estimate) -> Iterator[Out]:
+        """What a simulated hand really did."""
+        stamp = self._wall(m.t)
+        yield self._joints(topics.truth(self._side, "joint_states"), m, stamp, stamp)
+        yield self._keypoints(topics.truth(self._side, "keypoints"), m, stamp, stamp)
+
+    def _joints(self, topic: str, m: Estimate, stamp: int, log: int) -> Out:
+        names = self._info.hand.joint_names
+        known = np.flatnonzero(np.isfinite(m.angles) & (m.angle_state != Validity.LOST))
+        data = motion.pack_joints(motion.Joints(stamp, [names[i] for i in known], m.angles[known]))
+        return Out(topic, motion.JOINTS, log, stamp, data)
+
+    def _keypoints(self, topic: str, m: Estimate, stamp: int, log: int) -> Out:
+        lost = (m.keypoint_state == Validity.LOST)[:, None]
+        position = np.where(lost, np.nan, m.keypoints)
+        orientation = np.where(lost, np.nan, m.keypoint_q)
+        data = motion.pack_poses(motion.Poses(stamp, topics.WORLD, position, orientation))
+        return Out(topic, motion.POSES, log, stamp, data)
+
+    def _segment_poses(self, m: Estimate, stamp: int, log: int) -> Out:
+        known = [i for i in range(len(m.segment_p)) if np.isfinite(m.segment_p[i]).all()]
+        q = so3.quat_from_matrix(m.segment_R[known]) if known else np.zeros((0, 4))
+        data = motion.pack_transforms(
+            [
+                motion.Transform(stamp, topics.WORLD, self._segments[i], m.segment_p[i], q[k])
+                for k, i in enumerate(known)
+            ]
+        )
+        return Out(topics.TF, motion.TF, log, stamp, data)
+
+    def _state_changes(self, m: Estimate, stamp: int, log: int) -> Iterator[Out]:
+        now = (m.tracking, m.keypoint_state.tobytes(), m.angle_state.tobytes())
+        if now == self._states:
+            return
+        self._states = now
+        groups = (
+            ("keypoints", self._info.keypoint_names, m.keypoint_state),
+            ("joints", self._info.hand.joint_names, m.angle_state),
+        )
+        tracking = Tracking(m.tracking).name.lower()
+        level = 0 if m.tracking == Tracking.TRACKING else 1
+        out = [motion.Diagnostic(level, "tracking", tracking, {})]
+        for name, rows, states in groups:
+            words = {r: Validity(s).name.lower() for r, s in zip(rows, states, strict=True)}
+            out.append(motion.Diagnostic(int("lost" in words.values()), name, "", words))
+        data = motion.pack_diagnostics(stamp, out)
+        yield Out(topics.hand(self._side, "states"), motion.DIAGNOSTICS, log, stamp, data)
+
+    def calibration(self, m: Calibration) -> Iterator[Out]:
+        stamp = self._wall(m.t)
+        out = [
+            motion.Diagnostic(
+                0,
+                "hand",
+                "",
+                {"length": repr(m.hand_length), "length_sd": repr(m.hand_length_sd)},
+            )
+        ]
+        for i, segment in enumerate(m.segments):
+            values = {
+                f"{name}_{axis}": repr(float(getattr(m, name)[i, k]))
+                for name in CALIBRATION_ROWS
+                for k, axis in enumerate("xyz")
+            }
+            out.append(motion.Diagnostic(0, segment, "", values))
+        data = motion.pack_diagnostics(stamp, out)
+        topic = topics.hand(self._side, "calibration")
+        yield Out(topic, motion.DIAGNOSTICS, max(stamp, self._last_imu), stamp, data)
+
+    def status(self, m: Status) -> Iterator[Out]:
+        stamp = self._wall(m.t)
+        values = {name: repr(float(value)) for name, value in m.values.items()}
+        tracking = Tracking(m.tracking).name.lower()
+        data = motion.pack_diagnostics(stamp, [motion.Diagnostic(0, "tracker", tracking, values)])
+        yield Out(topics.STATUS, motion.DIAGNOSTICS, stamp, stamp, data)
+
+    def event(self, m: Event) -> Iterator[Out]:
+        stamp = self._wall(m.t)
+        text = json.dumps(
+            {"stamp_ns": stamp, "kind": m.kind, "text": m.text, "data": m.data},
+            ensure_ascii=False,
+            default=str,
+        )
+        yield Out(topics.EVENTS, motion.STRING, stamp, stamp, motion.pack_string(text))
+
+    def rig(self, rig: StereoRig, t: float) -> Iterator[Out]:
+        """Both cameras; where they stand too, unless frames bring that."""
+        now = self._wall(t)
+        for camera, lens in (("left", rig.left), ("right", rig.right)):
+            data = sensors.pack_camera_info(now, topics.camera_frame(camera), lens)
+            yield Out(topics.camera_info(camera), sensors.CAMERA_INFO, now, now, data)
+        right = motion.Transform(
+            now,
+            topics.camera_frame("left"),
+            topics.camera_frame("right"),
+            np.array([rig.baseline, 0, 0]),
+            np.array([0.0, 0, 0, 1]),
+        )
+        moving = self._info.moving_camera
+        yield from pose_messages(topics.TF_STATIC, None if moving else rig.pose, now, now, [right])
+
+
+CALIBRATION_ROWS = tuple(
+    f.name
+    for f in fields(Calibration)
+    if f.name not in ("t", "segments", "hand_length", "hand_length_sd")
+)
+
+
+def pose_messages(
+    topic: str,
+    pose: CameraPose | None,
+    log: int,
+    stamp: int,
+    more: list[motion.Transform] | None = None,
+) -> Iterator[Out]:
+    """world → camera_left as a transform and, to the last bit, as numbers."""
+    transforms = list(more or [])
+    if pose is not None:
+        exact = motion.pack_numbers(np.r_[pose.R_GC.ravel(), pose.p_GC])
+        yield Out(topics.CAMERA_POSE, motion.NUMBERS, log, stamp, exact)
+        q = so3.quat_from_matrix(pose.R_GC)
+        transforms.insert(
+            0, motion.Transform(stamp, topics.WORLD, topics.camera_frame("left"), pose.p_GC, q)
+        )
+    yield Out(topic, motion.TF, log, stamp, motion.pack_transforms(transforms))

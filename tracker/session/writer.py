@@ -1,0 +1,253 @@
+"""Recording a session. Called from one thread; what may wait is queued by the caller."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import TracebackType
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.clock import seconds
+from tracker.errors import ConfigError, FileError
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    Message,
+    Status,
+    StereoFrame,
+)
+from tracker.session.container import COMPRESSION, McapOutput
+from tracker.session.description import METADATA, SessionInfo
+from tracker.session.disk import DiskError, automatic_path, free_bytes
+from tracker.session.encode import Encoder, Out
+from tracker.vision.rig import StereoRig
+
+PICTURES = ("jpeg", "png", "none")
+GB = 1e9
+
+
+@dataclass(frozen=True)
+class RecorderParams:
+    """``pictures``: jpeg, png (lossless) or none (blobs only)."""
+
+    pictures: str = "jpeg"
+    jpeg_quality: int = 90
+    compression: str = "lz4"  # or zstd, none
+    chunk_bytes: int = 64 * 1024
+    chunk_s: float = 0.4  # a kill loses this much and what is underway
+    warn_free_gb: float = 5.0
+    stop_free_gb: float = 1.0
+    check_disk_s: float = 2.0
+    sync: bool = True  # hold against a loss of power too
+
+
+@dataclass(frozen=True)
+class RecorderStatus:
+    """For the screen. ``warning`` is a sentence or empty."""
+
+    path: Path
+    size_bytes: int
+    messages: int
+    frames: int
+    frames_thinned: int
+    free_bytes: int
+    warning: str
+
+
+class SessionRecorder:
+    """Writes one session to ``path``, a new file, or a new name in it if it is a folder.
+
+    Raises FileError if the file exists or cannot be written, and from `write` when the disk fills
+    up or goes away; by then the file is closed and whole.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        info: SessionInfo,
+        params: RecorderParams | None = None,
+        free: Callable[[Path], int] = free_bytes,
+    ) -> None:
+        self.params = _checked(params or RecorderParams())
+        path = Path(path)
+        if path.is_dir():
+            path = automatic_path(path, info.anchor.wall_ns, info.participant)
+        self.path, self.info, self._measure_free = path, info, free
+        self._free = free(path.parent)
+        if path.parent.is_dir():
+            self._check_room()
+        self._out: McapOutput | None = self._open()
+        self._encoder = Encoder(info)
+        self._messages = self._frames = self._thinned = 0
+        self._next_check = info.anchor.wall_ns
+        self._guarded(self._write_start)
+
+    def _open(self) -> McapOutput:
+        p = self.params
+        chunk_ns = round(p.chunk_s * 1e9)
+        return McapOutput(self.path, p.compression, p.chunk_bytes, chunk_ns, p.sync)
+
+    def _write_start(self, out: McapOutput) -> None:
+        now = self.info.anchor.wall_ns
+        out.metadata(METADATA, self.info.metadata())
+        for name, text in self.info.attachments().items():
+            out.attach(name, text, now)
+        if self.info.rig is not None:
+            self._put(out, self._encoder.rig(self.info.rig, self._start))
+        out.close_chunk()
+
+    @property
+    def _start(self) -> float:
+        return seconds(self.info.anchor.monotonic_ns)
+
+    @property
+    def status(self) -> RecorderStatus:
+        warning = ""
+        if self._free < self.params.warn_free_gb * GB:
+            warning = f"Only {self._free / GB:.1f} GB are left on the disk of {self.path.parent}."
+        size = self._out.size if self._out else self._size_on_disk()
+        return RecorderStatus(
+            self.path, size, self._messages, self._frames, self._thinned, self._free, warning
+        )
+
+    def _size_on_disk(self) -> int:
+        return self.path.stat().st_size if self.path.exists() else 0
+
+    @property
+    def closed(self) -> bool:
+        return self._out is None
+
+    def write(self, message: Message, overloaded: bool = False) -> None:
+        """Take one message. While ``overloaded``, pictures are left out and counted.
+
+        FrameResult has no place in a session: it follows from the rest.
+        """
+        self._guarded(lambda out: self._write(out, message, overloaded))
+
+    def _write(self, out: McapOutput, message: Message, overloaded: bool) -> None:
+        if isinstance(message, StereoFrame):
+            if overloaded:
+                self._thinned += 1
+                return
+            self._frames += 1
+        self._put(out, self._encoded(message))
+
+    def _encoded(self, message: Message) -> Iterator[Out]:
+        match message:
+            case ImuSample():
+                return self._encoder.imu(message)
+            case StereoFrame():
+                return self._pictures(message)
+            case BlobFrame():
+                return self._encoder.blobs(message)
+            case Estimate():
+                return self._encoder.estimate(message)
+            case Calibration():
+                return self._encoder.calibration(message)
+            case Status():
+                return self._encoder.status(message)
+            case Event():
+                return self._encoder.event(message)
+            case FrameResult():
+                return iter(())
+
+    def write_truth(self, truth: Estimate) -> None:
+        """What a simulated hand really did at an instant."""
+        self._guarded(lambda out: self._put(out, self._encoder.truth(truth)))
+
+    def write_rig(self, rig: StereoRig, t: float) -> None:
+        """A calibration that holds from ``t`` on."""
+        self.info = replace(self.info, rig=rig)
+        self._guarded(lambda out: self._put(out, self._encoder.rig(rig, t)))
+
+    def copy(self, topic: str, kind: str, log: int, stamp: int, data: bytes, sequence: int) -> None:
+        """Write a message of another session as it is."""
+        one = iter([Out(topic, kind, log, stamp, data, sequence)])
+        self._guarded(lambda out: self._put(out, one))
+
+    def _pictures(self, m: StereoFrame) -> Iterator[Out]:
+        yield from self._encoder.camera_pose(m.t, m.t_arrival, m.pose)
+        if self.params.pictures == "none":
+            return
+        for camera, image in (("left", m.left), ("right", m.right)):
+            if image is not None:
+                picture = encode_picture(image, self.params.pictures, self.params.jpeg_quality)
+                yield self._encoder.image(
+                    camera, m.t, m.t_arrival, m.index, self.params.pictures, picture
+                )
+
+    def _put(self, out: McapOutput, messages: Iterator[Out]) -> None:
+        for m in messages:
+            channel = out.channel(m.topic, m.type)
+            out.write(channel, m.log_time, m.stamp, m.data, m.sequence)
+            self._messages += 1
+            if m.log_time >= self._next_check:
+                self._next_check = m.log_time + round(self.params.check_disk_s * 1e9)
+                self._free = self._measure_free(self.path.parent)
+                self._check_room()
+
+    def _check_room(self) -> None:
+        if self._free < self.params.stop_free_gb * GB:
+            raise FileError(
+                f"The disk of {self.path.parent} is nearly full ({self._free / GB:.1f} GB are "
+                "left), so nothing more is recorded; what was recorded is safe."
+            )
+
+    def _guarded(self, work: Callable[[McapOutput], None]) -> None:
+        """Do ``work``; if the disk gives out, close what there is and tell."""
+        if self._out is None:
+            raise FileError(f"The recording {self.path} has ended already.")
+        try:
+            work(self._out)
+        except DiskError:
+            out, self._out = self._out, None
+            out.abandon()  # every chunk in it is whole; `recover` writes the index elsewhere
+            raise
+        except FileError:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """Finish the file. Calling it again does nothing."""
+        if self._out is None:
+            return
+        out, self._out = self._out, None
+        out.finish()
+
+    def __enter__(self) -> SessionRecorder:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+
+def encode_picture(image: NDArray[np.uint8], kind: str, quality: int) -> bytes:
+    """A BGR picture as JPEG or PNG bytes."""
+    if kind == "jpeg":
+        _, data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])
+    else:
+        _, data = cv2.imencode(".png", image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
+    return data.tobytes()
+
+
+def _checked(p: RecorderParams) -> RecorderParams:
+    if p.pictures not in PICTURES:
+        raise ConfigError(f"Pictures can be {', '.join(PICTURES)}, not {p.pictures!r}.")
+    if p.compression not in COMPRESSION:
+        raise ConfigError(f"Compression can be {', '.join(COMPRESSION)}, not {p.compression!r}.")
+    if not 1 <= p.jpeg_quality <= 100:
+        raise ConfigError(f"The JPEG quality is {p.jpeg_quality}; it must lie in 1 to 100.")
+    return p
