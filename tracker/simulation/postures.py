@@ -14,8 +14,13 @@ Angles = dict[str, float]
 Generator = np.random.Generator
 
 
-def random_posture(hand: HandModel, rng: Generator) -> Array:
-    """Angles (J,) rad within limits; synergies hold exactly for thumb IP and the DIP joints."""
+def random_posture(hand: HandModel, rng: Generator, holding: bool = False) -> Array:
+    """Angles (J,) rad within limits; synergies hold exactly for thumb IP and the DIP joints.
+
+    ``holding``: only postures about an object.
+    """
+    if holding:
+        return posture(hand, _grip(rng))
     kinds = [_free, _open, _fist, _pinch, _point, _grip]
     kind: Callable[[Generator], Angles] = kinds[rng.choice(6, p=[0.4, 0.15, 0.1, 0.12, 0.1, 0.13])]
     return posture(hand, kind(rng))

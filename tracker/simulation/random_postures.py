@@ -19,6 +19,7 @@ from tracker.vision.rig import default_pose
 class PostureParams:
     """How a person moves and where."""
 
+    holding: bool = False  # only grips, for an object in the hand
     first_hold: float = 1.5  # s flat and in view
     move_shortest: float = 0.5  # s
     move_longest: float = 1.0  # s
@@ -74,7 +75,7 @@ class RandomPostures:
         rotations, places = [np.eye(3)], [np.array([0.0, 0.0, (p.near + p.far) / 2])]
         angles = [posture(self._hand, {})]
         for _ in range(count - 1):
-            angles.append(random_posture(self._hand, rng))
+            angles.append(random_posture(self._hand, rng, self._params.holding))
             rotations.append(self._rotation(rng))
             places.append(self._place(rng))
         self._angles, self._R = np.array(angles), _in_front(self._camera) @ np.array(rotations)
