@@ -7,7 +7,7 @@ own heading, so a constant heading offset, that of the first scored sample, is t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,10 +16,17 @@ import scipy.io
 from numpy.typing import NDArray
 
 from tracker.errors import FileError
+from tracker.evaluation.inertial_peers import (
+    OrientationFilter,
+    available,
+    imufusion_orientation,
+    vqf_orientation,
+)
+from tracker.inertial.descent import plain_madgwick
+from tracker.inertial.segments import SegmentFilters
 from tracker.messages import Array
 
-Filter = Callable[[Array, Array, float], Array]
-"""gyro (n, 3) rad/s, accel (n, 3) m/s², dt s to q_GB (n, 4) xyzw."""
+MADGWICK_BETA = 0.033  # rad/s, the filter's paper for a sensor without magnetometer
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +71,24 @@ def read_trial(path: Path) -> Trial:
         raise FileError(f"{path} is not a recording of the BROAD data set: {error}.") from error
 
 
+def filters() -> dict[str, OrientationFilter]:
+    """Ours, plain Madgwick and the peers that are installed, each with its defaults."""
+    out: dict[str, OrientationFilter] = {
+        "segments": _segments,
+        "madgwick_plain": lambda g, a, dt: plain_madgwick(g, a, dt, MADGWICK_BETA),
+    }
+    if "vqf" in available():
+        out["vqf"] = vqf_orientation
+    if "imufusion" in available():
+        out["imufusion"] = imufusion_orientation
+    return out
+
+
+def _segments(gyro: Array, accel: Array, dt: float) -> Array:
+    filtered: Array = SegmentFilters(1, dt).run(gyro[:, None], accel[:, None])[:, 0]
+    return filtered
+
+
 def trial_paths(folder: Path) -> list[Path]:
     """The recordings in a folder by name. Raises FileError where there are none."""
     found = sorted(folder.glob("*.mat"))
@@ -72,12 +97,12 @@ def trial_paths(folder: Path) -> list[Path]:
     return found
 
 
-def evaluate(paths: Iterable[Path], filters: dict[str, Filter]) -> list[BroadRow]:
+def evaluate(paths: Iterable[Path], chosen: dict[str, OrientationFilter]) -> list[BroadRow]:
     """Every filter on every trial."""
     rows = []
     for path in paths:
         trial = read_trial(path)
-        for name, run in filters.items():
+        for name, run in chosen.items():
             rows.append(score(trial, name, run(trial.gyro, trial.accel, trial.dt)))
     return rows
 

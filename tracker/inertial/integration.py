@@ -13,7 +13,7 @@ from tracker.messages import Array
 
 
 class IntegrationState(NamedTuple):
-    """theta (2,) rad; rate (2, 2) rad/s of the last and the last but one sample; samples (1,) so far."""
+    """theta (2,) rad; rate (2, 2) rad/s of the last and the last but one; samples (1,) so far."""
 
     theta: Array
     rate: Array
