@@ -11,6 +11,7 @@ from tracker.errors import ConfigError
 from tracker.fusion.chain import ChainEngine
 from tracker.fusion.engine import Engine
 from tracker.fusion.hybrid import HybridEngine
+from tracker.fusion.vist.engine import VistEngine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -29,6 +30,7 @@ Builder = Callable[[HandModel, GloveModel, StereoRig, Settings], Engine]
 
 ENGINES: dict[str, Builder] = {
     "chain": lambda hand, glove, rig, s: ChainEngine(hand, glove, rig, s.chain),
+    "vist": lambda hand, glove, rig, s: VistEngine(hand, glove, rig, s.vist),
     "switching": lambda hand, glove, rig, s: HybridEngine(
         hand, glove, rig, s.chain, s.hybrid, "switching_offset"
     ),

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from tracker.fusion.hybrid import HybridParams
 from tracker.fusion.params import ChainParams
+from tracker.fusion.vist.params import VistParams
 
 
 @dataclass(frozen=True)
@@ -15,3 +16,4 @@ class Settings:
     engine: str = "chain"
     chain: ChainParams = field(default_factory=ChainParams)
     hybrid: HybridParams = field(default_factory=HybridParams)
+    vist: VistParams = field(default_factory=VistParams)

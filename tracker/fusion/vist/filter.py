@@ -1,0 +1,68 @@
+"""The extended Kalman filter of the paper: prediction, marker correction, anatomy."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.fusion.kalman import update_with
+from tracker.fusion.vist.anatomy import Anatomy
+from tracker.fusion.vist.layout import VistLayout
+from tracker.fusion.vist.markers import Expected, Matched
+from tracker.fusion.vist.params import VistParams
+from tracker.fusion.vist.points import jacobians, own_covariance, spread
+from tracker.fusion.vist.state import VistState, inject
+from tracker.messages import Array
+
+
+class VistFilter:
+    """Updates a `VistState`; holds nothing that changes."""
+
+    def __init__(self, layout: VistLayout, params: VistParams) -> None:
+        self._layout, self._params = layout, params
+        self._anatomy = Anatomy(layout, params.constraint)
+
+    def constrain(self, state: VistState) -> None:
+        """Anatomy alone, while no picture comes."""
+        H, r, variance = self._anatomy.rows(state)
+        self._update(state, H, r, np.diag(variance))
+
+    def correct(self, state: VistState, expected: Expected, matched: Matched) -> None:
+        """Eq. 10 and the constraints in one stacked update, linearised at one place.
+
+        The innovation uses the predicted markers themselves; the shift that correspondence found
+        only served the assignment.
+        """
+        H, r, variance = self._anatomy.rows(state)
+        R = np.diag(variance)
+        if len(matched):
+            H_m, r_m, R_m = self.marker_rows(expected, matched)
+            H, r = np.concatenate([H_m, H]), np.concatenate([r_m, r])
+            both = np.zeros((len(r), len(r)))
+            both[: len(R_m), : len(R_m)] = R_m
+            both[len(R_m) :, len(R_m) :] = R
+            R = both
+        self._update(state, H, r, R)
+
+    def marker_rows(self, expected: Expected, matched: Matched) -> tuple[Array, Array, Array]:
+        """H (3 k, 21 n), innovation (3 k,) m and noise (3 k, 3 k) m² of k matched markers."""
+        lay, k = self._layout, len(matched)
+        segment = lay.chain.marker_segment[matched.marker]
+        H = spread(expected.H[matched.marker], segment, lay.size).reshape(-1, lay.size)
+        r = matched.p_G - expected.p_G[matched.marker]
+        S = expected.cov[matched.marker] + matched.cov
+        distance = np.sqrt(np.einsum("ki,ki->k", r, np.linalg.solve(S, r[..., None])[..., 0]) / 3)
+        weight = np.maximum(1.0, distance / self._params.noise.huber) ** 2
+        R = np.zeros((k, 3, k, 3))
+        R[np.arange(k), :, np.arange(k), :] = matched.cov * weight[:, None, None]
+        return H, r.ravel(), R.reshape(3 * k, 3 * k)
+
+    def _update(self, state: VistState, H: Array, r: Array, R: Array) -> None:
+        HP = H @ state.P
+        dx, state.P = update_with(state.P, HP, HP @ H.T, r, R)
+        inject(state, dx)
+
+    def tip_sd(self, state: VistState) -> Array:
+        """(n,) m: root of the mean variance of each segment's far end."""
+        segment = np.arange(self._layout.n)
+        cov = own_covariance(state, jacobians(state, segment, self._layout.tip_lever), segment)
+        return np.sqrt(np.maximum(np.trace(cov, axis1=1, axis2=2) / 3, 0.0))

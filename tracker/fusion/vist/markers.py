@@ -1,0 +1,137 @@
+"""Stereo points and which markers they are: the paper's visual pipeline (eqs. 1 to 6, 10)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.fusion.completion import Completion
+from tracker.fusion.pixels import SeenBlobs
+from tracker.fusion.vist.layout import VistLayout
+from tracker.fusion.vist.params import VistMatch, VistNoise
+from tracker.fusion.vist.points import jacobians, own_covariance, positions
+from tracker.fusion.vist.state import VistState
+from tracker.messages import Array, CameraPose, IntArray
+from tracker.vision.correspondence import (
+    HandShape,
+    both_cameras,
+    match_translation,
+    visibility,
+)
+from tracker.vision.rig import StereoRig
+from tracker.vision.stereo import match_stereo
+
+
+@dataclass(frozen=True, eq=False)
+class Expected:
+    """Markers (m kept ones) as a state predicts them.
+
+    p_G (m, 3); prior (2, m) of being seen by the left and right camera; H (m, 3, 21) against the
+    own segment's errors; cov (m, 3, 3) m² of the prediction alone.
+    """
+
+    p_G: Array
+    prior: Array
+    H: Array
+    cov: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Matched:
+    """k stereo points that were recognised: marker (k,) among the kept ones, left, right (k,) rows
+    of the blobs, p_G (k, 3) m and noise cov (k, 3, 3) m² in G."""
+
+    marker: IntArray
+    left: IntArray
+    right: IntArray
+    p_G: Array
+    cov: Array
+
+    def __len__(self) -> int:
+        return len(self.marker)
+
+
+class MarkerModel:
+    """Prediction and correspondence for one glove seen by one rig."""
+
+    def __init__(
+        self, layout: VistLayout, rig: StereoRig, noise: VistNoise, match: VistMatch
+    ) -> None:
+        self._layout, self._rig, self._noise, self._match = layout, rig, noise, match
+        self._shape = HandShape.of(layout.hand)
+        self._complete = Completion(layout.chain)
+        self._hand_segment = layout.chain.glove.marker_segment(layout.hand)
+
+    def expect(self, state: VistState, pose: CameraPose) -> Expected:
+        """Where markers should be and how likely each camera sees them (eqs. 4 and 5)."""
+        lay = self._layout
+        segment, glove = lay.chain.marker_segment, lay.chain.glove
+        p_G = positions(state, segment, lay.marker_lever)
+        R_GB = state.R_GB
+        normal_G = np.einsum("mij,mj->mi", R_GB[segment], glove.marker_normal)
+        R_all, p_all, *_ = self._complete(R_GB, state.p_GB(lay), state.scale)
+        prior = visibility(
+            self._shape, self._rig, pose, p_G, normal_G, self._hand_segment, R_all, p_all
+        )
+        H = jacobians(state, segment, lay.marker_lever)
+        return Expected(p_G, prior, H, own_covariance(state, H, segment))
+
+    def match(
+        self,
+        expected: Expected,
+        guide: Expected,
+        seen: tuple[SeenBlobs, ...],
+        pose: CameraPose,
+    ) -> Matched:
+        """Stereo points of the picture and their markers. ``guide`` is what is compared with: the
+        same as ``expected``, unless correspondence is made from the previous picture's pose."""
+        left, right = seen
+        z = self._depth(guide, pose)
+        stereo = match_stereo(left.uv, left.hue, right.uv, right.hue, self._rig, z_hint=z)
+        p_G = stereo.p_C @ pose.R_GC.T + pose.p_GC
+        cov = self.noise(stereo.p_C, pose)
+        hue = self._layout.chain.glove.marker_hue
+        likely = both_cameras(guide.prior)
+        likely = np.where(likely > self._match.min_prior, likely, 0.0)
+        found = match_translation(
+            p_G, left.hue[stereo.left_index], guide.p_G, hue, likely, cov
+        ).marker
+        keep = np.flatnonzero(found >= 0)
+        keep = keep[self._near(p_G[keep], cov[keep], found[keep], expected)]
+        return Matched(
+            found[keep],
+            stereo.left_index[keep],
+            stereo.right_index[keep],
+            p_G[keep],
+            cov[keep],
+        )
+
+    def _depth(self, guide: Expected, pose: CameraPose) -> float | None:
+        """Where on the optical axis the hand is expected, m; None where it is behind the lens."""
+        z = (guide.p_G - pose.p_GC) @ pose.R_GC[:, 2]
+        z_mean = float(np.median(z))
+        return z_mean if z_mean > 0.05 else None
+
+    def _near(self, p_G: Array, cov: Array, marker: IntArray, expected: Expected) -> Array:
+        """(k,) bool: within the gate of what the filter can believe."""
+        r = p_G - expected.p_G[marker]
+        S = expected.cov[marker] + cov
+        d2 = np.einsum("ki,ki->k", r, np.linalg.solve(S, r[..., None])[..., 0])
+        return d2 < self._match.gate
+
+    def noise(self, p_C: Array, pose: CameraPose) -> Array:
+        """Sigma_c (k, 3, 3) m² in G of triangulated points p_C (k, 3) with the marker's placement.
+
+        J diag(s², s²/2, 2 s²) J^T for (u_L, v, disparity), so depth is the least certain.
+        """
+        rig, s2 = self._rig, self._noise.pixel_px**2
+        x, y, z = p_C.T
+        focal = rig.fx * rig.baseline
+        J = np.zeros((len(p_C), 3, 3))
+        J[:, 0, 0] = z / rig.fx
+        J[:, 1, 1] = z / rig.fy
+        J[:, :, 2] = -np.column_stack([x, y, z]) * (z / focal)[:, None]
+        cov_C = (J * np.array([s2, s2 / 2, 2 * s2])) @ J.swapaxes(1, 2)
+        cov_C += np.eye(3) * self._noise.marker**2
+        return pose.R_GC @ cov_C @ pose.R_GC.T

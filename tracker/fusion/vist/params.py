@@ -1,0 +1,70 @@
+"""What a user may tune in the paper's filter; values tuned on simulated people."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tracker.fusion.params import MatchParams
+
+
+@dataclass(frozen=True)
+class VistNoise:
+    """Continuous noises (per √s) of eq. 9 and standard deviations of a marker (eq. 10)."""
+
+    gyro: float = 0.01  # rad/√s: far above the data sheet, it covers scale error and cloth
+    accel: float = 0.1  # m/s²·√s
+    gyro_bias: float = 2e-4  # rad/s/√s
+    accel_bias: float = 2e-3  # m/s²/√s
+    scale: float = 1e-4  # 1/√s
+    mounting: float = 4e-3  # rad/√s: stays alive, cloth moves
+    silent_rotation: float = 1.0  # rad/√s, of a segment whose IMU does not answer
+    silent_accel: float = 10.0  # m/s²·√s, the same for its place
+    marker: float = 0.0025  # m: a lasting placement error treated as white, hence twice its size
+    pixel_px: float = 1.0
+    huber: float = 3.0  # standard deviations, beyond which a marker loses weight
+
+
+@dataclass(frozen=True)
+class VistPrior:
+    """Standard deviations at the start."""
+
+    position: float = 0.020  # m
+    velocity: float = 0.3  # m/s
+    rotation: float = 0.12  # rad
+    gyro_bias: float = 0.021  # rad/s
+    accel_bias: float = 0.3  # m/s²
+    mounting: float = 0.0873  # rad, 5° an axis
+    common_length: float = 0.06  # of the whole hand
+    common_girth: float = 0.06
+    own_length: float = 0.015  # of one segment besides
+    own_girth: float = 0.02
+
+
+@dataclass(frozen=True)
+class VistConstraint:
+    """Anatomy as pseudo-measurements, applied once per picture."""
+
+    position: float = 0.0015  # m: two segments meet at their joint
+    rotation: float = 0.06  # rad: no twist, no abduction of a hinge
+    period: float = 0.03  # s between two uses while no picture comes
+
+
+@dataclass(frozen=True)
+class VistMatch:
+    """Correspondence. ``guide`` is "imu" (eqs. 1 to 6) or "previous": the pose of the last picture,
+    which the paper's movie S1 shows to fail; kept to show the same."""
+
+    guide: str = "imu"
+    gate: float = 30.0  # Mahalanobis² of three degrees of freedom
+    min_prior: float = 0.01  # markers less likely to be seen by both cameras do not take part
+
+
+@dataclass(frozen=True)
+class VistParams:
+    """The vist engine's settings."""
+
+    noise: VistNoise = field(default_factory=VistNoise)
+    prior: VistPrior = field(default_factory=VistPrior)
+    constraint: VistConstraint = field(default_factory=VistConstraint)
+    match: VistMatch = field(default_factory=VistMatch)
+    tracking: MatchParams = field(default_factory=MatchParams)

@@ -1,0 +1,105 @@
+"""Messages made of the paper's states: calibration and frame results."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.fusion.pixels import SeenBlobs
+from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, VistLayout
+from tracker.fusion.vist.markers import Expected, Matched
+from tracker.fusion.vist.state import VistState
+from tracker.geometry import so3
+from tracker.messages import Array, BlobFrame, Calibration, CameraPose, FrameResult, Tracking
+from tracker.vision.correspondence import both_cameras
+from tracker.vision.rig import Camera, StereoRig
+
+
+def calibration_of(layout: VistLayout, state: VistState) -> Calibration:
+    """Scales, mountings and biases with their standard deviations."""
+    sd = np.sqrt(np.maximum(np.diag(state.P), 0.0)).reshape(layout.n, ERRORS)
+    length, length_sd = hand_length(layout, state)
+    return Calibration(
+        t=state.t,
+        segments=layout.chain.names,
+        scale=state.scale.copy(),
+        scale_sd=sd[:, LAM : LAM + 3].copy(),
+        mounting=so3.log(layout.R_IB.swapaxes(1, 2) @ state.R_IB),
+        mounting_sd=sd[:, PHI : PHI + 3].copy(),
+        gyro_bias=state.bg.copy(),
+        gyro_bias_sd=sd[:, BG : BG + 3].copy(),
+        accel_bias=state.ba.copy(),
+        accel_bias_sd=sd[:, BA : BA + 3].copy(),
+        hand_length=length,
+        hand_length_sd=length_sd,
+    )
+
+
+def hand_length(layout: VistLayout, state: VistState) -> tuple[float, float]:
+    """Wrist to middle fingertip (m) and its standard deviation, from the length scales.
+
+    A segment without a state counts with the scale of the one before it.
+    """
+    hand, row_of = layout.hand, layout.chain.row_of
+    gain, last = np.zeros(layout.n), 0
+    for name in ("dorsum", "middle_proximal", "middle_intermediate", "middle_distal"):
+        if name in hand.index:
+            last = row_of.get(hand.index[name], last)
+            gain[last] += hand.segments[hand.index[name]].length
+    rows = np.arange(LAM, layout.size, ERRORS)
+    variance = gain @ state.P[np.ix_(rows, rows)] @ gain
+    return float(gain @ state.scale[:, 0]), float(np.sqrt(max(variance, 0.0)))
+
+
+def frame_result(
+    frame: BlobFrame,
+    layout: VistLayout,
+    rig: StereoRig,
+    pose: CameraPose,
+    tracking: Tracking,
+    expected: Expected,
+    matched: Matched,
+    seen: tuple[SeenBlobs, ...],
+) -> FrameResult:
+    """What was made of a picture, in raw pixels; one row per marker of the whole glove."""
+    m, kept = len(layout.glove.markers), layout.kept
+    p_C = (expected.p_G - pose.p_GC) @ pose.R_GC
+    uv = [rig.project(p_C), rig.project(p_C, right=True)]
+    source = np.full((2, m), -1, np.int64)
+    residual = np.full((m, 4), np.nan)
+    for c, rows in enumerate((matched.left, matched.right)):
+        source[c, kept[matched.marker]] = seen[c].source[rows]
+        residual[kept[matched.marker], 2 * c : 2 * c + 2] = seen[c].uv[rows] - uv[c][matched.marker]
+    visible = np.zeros(m)
+    visible[kept] = both_cameras(expected.prior)
+    cov = np.full((m, 2, 2), np.nan)
+    cov[kept] = _pixel_covariance(rig, pose, p_C, expected.cov)
+    return FrameResult(
+        t=frame.t,
+        tracking=tracking,
+        predicted_left=_raw(rig.left, uv[0], kept, m),
+        predicted_right=_raw(rig.right, uv[1], kept, m),
+        predicted_cov=cov,
+        visible=visible,
+        match_left=source[0],
+        match_right=source[1],
+        residual=residual,
+        stereo_points=len(matched),
+    )
+
+
+def _pixel_covariance(rig: StereoRig, pose: CameraPose, p_C: Array, cov_G: Array) -> Array:
+    """(m, 2, 2) px² of the left projections of points with cov_G (m, 3, 3) m²."""
+    z = np.where(p_C[:, 2] < 0.01, np.nan, p_C[:, 2])
+    A = np.zeros((len(p_C), 2, 3))
+    A[:, 0, 0], A[:, 1, 1] = rig.fx / z, rig.fy / z
+    A[:, 0, 2], A[:, 1, 2] = -rig.fx * p_C[:, 0] / z**2, -rig.fy * p_C[:, 1] / z**2
+    A = A @ pose.R_GC.T
+    return A @ cov_G @ A.swapaxes(1, 2)
+
+
+def _raw(camera: Camera, uv: Array, kept: Array, m: int) -> Array:
+    """(m, 2) raw pixels; NaN where a point is not in front of the lens or has no state."""
+    out = np.full((m, 2), np.nan)
+    ok = np.isfinite(uv[:, 0])
+    out[kept[ok]] = camera.unrectify(uv[ok])
+    return out

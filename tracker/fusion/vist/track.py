@@ -1,0 +1,46 @@
+"""The state of tracking: found, coasting, lost, and when to look for the hand again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.fusion.params import MatchParams
+from tracker.messages import Array, Tracking
+
+DOUBTFUL_SHARE = 0.35  # of the expected markers
+
+
+@dataclass(eq=False)
+class Track:
+    """What changes beside the filter. seen (M,), felt (I,): when each marker and IMU was last."""
+
+    seen: Array
+    felt: Array
+    tip_sd: Array
+    tracking: Tracking = Tracking.SEARCHING
+    last_good: float = -np.inf
+    last_search: float = -np.inf
+    last_constraint: float = -np.inf
+    doubtful_since: float = np.inf
+
+    def is_coasting(self, t: float, params: MatchParams) -> bool:
+        """No picture with enough markers lately."""
+        return t - self.last_good > params.lost_after
+
+    def judge(self, t: float, enough: bool, params: MatchParams) -> None:
+        """After a picture, or without one."""
+        if enough:
+            self.last_good, self.tracking = t, Tracking.TRACKING
+        elif t - self.last_good > params.coast_limit:
+            self.tracking = Tracking.LOST
+        elif self.is_coasting(t, params):
+            self.tracking = Tracking.COASTING
+
+    def should_search(self, t: float, matched: int, expected: float, params: MatchParams) -> bool:
+        """Lost, or too few of the expected markers are there for too long."""
+        doubtful = matched < max(params.min_markers, DOUBTFUL_SHARE * expected)
+        self.doubtful_since = min(self.doubtful_since, t) if doubtful else np.inf
+        long = t - self.doubtful_since >= params.lost_after or self.is_coasting(t, params)
+        return long and t - self.last_search >= params.search_period / 10
