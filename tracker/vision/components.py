@@ -12,11 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.messages import Array
-from tracker.vision.hue_table import pixel_class
+from tracker.vision.hue_table import Table, pixel_class
 
 _Bytes = NDArray[np.uint8]
-_Masks = NDArray[np.int64]
-_Table = NDArray[np.int8]
 Runs = NDArray[np.int32]
 """(n, 3): row, first and last column of each run of a region."""
 
@@ -36,14 +34,13 @@ def _run(
     y: int,
     x: int,
     hue: int,
-    table: _Table,
-    masks: _Masks,
+    table: Table,
 ) -> tuple[int, int]:
     """The run of ``hue`` around (x, y), marked as visited: first and last column."""
     first, last, right = x, x, image.shape[1] - 1
-    while first > 0 and pixel_class(image, y, first - 1, table, masks) == hue:
+    while first > 0 and pixel_class(image, y, first - 1, table) == hue:
         first -= 1
-    while last < right and pixel_class(image, y, last + 1, table, masks) == hue:
+    while last < right and pixel_class(image, y, last + 1, table) == hue:
         last += 1
     for k in range(first, last + 1):
         visited[y, k] = 1
@@ -57,19 +54,23 @@ def fill(
     y: int,
     x: int,
     hue: int,
-    table: _Table,
-    masks: _Masks,
+    table: Table,
     runs: Runs,
-) -> tuple[Runs, int]:
+    extent: int,
+) -> tuple[Runs, int, bool]:
     """All runs of the 8-connected region that (x, y) belongs to; ``runs`` is the memory used.
 
-    The list of runs is at once the queue of those whose neighbours are still to be looked at.
+    The list of runs is at once the queue of those whose neighbours are still to be looked at. A
+    region longer than ``extent`` px is background: it is left as soon as that is known and marked
+    1 + hue, and what later touches such a mark belongs to it. Returns the runs, how many there
+    are, and whether the region is whole.
     """
     height, width = image.shape[0], image.shape[1]
-    first, last = _run(image, visited, y, x, hue, table, masks)
+    first, last = _run(image, visited, y, x, hue, table)
     runs[0, 0], runs[0, 1], runs[0, 2] = y, first, last
-    n, done = 1, 0
-    while done < n:
+    low, high, top, bottom = first, last, y, y
+    n, done, whole = 1, 0, last - first <= extent
+    while done < n and whole:
         row, first, last = runs[done, 0], runs[done, 1], runs[done, 2]
         done += 1
         for near in (row - 1, row + 1):
@@ -77,16 +78,30 @@ def fill(
                 continue
             k, end = max(first - 1, 0), min(last + 1, width - 1)
             while k <= end:
-                if visited[near, k] or pixel_class(image, near, k, table, masks) != hue:
+                seen = visited[near, k]
+                if seen > 1 and seen == hue + 1:
+                    whole = False
+                    break
+                if seen or pixel_class(image, near, k, table) != hue:
                     k += 1
                     continue
-                a, b = _run(image, visited, near, k, hue, table, masks)
+                a, b = _run(image, visited, near, k, hue, table)
                 if n == len(runs):
                     runs = grown(runs)
                 runs[n, 0], runs[n, 1], runs[n, 2] = near, a, b
                 n += 1
+                low, high, top, bottom = (
+                    min(low, a),
+                    max(high, b),
+                    min(top, near),
+                    max(bottom, near),
+                )
                 k = b + 2
-    return runs, n
+        whole = whole and max(high - low, bottom - top) <= extent
+    if not whole:
+        for i in range(n):
+            visited[runs[i, 0], runs[i, 1] : runs[i, 2] + 1] = hue + 1
+    return runs, n, whole
 
 
 @numba.njit(cache=True, nogil=True)

@@ -15,11 +15,12 @@ from tracker.errors import GlovetrackError
 from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search
 from tracker.vision.colours import ColourProfile, ShapeLimits
-from tracker.vision.hue_table import HueTable
+from tracker.vision.hue_table import hue_table
 
 Image = NDArray[np.uint8]
 REASONS = ("size", "convexity", "circularity", "edge")
 SQUARE_CIRCULARITY = np.pi / 4
+LARGE = 2.0  # times the largest blob: two that touch are to be parted, more are background
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ class Detector:
     ) -> None:
         self.profile = profile
         self.params = params or DetectorParams()
-        self._table = HueTable.of(profile)
+        self._table = hue_table(profile)
         extent = marker_size * fx
         self._extent = (extent / self.params.farthest, extent / self.params.nearest)
 
@@ -76,10 +77,10 @@ class Detector:
         rows = search.find_regions(
             pixels,
             np.zeros((height, width), np.uint8),
-            self._table.table,
-            self._table.masks,
+            self._table,
             self._windows(width, height, hints),
             self.params.min_area_px,
+            int(LARGE * self.profile.shape.size[1] * self._extent[1]),
         )
         reason = self._reasons(rows, hints)
         return _blobs(rows[reason < 0]), _rejected(rows[reason >= 0], reason[reason >= 0])

@@ -8,11 +8,9 @@ from numpy.typing import NDArray
 
 from tracker.messages import Array
 from tracker.vision.components import Runs, axes, bounds, cut, fill, grown, hull, moments, waist
-from tracker.vision.hue_table import pixel_class
+from tracker.vision.hue_table import Table, pixel_class
 
 _Bytes = NDArray[np.uint8]
-_Masks = NDArray[np.int64]
-_Table = NDArray[np.int8]
 
 # Columns of a measurement row.
 HUE, U, V, AREA, MAJOR, MINOR, CONVEXITY, CIRCULARITY, WIDTH, HEIGHT, EDGE = range(11)
@@ -28,16 +26,16 @@ SPLIT_CONVEXITY = 0.88  # of each half
 def find_regions(
     image: _Bytes,
     visited: _Bytes,
-    table: _Table,
-    masks: _Masks,
+    table: Table,
     windows: NDArray[np.int64],
     min_area: float,
+    max_extent: int,
 ) -> Array:
     """Measurements (n, COLUMNS) of all regions that a seed meets, in the order of the seeds.
 
-    visited (h, w) zeros, marked here; windows (k, 5): first and last column, first and last row,
-    and the grid's stride. Every other row of the grid is shifted by half a stride, which lets
-    nothing larger than 0.7 strides through.
+    visited (h, w) zeros, marked here; table of `hue_table`; windows (k, 5): first and last column,
+    first and last row, and the grid's stride. Regions below ``min_area`` px² or longer than
+    ``max_extent`` px give no row. Every other row of the grid is shifted by half a stride.
     """
     out = np.empty((64, COLUMNS))
     runs = np.empty((256, 3), np.int32)
@@ -47,10 +45,12 @@ def find_regions(
         for y in range(windows[k, 2], windows[k, 3] + 1, stride):
             shift = (y // stride % 2) * (stride // 2)
             for x in range(windows[k, 0] + shift, windows[k, 1] + 1, stride):
-                hue = pixel_class(image, y, x, table, masks)
+                hue = pixel_class(image, y, x, table)
                 if hue == 0 or visited[y, x]:
                     continue
-                runs, used = fill(image, visited, y, x, hue, table, masks, runs)
+                runs, used, whole = fill(image, visited, y, x, hue, table, runs, max_extent)
+                if not whole:
+                    continue
                 if n + 2 > len(out):
                     out = grown(out)
                 n += _measure_parts(runs[:used], hue, min_area, image.shape, out[n : n + 2])
