@@ -1,6 +1,5 @@
 #include "link.h"
 
-#include <avr/eeprom.h>
 #include <avr/pgmspace.h>
 
 #include "battery.h"
@@ -22,8 +21,6 @@
 enum { HELLO = 0x01, SAMPLES = 0x02, STATUS = 0x03, ERROR = 0x04 };
 enum { ASK_HELLO = 0x81, START = 0x82, STOP = 0x83, RATE = 0x84, HAPTIC = 0x85 };
 
-static uint32_t EEMEM glove_id = GLOVE_ID;
-
 static bool streaming;
 static uint16_t seq;
 static uint16_t dropped;
@@ -40,7 +37,7 @@ void link_send_hello(void)
     frame_u8(FIRMWARE_MAJOR);
     frame_u8(FIRMWARE_MINOR);
     frame_u8(FIRMWARE_PATCH);
-    frame_u32(eeprom_read_dword(&glove_id));
+    frame_u32(GLOVE_ID);
     frame_u8(IMU_COUNT);
     frame_u16(GYRO_RANGE_DPS);
     frame_u8(ACCEL_RANGE_G);
