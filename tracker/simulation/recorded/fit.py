@@ -1,0 +1,143 @@
+"""A skeleton fitted to recorded points: scale, where the points sit, and the pose of each frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.errors import FileError
+from tracker.hand.model import HandModel
+from tracker.hand.names import KEYPOINTS
+from tracker.messages import Array, IntArray
+from tracker.simulation.recorded.solver import solve_frames
+from tracker.simulation.recorded.track import PointTrack
+
+
+@dataclass(frozen=True)
+class FitParams:
+    """Standard deviations of what the fit weighs."""
+
+    point: float = 0.003  # m
+    rest: float = 1.0  # rad, of an angle about zero
+    change: float = 0.15  # rad between two frames
+    synergy: float = 0.3  # rad
+    iterations: int = 4
+    rounds: int = 3  # of refining where the points sit
+    keep: float = 0.3  # of a point's nominal place in each round
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """angles (n, J) rad, R_GB (n, 3, 3), p_GB (n, 3) m of the dorsum in the file's frame, sized to
+    the hand; residual (n, T) m, NaN where a point was missing."""
+
+    angles: Array
+    R_GB: Array
+    p_GB: Array
+    residual: Array
+
+
+def fit_hand(hand: HandModel, track: PointTrack, params: FitParams | None = None) -> Fit:
+    """Angles and poses that bring the hand's points onto the track's, all frames."""
+    p = params or FitParams()
+    segment, local = _targets(hand, track.targets)
+    k = _most_open(track)
+    scale, R, origin = _umeyama(hand, segment, local, track.points[k])
+    points = track.points / scale
+    start = np.zeros(len(hand.joint_names)), R, origin / scale
+    _place_on_dorsum(hand, local, points[k], start[1], start[2])
+    nominal = local.copy()
+    for _ in range(p.rounds):
+        fit = _solve(hand, segment, local, points[k::-1], start, p)
+        start = fit.angles[-1], fit.R_GB[-1], fit.p_GB[-1]
+        fit = _solve(hand, segment, local, points, start, p)
+        local = _refined(hand, fit, segment, points, nominal, p.keep)
+        start = fit.angles[k], fit.R_GB[k], fit.p_GB[k]
+    return fit
+
+
+def _solve(
+    hand: HandModel,
+    segment: IntArray,
+    local: Array,
+    points: Array,
+    start: tuple[Array, Array, Array],
+    p: FitParams,
+) -> Fit:
+    index = hand.angle_index
+    coupling = np.array(
+        [[index[s.angle], index[s.of], s.ratio, s.offset] for s in hand.synergies]
+    ).reshape(-1, 4)
+    weights = 1 / np.array([p.point, p.rest, p.change, p.synergy])
+    return Fit(
+        *solve_frames(
+            np.array(hand.parent, np.int64),
+            np.array([s.origin for s in hand.segments]),
+            np.array([s.R_rest for s in hand.segments]),
+            np.array(hand.axis_columns, np.int64),
+            hand.angle_limits, coupling, segment, local, np.ascontiguousarray(points),
+            *(np.ascontiguousarray(x) for x in start), weights, p.iterations,
+        )
+    )  # fmt: skip
+
+
+def _targets(hand: HandModel, targets: tuple[str, ...]) -> tuple[IntArray, Array]:
+    """Segment row (T,) and place in B (T, 3); of a marker on the dorsum NaN, to be found."""
+    segment, local = [], []
+    for name in targets:
+        if name.startswith("dorsum:"):
+            segment.append(hand.index["dorsum"])
+            local.append([np.nan] * 3)
+            continue
+        if name not in hand.keypoint_names:
+            raise FileError(f"The hand {hand.name!r} has no {name}, which the recording holds.")
+        s = hand.segments[hand.index[KEYPOINTS[name][0]]]
+        segment.append(hand.index[s.name])
+        local.append([s.length if KEYPOINTS[name][1] else 0.0, 0.0, 0.0])
+    return np.array(segment, np.int64), np.array(local)
+
+
+def _most_open(track: PointTrack) -> int:
+    """The complete frame with the points furthest apart: the flattest hand."""
+    spread = track.points - np.nanmean(track.points, axis=1, keepdims=True)
+    size = np.sum(np.sum(spread**2, axis=2), axis=1)  # NaN where a point is missing
+    if not np.isfinite(size).any():
+        raise FileError("The recording shows the whole hand in no frame.")
+    return int(np.nanargmax(size))
+
+
+def _umeyama(
+    hand: HandModel, segment: IntArray, local: Array, points: Array
+) -> tuple[float, Array, Array]:
+    """scale, R and t with points ≈ scale R model + t for the flat hand (Umeyama 1991)."""
+    R, p = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
+    model = p[segment] + np.einsum("nij,nj->ni", R[segment], local)
+    known = np.isfinite(model[:, 0]) & np.isfinite(points[:, 0])
+    x, y = model[known], points[known]
+    dx, dy = x - x.mean(axis=0), y - y.mean(axis=0)
+    U, D, Vt = np.linalg.svd(dy.T @ dx)
+    sign = np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))])
+    turn = U @ sign @ Vt
+    scale = float(np.trace(np.diag(D) @ sign) / np.sum(dx**2))
+    return scale, turn, y.mean(axis=0) - scale * turn @ x.mean(axis=0)
+
+
+def _place_on_dorsum(hand: HandModel, local: Array, points: Array, R: Array, p: Array) -> None:
+    """Fill in where dorsum markers sit, from the open frame."""
+    unknown = np.isnan(local[:, 0])
+    local[unknown] = (points[unknown] - p) @ R
+
+
+def _refined(
+    hand: HandModel, fit: Fit, segment: IntArray, points: Array, nominal: Array, keep: float
+) -> Array:
+    """Each point's mean place in its segment over all frames, held towards the nominal one."""
+    local = nominal.copy()
+    places = [hand.forward(a, R, p) for a, R, p in zip(fit.angles, fit.R_GB, fit.p_GB, strict=True)]
+    R_GB, p_GB = np.array([x[0] for x in places]), np.array([x[1] for x in places])
+    for i, s in enumerate(segment):
+        seen = np.isfinite(points[:, i, 0])
+        inside = np.einsum("nji,nj->ni", R_GB[seen, s], points[seen, i] - p_GB[seen, s])
+        local[i] = keep * nominal[i] + (1 - keep) * np.median(inside, axis=0)
+    return local

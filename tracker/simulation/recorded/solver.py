@@ -1,0 +1,147 @@
+"""Inverse kinematics: joint angles and the dorsum's pose from points, by damped Gauss-Newton."""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+
+from tracker.messages import Array, IntArray
+from tracker.simulation.kinematics import forward_many
+
+
+@numba.njit(cache=True)
+def solve_frames(
+    parent: IntArray,
+    origin: Array,
+    R_rest: Array,
+    column: IntArray,
+    limits: Array,
+    coupling: Array,
+    segment: IntArray,
+    local: Array,
+    points: Array,
+    angles: Array,
+    R: Array,
+    p: Array,
+    weights: Array,
+    iterations: int,
+) -> tuple[Array, Array, Array, Array]:
+    """Each frame in turn, starting from the one before.
+
+    points (n, T, 3) m in G, NaN where missing, of targets ``local`` (T, 3) in B of ``segment``.
+    coupling (C, 4): angle, other, ratio, offset of a synergy held softly. weights: 1 / standard
+    deviation of (a point, 1/m; rest, 1/rad; change of angle, 1/rad; synergy, 1/rad).
+    Returns angles (n, J), R_GB (n, 3, 3), p_GB (n, 3) of the root, residual (n, T) m.
+    """
+    n, count = len(points), len(angles)
+    twist = np.zeros(len(parent))
+    out_a, out_R = np.empty((n, count)), np.empty((n, 3, 3))
+    out_p, residual = np.empty((n, 3)), np.full((n, len(local)), np.nan)
+    a, R0, p0 = angles.copy(), R.copy(), p.copy()
+    for k in range(n):
+        before = a.copy()
+        for _ in range(iterations):
+            Rs, ps = forward_many(parent, origin, R_rest, column, twist, a.reshape(1, -1),
+                                  R0.reshape(1, 3, 3), p0.reshape(1, 3))  # fmt: skip
+            H, g = _normal_equations(parent, R_rest, column, segment, local, points[k], a,
+                                     Rs[0], ps[0], weights[0])  # fmt: skip
+            _priors(H, g, a, before, coupling, weights)
+            step = np.linalg.solve(H, g)
+            p0 = p0 + step[:3]
+            R0 = _turned(step[3:6], R0)
+            a = np.minimum(np.maximum(a + step[6:], limits[:, 0]), limits[:, 1])
+        Rs, ps = forward_many(parent, origin, R_rest, column, twist, a.reshape(1, -1),
+                              R0.reshape(1, 3, 3), p0.reshape(1, 3))  # fmt: skip
+        for i in range(len(local)):
+            gap = points[k, i] - (ps[0, segment[i]] + Rs[0, segment[i]] @ local[i])
+            residual[k, i] = np.sqrt(gap[0] ** 2 + gap[1] ** 2 + gap[2] ** 2)
+        out_a[k], out_R[k], out_p[k] = a, R0, p0
+    return out_a, out_R, out_p, residual
+
+
+@numba.njit(cache=True)
+def _normal_equations(
+    parent: IntArray,
+    R_rest: Array,
+    column: IntArray,
+    segment: IntArray,
+    local: Array,
+    points: Array,
+    angles: Array,
+    R: Array,
+    p: Array,
+    weight: float,
+) -> tuple[Array, Array]:
+    """JᵀJ and Jᵀr over (p (3), rotation of the root in G (3), angles (J))."""
+    size = 6 + len(angles)
+    H, g = np.zeros((size, size)), np.zeros(size)
+    J = np.zeros((3, size))
+    for i in range(len(local)):
+        if np.isnan(points[i, 0]):
+            continue
+        x = p[segment[i]] + R[segment[i]] @ local[i]
+        J[:] = 0.0
+        for c in range(3):
+            J[c, c] = 1.0
+            unit = np.zeros(3)
+            unit[c] = 1.0
+            J[:, 3 + c] = np.cross(unit, x - p[0])
+        s = segment[i]
+        while parent[s] >= 0:
+            _joint_columns(J, R[parent[s]] @ R_rest[s], R[s], column[s], angles, x - p[s])
+            s = parent[s]
+        r = points[i] - x
+        H += weight * weight * (J.T @ J)
+        g += weight * weight * (J.T @ r)
+    return H, g
+
+
+@numba.njit(cache=True)
+def _joint_columns(
+    J: Array, base: Array, R: Array, column: IntArray, angles: Array, arm: Array
+) -> None:
+    """Axes in G of a joint Rz Ry Rx: base z; base Rz y; the segment's own x."""
+    a = angles[column[0]] if column[0] >= 0 else 0.0
+    if column[0] >= 0:
+        J[:, 6 + column[0]] = np.cross(base[:, 2], arm)
+    if column[1] >= 0:
+        axis = np.cos(a) * base[:, 1] - np.sin(a) * base[:, 0]
+        J[:, 6 + column[1]] = np.cross(axis, arm)
+    if column[2] >= 0:
+        J[:, 6 + column[2]] = np.cross(R[:, 0], arm)
+
+
+@numba.njit(cache=True)
+def _priors(H: Array, g: Array, a: Array, before: Array, coupling: Array, weights: Array) -> None:
+    """Rest, steadiness and synergies: what decides where no point does."""
+    for j in range(len(a)):
+        H[6 + j, 6 + j] += weights[1] ** 2 + weights[2] ** 2
+        g[6 + j] += weights[1] ** 2 * (0.0 - a[j]) + weights[2] ** 2 * (before[j] - a[j])
+    for c in range(len(coupling)):
+        i, j, k = 6 + int(coupling[c, 0]), 6 + int(coupling[c, 1]), coupling[c, 2]
+        w = weights[3] ** 2
+        r = coupling[c, 3] + k * a[j - 6] - a[i - 6]
+        H[i, i] += w
+        H[j, j] += w * k * k
+        H[i, j] -= w * k
+        H[j, i] -= w * k
+        g[i] += w * r
+        g[j] -= w * k * r
+    for j in range(6):
+        H[j, j] += 1e-6
+
+
+@numba.njit(cache=True)
+def _turned(step: Array, R: Array) -> Array:
+    """Exp(step) R, made orthonormal again."""
+    angle = np.sqrt(step[0] ** 2 + step[1] ** 2 + step[2] ** 2)
+    K = np.array([[0.0, -step[2], step[1]], [step[2], 0.0, -step[0]], [-step[1], step[0], 0.0]])
+    a = 1.0 if angle < 1e-8 else np.sin(angle) / angle
+    b = 0.5 if angle < 1e-8 else (1 - np.cos(angle)) / angle**2
+    out = (np.eye(3) + a * K + b * (K @ K)) @ R
+    x = out[:, 0] / np.sqrt((out[:, 0] ** 2).sum())
+    y = out[:, 1] - x * (x * out[:, 1]).sum()
+    y = y / np.sqrt((y**2).sum())
+    turned = np.empty((3, 3))
+    turned[:, 0], turned[:, 1], turned[:, 2] = x, y, np.cross(x, y)
+    return turned

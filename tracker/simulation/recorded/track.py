@@ -1,0 +1,61 @@
+"""Points of a recorded hand over time, whatever the file they came from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.errors import FileError
+from tracker.messages import Array
+
+
+@dataclass(frozen=True, eq=False)
+class PointTrack:
+    """Named points at times t (n,) s from 0: points (n, T, 3), NaN where not seen.
+
+    ``targets`` (T,) gives for each point where it is on the hand: a keypoint's name, or
+    "dorsum:<name>" for a marker somewhere on the back of the hand. ``up`` (3,) points against
+    gravity in the file's frame. ``unit`` is metres per unit of ``points``, None if unknown.
+    """
+
+    t: Array
+    points: Array
+    targets: tuple[str, ...]
+    up: Array
+    side: str
+    unit: float | None
+
+    def checked(self, path: str) -> PointTrack:
+        """Itself, if a hand can be fitted to it. Raises FileError."""
+        if len(self.t) < 20:
+            raise FileError(f"{path} holds only {len(self.t)} frames of a hand; 20 are needed.")
+        if not np.all(np.diff(self.t) > 0):
+            raise FileError(f"{path} has times that do not increase.")
+        whole = np.isfinite(self.points).all(axis=2)
+        if whole.sum(axis=1).max() < 6:
+            raise FileError(f"{path} never shows six points of the hand at once.")
+        return self
+
+
+def mirrored(track: PointTrack, side: str) -> PointTrack:
+    """The track as of a hand of ``side``: mirrored in a plane that holds ``up`` if it must be."""
+    if track.side == side:
+        return track
+    across = np.cross(track.up, [1.0, 0, 0])
+    if np.linalg.norm(across) < 0.1:
+        across = np.cross(track.up, [0, 1.0, 0])
+    across /= np.linalg.norm(across)
+    points = track.points - 2 * (track.points @ across)[..., None] * across
+    return PointTrack(track.t, points, track.targets, track.up, side, track.unit)
+
+
+def resampled(track: PointTrack, rate_hz: float) -> PointTrack:
+    """At an even rate, by linear interpolation between neighbours; gaps stay gaps."""
+    t = np.arange(0.0, track.t[-1], 1 / rate_hz)
+    after = np.clip(np.searchsorted(track.t, t, side="right"), 1, len(track.t) - 1)
+    t0, t1 = track.t[after - 1], track.t[after]
+    share = ((t - t0) / (t1 - t0))[:, None, None]
+    points = track.points[after - 1] * (1 - share) + track.points[after] * share
+    points[t1 - t0 > 0.1] = np.nan  # a hole in the file, not two neighbours
+    return PointTrack(t, points, track.targets, track.up, track.side, track.unit)
