@@ -150,6 +150,22 @@ class FrameResult(_Frozen):
     residual: Array
     stereo_points: int  # markers matched in both images
 
+    @staticmethod
+    def nothing(t: float, tracking: Tracking, markers: int) -> FrameResult:
+        """Of a picture in which no marker was expected or matched."""
+        return FrameResult(
+            t=t,
+            tracking=tracking,
+            predicted_left=np.full((markers, 2), np.nan),
+            predicted_right=np.full((markers, 2), np.nan),
+            predicted_cov=np.full((markers, 2, 2), np.nan),
+            visible=np.zeros(markers),
+            match_left=np.full(markers, -1, np.int64),
+            match_right=np.full(markers, -1, np.int64),
+            residual=np.full((markers, 4), np.nan),
+            stereo_points=0,
+        )
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Estimate(_Frozen):

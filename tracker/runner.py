@@ -1,0 +1,415 @@
+"""Threads and channels around one pipeline: the only place of the engine where threads live.
+
+    glove thread ──┐ inbox (Fifo)
+                   ├──────────────> engine thread ──> latest estimate, recorder
+    camera thread ─┴> vision thread                    (disk thread behind a Fifo)
+
+Messages enter the pipeline in one order, that of their ``t_arrival`` after `_Order`, so that a
+session read back in that order gives the same states bit for bit.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from tracker.channels import Closed, Fifo, Latest
+from tracker.clock import nanoseconds, seconds
+from tracker.errors import GlovetrackError
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    Message,
+    Status,
+    StereoFrame,
+    Tracking,
+)
+from tracker.pipeline import Pipeline
+from tracker.telemetry import Telemetry
+from tracker.vision.colours import ColourProfile
+from tracker.vision.detector import Detector, detect_frame
+
+WAIT = 0.05  # s that a thread waits before it looks whether it should end
+SILENCE = 0.1  # s without packets after which the screen follows the pictures alone
+HISTORY_S = 10.0
+MAX_PICTURES_WAITING = 24  # 130 MB at 720p
+TRACKING_WORDS = {
+    Tracking.SEARCHING: "Looking for the hand.",
+    Tracking.TRACKING: "The hand is tracked.",
+    Tracking.COASTING: "The hand is out of sight; its place is extrapolated.",
+    Tracking.LOST: "The hand's place is lost; finger angles go on.",
+}
+
+
+def monotonic() -> float:
+    """Seconds of the host's monotonic clock, a whole number of nanoseconds."""
+    return seconds(time.monotonic_ns())
+
+
+class GloveSource(Protocol):
+    """A glove, real or simulated."""
+
+    def poll(self, timeout: float) -> Sequence[ImuSample | Event]:
+        """What came, after waiting at most ``timeout`` s for anything."""
+
+    def close(self) -> None:
+        """Free the port."""
+
+
+class CameraSource(Protocol):
+    """A stereo camera, real or simulated."""
+
+    def read(self, timeout: float) -> StereoFrame | None:
+        """The next picture pair; None if none came within ``timeout`` s."""
+
+    def take_events(self) -> Sequence[Event]:
+        """What happened to the device since the last call."""
+
+    def close(self) -> None:
+        """Free the device."""
+
+
+class Recorder(Protocol):
+    """Takes messages to disk; see `tracker.session.writer.SessionRecorder`."""
+
+    def write(self, message: Message, overloaded: bool = False) -> None: ...
+
+    def close(self) -> None: ...
+
+
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """A picture and what the detector found in it."""
+
+    frame: StereoFrame
+    blobs: BlobFrame
+
+
+class _Order:
+    """Makes stamps of arrival tell the order of feeding: IMU first where two are equal."""
+
+    def __init__(self) -> None:
+        self._last = -1
+
+    def imu(self, sample: ImuSample) -> ImuSample:
+        stamp = max(nanoseconds(sample.t_arrival), self._last + 1)
+        self._last = stamp
+        arrival = seconds(stamp)
+        return sample if arrival == sample.t_arrival else replace(sample, t_arrival=arrival)
+
+    def blobs(self, frame: BlobFrame) -> BlobFrame:
+        self._last = max(nanoseconds(frame.t_arrival), self._last)
+        return replace(frame, t_arrival=seconds(self._last))
+
+
+class LiveTracker:
+    """Runs one pipeline on live devices until `stop`. Methods may be called from any thread."""
+
+    def __init__(
+        self,
+        pipeline: Pipeline,
+        profile: ColourProfile,
+        make_detector: Callable[[ColourProfile], Detector],
+        glove: GloveSource,
+        camera: CameraSource,
+        recorder: Recorder | None = None,
+        clock: Callable[[], float] = monotonic,
+    ) -> None:
+        self._pipeline = pipeline
+        self._make_detector, self._detector = make_detector, make_detector(profile)
+        self._glove, self._camera, self._clock = glove, camera, clock
+        self._stopping = threading.Event()
+        self._threads: list[threading.Thread] = []
+        self._inbox: Fifo[ImuSample | _Found] = Fifo(4096)
+        self._pictures: Latest[StereoFrame] = Latest()
+        self._events: Fifo[Event] = Fifo(2000)
+        self._telemetry = Telemetry()
+        self._order = _Order()
+        self._disk: _Disk | None = None
+        self._history: deque[ImuSample] = deque()
+        self._estimate: Estimate | None = None
+        self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
+        self._calibration: Calibration | None = None
+        self._waiting: deque[_Found] = deque()
+        self._lost_packets = 0
+        self._next_slow = 0.0
+        if recorder is not None:
+            self.set_recorder(recorder)
+
+    # ---- control
+
+    def start(self) -> None:
+        """Start all threads. Once only."""
+        for name, work in (
+            ("glove", self._run_glove),
+            ("camera", self._run_camera),
+            ("vision", self._run_vision),
+            ("engine", self._run_engine),
+        ):
+            thread = threading.Thread(
+                target=self._guarded, args=(name, work), name=f"glovetrack-{name}", daemon=True
+            )
+            self._threads.append(thread)
+            thread.start()
+
+    def stop(self) -> None:
+        """End all threads, finish the recording, free the devices. May be called again."""
+        self._stopping.set()
+        self._inbox.close()
+        self._pictures.close()
+        for thread in self._threads:
+            thread.join()
+        self._threads.clear()
+        self.set_recorder(None)
+        self._glove.close()
+        self._camera.close()
+
+    def set_profile(self, profile: ColourProfile) -> None:
+        """Detect with other colours from the next picture on."""
+        self._detector = self._make_detector(profile)
+
+    def set_recorder(self, recorder: Recorder | None) -> None:
+        """Record into ``recorder`` from now on; the last one is finished and closed."""
+        before, self._disk = self._disk, None
+        if before is not None:
+            before.finish()
+            self._say("recording", "The recording is finished.")
+        if recorder is not None:
+            self._disk = _Disk(recorder, self._say)
+            self._say("recording", "Recording.")
+
+    # ---- what there is to see
+
+    def latest_estimate(self) -> Estimate | None:
+        return self._estimate
+
+    def latest_frame(self) -> tuple[StereoFrame, BlobFrame, FrameResult] | None:
+        return self._frame
+
+    def recent_imu(self) -> list[ImuSample]:
+        """Packets of the last seconds, oldest first."""
+        while True:
+            try:
+                return list(self._history)
+            except RuntimeError:  # the engine thread appended meanwhile
+                continue
+
+    def calibration(self) -> Calibration | None:
+        return self._calibration
+
+    def take_events(self) -> list[Event]:
+        return self._events.drain()
+
+    def status(self) -> Status:
+        now = self._clock()
+        t = self._telemetry
+        t.set("frames_dropped", self._pictures.dropped)
+        t.set("imu_lost", self._lost_packets)
+        t.set("imu_overflow", self._inbox.overflowed)
+        if self._disk is not None:
+            t.set("pictures_thinned", self._disk.thinned)
+        tracking = self._estimate.tracking if self._estimate else Tracking.SEARCHING
+        return Status(now, tracking, t.values(now))
+
+    # ---- threads
+
+    def _guarded(self, name: str, work: Callable[[], None]) -> None:
+        """A thread that fails says so and ends; the others go on."""
+        try:
+            work()
+        except Closed:
+            return
+        except GlovetrackError as error:
+            self._say("error", str(error))
+        except Exception as error:  # noqa: BLE001 - the last line of defence of a thread
+            self._say("error", f"The {name} thread failed: {type(error).__name__}: {error}.")
+
+    def _run_glove(self) -> None:
+        while not self._stopping.is_set():
+            for item in self._glove.poll(WAIT):
+                if isinstance(item, Event):
+                    self._tell(item)
+                else:
+                    self._inbox.put(item)
+
+    def _run_camera(self) -> None:
+        while not self._stopping.is_set():
+            frame = self._camera.read(WAIT)
+            for event in self._camera.take_events():
+                self._tell(event)
+            if frame is not None:
+                self._telemetry.tick("frame", frame.t_arrival)
+                self._record(frame)
+                self._pictures.put(frame)
+
+    def _run_vision(self) -> None:
+        while not self._stopping.is_set():
+            frame = self._pictures.get(WAIT)
+            if frame is None:
+                continue
+            started = self._clock()
+            blobs = detect_frame(self._detector, frame)
+            self._telemetry.took("detect", self._clock() - started)
+            self._inbox.put(_Found(frame, blobs))
+
+    def _run_engine(self) -> None:
+        while not self._stopping.is_set():
+            item = self._inbox.get(WAIT)
+            if item is None:
+                continue
+            started = self._clock()
+            if isinstance(item, ImuSample):
+                self._feed_imu(item)
+            else:
+                self._feed_frame(item)
+            self._telemetry.took("filter", self._clock() - started)
+            self._take_results()
+            self._now_and_then()
+
+    # ---- the engine thread's work
+
+    def _feed_imu(self, sample: ImuSample) -> None:
+        sample = self._order.imu(sample)
+        self._record(sample)
+        self._remember(sample)
+        self._show(self._pipeline.feed_imu(sample), record=True)
+        self._telemetry.took("imu", self._clock() - sample.t_arrival)
+
+    def _remember(self, sample: ImuSample) -> None:
+        self._telemetry.tick("imu", sample.t_arrival)
+        history = self._history
+        if history and sample.seq > history[-1].seq + 1 > 0:
+            self._lost_packets += sample.seq - history[-1].seq - 1
+        history.append(sample)
+        while history[-1].t - history[0].t > HISTORY_S:
+            history.popleft()
+
+    def _feed_frame(self, found: _Found) -> None:
+        blobs = self._order.blobs(found.blobs)
+        self._record(blobs)
+        self._waiting.append(_Found(found.frame, blobs))
+        self._pipeline.feed_frame(blobs)
+        silent = not self._history or blobs.t_arrival - self._history[-1].t_arrival > SILENCE
+        if silent:
+            self._show(self._pipeline.predict(blobs.t), record=False)
+
+    def _take_results(self) -> None:
+        for result in self._pipeline.take_results():
+            while self._waiting and self._waiting[0].blobs.t < result.t:
+                self._waiting.popleft()
+            if not self._waiting:
+                continue
+            found = self._waiting.popleft()
+            self._frame = (found.frame, found.blobs, result)
+            self._telemetry.set("stereo_points", result.stereo_points)
+            self._telemetry.took("total", self._clock() - found.frame.t_arrival)
+        while len(self._waiting) > 30:  # nothing is made of pictures while searching
+            found = self._waiting.popleft()
+        if self._waiting and self._estimate and self._estimate.tracking == Tracking.SEARCHING:
+            found = self._waiting[-1]
+            nothing = FrameResult.nothing(
+                found.blobs.t, Tracking.SEARCHING, len(self._pipeline.glove.markers)
+            )
+            self._frame = (found.frame, found.blobs, nothing)
+
+    def _show(self, estimate: Estimate, record: bool) -> None:
+        before = self._estimate
+        self._estimate = estimate
+        self._telemetry.tick("estimate", self._clock())
+        if record:
+            self._record(estimate)
+        if before is None or before.tracking != estimate.tracking:
+            self._say("tracking", TRACKING_WORDS[estimate.tracking])
+
+    def _now_and_then(self) -> None:
+        """Once a second: calibration and status, for the screen and the file."""
+        now = self._clock()
+        if now < self._next_slow:
+            return
+        self._next_slow = now + 1.0
+        self._calibration = self._pipeline.calibration()
+        if self._estimate is not None and self._estimate.tracking != Tracking.SEARCHING:
+            self._record(self._calibration)
+        self._record(self.status())
+
+    # ---- words and disk
+
+    def _say(self, kind: str, text: str) -> None:
+        self._tell(Event(self._clock(), kind, text))
+
+    def _tell(self, event: Event) -> None:
+        self._events.put(event)
+        self._record(event)
+
+    def note(self, text: str) -> None:
+        """A timestamped note of the user's."""
+        self._say("note", text)
+
+    def _record(self, message: Message) -> None:
+        disk = self._disk
+        if disk is not None:
+            disk.put(message)
+
+
+class _Disk:
+    """A recorder behind a bounded queue and its own thread: never in the way of tracking."""
+
+    def __init__(self, recorder: Recorder, say: Callable[[str, str], None]) -> None:
+        self._recorder, self._say = recorder, say
+        self._queue: Fifo[tuple[Message, bool]] = Fifo(20_000)
+        self._pictures = 0
+        self._lock = threading.Lock()
+        self.thinned = 0
+        self._thread = threading.Thread(target=self._run, name="glovetrack-disk", daemon=True)
+        self._thread.start()
+
+    def put(self, message: Message) -> None:
+        """Queue a message; a picture that the disk has no time for goes without its pixels."""
+        overloaded = False
+        if isinstance(message, StereoFrame):
+            with self._lock:
+                overloaded = self._pictures >= MAX_PICTURES_WAITING
+                self._pictures += not overloaded
+            if overloaded:
+                self.thinned += 1
+                message = replace(message, left=None, right=None)
+        self._queue.put((message, overloaded))
+
+    def finish(self) -> None:
+        """Write what waits, then close the file."""
+        self._queue.close()
+        if self._thread is not threading.current_thread():
+            self._thread.join()
+
+    def _run(self) -> None:
+        try:
+            while True:
+                item = self._queue.get(None)
+                if item is not None:
+                    self._write(*item)
+        except Closed:
+            self._close()
+        except (GlovetrackError, OSError) as error:
+            self._queue.close()
+            self._close()
+            self._say("error", f"The recording has ended: {error}")
+
+    def _write(self, message: Message, overloaded: bool) -> None:
+        self._recorder.write(message, overloaded)
+        if isinstance(message, StereoFrame) and not overloaded:
+            with self._lock:
+                self._pictures -= 1
+
+    def _close(self) -> None:
+        try:
+            self._recorder.close()
+        except (GlovetrackError, OSError) as error:
+            self._say("error", f"The recording could not be finished: {error}")

@@ -1,0 +1,53 @@
+"""Counters behind the read-outs: rates, latencies and losses over the last seconds."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+
+import numpy as np
+
+WINDOW = 3.0  # s over which rates are counted
+KEPT = 400  # latencies that a median is taken over
+
+
+class Telemetry:
+    """Thread-safe. Names are those of docs/architecture.md."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._events: dict[str, deque[float]] = {}
+        self._times: dict[str, deque[float]] = {}
+        self._counts: dict[str, float] = {}
+
+    def tick(self, name: str, t: float) -> None:
+        """One more of ``name`` at ``t`` (s)."""
+        with self._lock:
+            ticks = self._events.setdefault(name, deque())
+            ticks.append(t)
+            while ticks and ticks[0] < t - WINDOW:
+                ticks.popleft()
+
+    def took(self, name: str, duration: float) -> None:
+        """A stage took ``duration`` s."""
+        with self._lock:
+            self._times.setdefault(name, deque(maxlen=KEPT)).append(duration)
+
+    def set(self, name: str, value: float) -> None:
+        """A count or level as it stands."""
+        with self._lock:
+            self._counts[name] = value
+
+    def values(self, now: float) -> dict[str, float]:
+        """``<name>_rate_hz`` per tick, ``latency_<name>_ms`` and ``_p99_ms`` per stage, counts."""
+        with self._lock:
+            out = dict(self._counts)
+            for name, ticks in self._events.items():
+                recent = [t for t in ticks if t >= now - WINDOW]
+                span = min(max(now - recent[0], 0.1), WINDOW) if recent else WINDOW
+                out[f"{name}_rate_hz"] = len(recent) / span
+            for name, times in self._times.items():
+                ms = 1e3 * np.array(times)
+                out[f"latency_{name}_ms"] = float(np.median(ms))
+                out[f"latency_{name}_p99_ms"] = float(np.percentile(ms, 99))
+        return out
