@@ -1,0 +1,45 @@
+"""From simulated silicon to the engine: the firmware heard and commanded by `tracker.sensors`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from glove_oracle import HELLO, SAMPLES, STATUS, samples, simulated_glove
+
+from tracker.sensors.decoder import Decoder
+from tracker.sensors.protocol import Haptic, Hello, Rate, Samples, Start, Status, Stop, encode
+
+
+def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
+    with simulated_glove(build, "0:battery 3900", "0:unplug 6") as glove:
+        glove.start()
+        glove.wait_for(SAMPLES, 60)
+    decoder = Decoder()
+    frames = decoder.feed(bytes(glove.raw))
+    assert decoder.counters.errors == 0
+    assert len(frames) == len(glove.frames)
+    seq, t_us, raw = samples(glove.of(SAMPLES))
+    got = [f for f in frames if isinstance(f, Samples)]
+    assert [f.seq for f in got] == seq.tolist()
+    assert [f.t_us for f in got] == t_us.tolist()
+    assert np.array_equal([f.raw for f in got], raw)
+    hello = next(f for f in frames if isinstance(f, Hello))
+    told = glove.of(HELLO)[0].numbers
+    assert (hello.protocol, *hello.firmware, hello.glove_id, hello.imu_count) == told[:6]
+    assert (hello.gyro_range_dps, hello.accel_range_g, hello.rate_hz) == told[6:9]
+    status = next(f for f in frames if isinstance(f, Status))
+    wire = glove.of(STATUS)[0].numbers
+    assert (status.battery_mV, status.temperature_cC, status.imu_ok, status.dropped) == wire
+
+
+def test_the_firmware_obeys_what_the_engine_sends(build: Path) -> None:
+    with simulated_glove(build) as glove:
+        glove.wait_for(HELLO)
+        glove.port.write(encode(Rate(200)) + encode(Haptic(1, 77, 50)) + encode(Start()))
+        _, t_us, _ = samples(glove.wait_for(SAMPLES, 30))
+        glove.port.write(encode(Stop()))
+        glove.wait_for(HELLO)
+        glove.stop()
+    assert np.all(np.diff(t_us) == 5000)
+    assert "haptic 1 77 " in glove.printed
