@@ -71,8 +71,8 @@ def _motion(text: str) -> tuple[Array, Array]:
     if match is None:
         raise ValueError("its MOTION part does not begin with Frames and Frame Time")
     count, period = int(match[1]), float(match[2])
-    values = np.array(text[match.end() :].split(), float).reshape(count, -1)
-    return period * np.arange(count), values
+    values: Array = np.array(text[match.end() :].split(), float).reshape(count, -1)
+    return period * np.arange(count, dtype=np.float64), values
 
 
 def _positions(joints: list[_Joint], values: Array) -> Array:
@@ -120,7 +120,7 @@ def _hand_rows(joints: list[_Joint]) -> tuple[str, dict[str, int]]:
 
 def _side(name: str) -> str:
     low = name.lower()
-    if "right" in low or re.search(r"(^r_|_r$|_r_|\.r$|\.r\.|^r(?=[A-Z]))", low):
+    if "right" in low or re.search(r"(^r_|_r$|_r_|\.r$|\.r\.)", low):
         return "right"
     if "left" in low or re.search(r"(^l_|_l$|_l_|\.l$|\.l\.)", low):
         return "left"

@@ -10,6 +10,7 @@ from tracker.errors import FileError
 from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
 from tracker.messages import Array, IntArray
+from tracker.simulation.kinematics import forward_many
 from tracker.simulation.recorded.solver import solve_frames
 from tracker.simulation.recorded.track import PointTrack
 
@@ -72,14 +73,21 @@ def _solve(
     weights = 1 / np.array([p.point, p.rest, p.change, p.synergy])
     return Fit(
         *solve_frames(
-            np.array(hand.parent, np.int64),
-            np.array([s.origin for s in hand.segments]),
-            np.array([s.R_rest for s in hand.segments]),
-            np.array(hand.axis_columns, np.int64),
+            *_tree(hand),
             hand.angle_limits, coupling, segment, local, np.ascontiguousarray(points),
             *(np.ascontiguousarray(x) for x in start), weights, p.iterations,
         )
     )  # fmt: skip
+
+
+def _tree(hand: HandModel) -> tuple[IntArray, Array, Array, IntArray]:
+    """parent (S,), origin (S, 3), R_rest (S, 3, 3) and angle columns (S, 3) of the skeleton."""
+    return (
+        np.array(hand.parent, np.int64),
+        np.array([s.origin for s in hand.segments]),
+        np.array([s.R_rest for s in hand.segments]),
+        np.array(hand.axis_columns, np.int64),
+    )
 
 
 def _targets(hand: HandModel, targets: tuple[str, ...]) -> tuple[IntArray, Array]:
@@ -134,8 +142,8 @@ def _refined(
 ) -> Array:
     """Each point's mean place in its segment over all frames, held towards the nominal one."""
     local = nominal.copy()
-    places = [hand.forward(a, R, p) for a, R, p in zip(fit.angles, fit.R_GB, fit.p_GB, strict=True)]
-    R_GB, p_GB = np.array([x[0] for x in places]), np.array([x[1] for x in places])
+    untwisted = np.zeros(len(hand.segments))
+    R_GB, p_GB = forward_many(*_tree(hand), untwisted, fit.angles, fit.R_GB, fit.p_GB)
     for i, s in enumerate(segment):
         seen = np.isfinite(points[:, i, 0])
         inside = np.einsum("nji,nj->ni", R_GB[seen, s], points[seen, i] - p_GB[seen, s])

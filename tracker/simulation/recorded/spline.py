@@ -38,7 +38,8 @@ class SplineMotion:
         self._spline = make_interp_spline(t, table, k=5)
 
     def poses(self, t: Array) -> Poses:
-        table = self._spline(np.clip(t, 0.0, self.duration))
+        edge = 0.005  # differences in time reach a little beyond both ends
+        table = self._spline(np.clip(t, -edge, self.duration + edge))
         n = self._count
         R = so3.matrix_from_quat(table[:, n : n + 4])
         return Poses(table[:, :n], R, table[:, n + 4 :])
