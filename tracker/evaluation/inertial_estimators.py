@@ -9,7 +9,7 @@ from tracker.inertial.finger import Finger
 from tracker.inertial.gravity import Gravity
 from tracker.inertial.integration import Integration
 from tracker.inertial.learned import Learned
-from tracker.inertial.madgwick import Madgwick, MadgwickParams
+from tracker.inertial.madgwick import ADAPTIVE, Madgwick, MadgwickParams
 from tracker.inertial.planar import PlanarEstimator
 from tracker.inertial.switching import Switching, SwitchingParams
 
@@ -17,7 +17,6 @@ Maker = Callable[[Finger, float], PlanarEstimator]
 """Finger and sampling time (s) to an estimator that stands at the known start."""
 
 BETAS = (0.033, 0.1, 0.33)  # rad/s, the trade-off of section 3
-ADAPTIVE = MadgwickParams(beta=0.33, spurious=0.5)
 
 
 def _madgwick(params: MadgwickParams) -> Maker:

@@ -66,14 +66,14 @@ def trajectory(finger: Finger, rate_hz: float, t_m: float = FIGURE_9_T_M) -> Fig
 def rms(rows: list[Row], rate_hz: float) -> Figure:
     """Figure 10: RMS error over the duration of the motion, one panel per series."""
     series = [s for s in _TITLES if any(r.series == s for r in rows)]
-    figure = Figure((5.0 * len(series), 5.0), layout="constrained")
+    figure = Figure((2.0 + 4.5 * len(series), 5.0), layout="constrained")
     axes = np.atleast_1d(figure.subplots(1, len(series), sharey=True))
     named = [n for n in dict.fromkeys(r.estimator for r in rows) if not _is_variant(n)]
     for ax, s in zip(axes, series, strict=True):
         for i, name in enumerate(named):
             _curve(ax, [r for r in rows if r.series == s and r.estimator == name], name, i)
         _log_axes(ax, _TITLES[s])
-    axes[-1].legend(fontsize=8)
+    figure.legend(*axes[-1].get_legend_handles_labels(), loc="outside right upper", fontsize=8)
     figure.suptitle(f"RMS error at {rate_hz:g} Hz; bands reach over the seeds")
     return figure
 

@@ -17,7 +17,7 @@ from tracker.hand.model import HandModel
 from tracker.inertial.finger3d_plane import PlaneFinger
 from tracker.inertial.finger3d_quaternion import QuaternionFinger
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry
-from tracker.inertial.madgwick import MadgwickParams
+from tracker.inertial.madgwick import ADAPTIVE, MadgwickParams
 from tracker.messages import Array
 
 VARIANTS = ("switching", "switching_offset", "learned", "madgwick", "madgwick_adaptive")
@@ -69,9 +69,6 @@ class FingerEstimator3D:
         held = _hold(imus, self._last)
         self._last = held
         return JointRotations(*self._inner.update(dorsum, held.gyro, held.accel))
-
-
-ADAPTIVE = MadgwickParams(beta=0.33, spurious=0.5)
 
 
 def _hold(imus: ImuPair, last: ImuPair | None) -> ImuPair:

@@ -101,7 +101,7 @@ def _watch_rest(state: LearnedState, model: Model, gyro: Array, accel: ComplexAr
         if abs(accel[k] - state.rest_accel[k]) > model.rest_accel:
             still = False
     state.rest_count[0] = state.rest_count[0] + 1 if still else 0.0
-    if not still or state.samples[0] > model.static_samples:
+    if not still or state.samples[0] >= model.static_samples:
         state.static[0] = 0.0
 
 

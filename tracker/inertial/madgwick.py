@@ -29,6 +29,10 @@ class MadgwickParams:
     central: bool = True  # angular acceleration by central differences, one sample late
 
 
+ADAPTIVE = MadgwickParams(beta=0.1, spurious=1.0)
+"""β falls while the finger accelerates (end of section 2.3.2)."""
+
+
 class MadgwickState(NamedTuple):
     """Integrator; accel (2,) and root (1,) of the last sample, for central differences."""
 
