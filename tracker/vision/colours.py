@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.messages import Array
 from tracker.toml_reader import TomlTable, read_text, read_toml
 
 HUES = 180
@@ -39,7 +39,7 @@ class HueRange:
         """From the first hue to the last, wrapping."""
         return (self.hue[1] - self.hue[0]) % HUES
 
-    def contains(self, hsv: Array | NDArray[np.uint8]) -> NDArray[np.bool_]:
+    def contains(self, hsv: NDArray[Any]) -> NDArray[np.bool_]:
         """Which pixels (…, 3) in HSV belong to it; shape (…)."""
         pixel = np.asarray(hsv).astype(np.int64)
         inside = (pixel[..., 0] - self.hue[0]) % HUES <= self.width

@@ -1,0 +1,170 @@
+"""Fitting a profile: ranges that hold their samples, pictures in other light, clashes."""
+
+import cv2
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tracker.calibration.colours_fit import (
+    FitParams,
+    add_pixel,
+    clashes,
+    fit_picture,
+    fit_samples,
+    hue_interval,
+    parted,
+    remove_pixel,
+    room_clashes,
+)
+from tracker.errors import GlovetrackError
+from tracker.vision.colours import HUES, ColourProfile, HueRange
+from tracker.vision.detector import Detector
+
+CLOTH = {"red": 0, "yellow": 28, "green": 65, "blue": 110}
+PROFILE = ColourProfile(
+    "start", tuple(HueRange(n, ((h - 11) % 180, h + 11)) for n, h in CLOTH.items())
+)
+PIXEL = st.tuples(st.integers(0, 179), st.integers(0, 255), st.integers(0, 255))
+LEVEL = st.tuples(st.integers(0, 255), st.integers(0, 255)).map(lambda p: (min(p), max(p)))
+RANGE = st.builds(
+    HueRange, st.just("h"), st.tuples(st.integers(0, 179), st.integers(0, 179)), LEVEL, LEVEL
+)
+
+
+def glove_picture(shift: int = 0, gain: float = 1.0, seed: int = 0) -> np.ndarray:
+    """24 discs of four cloths on grey, all hues turned by ``shift`` as under other light."""
+    rng = np.random.default_rng(seed)
+    hsv = np.zeros((360, 480, 3), np.uint8)
+    hsv[..., 2] = 110
+    for k in range(24):
+        centre = (50 + 75 * (k % 6), 50 + 85 * (k // 6))
+        hue = (list(CLOTH.values())[k % 4] + shift) % 180
+        value = int(min(210 * gain * rng.uniform(0.7, 1.0), 255))
+        cv2.circle(hsv, centre, 11, (hue, 210, value), -1)
+    bgr = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
+    noisy = cv2.GaussianBlur(bgr, (0, 0), 0.7) + rng.normal(0, 3, bgr.shape)
+    return np.clip(noisy, 0, 255).astype(np.uint8)
+
+
+def brute_arc(hues: set[int]) -> int:
+    """Width of the shortest arc that holds all, by trying every first hue."""
+    return min(max((h - first) % HUES for h in hues) for first in hues)
+
+
+@given(st.sets(st.integers(0, 179), min_size=1, max_size=12))
+def test_shortest_arc(hues: set[int]) -> None:
+    first, last = hue_interval(np.array(sorted(hues)))
+    assert (last - first) % HUES == brute_arc(hues)
+    assert all((h - first) % HUES <= (last - first) % HUES for h in hues)
+
+
+def test_samples_of_red_wrap_through_zero() -> None:
+    rng = np.random.default_rng(0)
+    hsv = np.column_stack(
+        [rng.integers(-6, 7, 500) % 180, rng.integers(150, 220, 500), rng.integers(80, 200, 500)]
+    )
+    fitted = fit_samples("red", hsv)
+    assert fitted.contains(hsv).mean() > 0.97
+    assert fitted.hue[0] > 165
+    assert fitted.hue[1] < 15
+
+
+def test_stray_samples_do_not_stretch_the_range() -> None:
+    hsv = np.tile([65, 200, 150], (500, 1))
+    hsv[:4, 0] = 120
+    assert fit_samples("green", hsv).width <= 2 * FitParams().hue_margin
+
+
+def test_samples_are_needed() -> None:
+    with pytest.raises(GlovetrackError, match="No pixels were marked"):
+        fit_samples("red", np.zeros((0, 3)))
+
+
+def test_samples_of_every_hue_are_refused() -> None:
+    hsv = np.column_stack([np.arange(180), np.full(180, 200), np.full(180, 200)])
+    with pytest.raises(GlovetrackError, match="one cloth"):
+        fit_samples("red", hsv)
+
+
+@given(RANGE, PIXEL)
+def test_added_pixel_belongs_and_nothing_is_lost(hue: HueRange, pixel) -> None:
+    grown = add_pixel(hue, np.array(pixel))
+    assert grown.contains(np.array(pixel))
+    assert grown.width >= hue.width
+    corners = [(h, s, v) for h in hue.hue for s in hue.saturation for v in hue.value]
+    assert grown.contains(np.array(corners)).all()
+
+
+@given(RANGE, PIXEL)
+def test_removed_pixel_is_left_out_and_nothing_is_gained(hue: HueRange, pixel) -> None:
+    cut = remove_pixel(hue, np.array(pixel))
+    if (
+        hue.hue[0] == hue.hue[1]
+        and hue.saturation == (pixel[1],) * 2
+        and hue.value == (pixel[2],) * 2
+    ):
+        assert cut == hue
+        return
+    assert not cut.contains(np.array(pixel))
+    corners = [(h, s, v) for h in cut.hue for s in cut.saturation for v in cut.value]
+    assert hue.contains(np.array(corners)).all()
+
+
+@pytest.mark.parametrize(("shift", "gain"), [(0, 1.0), (6, 1.0), (-7, 0.6)])
+def test_picture_gives_ranges_that_find_the_patches(shift: int, gain: float) -> None:
+    fitted, found = fit_picture(glove_picture(shift, gain), PROFILE)
+    assert [f.range.name for f in found] == list(CLOTH)
+    assert [f.patches for f in found] == [6, 6, 6, 6]
+    for name, hue in CLOTH.items():
+        h = next(x for x in fitted.hues if x.name == name)
+        assert abs((h.centre - hue - shift + 90) % 180 - 90) <= 3
+    blobs, _ = Detector(fitted).detect(glove_picture(shift, gain, seed=1))
+    assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
+    assert clashes(fitted) == ()
+
+
+def test_fit_helps_where_the_light_is_off() -> None:
+    """12 units of hue off, the old profile misses cloth that the fitted one finds."""
+    picture = glove_picture(12)
+    before, _ = Detector(PROFILE).detect(picture)
+    after, _ = Detector(fit_picture(picture, PROFILE)[0]).detect(picture)
+    assert len(before) < 24
+    assert len(after) == 24
+
+
+def test_grey_picture_changes_nothing() -> None:
+    fitted, found = fit_picture(np.full((60, 80, 3), 128, np.uint8), PROFILE)
+    assert fitted == PROFILE
+    assert found == ()
+
+
+def test_coloured_wall_is_no_patch() -> None:
+    picture = np.full((240, 320, 3), 128, np.uint8)
+    picture[:, 160:] = (40, 160, 40)
+    assert fit_picture(picture, PROFILE)[1] == ()
+
+
+def test_clashes_name_both_hues() -> None:
+    close = ColourProfile("x", (HueRange("a", (170, 10)), HueRange("b", (6, 20))))
+    (clash,) = clashes(close)
+    assert (clash.hue, clash.other) == ("a", "b")
+    assert clash.share == pytest.approx(5 / 15)
+    assert clashes(PROFILE) == ()
+
+
+def test_parted_ranges_do_not_clash() -> None:
+    close = ColourProfile("x", (HueRange("a", (170, 10)), HueRange("b", (6, 20))))
+    a, b = parted(close.hues)
+    assert not a.overlaps(b)
+    assert (a.hue[0], b.hue[1]) == (170, 20)
+    assert (b.hue[0] - a.hue[1]) % HUES == 1
+
+
+def test_room_report_names_the_worst_hue_first() -> None:
+    room = np.full((100, 100, 3), 128, np.uint8)
+    room[:30] = (50, 175, 40)  # green
+    room[30:40] = (40, 40, 215)  # red
+    report = room_clashes(room, PROFILE)
+    assert [c.hue for c in report] == ["green", "red"]
+    assert [c.share for c in report] == pytest.approx([0.3, 0.1])
