@@ -1,0 +1,134 @@
+"""How threads hand messages to each other: a bounded queue and a slot of one.
+
+A lost IMU sample is a lost piece of an integral, so samples go through `Fifo`, which never drops in
+silence. A picture that nobody had time for is merely old, so pictures go through `Latest`.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from typing import Generic, TypeVar
+
+T = TypeVar("T")
+
+
+class Closed(Exception):
+    """The channel was closed and holds nothing more."""
+
+
+class Latest(Generic[T]):
+    """A slot of one: a new value takes the place of one nobody fetched; ``dropped`` counts."""
+
+    def __init__(self) -> None:
+        self._changed = threading.Condition()
+        self._value: T | None = None
+        self._full = False
+        self._closed = False
+        self._dropped = 0
+
+    @property
+    def dropped(self) -> int:
+        """How many values were replaced before anyone fetched them."""
+        with self._changed:
+            return self._dropped
+
+    def put(self, value: T) -> bool:
+        """Leave a value; False where the channel is closed. Never waits."""
+        with self._changed:
+            if self._closed:
+                return False
+            self._dropped += self._full
+            self._value, self._full = value, True
+            self._changed.notify()
+            return True
+
+    def get(self, timeout: float | None = 0.0) -> T | None:
+        """Take the value out; None if there is none within ``timeout`` s (None: wait for ever).
+
+        Raises Closed once the channel is closed and empty.
+        """
+        with self._changed:
+            self._changed.wait_for(lambda: self._full or self._closed, timeout)
+            if not self._full:
+                if self._closed:
+                    raise Closed
+                return None
+            value, self._value, self._full = self._value, None, False
+            return value
+
+    def close(self) -> None:
+        """Refuse new values and wake whoever waits."""
+        with self._changed:
+            self._closed = True
+            self._changed.notify_all()
+
+
+class Fifo(Generic[T]):
+    """A queue of at most ``size`` values. A value that finds it full is refused and counted."""
+
+    def __init__(self, size: int) -> None:
+        if size < 1:
+            raise ValueError("a Fifo holds at least one value")
+        self._size = size
+        self._changed = threading.Condition()
+        self._values: deque[T] = deque()
+        self._closed = False
+        self._overflowed = 0
+
+    def __len__(self) -> int:
+        with self._changed:
+            return len(self._values)
+
+    @property
+    def overflowed(self) -> int:
+        """How many values were refused because the queue was full."""
+        with self._changed:
+            return self._overflowed
+
+    @property
+    def fill(self) -> float:
+        """How full the queue is, 0..1."""
+        return len(self) / self._size
+
+    def put(self, value: T, timeout: float = 0.0) -> bool:
+        """Append; False if it stays full for ``timeout`` s (which counts) or is closed."""
+        with self._changed:
+            self._changed.wait_for(lambda: len(self._values) < self._size or self._closed, timeout)
+            if self._closed:
+                return False
+            if len(self._values) >= self._size:
+                self._overflowed += 1
+                return False
+            self._values.append(value)
+            self._changed.notify_all()
+            return True
+
+    def get(self, timeout: float | None = 0.0) -> T | None:
+        """The oldest value; None if there is none within ``timeout`` s (None: wait for ever).
+
+        Raises Closed once the channel is closed and empty.
+        """
+        with self._changed:
+            self._changed.wait_for(lambda: bool(self._values) or self._closed, timeout)
+            if not self._values:
+                if self._closed:
+                    raise Closed
+                return None
+            value = self._values.popleft()
+            self._changed.notify_all()
+            return value
+
+    def drain(self) -> list[T]:
+        """Everything that waits, oldest first."""
+        with self._changed:
+            values = list(self._values)
+            self._values.clear()
+            self._changed.notify_all()
+            return values
+
+    def close(self) -> None:
+        """Refuse new values and wake whoever waits; what is inside can still be fetched."""
+        with self._changed:
+            self._closed = True
+            self._changed.notify_all()

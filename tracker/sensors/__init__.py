@@ -1,0 +1,1 @@
+"""Devices: the glove's link and clock, cameras, and simulated ones that behave as badly."""

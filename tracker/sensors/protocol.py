@@ -1,0 +1,220 @@
+"""Frames of the glove link, version 1, as they cross the wire.
+
+A frame is ``COBS(type:u8 | payload | crc16:u16) 0x00``, little-endian, CRC-16/CCITT-FALSE over type
+and payload. The number of IMUs in a SAMPLES frame follows from its length.
+"""
+
+from __future__ import annotations
+
+import binascii
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.sensors import cobs
+
+VERSION = 1
+MAX_IMUS = 16  # as many as STATUS has bits for
+RATES_HZ = (50, 100, 200)
+BAUD = 250_000
+NO_BATTERY_MV = 0xFFFF
+
+_HELLO = struct.Struct("<BBBBIBHBHB")
+_SAMPLES = struct.Struct("<HI")
+_STATUS = struct.Struct("<HhHH")
+_HAPTIC = struct.Struct("<BBH")
+_IMU_BYTES = 12
+_ERROR_BYTES = 60
+
+
+@dataclass(frozen=True)
+class Hello:
+    """The glove says what it is."""
+
+    glove_id: int
+    imu_count: int
+    gyro_range_dps: int = 2000
+    accel_range_g: int = 16
+    rate_hz: int = 100
+    haptic_channels: int = 0
+    firmware: tuple[int, int, int] = (1, 0, 0)
+    protocol: int = VERSION
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """One packet of all IMUs: raw (n, 6) int16, columns ax ay az gx gy gz, LSB = range / 32768."""
+
+    seq: int  # wraps at 2**16
+    t_us: int  # wraps at 2**32
+    raw: NDArray[np.int16]
+
+
+@dataclass(frozen=True)
+class Status:
+    """The glove's own health; bit j of ``imu_ok`` is set while IMU j answers."""
+
+    battery_mV: int | None
+    temperature_cC: int
+    imu_ok: int
+    dropped: int
+
+
+@dataclass(frozen=True)
+class ErrorText:
+    """The firmware's own words."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class HelloRequest:
+    """Host: who are you?"""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Host: send samples."""
+
+
+@dataclass(frozen=True)
+class Stop:
+    """Host: send no more samples."""
+
+
+@dataclass(frozen=True)
+class Rate:
+    """Host: sample at this rate from now on."""
+
+    rate_hz: int
+
+
+@dataclass(frozen=True)
+class Haptic:
+    """Host: let a vibration motor run."""
+
+    channel: int
+    amplitude: int
+    duration_ms: int
+
+
+Frame = Hello | Samples | Status | ErrorText | HelloRequest | Start | Stop | Rate | Haptic
+
+
+class LengthError(ValueError):
+    """A payload has not the length of its type."""
+
+
+class UnknownType(ValueError):
+    """No frame has this type."""
+
+
+def crc16(data: bytes) -> int:
+    """CRC-16/CCITT-FALSE: poly 0x1021, init 0xFFFF, not reflected, no final xor."""
+    return binascii.crc_hqx(data, 0xFFFF)
+
+
+def encode(frame: Frame) -> bytes:
+    """The bytes of a frame with its closing zero."""
+    kind, pack, _ = _CODECS[type(frame)]
+    body = bytes([kind]) + pack(frame)
+    return cobs.encode(body + crc16(body).to_bytes(2, "little")) + b"\0"
+
+
+def parse(body: bytes) -> Frame:
+    """The frame of a checked body ``type | payload``. Raises LengthError or UnknownType."""
+    unpack = _PARSERS.get(body[0])
+    if unpack is None:
+        raise UnknownType(body[0])
+    try:
+        return unpack(body[1:])
+    except struct.error as error:
+        raise LengthError(str(error)) from error
+
+
+def _pack_hello(h: Hello) -> bytes:
+    return _HELLO.pack(
+        h.protocol,
+        *h.firmware,
+        h.glove_id,
+        h.imu_count,
+        h.gyro_range_dps,
+        h.accel_range_g,
+        h.rate_hz,
+        h.haptic_channels,
+    )
+
+
+def _unpack_hello(payload: bytes) -> Hello:
+    protocol, major, minor, patch, glove_id, imus, gyro, accel, rate, haptic = _HELLO.unpack(
+        payload
+    )
+    return Hello(glove_id, imus, gyro, accel, rate, haptic, (major, minor, patch), protocol)
+
+
+def _pack_samples(s: Samples) -> bytes:
+    return _SAMPLES.pack(s.seq, s.t_us) + s.raw.astype("<i2").tobytes()
+
+
+def _unpack_samples(payload: bytes) -> Samples:
+    count, rest = divmod(len(payload) - _SAMPLES.size, _IMU_BYTES)
+    if rest or not 1 <= count <= MAX_IMUS:
+        raise LengthError(f"{len(payload)} bytes of samples")
+    seq, t_us = _SAMPLES.unpack_from(payload)
+    raw = np.frombuffer(payload, "<i2", offset=_SAMPLES.size).reshape(count, 6)
+    return Samples(seq, t_us, raw)
+
+
+def _pack_status(s: Status) -> bytes:
+    battery = NO_BATTERY_MV if s.battery_mV is None else s.battery_mV
+    return _STATUS.pack(battery, s.temperature_cC, s.imu_ok, s.dropped)
+
+
+def _unpack_status(payload: bytes) -> Status:
+    battery, temperature, imu_ok, dropped = _STATUS.unpack(payload)
+    return Status(None if battery == NO_BATTERY_MV else battery, temperature, imu_ok, dropped)
+
+
+def _pack_error(e: ErrorText) -> bytes:
+    # A character cut in two at the limit is left out whole.
+    return e.text.encode()[:_ERROR_BYTES].decode(errors="ignore").encode()
+
+
+def _unpack_error(payload: bytes) -> ErrorText:
+    if len(payload) > _ERROR_BYTES:
+        raise LengthError(f"{len(payload)} bytes of text")
+    return ErrorText(payload.decode(errors="replace"))
+
+
+def _unpack_rate(payload: bytes) -> Rate:
+    return Rate(*struct.unpack("<H", payload))
+
+
+def _empty(make: Callable[[], Frame]) -> Callable[[bytes], Frame]:
+    def unpack(payload: bytes) -> Frame:
+        if payload:
+            raise LengthError(f"{len(payload)} bytes where none belong")
+        return make()
+
+    return unpack
+
+
+_CODECS: dict[type, tuple[int, Callable[..., bytes], Callable[[bytes], Frame]]] = {
+    Hello: (0x01, _pack_hello, _unpack_hello),
+    Samples: (0x02, _pack_samples, _unpack_samples),
+    Status: (0x03, _pack_status, _unpack_status),
+    ErrorText: (0x04, _pack_error, _unpack_error),
+    HelloRequest: (0x81, lambda f: b"", _empty(HelloRequest)),
+    Start: (0x82, lambda f: b"", _empty(Start)),
+    Stop: (0x83, lambda f: b"", _empty(Stop)),
+    Rate: (0x84, lambda f: struct.pack("<H", f.rate_hz), _unpack_rate),
+    Haptic: (
+        0x85,
+        lambda f: _HAPTIC.pack(f.channel, f.amplitude, f.duration_ms),
+        lambda payload: Haptic(*_HAPTIC.unpack(payload)),
+    ),
+}
+_PARSERS = {kind: unpack for kind, _, unpack in _CODECS.values()}
