@@ -20,8 +20,9 @@ from tracker.messages import (
     StereoFrame,
     Tracking,
 )
-from tracker.pipeline import Pipeline
-from tracker.session.description import COLOURS, SETTINGS, SessionInfo
+from tracker.pipeline import ENGINES, Pipeline
+from tracker.session import topics
+from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.settings import Settings
@@ -74,10 +75,9 @@ def track(
     """
     options = options or TrackOptions()
     started = time.perf_counter()
-    with SessionReader(source) as reader:
-        info, settings = _described(reader, options)
-        assert info.rig is not None
-        pipeline = Pipeline(info.hand, info.glove, info.rig, settings)
+    with SessionReader(source, _replacements(options)) as reader:
+        info, settings = replace(reader.info, rig=reader.rig()), _settings(reader, options)
+        pipeline = Pipeline(info.hand, info.glove, reader.rig(), settings)
         with SessionRecorder(out, _output_info(info, settings, source), _PARAMS) as recorder:
             run = _Run(pipeline, recorder, options.with_sensors)
             span = max(reader.duration, 1e-9)
@@ -96,19 +96,20 @@ def track(
 _PARAMS = RecorderParams(sync=False)
 
 
-def _described(reader: SessionReader, options: TrackOptions) -> tuple[SessionInfo, Settings]:
-    """What to track with: the session's own models unless others are named."""
-    hand = library.text("hands", options.hand) if options.hand else None
-    glove = library.text("gloves", options.glove) if options.glove else None
-    colours = library.text("colours", options.colours) if options.colours else None
-    info = reader.info_with(hand_text=hand, glove_text=glove, colours_text=colours)
-    if info.rig is None:
-        raise FileError(f"{reader.path} holds no camera calibration (camera_info).")
-    text = info.settings_text
-    settings = from_toml(Settings, text, SETTINGS) if text else Settings(engine=info.engine)
-    if options.engine:
-        settings = replace(settings, engine=options.engine)
-    return info, settings
+def _replacements(options: TrackOptions) -> dict[str, str]:
+    """Texts that count instead of the session's own."""
+    named = {HAND: options.hand, GLOVE: options.glove, COLOURS: options.colours}
+    kinds = {HAND: "hands", GLOVE: "gloves", COLOURS: "colours"}
+    return {file: library.text(kinds[file], name) for file, name in named.items() if name}
+
+
+def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
+    """The recorded settings, with another engine where one is asked for."""
+    text = reader.info.settings_text
+    settings = from_toml(Settings, text, SETTINGS) if text else Settings()
+    if not text and reader.info.engine in ENGINES:
+        settings = replace(settings, engine=reader.info.engine)
+    return replace(settings, engine=options.engine) if options.engine else settings
 
 
 def _output_info(info: SessionInfo, settings: Settings, source: Path) -> SessionInfo:
@@ -126,9 +127,6 @@ def _sha256(path: Path) -> str:
     return digest.hexdigest()
 
 
-Input = ImuSample | BlobFrame | StereoFrame
-
-
 def _messages(
     reader: SessionReader, info: SessionInfo, options: TrackOptions
 ) -> Iterator[ImuSample | BlobFrame]:
@@ -137,13 +135,16 @@ def _messages(
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
     there are none, the pictures are searched.
     """
-    if reader.has_blobs and not options.colours:
-        yield from reader.inputs(pictures=False)
+    sides = topics.SIDES
+    has_blobs = any(topics.blobs(c) in reader.topic_names for c in sides)
+    if has_blobs and not options.colours:
+        yield from reader.messages((ImuSample, BlobFrame))  # type: ignore[misc]
         return
-    if not reader.has_pictures:
-        raise FileError(f"{reader.path} holds no pictures, so other colours cannot be tried on it.")
+    if not any(topics.image(c) in reader.topic_names for c in sides):
+        what = "no pictures to try other colours on" if has_blobs else "neither blobs nor pictures"
+        raise FileError(f"{reader.path} holds {what}.")
     detector = make_detector(profile_of(info), info)
-    for message in reader.inputs(pictures=True):
+    for message in reader.messages((ImuSample, StereoFrame)):
         if isinstance(message, StereoFrame):
             yield detect_frame(detector, message)
         elif isinstance(message, ImuSample):
