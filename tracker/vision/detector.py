@@ -6,6 +6,7 @@ marker's distance, convexity and circularity. A foreshortened disc is an ellipse
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -63,10 +64,18 @@ class Detector:
         params: DetectorParams | None = None,
     ) -> None:
         self.profile = profile
-        self.params = params or DetectorParams()
         self._table = hue_table(profile)
-        extent = marker_size * fx
-        self._extent = (extent / self.params.farthest, extent / self.params.nearest)
+        self._set(params or DetectorParams(), marker_size * fx)
+
+    def _set(self, params: DetectorParams, metre_px: float) -> None:
+        self.params, self._metre_px = params, metre_px
+        self._extent = (metre_px / params.farthest, metre_px / params.nearest)
+
+    def with_params(self, params: DetectorParams) -> Detector:
+        """Another detector for the same colours; the table is shared."""
+        other = copy(self)
+        other._set(params, self._metre_px)
+        return other
 
     def detect(
         self, image: Image, hints: DetectionHints | None = None

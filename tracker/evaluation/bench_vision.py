@@ -1,0 +1,204 @@
+"""Detection and matching timed beside what they replace, in interleaved rounds.
+
+Every row is the median over rounds of one call's time; ours and the peer's alternate within a
+round, so that a busy machine slows both.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from importlib import import_module
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import resources
+from tracker.evaluation.bench_peers_vision import PlainOpenCv
+from tracker.glove.files import load_glove
+from tracker.hand.files import load_hand
+from tracker.messages import Array, IntArray
+from tracker.simulation.backgrounds import BackgroundParams
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.render import RenderParams
+from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.vision.colours import ColourProfile, load_profile
+from tracker.vision.correspondence import match_translation
+from tracker.vision.detector import DetectionHints, Detector, DetectorParams
+from tracker.vision.rig import ideal_rig
+from tracker.vision.stereo import match_stereo
+
+Image = NDArray[np.uint8]
+Call = Callable[[], object]
+MARKER_SIZE = 0.012  # m
+FOUND_WITHIN_PX = 4.0
+
+
+@dataclass(frozen=True)
+class BenchRow:
+    """One line of the table. ``ratio`` is value / peer_value; None where there is no peer."""
+
+    name: str
+    value: float
+    unit: str
+    peer: str
+    peer_value: float | None
+    ratio: float | None
+    goal: str
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A rendered picture, its visible markers uv (m, 2) px and hue (m,) of the profile."""
+
+    image: Image
+    uv: Array
+    hue: IntArray
+
+
+def bench_vision(rounds: int = 9, pictures: int = 8, seed: int = 1) -> list[dict[str, Any]]:
+    """All rows: detection on plain and painted backgrounds, then CPD."""
+    profile = load_profile(Path(resources.__file__).parent / "colours" / "fabric-default.toml")
+    rows: list[BenchRow] = []
+    for kind in ("plain", "painted"):
+        rows += detection_rows(profile, make_pictures(profile, kind, pictures, seed), kind, rounds)
+    rows += cpd_rows(rounds, seed)
+    return [asdict(r) for r in rows]
+
+
+def make_pictures(profile: ColourProfile, kind: str, count: int, seed: int) -> list[Picture]:
+    """Pictures of a simulated hand, of both cameras in turn."""
+    folder = Path(resources.__file__).parent
+    hand = load_hand(folder / "hands" / "reference-right.toml")
+    glove = load_glove(folder / "gloves" / "vist-small.toml", hand)
+    render = RenderParams(background=BackgroundParams(kind=kind))
+    motion = RandomPostures(hand, seed, duration=3.0 * count)
+    sim = Simulation(hand, glove, motion, seed, SimulationParams(render=render))
+    number = np.array([profile.hue_names.index(h) for h in glove.hues])
+    out = []
+    for k in range(count):
+        t, right = 1.0 + 3.0 * k * (count - 1) / count, bool(k % 2)
+        seen = sim.scene.markers_seen(sim.scene.instant(t), right)
+        shown = np.flatnonzero(seen.visible)
+        out.append(
+            Picture(
+                sim.renderer.pair(t)[int(right)],
+                seen.uv[shown],
+                number[glove.marker_hue[shown]],
+            )
+        )
+    return out
+
+
+def detection_rows(
+    profile: ColourProfile, pictures: Sequence[Picture], kind: str, rounds: int
+) -> list[BenchRow]:
+    """Full frame, coarse-to-fine and predicted regions against plain OpenCV."""
+    fx = ideal_rig().fx
+    extent = MARKER_SIZE * fx
+    peer = PlainOpenCv(profile, (extent / 0.9, extent / 0.15))
+    coarse = Detector(profile, MARKER_SIZE, fx)
+    full = coarse.with_params(DetectorParams(stride=1))
+    regions = coarse.with_params(DetectorParams(regions_only=True))
+    hints = [
+        DetectionHints(p.uv, np.full(len(p.uv), 30.0), p.hue, np.full(len(p.uv), 20.0))
+        for p in pictures
+    ]
+    calls: list[Call] = [
+        lambda: [full.detect(p.image) for p in pictures],
+        lambda: [coarse.detect(p.image) for p in pictures],
+        lambda: [regions.detect(p.image, h) for p, h in zip(pictures, hints, strict=True)],
+        lambda: [peer.detect(p.image) for p in pictures],
+    ]
+    ms = interleaved(calls, rounds) * 1e3 / len(pictures)
+    names = ("full frame", "coarse to fine", "predicted regions")
+    rows = [
+        _row(f"detection, {name}, {kind}", ms[k], "ms", "plain OpenCV", ms[3], goal)
+        for k, (name, goal) in enumerate(zip(names, ("0.40", "0.12", "0.12"), strict=True))
+    ]
+    return rows + _quality_rows(pictures, coarse, peer, kind)
+
+
+def _quality_rows(
+    pictures: Sequence[Picture], ours: Detector, peer: PlainOpenCv, kind: str
+) -> list[BenchRow]:
+    """Recall and blobs that are no marker, per picture."""
+    mine, theirs = [], []
+    for p in pictures:
+        blobs, _ = ours.detect(p.image)
+        mine.append(_counts(blobs.uv, blobs.hue, p))
+        theirs.append(_counts(*peer.detect(p.image), p))
+    total = sum(len(p.uv) for p in pictures)
+    (found, other), (peer_found, peer_other) = np.sum(mine, axis=0), np.sum(theirs, axis=0)
+    n = len(pictures)
+    return [
+        _row(
+            f"recall, {kind}", 100 * found / total, "%", "plain OpenCV", 100 * peer_found / total,
+            ">= peer - 0.5",
+        ),
+        _row(
+            f"other blobs, {kind}", other / n, "per picture", "plain OpenCV", peer_other / n,
+            "<= peer + 0.5",
+        ),
+    ]  # fmt: skip
+
+
+def _counts(uv: Array, hue: IntArray, picture: Picture) -> tuple[int, int]:
+    """Markers that were found, and blobs that are none."""
+    d = np.hypot(*np.moveaxis(picture.uv[:, None] - uv[None], 2, 0))
+    near = (d < FOUND_WITHIN_PX) & (picture.hue[:, None] == hue[None])
+    return int(near.any(axis=1).sum()), int((~near.any(axis=0)).sum())
+
+
+def cpd_rows(rounds: int, seed: int) -> list[BenchRow]:
+    """1-DOF stereo 15 x 15 and 3-DOF 13 x 37 against pycpd's rigid registration."""
+    rng = np.random.default_rng(seed)
+    rig = ideal_rig()
+    p = rng.uniform([-0.07, -0.06, 0.32], [0.07, 0.06, 0.38], (37, 3))
+    hue = np.arange(37) % 4
+    left, right = rig.project(p[:15]), rig.project(p[:15], right=True)
+    seen = rng.choice(37, 13, replace=False)
+    points, ones, cov = p[seen] + 0.01, np.ones(37), np.eye(3) * 4e-6
+    calls: list[Call] = [
+        lambda: match_stereo(left, hue[:15], right, hue[:15], rig),
+        lambda: match_translation(points, hue[seen], p, hue, ones, cov),
+    ]
+    if find_spec("pycpd") is not None:
+        calls += [_pycpd(left, right), _pycpd(points, p)]
+    us = interleaved(calls, rounds, inner=20) * 1e6
+    theirs = us[2:] if len(us) > 2 else (None, None)
+    return [
+        _row("CPD, 1-DOF 15 x 15", us[0], "µs", "pycpd rigid", theirs[0], "0.01"),
+        _row("CPD, 3-DOF 13 x 37", us[1], "µs", "pycpd rigid", theirs[1], "0.01"),
+    ]
+
+
+def _pycpd(target: Array, source: Array) -> Call:
+    rigid = import_module("pycpd").RigidRegistration
+    return lambda: rigid(X=target, Y=source, w=0.1).register()
+
+
+def interleaved(calls: Sequence[Call], rounds: int, inner: int = 1) -> Array:
+    """Median seconds of each call; every round runs each of them ``inner`` times in a row."""
+    for call in calls:
+        call()
+    times = np.empty((rounds, len(calls)))
+    for r in range(rounds):
+        for k, call in enumerate(calls):
+            start = time.perf_counter()
+            for _ in range(inner):
+                call()
+            times[r, k] = (time.perf_counter() - start) / inner
+    return np.median(times, axis=0)
+
+
+def _row(
+    name: str, value: float, unit: str, peer: str, peer_value: float | None, goal: str
+) -> BenchRow:
+    ratio = float(value / peer_value) if peer_value else None
+    theirs = None if peer_value is None else float(peer_value)
+    return BenchRow(name, float(value), unit, peer, theirs, ratio, goal)
