@@ -53,11 +53,8 @@ class Grouper(Generic[T]):
         for group in self._open:
             if group.stamp == stamp:
                 self._open.remove(group)
-                break
-        else:
-            group = Group(stamp, log_time, sequence)
-        self._left_until = max(self._left_until, stamp)
-        return group
+                return group
+        return Group(stamp, log_time, sequence)
 
     def ready(self, now: int | None) -> list[Group[T]]:
         """Groups that leave at log time ``now``; all of them if it is None."""

@@ -18,16 +18,19 @@ from pathlib import Path
 from typing import IO, NamedTuple
 
 import lz4.frame
+import numpy as np
 import zstandard
 from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Header, Metadata, Schema
+from numpy.typing import NDArray
 
 from tracker.errors import FileError
 
 MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20
+FOREVER = 2**64 - 1
 _RUN = 2**20  # loose messages are gathered in runs of this many bytes
 _MESSAGE = struct.Struct("<HIQQ")
 _CHUNK = struct.Struct("<QQQI")
@@ -69,6 +72,7 @@ class Spans:
         self._numbers = array("Q")
         self._sets: list[frozenset[int] | None] = []
         self._known: dict[frozenset[int], frozenset[int]] = {}
+        self._order: tuple[NDArray[np.int64], NDArray[np.uint64], NDArray[np.uint64]] | None = None
 
     def add(self, span: Span) -> None:
         self._numbers.extend(span[:4])
@@ -84,10 +88,21 @@ class Spans:
         a, b, c, d = self._numbers[4 * i : 4 * i + 4]
         return Span(a, b, c, d, self._sets[i])
 
-    def order(self) -> list[int]:
-        """Indices by start, then by place in the file."""
-        n = self._numbers
-        return sorted(range(len(self)), key=lambda i: (n[4 * i], n[4 * i + 2]))
+    def between(self, start: int, end: int) -> NDArray[np.int64]:
+        """Indices of spans that touch [start, end), by start and then by place in the file."""
+        order, starts, latest = self._sorted()
+        first = np.searchsorted(latest, np.uint64(max(start, 0)))
+        last = np.searchsorted(starts, np.uint64(max(end, 0)))
+        return order[first:last]
+
+    def _sorted(self) -> tuple[NDArray[np.int64], NDArray[np.uint64], NDArray[np.uint64]]:
+        """Order, starts in it, and the latest end up to each."""
+        if self._order is None or len(self._order[0]) != len(self):
+            rows = np.array(self._numbers, np.uint64).reshape(-1, 4)
+            order = np.lexsort((rows[:, 2], rows[:, 0]))
+            rows = rows[order]
+            self._order = order, rows[:, 0].copy(), np.maximum.accumulate(rows[:, 1])
+        return self._order
 
 
 @dataclass
@@ -267,7 +282,7 @@ class McapInput:
 
     def _indexed_channels(self, at: int) -> frozenset[int]:
         """Channel ids of the message indexes that follow a chunk."""
-        ids = set()
+        ids: set[int] = set()
         while True:
             opcode, length = self._record(at)
             if opcode != Opcode.MESSAGE_INDEX or length < 2:
@@ -331,13 +346,16 @@ class McapInput:
         schema = self.contents.schemas.get(channel.schema_id)
         return schema.name if schema is not None else ""
 
-    def spans_with(self, topics: frozenset[str] | None) -> Iterator[Span]:
-        """Spans that may hold one of ``topics``, by start."""
+    def spans_with(
+        self, topics: frozenset[str] | None, start: int = 0, end: int = FOREVER, back: bool = False
+    ) -> Iterator[Span]:
+        """Spans between two log times that may hold one of ``topics``, by start or backwards."""
         ids = None
         if topics is not None:
             ids = {i for i, c in self.contents.channels.items() if c.topic in topics}
-        for i in self.contents.spans.order():
-            span = self.contents.spans[i]
+        indices = self.contents.spans.between(start, end)
+        for i in indices[::-1] if back else indices:
+            span = self.contents.spans[int(i)]
             if ids is None or span.channels is None or not ids.isdisjoint(span.channels):
                 yield span
 

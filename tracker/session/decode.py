@@ -1,0 +1,410 @@
+"""Topics of a session as messages of the engine; the inverse of `encode`."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tracker.clock import seconds
+from tracker.errors import FileError
+from tracker.geometry import so3
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    Blobs,
+    Calibration,
+    CameraPose,
+    Estimate,
+    Event,
+    ImuSample,
+    IntArray,
+    Message,
+    Status,
+    StereoFrame,
+    Tracking,
+    Validity,
+)
+from tracker.session import ros_motion as motion
+from tracker.session import ros_sensors as sensors
+from tracker.session import topics
+from tracker.session.description import SessionInfo
+from tracker.session.encode import CALIBRATION_ROWS
+from tracker.session.grouping import Group, Grouper
+from tracker.session.mcap_input import RawMessage
+from tracker.session.pictures import decode_picture
+
+MESSAGE_KINDS: tuple[type, ...] = (
+    ImuSample,
+    StereoFrame,
+    BlobFrame,
+    Estimate,
+    Calibration,
+    Status,
+    Event,
+)
+_POSES_KEPT = 64
+
+
+@dataclass(frozen=True)
+class Timing:
+    """How parts of one instant are known to belong together, ns; zero for our own files."""
+
+    imu_tolerance: int = 0
+    frame_tolerance: int = 0
+    patience: int = 0
+
+
+class Decoder:
+    """Feeds on raw messages in order and gives the engine's messages."""
+
+    def __init__(self, info: SessionInfo, packets: bool, timing: Timing) -> None:
+        """``packets``: the file tells where each glove packet ends."""
+        self._info, self._packets = info, packets
+        self._t = info.anchor.monotonic
+        self._imus = Grouper[sensors.Imu](
+            frozenset(info.glove.imu_names), timing.imu_tolerance, timing.patience
+        )
+        both = frozenset(topics.SIDES)
+        self._images = Grouper[sensors.Image](both, timing.frame_tolerance, timing.patience)
+        self._blobs = Grouper[sensors.Detections](both, timing.frame_tolerance, timing.patience)
+        self._poses: dict[int, CameraPose] = {}
+        self._pose_tolerance = timing.frame_tolerance
+        self._estimates = EstimateDecoder(info, "hand")
+        self._handlers = self._handler_table()
+
+    def _handler_table(self) -> dict[str, Callable[[RawMessage], list[Message]]]:
+        side = self._info.side
+        table: dict[str, Callable[[RawMessage], list[Message]]] = {
+            topics.packets(side): self._packet,
+            topics.TF: self._transforms,
+            topics.CAMERA_POSE: self._exact_pose,
+            topics.hand(side, "calibration"): self._calibration,
+            topics.STATUS: self._status,
+            topics.EVENTS: self._event,
+        }
+        for name in self._info.glove.imu_names:
+            table[topics.imu(side, name)] = self._imu
+        for camera in topics.SIDES:
+            table[topics.image(camera)] = self._image
+            table[topics.blobs(camera)] = self._detections
+        for topic in self._estimates.topics:
+            table[topic] = self._estimate
+        return table
+
+    def topics_of(self, kinds: Collection[type]) -> frozenset[str]:
+        """Topics that messages of these kinds are made of."""
+        side, hand = self._info.side, self._estimates.topics
+        imus = [topics.imu(side, n) for n in self._info.glove.imu_names]
+        camera = [topics.TF, topics.CAMERA_POSE]
+        table: dict[type, list[str]] = {
+            ImuSample: [*imus, topics.packets(side)],
+            StereoFrame: [*(topics.image(c) for c in topics.SIDES), *camera],
+            BlobFrame: [*(topics.blobs(c) for c in topics.SIDES), *camera],
+            Estimate: [*hand, topics.TF],
+            Calibration: [topics.hand(side, "calibration")],
+            Status: [topics.STATUS],
+            Event: [topics.EVENTS],
+        }
+        return frozenset(t for kind in kinds for t in table.get(kind, ()))
+
+    def rank(self, topic: str) -> int:
+        """Order of topics at one log time: IMU before what was seen, the camera's pose between."""
+        if topic.startswith("/glove/"):
+            return 0
+        return 1 if topic in (topics.TF, topics.CAMERA_POSE) else 2
+
+    def remember(self, raw: RawMessage) -> None:
+        """Take a message from before the first, for what still holds of it."""
+        self._handlers[raw.topic](raw)
+
+    def feed(self, raw: RawMessage) -> list[Message]:
+        """What is complete by the time of ``raw``. Raises FileError where it is not readable."""
+        out = self._release(raw.log_time)
+        handler = self._handlers.get(raw.topic)
+        if handler is not None:
+            try:
+                out += handler(raw)
+            except (ValueError, KeyError, TypeError, struct.error, UnicodeError) as error:
+                raise FileError(f"A message on {raw.topic} is damaged: {error}.") from error
+        return out + self._complete()
+
+    def finish(self) -> list[Message]:
+        """What was still waiting for company."""
+        return self._release(None)
+
+    def _release(self, now: int | None) -> list[Message]:
+        out: list[Message] = []
+        if not self._packets:
+            out += [self._sample(g) for g in self._imus.ready(now)]
+        out += [self._frame(g) for g in self._images.ready(now)]
+        out += [self._blob_frame(g) for g in self._blobs.ready(now)]
+        return out
+
+    def _complete(self) -> list[Message]:
+        return self._release(-1)  # no time passes: only groups that are whole
+
+    def _imu(self, raw: RawMessage) -> list[Message]:
+        name = raw.topic.rsplit("/", 1)[1]
+        part = sensors.unpack_imu(raw.data)
+        self._imus.add(name, part.stamp, raw.log_time, raw.sequence, part)
+        return []
+
+    def _packet(self, raw: RawMessage) -> list[Message]:
+        times = sensors.unpack_time_reference(raw.data)
+        group = self._imus.close(times.stamp, raw.log_time, raw.sequence)
+        group.sequence = raw.sequence
+        device = seconds(times.reference) if times.source else np.nan
+        return [self._sample(group, device)]
+
+    def _sample(self, group: Group[sensors.Imu], device: float = np.nan) -> ImuSample:
+        names = self._info.glove.imu_names
+        accel = np.full((len(names), 3), np.nan)
+        gyro = np.full((len(names), 3), np.nan)
+        valid = np.zeros(len(names), bool)
+        for i, name in enumerate(names):
+            part = group.parts.get(name)
+            if part is not None:
+                accel[i], gyro[i] = part.accel, part.gyro
+                valid[i] = bool(np.isfinite(accel[i]).all() and np.isfinite(gyro[i]).all())
+        t, arrival = self._t(group.stamp), self._t(group.log_time)
+        return ImuSample(t, arrival, device, group.sequence - 1, accel, gyro, valid)
+
+    def _image(self, raw: RawMessage) -> list[Message]:
+        part = sensors.unpack_image(raw.data)
+        self._images.add(_camera(raw.topic), part.stamp, raw.log_time, raw.sequence, part)
+        return []
+
+    def _detections(self, raw: RawMessage) -> list[Message]:
+        part = sensors.unpack_detections(raw.data)
+        self._blobs.add(_camera(raw.topic), part.stamp, raw.log_time, raw.sequence, part)
+        return []
+
+    def _frame(self, group: Group[sensors.Image]) -> StereoFrame:
+        images = {c: decode_picture(p.data, p.frame) for c, p in group.parts.items()}
+        return StereoFrame(
+            self._t(group.stamp),
+            self._t(group.log_time),
+            images.get("left"),
+            images.get("right"),
+            self._pose(group.stamp),
+            group.sequence - 1,
+        )
+
+    def _blob_frame(self, group: Group[sensors.Detections]) -> BlobFrame:
+        found = [n for p in group.parts.values() for n in p.names]
+        names = tuple(dict.fromkeys([*self._info.hue_names, *found]))
+        sides = {c: _with_hues(p, names) for c, p in group.parts.items()}
+        return BlobFrame(
+            self._t(group.stamp),
+            self._t(group.log_time),
+            names,
+            sides.get("left"),
+            sides.get("right"),
+            self._pose(group.stamp),
+            index=group.sequence - 1,
+        )
+
+    def _pose(self, stamp: int) -> CameraPose | None:
+        """Pose of a moving camera at an exposure; the nearest one in a file of others."""
+        if not self._info.moving_camera or not self._poses:
+            return None
+        nearest = min(self._poses, key=lambda s: abs(s - stamp))
+        if nearest != stamp and not self._pose_tolerance:
+            return None
+        return self._poses[nearest]
+
+    def _exact_pose(self, raw: RawMessage) -> list[Message]:
+        self._keep_pose(raw.publish_time, exact_pose(raw.data))
+        return []
+
+    def _transforms(self, raw: RawMessage) -> list[Message]:
+        transforms = motion.unpack_transforms(raw.data)
+        self._estimates.take_segments(transforms)
+        for t in transforms:
+            if is_camera(t) and t.stamp not in self._poses:
+                self._keep_pose(t.stamp, pose_of(t))
+        return []
+
+    def _keep_pose(self, stamp: int, pose: CameraPose) -> None:
+        self._poses[stamp] = pose
+        while len(self._poses) > _POSES_KEPT:
+            del self._poses[next(iter(self._poses))]
+
+    def _estimate(self, raw: RawMessage) -> list[Message]:
+        estimate = self._estimates.feed(raw)
+        return [] if estimate is None else [estimate]
+
+    def _calibration(self, raw: RawMessage) -> list[Message]:
+        stamp, statuses = motion.unpack_diagnostics(raw.data)
+        hand = {s.name: s.values for s in statuses}.get("hand", {})
+        rows = [s for s in statuses if s.name != "hand"]
+        fields = {
+            name: np.array([[_number(s.values, f"{name}_{a}") for a in "xyz"] for s in rows])
+            for name in CALIBRATION_ROWS
+        }
+        segments = tuple(s.name for s in rows)
+        length, sd = _number(hand, "length"), _number(hand, "length_sd")
+        return [
+            Calibration(self._t(stamp), segments, **fields, hand_length=length, hand_length_sd=sd)
+        ]
+
+    def _status(self, raw: RawMessage) -> list[Message]:
+        stamp, statuses = motion.unpack_diagnostics(raw.data)
+        return [
+            Status(self._t(stamp), _tracking(s.message), {k: float(v) for k, v in s.values.items()})
+            for s in statuses
+            if s.name == "tracker"
+        ]
+
+    def _event(self, raw: RawMessage) -> list[Message]:
+        text = motion.unpack_string(raw.data)
+        try:
+            said = json.loads(text)
+        except json.JSONDecodeError:
+            said = {"text": text}
+        if not isinstance(said, dict):
+            said = {"text": text}
+        return [_event_of(said, self._t(int(said.get("stamp_ns", raw.log_time))))]
+
+
+class EstimateDecoder:
+    """Puts estimates together from their topics; ``root`` is ``hand`` or ``truth``."""
+
+    def __init__(self, info: SessionInfo, root: str) -> None:
+        name = topics.hand if root == "hand" else topics.truth
+        self._keypoint_names, self._hand = info.keypoint_names, info.hand
+        self._t = info.anchor.monotonic
+        self._rows = {f"{info.side}_{s}": i for i, s in enumerate(info.hand.segment_names)}
+        self._names = {
+            name(info.side, what): what
+            for what in ("keypoints", "joint_states", "keypoint_sd", "states")
+        }
+        self.topics = tuple(self._names)
+        self.states_topic = name(info.side, "states")
+        self._tracking = Tracking.TRACKING
+        self._words: dict[str, dict[str, str]] = {}
+        self._joints: motion.Joints | None = None
+        self._sd: Array | None = None
+        self._segments: dict[int, list[motion.Transform]] = {}
+
+    def take_segments(self, transforms: list[motion.Transform]) -> None:
+        mine = [t for t in transforms if t.child in self._rows]
+        if mine:
+            self._segments = {mine[0].stamp: mine}
+
+    def feed(self, raw: RawMessage) -> Estimate | None:
+        """An estimate when its keypoints come: they are written last."""
+        what = self._names[raw.topic]
+        if what == "keypoints":
+            return self._build(motion.unpack_poses(raw.data))
+        if what == "joint_states":
+            self._joints = motion.unpack_joints(raw.data)
+        elif what == "keypoint_sd":
+            self._sd = motion.unpack_numbers(raw.data)
+        else:
+            self._take_states(raw.data)
+        return None
+
+    def _take_states(self, data: bytes) -> None:
+        for s in motion.unpack_diagnostics(data)[1]:
+            if s.name == "tracking":
+                self._tracking = _tracking(s.message)
+            else:
+                self._words[s.name] = s.values
+
+    def _build(self, poses: motion.Poses) -> Estimate:
+        n = len(self._keypoint_names)
+        keypoints, q = np.full((n, 3), np.nan), np.full((n, 4), np.nan)
+        rows = min(n, len(poses.position))
+        keypoints[:rows], q[:rows] = poses.position[:rows], poses.orientation[:rows]
+        angles = self._angles(poses.stamp)
+        R, p = self._segment_poses(poses.stamp)
+        sd = self._sd if self._sd is not None and len(self._sd) == n else np.full(n, np.nan)
+        self._sd = None
+        known = np.isfinite(keypoints).all(axis=1)
+        return Estimate(
+            self._t(poses.stamp),
+            self._tracking,
+            keypoints,
+            q,
+            _states(self._words.get("keypoints", {}), self._keypoint_names, known),
+            sd,
+            angles,
+            _states(self._words.get("joints", {}), self._hand.joint_names, np.isfinite(angles)),
+            R,
+            p,
+        )
+
+    def _angles(self, stamp: int) -> Array:
+        angles = np.full(len(self._hand.joint_names), np.nan)
+        if self._joints is not None and self._joints.stamp == stamp:
+            for name, value in zip(self._joints.names, self._joints.position, strict=False):
+                if name in self._hand.angle_index:
+                    angles[self._hand.angle_index[name]] = value
+        return angles
+
+    def _segment_poses(self, stamp: int) -> tuple[Array, Array]:
+        n = len(self._rows)
+        R, p = np.full((n, 3, 3), np.nan), np.full((n, 3), np.nan)
+        for t in self._segments.get(stamp, ()):
+            row = self._rows[t.child]
+            R[row], p[row] = so3.matrix_from_quat(t.rotation), t.translation
+        return R, p
+
+
+def is_camera(t: motion.Transform) -> bool:
+    """Whether a transform is that of the left camera in the world."""
+    return t.frame.lstrip("/") == topics.WORLD and t.child.lstrip("/") == "camera_left"
+
+
+def pose_of(t: motion.Transform) -> CameraPose:
+    return CameraPose(so3.matrix_from_quat(t.rotation), np.array(t.translation))
+
+
+def exact_pose(data: bytes) -> CameraPose:
+    """A pose from the twelve numbers on `topics.CAMERA_POSE`."""
+    values = motion.unpack_numbers(data)
+    if len(values) != 12:
+        raise ValueError("a camera's pose has twelve numbers")
+    return CameraPose(values[:9].reshape(3, 3).copy(), values[9:].copy())
+
+
+def _camera(topic: str) -> str:
+    return topic.split("/")[2]
+
+
+def _with_hues(found: sensors.Detections, names: tuple[str, ...]) -> Blobs:
+    """Blobs whose hues index ``names``."""
+    b = found.blobs
+    index = np.array([names.index(n) for n in found.names], np.int64)
+    return Blobs(b.uv, b.size, index[b.hue] if len(b) else b.hue, b.score)
+
+
+def _states(words: dict[str, str], names: tuple[str, ...], known: np.ndarray) -> IntArray:
+    """States by name; measured where nothing was said, and lost where there is no number."""
+    said = [words.get(n, "measured").upper() for n in names]
+    values = [Validity[w] if w in Validity.__members__ else Validity.LOST for w in said]
+    return np.where(known, np.array(values, np.int64), int(Validity.LOST)).astype(np.int64)
+
+
+def _tracking(word: str) -> Tracking:
+    return Tracking[word.upper()] if word.upper() in Tracking.__members__ else Tracking.LOST
+
+
+def _number(values: dict[str, str], key: str) -> float:
+    return float(values.get(key, "nan"))
+
+
+def _event_of(said: dict[str, Any], t: float) -> Event:
+    data = said.get("data")
+    return Event(
+        t,
+        str(said.get("kind", "note")),
+        str(said.get("text", "")),
+        data if isinstance(data, dict) else {},
+    )

@@ -1,0 +1,250 @@
+"""Reading a session: what it is about, and its messages in the order in which they were fed."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from functools import cached_property
+from pathlib import Path
+from types import TracebackType
+
+import numpy as np
+
+from tracker.clock import NS, ClockAnchor
+from tracker.errors import ConfigError, FileError
+from tracker.glove.files import parse_glove
+from tracker.hand.files import parse_hand
+from tracker.messages import CameraPose, Estimate, Message
+from tracker.session import description, topics
+from tracker.session import ros_motion as motion
+from tracker.session import ros_sensors as sensors
+from tracker.session.cdr import CdrError, CdrReader
+from tracker.session.decode import (
+    MESSAGE_KINDS,
+    Decoder,
+    EstimateDecoder,
+    Timing,
+    exact_pose,
+    is_camera,
+    pose_of,
+)
+from tracker.session.description import SessionInfo
+from tracker.session.mcap_input import FOREVER, McapInput
+from tracker.session.ordering import last_before, ordered
+from tracker.vision.rig import Camera, StereoRig
+
+_FOREIGN_PATIENCE = NS // 10  # pictures of others may be this late against their IMUs
+_LOOK_FOR_RIG = 500  # messages
+
+
+class SessionReader:
+    """A session opened for reading. Raises FileError in words if it cannot be.
+
+    ``replace`` gives texts for attachments (``hand.toml``, ``glove.toml``, ``colours.toml``) that
+    the file lacks or that shall count instead of its own.
+    """
+
+    def __init__(self, path: Path, replace: Mapping[str, str] | None = None) -> None:
+        self.path = Path(path)
+        self._replace = dict(replace or {})
+        self.source = McapInput(self.path)
+
+    def close(self) -> None:
+        self.source.close()
+
+    def __enter__(self) -> SessionReader:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    @cached_property
+    def topic_names(self) -> frozenset[str]:
+        return frozenset(c.topic for c in self.source.contents.channels.values())
+
+    @cached_property
+    def metadata(self) -> dict[str, str]:
+        """The record ``glovetrack``; empty in a session of others."""
+        for record in self.source.metadata():
+            if record.name == description.METADATA:
+                return dict(record.metadata)
+        return {}
+
+    @cached_property
+    def attachments(self) -> dict[str, str]:
+        """Text attachments by file name; names with a path in them are left out."""
+        out: dict[str, str] = {}
+        for a in self.source.attachments():
+            if "/" in a.name or "\\" in a.name:
+                continue
+            try:
+                out[a.name] = a.data.decode()
+            except UnicodeDecodeError:
+                continue  # not one of ours: ours are TOML
+        return {**out, **self._replace}
+
+    def attachment(self, name: str) -> str:
+        """An attached text. Raises FileError if there is none of that name."""
+        if name not in self.attachments:
+            raise FileError(f"{self.path} has no attachment {name}.")
+        return self.attachments[name]
+
+    @cached_property
+    def anchor(self) -> ClockAnchor:
+        """The session's clock; in a session of others it starts at one second."""
+        try:
+            return ClockAnchor(
+                int(self.metadata["wall_clock_ns"]), int(self.metadata["monotonic_ns"])
+            )
+        except (KeyError, ValueError):
+            return ClockAnchor(self.span_ns[0], NS)
+
+    @cached_property
+    def span_ns(self) -> tuple[int, int]:
+        """First and last log time; (0, 0) if there are no messages."""
+        spans = list(self.source.spans_with(None))
+        if not spans:
+            return 0, 0
+        return spans[0].start, max(s.end for s in spans)
+
+    @property
+    def duration(self) -> float:
+        """Seconds from the first message to the last."""
+        return (self.span_ns[1] - self.span_ns[0]) / NS
+
+    @cached_property
+    def info(self) -> SessionInfo:
+        """What the session is about. Raises FileError where hand or glove is missing or wrong."""
+        hand_text = self.attachment(description.HAND)
+        glove_text = self.attachment(description.GLOVE)
+        hand = parse_hand(hand_text, f"{self.path}, hand.toml")
+        glove = parse_glove(glove_text, hand, f"{self.path}, glove.toml")
+        m = self.metadata
+        rig, moving = self._find_rig()
+        known = description.SessionInfo(hand, glove, "", "", self.anchor).metadata().keys()
+        return SessionInfo(
+            hand=hand,
+            glove=glove,
+            hand_text=hand_text,
+            glove_text=glove_text,
+            anchor=self.anchor,
+            rig=rig,
+            moving_camera=moving,
+            colours_text=self.attachments.get(description.COLOURS),
+            settings_text=self.attachments.get(description.SETTINGS),
+            engine=m.get("engine", ""),
+            version=m.get("version", ""),
+            participant=m.get("participant", ""),
+            notes=m.get("notes", ""),
+            simulated=m.get("simulated") == "true",
+            hues=tuple(h for h in m.get("hues", "").split(",") if h),
+            extra={k: v for k, v in m.items() if k not in known},
+        )
+
+    def rig(self) -> StereoRig:
+        """The stereo camera. Raises FileError that says what of it is missing."""
+        if self.info.rig is not None:
+            return self.info.rig
+        missing = [
+            t for t in map(topics.camera_info, topics.SIDES) if t not in self.topic_names
+        ] or ["a transform from world to camera_left"]
+        raise FileError(f"{self.path} tells no stereo camera: {' and '.join(missing)} missing.")
+
+    def _find_rig(self) -> tuple[StereoRig | None, bool]:
+        """The rig at the start, and whether its camera moves."""
+        cameras: dict[str, Camera] = {}
+        exact: CameraPose | None = None
+        fixed: CameraPose | None = None
+        first: CameraPose | None = None
+        infos = {topics.camera_info(c): c for c in topics.SIDES}
+        wanted = frozenset([*infos, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
+        for n, raw in enumerate(ordered(self.source, wanted)):
+            try:
+                if raw.topic in infos:
+                    cameras.setdefault(infos[raw.topic], sensors.unpack_camera_info(raw.data))
+                elif raw.topic == topics.CAMERA_POSE:
+                    exact = exact or exact_pose(raw.data)
+                else:
+                    for t in filter(is_camera, motion.unpack_transforms(raw.data)):
+                        if raw.topic == topics.TF_STATIC:
+                            fixed = fixed or pose_of(t)
+                        first = first or pose_of(t)
+            except CdrError as error:
+                raise FileError(f"A message on {raw.topic} is damaged: {error}.") from error
+            if (len(cameras) == 2 and first is not None) or n > _LOOK_FOR_RIG:
+                break
+        pose = exact or fixed or first
+        if len(cameras) < 2 or pose is None:
+            return None, fixed is None
+        try:
+            return StereoRig(cameras["left"], cameras["right"], pose), fixed is None
+        except ConfigError as error:
+            raise FileError(f"{self.path}: {error}") from error
+
+    def messages(
+        self,
+        kinds: Collection[type] = MESSAGE_KINDS,
+        start: float | None = None,
+        end: float | None = None,
+    ) -> Iterator[Message]:
+        """Messages of the given kinds in feed order, with start ≤ arrival < end (s).
+
+        Pictures cost their decoding; leave StereoFrame out of ``kinds`` where they are not needed.
+        """
+        decoder = Decoder(
+            self.info, topics.packets(self.info.side) in self.topic_names, self._timing
+        )
+        first = 0 if start is None else max(self.anchor.wall(start), 0)
+        last = FOREVER if end is None else max(self.anchor.wall(end), 0)
+        states = topics.hand(self.info.side, "states")
+        if first and Estimate in kinds and states in self.topic_names:
+            before = last_before(self.source, states, first)
+            if before is not None:
+                decoder.remember(before)
+        wanted = decoder.topics_of(kinds)
+        for raw in ordered(self.source, wanted, first, last, decoder.rank):
+            for message in decoder.feed(raw):
+                if type(message) in kinds:
+                    yield message
+        for message in decoder.finish():
+            if type(message) in kinds:
+                yield message
+
+    def truth(self) -> Iterator[Estimate]:
+        """What a simulated hand really did; nothing in a recorded session."""
+        decoder = EstimateDecoder(self.info, "truth")
+        for raw in ordered(self.source, frozenset(decoder.topics)):
+            estimate = decoder.feed(raw)
+            if estimate is not None:
+                yield estimate
+
+    @cached_property
+    def _timing(self) -> Timing:
+        """None is needed for our own files; for others half of each period."""
+        if self.metadata:
+            return Timing()
+        side = self.info.side
+        imus = [topics.imu(side, n) for n in self.info.glove.imu_names]
+        frames = [f(c) for c in topics.SIDES for f in (topics.image, topics.blobs)]
+        return Timing(
+            self._half_period(imus, NS // 100),
+            self._half_period(frames, NS // 30),
+            _FOREIGN_PATIENCE,
+        )
+
+    def _half_period(self, candidates: list[str], default: int) -> int:
+        """Half the median distance of the first stamps of the first topic that is there, ns."""
+        topic = next((t for t in candidates if t in self.topic_names), None)
+        if topic is None:
+            return default // 2
+        stamps: list[int] = []
+        for raw in ordered(self.source, frozenset([topic])):
+            stamps.append(CdrReader(raw.data).time())
+            if len(stamps) == 50:
+                break
+        steps = np.diff(np.sort(stamps))
+        return int(np.median(steps)) // 2 if len(steps) else default // 2
