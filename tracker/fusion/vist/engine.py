@@ -19,12 +19,13 @@ from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import SeenBlobs, seen_blobs
 from tracker.fusion.start import Starter
 from tracker.fusion.vist.filter import VistFilter
-from tracker.fusion.vist.layout import BG, ERRORS, VistLayout
+from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.markers import Expected, MarkerModel, Matched
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.points import positions
 from tracker.fusion.vist.propagate import propagate
 from tracker.fusion.vist.reports import calibration_of, frame_result
+from tracker.fusion.vist.rest import is_still
 from tracker.fusion.vist.state import (
     VistState,
     as_chain,
@@ -131,6 +132,7 @@ class VistEngine:
         self._track.judge(target, False, self._params.tracking)
         if target - self._track.last_constraint >= self._params.constraint.period:
             self._filter.constrain(self._state)
+            self._rest()
             self._track.last_constraint = target
             self._track.tip_sd = self._filter.tip_sd(self._state)
             self._rebuild_head()
@@ -175,6 +177,13 @@ class VistEngine:
         if newest is not None and self._track.tracking != Tracking.SEARCHING:
             self._carry(self._head, newest.t)
 
+    def _rest(self) -> None:
+        """While nothing is seen, a hand that keeps still does not drift."""
+        t, root = self._state.t, int(self._layout.imu_of[0])
+        coasting = self._track.is_coasting(t, self._params.tracking)
+        if coasting and is_still(list(self._buffer), t, root, self._state.bg[0]):
+            self._filter.rest(self._state)
+
     # ---- pictures
 
     def _process(self, frame: BlobFrame) -> None:
@@ -186,6 +195,7 @@ class VistEngine:
         if frame.t <= self._state.t:
             return  # later than the longest delay: the filter has gone on without it
         self._advance(frame.t)
+        self._rest()
         expected, matched = self._look(self._state, seen, pose, self._guide)
         likely = float(both_cameras(expected.prior).sum())
         if self._track.should_search(frame.t, len(matched), likely, self._params.tracking):
@@ -213,12 +223,11 @@ class VistEngine:
         found = self._starter.first(self._buffer, seen, pose, frame.t)
         if found is None:
             return
-        chain = self._layout.chain
+        # the search takes gyro biases from a hand at rest, but tremor turns a finger at 0.1 rad/s:
+        # over so short a time that is no bias
+        found.bg[:] = 0.0
         self._state = from_chain(self._layout, found)
         self._state.P = initial_covariance(self._layout, self._params.prior)
-        still = np.diag(found.P)[chain.bg : chain.phi].reshape(-1, 3)[self._layout.imu_of]
-        rows = ERRORS * np.arange(self._layout.n)[:, None] + BG + np.arange(3)
-        self._state.P[rows, rows] = np.minimum(still, self._params.prior.gyro_bias**2)
         self._track.tracking, self._track.last_good = Tracking.TRACKING, frame.t
         for _ in range(2):  # the second pass matches and linearises at a better place
             expected, matched = self._look(self._state, seen, pose, None)

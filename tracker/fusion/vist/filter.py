@@ -10,6 +10,7 @@ from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.markers import Expected, Matched
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.points import jacobians, own_covariance, spread
+from tracker.fusion.vist.rest import rest_rows
 from tracker.fusion.vist.state import VistState, inject
 from tracker.messages import Array
 
@@ -25,6 +26,10 @@ class VistFilter:
         """Anatomy alone, while no picture comes."""
         H, r, variance = self._anatomy.rows(state)
         self._update(state, H, r, np.diag(variance))
+
+    def rest(self, state: VistState) -> None:
+        """The hand is known to keep still."""
+        self._update(state, *rest_rows(state, self._layout))
 
     def correct(self, state: VistState, expected: Expected, matched: Matched) -> None:
         """Eq. 10 and the constraints in one stacked update, linearised at one place.

@@ -31,7 +31,7 @@ class VistPrior:
     position: float = 0.020  # m
     velocity: float = 0.3  # m/s
     rotation: float = 0.12  # rad
-    gyro_bias: float = 0.021  # rad/s
+    gyro_bias: float = 0.026  # rad/s, 1.5 °/s
     accel_bias: float = 0.3  # m/s²
     mounting: float = 0.0873  # rad, 5° an axis
     common_length: float = 0.06  # of the whole hand

@@ -10,6 +10,7 @@ from tracker.fusion.params import MatchParams
 from tracker.messages import Array, Tracking
 
 DOUBTFUL_SHARE = 0.35  # of the expected markers
+LOST_SD = 0.05  # m: an unseen hand whose place is less certain than this is lost
 
 
 @dataclass(eq=False)
@@ -33,7 +34,7 @@ class Track:
         """After a picture, or without one."""
         if enough:
             self.last_good, self.tracking = t, Tracking.TRACKING
-        elif t - self.last_good > params.coast_limit:
+        elif t - self.last_good > params.coast_limit and self.tip_sd[0] > LOST_SD:
             self.tracking = Tracking.LOST
         elif self.is_coasting(t, params):
             self.tracking = Tracking.COASTING

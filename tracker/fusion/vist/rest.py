@@ -1,0 +1,38 @@
+"""A hand that keeps still while no camera sees it: its velocity is known to be about zero.
+
+Without this the place of an unseen hand is a double integral, lost in a second. A person who holds
+a posture gives the filter this much for free.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from tracker.fusion.vist.layout import V, VistLayout
+from tracker.fusion.vist.state import VistState
+from tracker.messages import Array, ImuSample
+
+WINDOW = 0.2  # s looked back on
+STILL_TURN = 0.25  # rad/s mean angular rate; tremor alone gives 0.1
+STILL_FORCE = 0.6  # m/s² spread of the specific force
+SD = 0.05  # m/s, for sway goes on and the same rest is used many times a second
+
+
+def is_still(packets: Sequence[ImuSample], t: float, imu: int, bias: Array) -> bool:
+    """Whether one IMU rested for the last `WINDOW` seconds before ``t``. bias (3,) rad/s."""
+    lately = [s for s in packets if t - WINDOW <= s.t <= t]
+    if len(lately) < 5 or not all(s.valid[imu] for s in lately):
+        return False
+    turn = np.array([s.gyro[imu] for s in lately]) - bias
+    force = np.array([s.accel[imu] for s in lately])
+    spread = np.linalg.norm(force.std(axis=0))
+    return bool(np.linalg.norm(turn, axis=1).mean() < STILL_TURN and spread < STILL_FORCE)
+
+
+def rest_rows(state: VistState, layout: VistLayout) -> tuple[Array, Array, Array]:
+    """H (3, 21 n), innovation (3,) m/s and noise (3, 3) of v_GI = 0 for the root's IMU."""
+    H = np.zeros((3, layout.size))
+    H[:, V : V + 3] = np.eye(3)
+    return H, -state.v_GI[0], np.eye(3) * SD**2
