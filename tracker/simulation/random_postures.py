@@ -27,13 +27,13 @@ class PostureParams:
     far: float = 0.42
     wide: float = 0.30  # of the half picture, left and right
     high: float = 0.25  # of the half picture, up and down
-    roll_deg: float = 38.0  # standard deviation, about the forearm
-    pitch_deg: float = 24.0
-    pitch_mean_deg: float = -6.0  # negative: fingers up
+    roll_deg: float = 45.0  # standard deviation, about the forearm
+    pitch_deg: float = 26.0
+    pitch_mean_deg: float = -3.0  # negative: fingers up
     yaw_deg: float = 18.0
     largest_deg: float = 55.0  # of roll and pitch
     lowest_deg: float = 30.0  # of fingers down: beyond it the arm hides the hand
-    palm_up: float = 0.08  # share of postures
+    palm_up: float = 0.15  # share of postures
     sway_deg: float = 1.2
     sway_mm: float = 2.5
     tremor_deg: float = 0.12

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker.clock import nanoseconds
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
@@ -24,8 +25,8 @@ class BlobParams:
 
     noise_px: float = 0.3
     dropout: float = 0.02  # of blobs that should be there
-    facing: float = 0.36  # mean cosine of the patch, at least: 69° off the axis
-    whole: float = 0.6  # share not hidden, at least
+    facing: float = 0.18  # mean cosine of the patch, at least: 80° off the axis
+    whole: float = 0.35  # share not hidden, at least
     size_noise: float = 0.05
 
 
@@ -51,11 +52,17 @@ class Instant(NamedTuple):
 
 
 class Seen(NamedTuple):
-    """Markers in one image: raw pixel centroids (M, 2), extents (M, 2) px, and whether a blob."""
+    """Markers in one image: raw pixel centroids (M, 2), extents (M, 2) px, and whether a blob.
+
+    facing (M,) is the mean cosine of the whole patch, what is hidden counting as 0; whole (M,) the
+    share of the facing part that is not hidden.
+    """
 
     uv: Array
     extent: Array
-    visible: np.ndarray
+    visible: NDArray[np.bool_]
+    facing: Array
+    whole: Array
 
 
 class Scene:
@@ -113,9 +120,9 @@ class Scene:
         uv[some] = camera.unrectify(uv[some])
         visible = (facing > self.params.facing) & (whole > self.params.whole)
         visible &= inside(camera, uv, extent)
-        return Seen(uv, extent, visible)
+        return Seen(uv, extent, visible, facing, whole)
 
-    def visible(self, t: float) -> tuple[np.ndarray, np.ndarray]:
+    def visible(self, t: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """(M,) bool for the left and the right image: which markers make a blob."""
         now = self.instant(t)
         return self.markers_seen(now, False).visible, self.markers_seen(now, True).visible
@@ -167,7 +174,7 @@ class Scene:
         hue = np.array([hues.index(h) if h in hues else -1 for h in names], np.int64)
         return uv[seen], size[seen], hue[seen]
 
-    def _in_sight(self, now: Instant, p_C: Array, radius: Array, right: bool) -> np.ndarray:
+    def _in_sight(self, now: Instant, p_C: Array, radius: Array, right: bool) -> NDArray[np.bool_]:
         """(n,) bool: whether the balls' middles are seen past the solids."""
         eye = np.array([self.rig.baseline if right else 0.0, 0.0, 0.0])
         s, out = now.solids, np.zeros(len(p_C), bool)
@@ -179,7 +186,7 @@ class Scene:
         return out
 
 
-def inside(camera: Camera, uv: Array, extent: Array) -> np.ndarray:
+def inside(camera: Camera, uv: Array, extent: Array) -> NDArray[np.bool_]:
     """(n,) bool: whether blobs lie whole in the image."""
     low = uv - extent / 2
     high = uv + extent / 2
@@ -190,7 +197,7 @@ def inside(camera: Camera, uv: Array, extent: Array) -> np.ndarray:
         )  # fmt: skip
 
 
-def touching(uv: Array, size: Array, hue: IntArray) -> np.ndarray:
+def touching(uv: Array, size: Array, hue: IntArray) -> NDArray[np.bool_]:
     """(n,) bool: blobs of one hue that run together, which a detector drops for their shape."""
     gap = np.abs(uv[:, None] - uv[None]) - (size[:, None] + size[None]) / 2
     close = np.all(gap < 0, axis=2) & (hue[:, None] == hue[None])

@@ -1,0 +1,54 @@
+"""The simulated camera as a device of its own."""
+
+import time
+
+import numpy as np
+
+from tests.conftest import RESOURCES
+from tracker.simulation.camera_device import SimulatedCamera
+from tracker.simulation.demo import DemoSpec, build
+
+SPEC = DemoSpec(
+    (RESOURCES / "hands" / "reference-right.toml").read_text(),
+    (RESOURCES / "gloves" / "vist-small.toml").read_text(),
+    seed=3,
+    duration=60.0,
+    fps=15.0,
+)
+
+
+def test_pictures_come_in_time_and_are_those_of_the_simulation() -> None:
+    t_0 = time.monotonic() + 0.2
+    camera = SimulatedCamera(SPEC, t_0)
+    try:
+        frames = []
+        deadline = time.monotonic() + 40
+        while len(frames) < 4 and time.monotonic() < deadline:
+            frame = camera.read(0.2)
+            if frame is not None:
+                assert time.monotonic() >= frame.t_arrival - 1e-3
+                frames.append(frame)
+    finally:
+        camera.close()
+        camera.close()
+    assert len(frames) == 4
+    assert all(0.029 < f.t_arrival - f.t < 1.0 for f in frames)
+    expected = {k: t for k, t, _ in build(SPEC).exposures() if k <= frames[-1].index}
+    sim = build(SPEC)
+    for frame in frames:
+        t = expected[frame.index]
+        assert abs(frame.t - t_0 - t) < 1e-6
+        left, right = sim.renderer.pair(t)
+        assert np.array_equal(frame.left, left) and np.array_equal(frame.right, right)
+
+
+def test_a_camera_whose_process_dies_says_so() -> None:
+    camera = SimulatedCamera(SPEC, time.monotonic())
+    camera._process.kill()
+    deadline = time.monotonic() + 20
+    events = []
+    while not events and time.monotonic() < deadline:
+        camera.read(0.2)
+        events = list(camera.take_events())
+    assert any("camera has ended" in e.text for e in events)
+    assert camera.read(0.0) is None

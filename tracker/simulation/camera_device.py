@@ -1,0 +1,137 @@
+"""A simulated stereo camera that behaves like a device: pictures come when they would come.
+
+A process of its own draws them, as a camera's own hardware would, and hands them over through
+shared memory. It draws ahead of time where it can; a picture that is not ready in time is dropped,
+as a camera would drop it, and the gap in ``index`` tells.
+"""
+
+from __future__ import annotations
+
+import multiprocessing as mp
+import time
+from collections.abc import Sequence
+from multiprocessing.connection import Connection
+from multiprocessing.shared_memory import SharedMemory
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.clock import nanoseconds, seconds
+from tracker.messages import Event, StereoFrame
+from tracker.simulation.demo import DemoSpec, build
+
+SLOTS = 6
+LATE = 0.3  # s behind its arrival at which a picture is not drawn any more
+
+
+class _Drawn(NamedTuple):
+    """A picture in shared memory. Times in s since the start of the simulation."""
+
+    slot: int
+    number: int
+    t: float
+    arrival: float
+
+
+class SimulatedCamera:
+    """Pictures of a `DemoSpec` in real time; simulated time 0 is the host's ``t_0`` (s)."""
+
+    def __init__(self, spec: DemoSpec, t_0: float, width: int = 1280, height: int = 720) -> None:
+        self._t_0, self._shape = t_0, (SLOTS, 2, height, width, 3)
+        self._memory = SharedMemory(create=True, size=int(np.prod(self._shape)))
+        self._events: list[Event] = []
+        self._closed = False
+        context = mp.get_context("spawn")
+        self._pipe, theirs = context.Pipe()
+        self._process = context.Process(
+            target=_draw_for_ever,
+            args=(spec, t_0, self._memory.name, self._shape, theirs),
+            name="glovetrack-camera",
+            daemon=True,
+        )
+        self._process.start()
+        theirs.close()
+
+    def read(self, timeout: float) -> StereoFrame | None:
+        """The next picture pair at its time of arrival; None if none comes within ``timeout``."""
+        if self._closed:
+            return None
+        try:
+            if not self._pipe.poll(timeout):
+                return None
+            drawn: _Drawn = self._pipe.recv()
+        except (EOFError, OSError):
+            self._lost()
+            return None
+        due = self._t_0 + drawn.arrival
+        wait = due - time.monotonic()
+        if wait > 0:
+            time.sleep(min(wait, 1.0))
+        frame = self._frame(drawn, max(due, seconds(time.monotonic_ns())))
+        self._pipe.send(drawn.slot)
+        return frame
+
+    def _frame(self, drawn: _Drawn, arrival: float) -> StereoFrame:
+        pictures = self._view()[drawn.slot]
+        return StereoFrame(
+            t=seconds(nanoseconds(self._t_0 + drawn.t)),
+            t_arrival=seconds(nanoseconds(arrival)),
+            left=pictures[0].copy(),
+            right=pictures[1].copy(),
+            index=drawn.number,
+        )
+
+    def _view(self) -> NDArray[np.uint8]:
+        return np.ndarray(self._shape, np.uint8, buffer=self._memory.buf)
+
+    def _lost(self) -> None:
+        if not self._closed:
+            self._events.append(
+                Event(seconds(time.monotonic_ns()), "device", "The simulated camera has ended.")
+            )
+            self.close()
+
+    def take_events(self) -> Sequence[Event]:
+        out, self._events = self._events, []
+        return out
+
+    def close(self) -> None:
+        """End the process and free the memory. May be called again."""
+        if self._closed:
+            return
+        self._closed = True
+        self._pipe.close()
+        self._process.terminate()
+        self._process.join(5.0)
+        self._memory.close()
+        self._memory.unlink()
+
+
+def _draw_for_ever(
+    spec: DemoSpec, t_0: float, name: str, shape: tuple[int, ...], pipe: Connection
+) -> None:
+    """The other process: draws until the pipe closes."""
+    memory = SharedMemory(name=name)
+    try:
+        pictures: NDArray[np.uint8] = np.ndarray(shape, np.uint8, buffer=memory.buf)
+        _draw(spec, t_0, pictures, pipe)
+    except (EOFError, BrokenPipeError, ConnectionResetError, KeyboardInterrupt):
+        return
+    finally:
+        del pictures
+        memory.close()
+
+
+def _draw(spec: DemoSpec, t_0: float, pictures: NDArray[np.uint8], pipe: Connection) -> None:
+    sim = build(spec)
+    free = list(range(len(pictures)))
+    for index, t, arrival in sim.exposures():
+        if time.monotonic() > t_0 + arrival + LATE:
+            continue
+        while not free or pipe.poll():
+            free.append(pipe.recv())
+        slot = free.pop(0)
+        left, right = sim.renderer.pair(t)
+        pictures[slot, 0], pictures[slot, 1] = left, right
+        pipe.send(_Drawn(slot, index, t, arrival))

@@ -1,0 +1,37 @@
+"""What the demo simulates, in a form that can be handed to another process."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracker.glove.files import parse_glove
+from tracker.hand.files import parse_hand
+from tracker.simulation.motion import Motion
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.recorded import load_motion
+from tracker.simulation.scenario import Simulation
+
+
+@dataclass(frozen=True)
+class DemoSpec:
+    """Texts of the hand's and the glove's file; ``motion`` a recording or empty."""
+
+    hand_text: str
+    glove_text: str
+    seed: int = 1
+    duration: float = 3600.0
+    fps: float = 30.0
+    motion: str = ""
+
+
+def build(spec: DemoSpec) -> Simulation:
+    """The simulation that a spec describes: the same in every process."""
+    hand = parse_hand(spec.hand_text)
+    glove = parse_glove(spec.glove_text, hand)
+    motion: Motion
+    if spec.motion:
+        motion = load_motion(Path(spec.motion), hand)
+    else:
+        motion = RandomPostures(hand, spec.seed, duration=spec.duration)
+    return Simulation(hand, glove, motion, spec.seed, fps=spec.fps)
