@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 from tracker.clock import ClockAnchor
 from tracker.glove.model import GloveModel
@@ -22,16 +22,14 @@ from tracker.messages import (
     Status,
     StereoFrame,
 )
+from tracker.vision.colours import ColourProfile
 from tracker.vision.rig import StereoRig
-
-if TYPE_CHECKING:
-    from tracker.vision.colours import ColourProfile
 
 
 class Recorder(Protocol):
     """Takes every message for a file."""
 
-    def write(self, message: Message) -> None: ...
+    def write(self, message: Message, overloaded: bool = False) -> None: ...
 
     def close(self) -> None: ...
 
@@ -59,6 +57,27 @@ class LiveEngine(Protocol):
 
     def set_recorder(self, recorder: Recorder | None) -> None: ...
 
+    def note(self, text: str) -> None: ...
+
+
+class Player(Protocol):
+    """Moves through a recorded session; times are s from its start."""
+
+    @property
+    def duration(self) -> float: ...
+
+    @property
+    def position(self) -> float: ...
+
+    @property
+    def playing(self) -> bool: ...
+
+    def seek(self, position: float) -> None: ...
+
+    def play(self, on: bool) -> None: ...
+
+    def set_speed(self, speed: float) -> None: ...
+
 
 @dataclass(frozen=True)
 class Truth:
@@ -80,7 +99,10 @@ class RecordingRequest:
 
 @dataclass(frozen=True, eq=False)
 class EngineSetup:
-    """An engine and what it works with. ``close`` frees what `LiveEngine.stop` does not."""
+    """An engine and what it works with. ``close`` frees what `LiveEngine.stop` does not.
+
+    An engine is started once; to start again the window builds another one.
+    """
 
     name: str
     engine: LiveEngine
@@ -93,4 +115,4 @@ class EngineSetup:
     make_recorder: Callable[[RecordingRequest], Recorder] | None = None
     truth: Callable[[float], Truth | None] | None = None
     simulated: bool = False
-    replayed: bool = False
+    player: Player | None = None  # of a recorded session

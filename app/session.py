@@ -9,18 +9,16 @@ from __future__ import annotations
 import logging
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from app.engine import EngineSetup, Recorder, RecordingRequest
+from app.engine import EngineSetup, RecordingRequest
+from app.recorder import PausableRecorder
 from app.tasks import Progress, TaskOwner
 from app.viewmodels.snapshot import Snapshot, nearest
 from tracker.errors import GlovetrackError
 from tracker.messages import Estimate, Event
-
-if TYPE_CHECKING:
-    from tracker.vision.colours import ColourProfile
+from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
 SetupFactory = Callable[[Progress], EngineSetup]
@@ -43,10 +41,11 @@ class Session(QObject):
         super().__init__(parent)
         self._tasks = tasks
         self._setup: EngineSetup | None = None
-        self._recorder: Recorder | None = None
+        self._recorder: PausableRecorder | None = None
         self._request: RecordingRequest | None = None
-        self._paused = False
         self._recent: deque[Estimate] = deque(maxlen=RECENT_ESTIMATES)
+        self._factory: tuple[str, SetupFactory] | None = None
+        self._spent = False  # the engine has been stopped and cannot start again
         self.running = False
         self.opening = False
 
@@ -62,6 +61,7 @@ class Session(QObject):
             return
         self.shut_down()
         self.opening = True
+        self._factory = (title, factory)
         task = self._tasks.run(title, factory, lambda setup: self.adopt(setup, start))
         task.ended.connect(self._opening_ended)
 
@@ -72,12 +72,17 @@ class Session(QObject):
         """Take over a built engine."""
         self.shut_down()
         self._setup = setup
+        self._spent = False
         self.opened.emit(setup)
         if start:
             self.start()
 
     def start(self) -> None:
+        """Start the engine; one that was stopped before is built anew."""
         if self._setup is None or self.running:
+            return
+        if self._spent and self._factory is not None:
+            self.open(*self._factory)
             return
         try:
             self._setup.engine.start()
@@ -93,6 +98,7 @@ class Session(QObject):
         self.stop_recording()
         self._setup.engine.stop()
         self.running = False
+        self._spent = True
         self.running_changed.emit(False)
 
     def shut_down(self) -> None:
@@ -113,7 +119,7 @@ class Session(QObject):
 
     @property
     def paused(self) -> bool:
-        return self._paused
+        return self._recorder is not None and self._recorder.paused
 
     def record(self, request: RecordingRequest) -> bool:
         """Begin a file; False, with an `error`, where that is impossible."""
@@ -121,43 +127,33 @@ class Session(QObject):
         if setup is None or setup.make_recorder is None or self._request is not None:
             return False
         try:
-            self._recorder = setup.make_recorder(request)
+            self._recorder = PausableRecorder(setup.make_recorder(request))
         except (GlovetrackError, OSError) as error:
             self.error.emit(str(error))
             return False
         self._request = request
-        self._paused = False
         setup.engine.set_recorder(self._recorder)
         self.recording_changed.emit(True)
         return True
 
     def pause(self, paused: bool) -> None:
         """Hold the file back or let it go on."""
-        if self._setup is None or self._recorder is None:
-            return
-        self._paused = paused
-        self._setup.engine.set_recorder(None if paused else self._recorder)
-        self.recording_changed.emit(True)
+        if self._recorder is not None:
+            self._recorder.paused = paused
+            self.recording_changed.emit(True)
 
     def stop_recording(self) -> None:
+        """End the file; the engine writes what waits and closes it."""
         if self._setup is None or self._recorder is None:
             return
         self._setup.engine.set_recorder(None)
-        recorder, self._recorder = self._recorder, None
-        self._request = None
-        try:
-            recorder.close()
-        except (GlovetrackError, OSError) as error:
-            self.error.emit(str(error))
+        self._recorder = self._request = None
         self.recording_changed.emit(False)
 
     def note(self, text: str) -> None:
         """A note with the instant of now, to the log and to the file."""
-        estimate = self._setup.engine.latest_estimate() if self._setup else None
-        event = Event(estimate.t if estimate else 0.0, "note", text)
-        if self._recorder is not None and not self._paused:
-            self._recorder.write(event)
-        self.event.emit(event)
+        if self._setup is not None:
+            self._setup.engine.note(text)
 
     # --- what panels ask
 

@@ -150,6 +150,10 @@ class RecordingPanel(Panel):
 
     # --- what it shows
 
+    def elapsed(self) -> float:
+        """s since the recording began; 0 where there is none."""
+        return time.monotonic() - self._started if self._started else 0.0
+
     def _recording_changed(self, on: bool) -> None:
         if on and not self.session.paused:
             self._started = self._started or time.monotonic()
@@ -175,7 +179,7 @@ class RecordingPanel(Panel):
             now = time.monotonic()
             rate = self._rate.add(now, size)
             self.file_label.setText(request.path.name)
-            self.time_label.setText(duration_text(now - self._started))
+            self.time_label.setText(duration_text(self.elapsed()))
             self.size_label.setText(f"{size_text(size)}  ({size_text(rate)}/s)")
         room = disk(free_bytes(Path(self.folder.text())), rate)
         self.disk_label.setText(room.text)

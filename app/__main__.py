@@ -1,0 +1,57 @@
+"""``python -m app``: the window; with ``--headless-report`` the same window off-screen."""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtWidgets import QApplication
+
+from tracker import __version__
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Open the window; returns the exit status."""
+    args = _parser().parse_args(sys.argv[1:] if argv is None else list(argv))
+    app = QApplication.instance() or QApplication(["glovetrack"])
+    assert isinstance(app, QApplication)
+    app.setApplicationName("glovetrack")
+    app.setApplicationDisplayName("Glovetrack")
+    app.setApplicationVersion(__version__)
+    if args.headless_report is not None:
+        from app.report import headless_report
+
+        return headless_report(app, args.headless_report, args.out, args.fps)
+    return _run(app, args)
+
+
+def _run(app: QApplication, args: argparse.Namespace) -> int:
+    from app.main_window import MainWindow
+
+    window = MainWindow()
+    # Ctrl+C closes the window as a click does: the file is finished, the devices are freed. The
+    # window's own timer gives Python the chance to see the signal.
+    signal.signal(signal.SIGINT, lambda *_: window.close())
+    window.show()
+    if args.demo:
+        window.start_demo()
+    elif args.session is not None:
+        window.open_session(args.session)
+    return app.exec()
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="glovetrack", description="The Glovetrack window.")
+    parser.add_argument("session", nargs="?", type=Path, help="a session file to replay")
+    parser.add_argument("--demo", action="store_true", help="start the simulated glove and camera")
+    parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
+    parser.add_argument("--headless-report", type=float, metavar="SECONDS", default=None)
+    parser.add_argument("--out", type=Path, default=Path("demo"), help="folder of the report")
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())

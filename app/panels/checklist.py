@@ -1,0 +1,75 @@
+"""The set-up checklist."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+
+from app.panels.panel import Panel
+from app.session import Session
+from app.viewmodels.checklist import Step, steps
+from app.viewmodels.snapshot import Snapshot
+
+
+class ChecklistPanel(Panel):
+    name = "checklist"
+    period = 0.5
+    action = Signal(str)
+
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+        super().__init__(session, parent)
+        self._rows: list[_Row] = []
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(12)
+        self._grid.setVerticalSpacing(10)
+        self._grid.setColumnStretch(2, 1)
+        self.summary = QLabel()
+        self.summary.setProperty("role", "figure")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(12, 12, 12, 12)
+        column.setSpacing(12)
+        column.addWidget(self.summary)
+        column.addLayout(self._grid)
+        column.addStretch(1)
+        for i in range(len(steps(None))):
+            self._rows.append(_Row(self._grid, i, self.action))
+        self.refresh(None)
+
+    def title(self) -> str:
+        return self.tr("Set-up")
+
+    def refresh(self, view: Snapshot | None) -> None:
+        shown = steps(view)
+        done = sum(s.done for s in shown)
+        ready = done == len(shown)
+        text = self.tr("Ready") if ready else self.tr("{} of {} done").format(done, len(shown))
+        self.summary.setText(text)
+        first = next((i for i, s in enumerate(shown) if not s.done), len(shown))
+        for i, (row, step) in enumerate(zip(self._rows, shown, strict=True)):
+            row.show(step, reachable=i == first)
+
+
+class _Row:
+    """One step's widgets in the grid."""
+
+    def __init__(self, grid: QGridLayout, index: int, action) -> None:  # type: ignore[no-untyped-def]
+        self._sign, self._name, self._reason = QLabel(), QLabel(), QLabel()
+        self._reason.setWordWrap(True)
+        self._reason.setProperty("role", "faint")
+        self._reason.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self._button = QPushButton()
+        self._command = ""
+        self._button.clicked.connect(lambda: action.emit(self._command))
+        top = Qt.AlignmentFlag.AlignTop
+        for column, widget in enumerate((self._sign, self._name, self._reason, self._button)):
+            grid.addWidget(widget, index, column, top)
+
+    def show(self, step: Step, reachable: bool) -> None:
+        look = step.look(reachable)
+        self._sign.setText(look.sign)
+        self._sign.setStyleSheet(f"color: {look.colour}")
+        self._name.setText(step.name)
+        self._reason.setText(step.reason)
+        self._command = step.command
+        self._button.setText(step.button)
+        self._button.setVisible(bool(step.command) and not step.done)

@@ -1,0 +1,21 @@
+"""A recorder that can hold back: a pause leaves a gap in the file, not a second file."""
+
+from __future__ import annotations
+
+from app.engine import Recorder
+from tracker.messages import Calibration, Event, Message
+
+
+class PausableRecorder:
+    """Passes messages on to ``inner`` unless ``paused``; events and calibration always."""
+
+    def __init__(self, inner: Recorder) -> None:
+        self._inner = inner
+        self.paused = False
+
+    def write(self, message: Message, overloaded: bool = False) -> None:
+        if not self.paused or isinstance(message, Event | Calibration):
+            self._inner.write(message, overloaded)
+
+    def close(self) -> None:
+        self._inner.close()

@@ -1,0 +1,47 @@
+"""Where an engine comes from: the demo, the devices, a file. Each gives a job that builds one.
+
+The rooms are imported inside the jobs: they compile kernels and load codecs, and the window is to
+open at once.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.engine import EngineSetup
+from app.session import SetupFactory
+from app.settings import Settings
+from app.tasks import Progress
+
+
+def demo_factory(seed: int = 1, fps: float = 30.0) -> SetupFactory:
+    """A simulated wearer, glove and camera."""
+
+    def build(progress: Progress) -> EngineSetup:
+        from app.demo import demo_setup
+
+        return demo_setup(progress, seed, fps)
+
+    return build
+
+
+def hardware_factory(settings: Settings) -> SetupFactory:
+    """The glove on a serial port and the stereo camera."""
+
+    def build(progress: Progress) -> EngineSetup:
+        from app.hardware import hardware_setup
+
+        return hardware_setup(progress, settings)
+
+    return build
+
+
+def replay_factory(path: Path) -> SetupFactory:
+    """A recorded session."""
+
+    def build(progress: Progress) -> EngineSetup:
+        from app.replay import open_replay
+
+        return open_replay(path, progress)
+
+    return build

@@ -1,0 +1,66 @@
+"""The list of the window's commands: what they are called and where they stand."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from app.commands import Command, Commands
+
+if TYPE_CHECKING:
+    from app.main_window import MainWindow
+
+
+def add_commands(window: MainWindow, commands: Commands) -> None:
+    """Every command, in menu order."""
+    for group in (_file, _tracking, _camera, _view):
+        for command in group(window):
+            commands.add(command)
+
+
+def _file(w: MainWindow) -> list[Command]:
+    menu = w.tr("&File")
+    return [
+        Command("demo", menu, w.tr("Start the &demo"), w.start_demo, "Ctrl+D"),
+        Command("hardware", menu, w.tr("&Glove and camera"), w.start_hardware, "Ctrl+G"),
+        Command("open", menu, w.tr("&Open a session…"), w.choose_session, "Ctrl+O"),
+        Command("export", menu, w.tr("&Export…"), w.export_session, "Ctrl+E"),
+        Command("close", menu, w.tr("&Close the session"), w.session.shut_down, "Ctrl+W"),
+        Command("quit", menu, w.tr("&Quit"), lambda: w.close(), "Ctrl+Q", separator=True),
+    ]
+
+
+def _tracking(w: MainWindow) -> list[Command]:
+    menu = w.tr("&Tracking")
+    return [
+        Command("start", menu, w.tr("&Start"), w.session.start, "F5"),
+        Command("stop", menu, w.tr("S&top"), w.session.stop, "Shift+F5"),
+        Command("record", menu, w.tr("&Record"), w.toggle_recording, "Space", separator=True),
+        Command("pause", menu, w.tr("&Pause the recording"), w.toggle_pause, "Ctrl+P"),
+        Command("note", menu, w.tr("Add a &note…"), w.ask_note, "N"),
+    ]
+
+
+def _camera(w: MainWindow) -> list[Command]:
+    menu = w.tr("&Pictures")
+    return [
+        Command("freeze", menu, w.tr("&Freeze the pictures"), w.cameras.freeze.toggle, "F"),
+        Command("fit", menu, w.tr("&Whole picture"), w.fit_pictures, "Ctrl+0"),
+        Command("view_back", menu, w.tr("Hand from the &back"), w.hand.view_back, "1"),
+        Command("view_palm", menu, w.tr("Hand from the &palm"), w.hand.view_palm, "2"),
+        Command("view_side", menu, w.tr("Hand from the &side"), w.hand.view_side, "3"),
+        Command("view_camera", menu, w.tr("Hand from the &camera"), w.hand.view_camera, "4"),
+        Command("undo", menu, w.tr("&Undo the colour change"), w.colours.undo, "Ctrl+Z"),
+        Command("redo", menu, w.tr("&Redo the colour change"), w.colours.redo, "Ctrl+Y"),
+    ]
+
+
+def _view(w: MainWindow) -> list[Command]:
+    menu = w.tr("&View")
+    return [
+        Command("palette", menu, w.tr("&Command palette…"), w.open_palette, "Ctrl+K"),
+        Command("reset_layout", menu, w.tr("&Reset the layout"), w.reset_layout, "Ctrl+Shift+0"),
+        Command("fullscreen", menu, w.tr("&Full screen"), w.toggle_full_screen, "F11"),
+        Command("theme_light", menu, w.tr("&Light"), lambda: w.set_theme("light"), separator=True),
+        Command("theme_dark", menu, w.tr("&Dark"), lambda: w.set_theme("dark")),
+        Command("theme_system", menu, w.tr("As the &system"), lambda: w.set_theme("system")),
+    ]
