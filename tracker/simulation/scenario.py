@@ -14,6 +14,7 @@ from tracker.clock import nanoseconds, seconds
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, ImuSample, StereoFrame
+from tracker.simulation.head import Head, HeadParams
 from tracker.simulation.imu import ImuParams, ImuSimulator
 from tracker.simulation.motion import Motion
 from tracker.simulation.render import Renderer, RenderParams
@@ -34,6 +35,7 @@ class SimulationParams:
     imu: ImuParams = field(default_factory=ImuParams)
     blobs: BlobParams = field(default_factory=BlobParams)
     render: RenderParams = field(default_factory=RenderParams)
+    head: HeadParams = field(default_factory=HeadParams)
     delay_least: float = 0.030  # s from the middle of an exposure to its arrival
     delay_most: float = 0.050
 
@@ -66,7 +68,8 @@ class Simulation:
         self.params, self.fps, self.rig = params or SimulationParams(), fps, rig or ideal_rig()
         self.wearer = Wearer.random(hand, glove, seed, self.params.wearer)
         self.imus = ImuSimulator(self.wearer, motion, seed, self.params.imu)
-        self.scene = Scene(self.wearer, motion, self.rig, seed, self.params.blobs, extras)
+        head = Head(self.rig.pose, seed, self.params.head)
+        self.scene = Scene(self.wearer, motion, self.rig, seed, self.params.blobs, extras, head)
 
     @property
     def duration(self) -> float:

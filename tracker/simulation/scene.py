@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracker.clock import nanoseconds
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
+from tracker.simulation.head import Head
 from tracker.simulation.motion import Motion
 from tracker.simulation.patches import CIRCLE, SQUARE, hidden, sample_pattern, view_patches
 from tracker.simulation.smooth import rng_for
@@ -76,7 +77,9 @@ class Scene:
         seed: int,
         params: BlobParams | None = None,
         extras: Sequence[Extra] = (),
+        head: Head | None = None,
     ) -> None:
+        self.head = head or Head(rig.pose, seed)
         self.wearer, self.motion, self.rig = wearer, motion, rig
         self.params, self.extras = params or BlobParams(), tuple(extras)
         self.shape = BodyShape.of(wearer)
@@ -88,11 +91,11 @@ class Scene:
 
     def pose(self, t: float) -> CameraPose:
         """The camera's true pose at the time t (s)."""
-        return self.rig.pose
+        return self.head.pose(t)
 
     def reported_pose(self, t: float) -> CameraPose | None:
         """What the camera says of its pose; None for one that stands still."""
-        return None
+        return self.head.reported(t)
 
     def instant(self, t: float) -> Instant:
         """Everything in C at the time t (s)."""

@@ -1,0 +1,63 @@
+"""A camera on the head: it moves, and what it says of its pose is not quite right."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.geometry import so3
+from tracker.messages import Array, CameraPose
+from tracker.simulation.smooth import SmoothNoise, rng_for
+
+
+@dataclass(frozen=True)
+class HeadParams:
+    """Standard deviations along or about each axis; all zero is a stand."""
+
+    sway_mm: float = 0.0
+    sway_deg: float = 0.0
+    sway_time: float = 1.5  # s, correlation
+    error_mm: float = 0.0  # of the reported pose
+    error_deg: float = 0.0
+    error_time: float = 1.5
+
+
+MOVING = HeadParams(sway_mm=15.0, sway_deg=3.0, error_mm=3.0, error_deg=0.5)
+"""A seated person's head with a visual odometry of ordinary quality."""
+
+
+class Head:
+    """Where the camera is, and where it says it is."""
+
+    def __init__(self, stand: CameraPose, seed: int, params: HeadParams | None = None) -> None:
+        self._stand, self._params = stand, params or HeadParams()
+        rng = rng_for(seed, "head")
+        self._sway = SmoothNoise(rng, (2, 3), self._params.sway_time)
+        self._error = SmoothNoise(rng, (2, 3), self._params.error_time)
+
+    @property
+    def moves(self) -> bool:
+        """Whether a pose is reported with each frame at all."""
+        p = self._params
+        return any((p.sway_mm, p.sway_deg, p.error_mm, p.error_deg))
+
+    def pose(self, t: float) -> CameraPose:
+        """The true pose of the left camera in G at the time t (s)."""
+        p = self._params
+        return _moved(self._stand, self._sway(np.array([t]))[0], p.sway_mm, p.sway_deg)
+
+    def reported(self, t: float) -> CameraPose | None:
+        """The pose as the camera's odometry has it; None for one on a stand."""
+        if not self.moves:
+            return None
+        p = self._params
+        return _moved(self.pose(t), self._error(np.array([t]))[0], p.error_mm, p.error_deg)
+
+
+def _moved(pose: CameraPose, unit: Array, mm: float, degrees: float) -> CameraPose:
+    """``pose`` shifted in G by unit[0] and turned about its own axes by unit[1]."""
+    if mm == 0 and degrees == 0:
+        return pose
+    turn = so3.exp(np.deg2rad(degrees) * unit[1])
+    return CameraPose(pose.R_GC @ turn, pose.p_GC + 1e-3 * mm * unit[0])
