@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -78,14 +79,13 @@ def track(
     with SessionReader(source, _replacements(options)) as reader:
         info, settings = replace(reader.info, rig=reader.rig()), _settings(reader, options)
         pipeline = Pipeline(info.hand, info.glove, reader.rig(), settings)
-        with SessionRecorder(out, _output_info(info, settings, source), _PARAMS) as recorder:
+        messages = _messages(reader, info, options)
+        with new_session(out, _output_info(info, settings, source)) as recorder:
             run = _Run(pipeline, recorder, options.with_sensors)
-            span = max(reader.duration, 1e-9)
-            first: float | None = None
-            for message in _messages(reader, info, options):
+            start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
+            for message in messages:
                 run.feed(message)
-                first = message.t if first is None else first
-                progress(min((message.t - first) / span, 1.0))
+                progress(min(max((message.t_arrival - start) / span, 0.0), 1.0))
             run.finish()
         report = run.report
         report.error_mm = _errors(reader, info, run.shown)
@@ -93,7 +93,17 @@ def track(
     return report
 
 
-_PARAMS = RecorderParams(sync=False)
+@contextmanager
+def new_session(path: Path, info: SessionInfo) -> Iterator[SessionRecorder]:
+    """A recorder for a new file that is taken away again if the work on it fails."""
+    recorder = SessionRecorder(path, info, RecorderParams(sync=False))
+    try:
+        yield recorder
+    except BaseException:
+        recorder.close()
+        path.unlink(missing_ok=True)
+        raise
+    recorder.close()
 
 
 def _replacements(options: TrackOptions) -> dict[str, str]:
@@ -135,15 +145,16 @@ def _messages(
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
     there are none, the pictures are searched.
     """
-    sides = topics.SIDES
-    has_blobs = any(topics.blobs(c) in reader.topic_names for c in sides)
+    has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
     if has_blobs and not options.colours:
-        yield from reader.messages((ImuSample, BlobFrame))  # type: ignore[misc]
-        return
-    if not any(topics.image(c) in reader.topic_names for c in sides):
+        return reader.messages((ImuSample, BlobFrame))  # type: ignore[return-value]
+    if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
         what = "no pictures to try other colours on" if has_blobs else "neither blobs nor pictures"
         raise FileError(f"{reader.path} holds {what}.")
-    detector = make_detector(profile_of(info), info)
+    return _detected(reader, make_detector(profile_of(info), info))
+
+
+def _detected(reader: SessionReader, detector: Detector) -> Iterator[ImuSample | BlobFrame]:
     for message in reader.messages((ImuSample, StereoFrame)):
         if isinstance(message, StereoFrame):
             yield detect_frame(detector, message)

@@ -1,0 +1,94 @@
+"""Simulate, track, track again: through files."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker.cli import main
+from tracker.errors import FileError
+from tracker.messages import Estimate
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import TrackOptions, track
+from tracker.session.reader import SessionReader
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("sessions") / "in.mcap"
+    simulate(path, SimulateOptions(seed=1, duration=6.0, fps=30, pictures=False))
+    return path
+
+
+def estimates(path: Path) -> list[Estimate]:
+    with SessionReader(path) as reader:
+        return [m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)]
+
+
+def test_tracks_a_simulated_session(session: Path, tmp_path: Path) -> None:
+    shares: list[float] = []
+    report = track(session, tmp_path / "out.mcap", progress=shares.append)
+    assert report.estimates == len(estimates(tmp_path / "out.mcap")) > 550
+    assert report.duration_s == pytest.approx(6.0, abs=0.1)
+    assert report.error_mm["mean"] < 8 and report.lost_s < 0.5
+    assert shares == sorted(shares) and shares[-1] > 0.98
+    with SessionReader(tmp_path / "out.mcap") as reader:
+        assert reader.metadata["source"] == "in.mcap"
+        assert len(reader.metadata["source_sha256"]) == 64
+
+
+def test_tracking_twice_gives_the_same_bits(session: Path, tmp_path: Path) -> None:
+    track(session, tmp_path / "a.mcap", TrackOptions(with_sensors=True))
+    track(tmp_path / "a.mcap", tmp_path / "b.mcap")
+    a, b = estimates(tmp_path / "a.mcap"), estimates(tmp_path / "b.mcap")
+    assert len(a) == len(b)
+    for x, y in zip(a, b, strict=True):
+        assert np.array_equal(x.keypoints, y.keypoints, equal_nan=True)
+        assert np.array_equal(x.angles, y.angles, equal_nan=True)
+
+
+def test_another_engine_by_command_line(
+    session: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "hybrid.mcap"
+    assert main(["track", str(session), "-o", str(out), "--engine", "madgwick", "--json", "-"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    assert report["error_mm"]["dorsum"] < 5 and report["frames"] > 170
+
+
+def test_pictures_are_searched_where_there_are_no_blobs(tmp_path: Path) -> None:
+    path = tmp_path / "pictures.mcap"
+    simulate(path, SimulateOptions(seed=2, duration=2.0, fps=15))
+    report = track(path, tmp_path / "out.mcap", TrackOptions(colours="fabric-default"))
+    assert report.error_mm["mean"] < 12 and report.frames > 25
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--engine", "magic"], "There is no engine 'magic'"),
+        (["--hand", "nobody"], "There is no 'nobody' among the hands"),
+        (["--colours", "fabric-default"], "no pictures"),
+    ],
+)
+def test_what_cannot_be_done_is_said_in_words(
+    session: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    arguments: list[str],
+    words: str,
+) -> None:
+    out = tmp_path / "out.mcap"
+    assert main(["track", str(session), "-o", str(out), *arguments]) == 1
+    message = capsys.readouterr().err
+    assert words in message and "Traceback" not in message
+    assert not out.exists(), "nothing half-made is left behind"
+
+
+def test_never_overwrites(session: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out.mcap"
+    out.write_text("precious")
+    with pytest.raises(FileError):
+        track(session, out)
+    assert out.read_text() == "precious"
