@@ -82,7 +82,9 @@ def test_integration_error_is_the_gyroscopes_offset_times_time(t_m: float) -> No
     shifted = readings._replace(gyro=readings.gyro + np.array([0.05, -0.02]))
     error = Integration(DT).run(shifted) - truth
     t = np.arange(len(truth)) * DT
-    np.testing.assert_allclose(error, np.outer(t, [0.05, -0.02]), atol=5e-4)  # the kink at the start costs 2e-4
+    np.testing.assert_allclose(
+        error, np.outer(t, [0.05, -0.02]), atol=5e-4
+    )  # the kink at the start costs 2e-4
 
 
 def test_integration_converges_with_the_third_power_of_the_sampling_time() -> None:
@@ -124,7 +126,7 @@ def test_switching_never_uses_gravity_in_a_horizontal_plane() -> None:
 
 @pytest.mark.parametrize("t_m", [0.1, 0.6, 1.45, 3.5, 20.0])
 def test_switching_with_the_offset_follows_the_better_of_its_two(t_m: float) -> None:
-    squares = {name: 0.0 for name in ("gravity", "integration", "switching_offset")}
+    squares = dict.fromkeys(("gravity", "integration", "switching_offset"), 0.0)
     for seed in range(8):
         readings, truth = _readings(t_m, "both", seed=seed)
         for name in squares:
@@ -226,7 +228,5 @@ def test_turning_the_planes_axes_changes_nothing_but_the_axes(name: str) -> None
         turning.turn(step)
         expected = fixed.update(gyro, accel, root)
         got = turning.update(gyro, accel, root * np.exp(-1j * angle))
-        if i > 2 and name == "learned":  # gravity's branch differs for `switching` beyond a turn
-            np.testing.assert_allclose(got + angle, expected, atol=1e-9)
-        elif abs(angle) < 1.0:
+        if abs(angle) < 1.0:  # beyond, gravity's branch is another for `switching`
             np.testing.assert_allclose(got + angle, expected, atol=1e-9)

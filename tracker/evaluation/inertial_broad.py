@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import scipy.io
 from numpy.typing import NDArray
+from scipy.io.matlab import MatReadError
 
 from tracker.errors import FileError
 from tracker.evaluation.inertial_peers import (
@@ -67,7 +68,7 @@ def read_trial(path: Path) -> Trial:
             np.roll(q_wxyz, -1, axis=1),
             moving & np.isfinite(q_wxyz).all(axis=1),
         )
-    except (OSError, ValueError, KeyError, NotImplementedError) as error:
+    except (OSError, ValueError, KeyError, NotImplementedError, MatReadError) as error:
         raise FileError(f"{path} is not a recording of the BROAD data set: {error}.") from error
 
 

@@ -64,7 +64,8 @@ def plain_madgwick(gyro: Array, accel: Array, dt: float, beta: float) -> Array:
     for _ in range(200):  # down to the first sample's inclination
         descend(q, up, accel[:1], no_normal, np.array([0.05]))
     for i in range(len(gyro)):
-        integrate_rates(q, gyro[i : i + 1], dt)
+        if i > 0:
+            integrate_rates(q, gyro[i : i + 1], dt)
         descend(q, up, accel[i : i + 1], no_normal, step)
         out[i] = q[0]
     return out

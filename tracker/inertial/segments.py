@@ -23,7 +23,7 @@ class SegmentParams:
 
     tilt_time: float = 2.0  # of each of two low passes on the specific force
     level_period: float = 0.05  # between two levellings
-    offset_time: float = 100.0  # in which motion corrects a gyroscope's offset
+    offset_time: float = 60.0  # in which motion corrects a gyroscope's offset
     rest_time: float = 1.5  # of stillness that make a rest
     rest_filter: float = 0.5  # of the averages that stillness is judged by
     rest_gyro: float = np.deg2rad(2.0)  # rad/s

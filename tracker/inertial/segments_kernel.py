@@ -1,4 +1,8 @@
-"""The filter of `tracker.inertial.segments`, compiled; a row of the state is one IMU."""
+"""The filter of `tracker.inertial.segments`, compiled; a row of the state is one IMU.
+
+No fast-math: reassociation would fold the test for NaN away, and a batch would no longer equal the
+same samples one by one.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +21,8 @@ MEAN_ACCEL = 16
 STILL = 19  # s since the IMU began to stand still
 TICKS = 20  # samples since the last levelling
 COUNT = 21  # samples in all
-SIZE = 22
+ROWS = 22  # first two rows of R_GB, low-passed once, and twice from ROWS + 6
+SIZE = 34
 
 # Coefficients.
 DT, K_TILT, EVERY, K_OFFSET, REST_TIME, K_REST, REST_GYRO, REST_ACCEL, K_REST_OFFSET, LIMIT = range(
@@ -25,7 +30,7 @@ DT, K_TILT, EVERY, K_OFFSET, REST_TIME, K_REST, REST_GYRO, REST_ACCEL, K_REST_OF
 )
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "nsz", "arcp"})
+@njit(cache=True, error_model="numpy")
 def step(state: Array, c: Array, gyro: Array, accel: Array) -> None:
     """One sample of every IMU."""
     for i in range(len(state)):
@@ -57,7 +62,7 @@ def _start(s: Array, g: Array, a: Array) -> None:
         _turn_to_up(s, a[0] / norm, a[1] / norm, a[2] / norm)
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "nsz", "arcp"})
+@njit(cache=True, error_model="numpy")
 def _turn(state: Array, i: int, dt: float, g_x: float, g_y: float, g_z: float) -> None:
     """q ← q ⊗ exp(ω dt / 2), by series: a half angle below 0.3 rad leaves 1e-7."""
     h = 0.5 * dt
@@ -75,7 +80,7 @@ def _turn(state: Array, i: int, dt: float, g_x: float, g_y: float, g_z: float) -
     state[i, 0], state[i, 1], state[i, 2], state[i, 3] = m * n_x, m * n_y, m * n_z, m * n_w
 
 
-@njit(cache=True, error_model="numpy", fastmath={"contract", "reassoc", "nsz", "arcp"})
+@njit(cache=True, error_model="numpy")
 def _filter(state: Array, i: int, k: float, a_x: float, a_y: float, a_z: float) -> None:
     """Specific force into G and through both low passes; plain averages while these are young."""
     x, y, z, w = state[i, 0], state[i, 1], state[i, 2], state[i, 3]
@@ -124,6 +129,7 @@ def _level(s: Array, c: Array) -> None:
     if norm == 0:
         return
     e_x, e_y, e_z = s[10] / norm, s[11] / norm, s[12] / norm
+    _average_rows(s, c)
     if s[STILL] < c[REST_TIME]:
         _learn_offset(s, c, e_y, -e_x)
     x, y, w = _turn_to_up(s, e_x, e_y, e_z)
@@ -132,23 +138,36 @@ def _level(s: Array, c: Array) -> None:
 
 
 @njit(cache=True)
-def _learn_offset(s: Array, c: Array, r_x: float, r_y: float) -> None:
-    """A levelling (r_x, r_y, 0) rad in G is what the offset has turned the IMU by, the other way.
-
-    b += -k Rᵀ r: an offset not known turns the estimate by R b dt and is levelled back.
-    """
+def _average_rows(s: Array, c: Array) -> None:
+    """The horizontal rows of R_GB through the same low passes as the specific force."""
     x, y, z, w = s[0], s[1], s[2], s[3]
-    t_x = 2 * (-z * r_y)
-    t_y = 2 * (z * r_x)
-    t_z = 2 * (x * r_y - y * r_x)
-    # Rᵀ r: the rotation by the conjugate
-    b_x = r_x - w * t_x + y * t_z - z * t_y
-    b_y = r_y - w * t_y + z * t_x - x * t_z
-    b_z = -w * t_z + x * t_y - y * t_x
-    k, limit = c[K_OFFSET], c[LIMIT]
-    s[4] = min(max(s[4] - k * b_x, -limit), limit)
-    s[5] = min(max(s[5] - k * b_y, -limit), limit)
-    s[6] = min(max(s[6] - k * b_z, -limit), limit)
+    k = min(1.0, c[EVERY] * c[K_TILT])
+    if k * s[COUNT] < c[EVERY]:
+        k = c[EVERY] / s[COUNT]
+    rows = (
+        1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+        2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+    )  # fmt: skip
+    for j in range(6):
+        s[ROWS + j] += k * (rows[j] - s[ROWS + j])
+        s[ROWS + 6 + j] += k * (s[ROWS + j] - s[ROWS + 6 + j])
+
+
+@njit(cache=True)
+def _learn_offset(s: Array, c: Array, r_x: float, r_y: float) -> None:
+    """A levelling (r_x, r_y, 0) rad in G shows what the offset has turned the IMU by.
+
+    An offset δ not known turns the estimate by R δ dt. The averaged force follows it through the
+    low passes, so a levelling is -R̄ δ dt with R̄ the equally averaged R, and b -= k R̄ᵀ r descends.
+    Where R has turned so fast that little is left of R̄ the step is enlarged, up to tenfold.
+    """
+    size = 0.0
+    for j in range(6):
+        size += s[ROWS + 6 + j] ** 2
+    k = c[K_OFFSET] / max(0.1, 0.5 * size)
+    for j in range(3):
+        b = s[OFFSET + j] - k * (s[ROWS + 6 + j] * r_x + s[ROWS + 9 + j] * r_y)
+        s[OFFSET + j] = min(max(b, -c[LIMIT]), c[LIMIT])
 
 
 @njit(cache=True)
