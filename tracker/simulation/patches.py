@@ -54,23 +54,30 @@ def view_patches(
     count, samples = len(position), pattern.shape[1]
     uv, extent = np.full((count, 2), np.nan), np.zeros((count, 2))
     facing, whole = np.zeros(count), np.zeros(count)
-    point, n_B = np.empty(3), np.empty(3)
+    local, n_B = np.empty(3), np.empty(3)
+    x, n_C, ray = np.empty(3), np.empty(3), np.empty(3)
+    rows = np.empty(len(radius), np.int64)
     for m in range(count):
-        R, p = R_CB[segment[m]], p_CB[segment[m]]
+        own = segment[m]
+        _carry(R_CB, p_CB, own, position[m], x)
+        near = near_ray(eye, x, 0.8 * size[m], own, a, b, radius, owner, rows)
         seen, turned, su, sv = 0.0, 0.0, 0.0, 0.0
         low_u, high_u, low_v, high_v = 1e9, -1e9, 1e9, -1e9
         for k in range(samples):
             s = pattern[shape[m], k] * size[m]
-            _on_surface(position[m], normal[m], s, flat[m] == 1, point, n_B)
-            x = R @ point + p
-            ray = x - eye
-            distance = np.sqrt(ray[0] ** 2 + ray[1] ** 2 + ray[2] ** 2)
-            n_C = R @ n_B
-            cosine = -(n_C[0] * ray[0] + n_C[1] * ray[1] + n_C[2] * ray[2]) / distance
+            _on_surface(position[m], normal[m], s, flat[m] == 1, local, n_B)
+            _carry(R_CB, p_CB, own, local, x)
+            _turn(R_CB, own, n_B, n_C)
+            distance, along = 0.0, 0.0
+            for c in range(3):
+                ray[c] = x[c] - eye[c]
+                distance += ray[c] * ray[c]
+                along += n_C[c] * ray[c]
+            cosine = -along / np.sqrt(distance)
             if ray[2] < 0.02 or cosine <= 0.0:
                 continue
             turned += cosine
-            if hidden(eye, x, segment[m], a, b, radius, owner, box_R, centre, half, box_owner):
+            if hidden(eye, x, own, rows, near, a, b, radius, box_R, centre, half, box_owner):
                 continue
             u = K[0] * ray[0] / ray[2] + K[2]
             v = K[1] * ray[1] / ray[2] + K[3]
@@ -85,6 +92,21 @@ def view_patches(
             facing[m] = seen / samples
             whole[m] = seen / turned
     return uv, extent, facing, whole
+
+
+@numba.njit(cache=True)
+def _turn(R: Array, i: int, v: Array, out: Array) -> None:
+    """R[i] v, without a BLAS call for three numbers."""
+    for c in range(3):
+        out[c] = R[i, c, 0] * v[0] + R[i, c, 1] * v[1] + R[i, c, 2] * v[2]
+
+
+@numba.njit(cache=True)
+def _carry(R: Array, p: Array, i: int, v: Array, out: Array) -> None:
+    """R[i] v + p[i]."""
+    _turn(R, i, v, out)
+    for c in range(3):
+        out[c] += p[i, c]
 
 
 @numba.njit(cache=True)
@@ -113,37 +135,60 @@ def _on_plane(position: Array, n: Array, s: Array, point: Array) -> None:
 
 
 @numba.njit(cache=True)
-def hidden(
+def near_ray(
     eye: Array,
     x: Array,
+    reach: float,
     own: int,
     a: Array,
     b: Array,
     radius: Array,
     owner: IntArray,
+    found: IntArray,
+) -> int:
+    """How many capsules come within ``reach`` of the ray from ``eye`` to x; rows into ``found``."""
+    count = 0
+    for i in range(len(radius)):
+        if owner[i] != own and _segments_closer(eye, x, a, b, i, radius[i] + reach):
+            found[count] = i
+            count += 1
+    return count
+
+
+@numba.njit(cache=True)
+def hidden(
+    eye: Array,
+    x: Array,
+    own: int,
+    rows: IntArray,
+    count: int,
+    a: Array,
+    b: Array,
+    radius: Array,
     box_R: Array,
     centre: Array,
     half: Array,
     box_owner: IntArray,
 ) -> bool:
-    """Whether a solid that is not the segment ``own`` stands between ``eye`` and the point x."""
-    for i in range(len(radius)):
-        if owner[i] == own:
-            continue
-        if _segments_closer(eye, x, a[i], b[i], radius[i]):
+    """Whether a capsule of rows[:count], or a box, stands between ``eye`` and the point x.
+
+    What belongs to the segment ``own`` is not asked: `near_ray` leaves its capsules out.
+    """
+    for k in range(count):
+        if _segments_closer(eye, x, a, b, rows[k], radius[rows[k]]):
             return True
     for i in range(len(half)):
-        if box_owner[i] != own and _crosses_box(eye, x, box_R[i], centre[i], half[i]):
+        if box_owner[i] != own and _crosses_box(eye, x, box_R, centre, half, i):
             return True
     return False
 
 
 @numba.njit(cache=True)
-def _segments_closer(p: Array, q: Array, a: Array, b: Array, r: float) -> bool:
-    """Whether the segments pq and ab come nearer than r (Ericson 2005, section 5.1.9)."""
+def _segments_closer(p: Array, q: Array, a: Array, b: Array, i: int, r: float) -> bool:
+    """Whether pq and capsule i's axis come nearer than r (Ericson 2005, section 5.1.9)."""
     d0, d1, d2 = q[0] - p[0], q[1] - p[1], q[2] - p[2]
-    e0, e1, e2 = b[0] - a[0], b[1] - a[1], b[2] - a[2]
-    w0, w1, w2 = p[0] - a[0], p[1] - a[1], p[2] - a[2]
+    e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
+    w0, w1, w2 = p[0] - a[i, 0], p[1] - a[i, 1], p[2] - a[i, 2]
     dd = d0 * d0 + d1 * d1 + d2 * d2
     ee = e0 * e0 + e1 * e1 + e2 * e2
     f = e0 * w0 + e1 * w1 + e2 * w2
@@ -166,21 +211,19 @@ def _segments_closer(p: Array, q: Array, a: Array, b: Array, r: float) -> bool:
 
 
 @numba.njit(cache=True)
-def _crosses_box(p: Array, q: Array, R: Array, centre: Array, half: Array) -> bool:
-    """Whether the segment pq meets the box (slab method)."""
+def _crosses_box(p: Array, q: Array, R: Array, centre: Array, half: Array, i: int) -> bool:
+    """Whether the segment pq meets box i (slab method)."""
     low, high = 0.0, 1.0
     for k in range(3):
-        start = (
-            R[0, k] * (p[0] - centre[0])
-            + R[1, k] * (p[1] - centre[1])
-            + R[2, k] * (p[2] - centre[2])
-        )
-        step = R[0, k] * (q[0] - p[0]) + R[1, k] * (q[1] - p[1]) + R[2, k] * (q[2] - p[2])
+        start, step = 0.0, 0.0
+        for c in range(3):
+            start += R[i, c, k] * (p[c] - centre[i, c])
+            step += R[i, c, k] * (q[c] - p[c])
         if abs(step) < 1e-12:
-            if abs(start) > half[k]:
+            if abs(start) > half[i, k]:
                 return False
             continue
-        t0, t1 = (-half[k] - start) / step, (half[k] - start) / step
+        t0, t1 = (-half[i, k] - start) / step, (half[i, k] - start) / step
         low, high = max(low, min(t0, t1)), min(high, max(t0, t1))
         if low > high:
             return False

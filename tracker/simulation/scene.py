@@ -13,11 +13,21 @@ from tracker.clock import nanoseconds
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.simulation.head import Head
 from tracker.simulation.motion import Motion
-from tracker.simulation.patches import CIRCLE, SQUARE, hidden, sample_pattern, view_patches
+from tracker.simulation.patches import (
+    CIRCLE,
+    SQUARE,
+    hidden,
+    near_ray,
+    sample_pattern,
+    view_patches,
+)
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import BodyShape, Solids, together
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import Camera, StereoRig
+
+_NO_SEGMENT = -2
+"""No solid has this owner: every solid hides."""
 
 
 @dataclass(frozen=True)
@@ -181,11 +191,14 @@ class Scene:
         """(n,) bool: whether the balls' middles are seen past the solids."""
         eye = np.array([self.rig.baseline if right else 0.0, 0.0, 0.0])
         s, out = now.solids, np.zeros(len(p_C), bool)
+        rows = np.empty(len(s.radius), np.int64)
         for i, x in enumerate(p_C):
             near = x - (x - eye) / np.linalg.norm(x - eye) * (radius[i] + 1e-4)
+            count = near_ray(eye, near, 0.0, _NO_SEGMENT, s.a, s.b, s.radius, s.owner, rows)
             out[i] = not hidden(
-                eye, near, -2, s.a, s.b, s.radius, s.owner, s.box_R, s.centre, s.half, s.box_owner
-            )
+                eye, near, _NO_SEGMENT, rows, count, s.a, s.b, s.radius,
+                s.box_R, s.centre, s.half, s.box_owner,
+            )  # fmt: skip
         return out
 
 
