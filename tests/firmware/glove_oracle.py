@@ -81,6 +81,12 @@ class SimulatedGlove:
     def send(self, kind: int, layout: str = "", *values: int) -> None:
         self.port.write(encode(kind, struct.pack("<" + layout, *values)))
 
+    def tell(self, command: str) -> None:
+        """Lets something happen to the glove now: a command of the simulator."""
+        assert self.process.stdin is not None
+        self.process.stdin.write(command + "\n")
+        self.process.stdin.flush()
+
     def of(self, kind: int) -> list[Frame]:
         return [f for f in self.frames if f.kind == kind]
 
@@ -126,7 +132,8 @@ def simulated_glove(
     command += ["--motion", str(motion)] if motion else []
     for event in events:
         command += ["--at", event]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+    pipe = subprocess.PIPE
+    with subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True) as process:
         assert process.stdout is not None
         name = process.stdout.readline().split()[1]
         try:

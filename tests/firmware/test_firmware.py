@@ -53,8 +53,8 @@ def test_says_hello_each_second_and_nothing_else_until_start(build: Path) -> Non
         report = glove.stop()
     assert {f.kind for f in glove.frames} == {HELLO}
     assert first.numbers == (1, 1, 0, 0, 7, IMUS, 2000, 16, 100, 3)
-    # Start-up and self-test take half a second, then one a second.
-    assert 3 < report["simulated_s"] < 4.5
+    # Start-up and self-test take half a second, then one a second; a busy machine stops late.
+    assert 3 < report["simulated_s"] < 7
 
 
 def test_samples_carry_what_each_imu_felt_when_it_felt_it(build: Path, ramp_file: Path) -> None:
@@ -164,28 +164,35 @@ def test_damaged_commands_are_not_obeyed(build: Path) -> None:
 
 
 def test_an_absent_imu_is_told_and_never_reads_as_rest(build: Path) -> None:
-    with simulated_glove(build, "0:unplug 3", "2.2:plug 3") as glove:
+    with simulated_glove(build, "0:unplug 3") as glove:
         glove.start()
-        glove.wait_for(SAMPLES, 350)
+        absent = glove.wait_for(SAMPLES, 50)
+        glove.tell("plug 3")
+        glove.read_until(lambda: glove.of(STATUS)[-1].numbers[2] == 0b1111111)
+        back = glove.wait_for(SAMPLES, 20)[-10:]
     assert glove.of(ERROR)[0].text == "no answer from IMU 3"
     assert glove.of(STATUS)[0].numbers[2] == 0b1110111
-    assert glove.of(STATUS)[-1].numbers[2] == 0b1111111
-    _, _, raw = samples(glove.of(SAMPLES))
-    assert np.all(raw[:100, 3] == NO_READING)
-    assert np.array_equal(raw[-1, 3], [0, 0, 2048, 0, 0, 0])  # at rest, 1 g of ±16 g
-    assert np.all(raw[:, [0, 1, 2, 4, 5, 6], 2] == 2048)
+    assert np.all(samples(absent)[2][:, 3] == NO_READING)
+    assert np.all(samples(back)[2][:, 3] == [0, 0, 2048, 0, 0, 0])  # at rest, 1 g of ±16 g
+    assert np.all(samples(glove.of(SAMPLES))[2][:, [0, 1, 2, 4, 5, 6], 2] == 2048)
 
 
 def test_no_sample_of_an_imu_that_lost_its_settings_gets_past(build: Path) -> None:
-    with simulated_glove(build, "1.5:brownout 1", "1.8:unplug 5") as glove:
+    with simulated_glove(build) as glove:
         glove.start()
-        glove.wait_for(SAMPLES, 300)
+        glove.wait_for(SAMPLES, 20)
+        glove.tell("brownout 1")
+        glove.wait_for(ERROR)
+        glove.wait_for(SAMPLES, 130)  # it is started again within the second
+        glove.tell("unplug 5")
+        glove.wait_for(ERROR)
+        glove.wait_for(SAMPLES, 50)
     _, _, raw = samples(glove.of(SAMPLES))
     gap = raw[:, 1, 2] == NO_READING
-    assert 1 <= gap.sum() <= 110  # brought back within the second
+    assert 1 <= gap.sum() <= 110
     assert np.all(raw[~gap, 1, 2] == 2048)
     assert not gap[-1]
-    assert np.all(raw[-100:, 5] == NO_READING)
+    assert np.all(raw[-40:, 5] == NO_READING)
     assert [f.text for f in glove.of(ERROR)] == ["no answer from IMU 1", "no answer from IMU 5"]
 
 
@@ -207,7 +214,7 @@ def test_motors_run_for_their_time_on_their_own_pins(build: Path) -> None:
         glove.start()
         glove.send(HAPTIC, "BBH", 0, 200, 150)
         glove.send(HAPTIC, "BBH", 1, 255, 60)
-        glove.send(HAPTIC, "BBH", 2, 1, 400)
+        glove.send(HAPTIC, "BBH", 2, 1, 5000)
         glove.send(HAPTIC, "BBH", 3, 99, 400)  # there is no such motor
         glove.wait_for(SAMPLES, 25)
         glove.send(HAPTIC, "BBH", 2, 0, 100)
@@ -225,13 +232,14 @@ def test_motors_run_for_their_time_on_their_own_pins(build: Path) -> None:
     }
     assert lasted[0] == pytest.approx(0.150, abs=0.002)
     assert lasted[1] == pytest.approx(0.060, abs=0.002)
-    assert lasted[2] < 0.390  # stopped before its time
+    assert lasted[2] < 4.9  # stopped before its time
 
 
 def test_a_reset_in_mid_stream_shows_as_a_hello(build: Path) -> None:
-    with simulated_glove(build, "1.5:reset") as glove:
+    with simulated_glove(build) as glove:
         glove.start()
-        glove.wait_for(SAMPLES, 50)
+        glove.wait_for(SAMPLES, 300)
+        glove.tell("reset")
         glove.wait_for(HELLO)
         before = len(glove.of(SAMPLES))
         glove.send(START)

@@ -1,9 +1,11 @@
 #include "events.h"
 
+#include <poll.h>
 #include <simavr/avr_adc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #define WEAK 0.2
 #define DIVIDER 4 /* 300 kΩ over 100 kΩ */
@@ -93,15 +95,45 @@ bool events_add(events_t *events, const char *text)
     return true;
 }
 
+/* False, and nothing done, where the text is no command. */
+static bool carry_out(const char *command, spi_bus_t *bus)
+{
+    int number;
+    int which = parse(command, &number);
+    if (which < 0)
+        return false;
+    commands[which].action(bus, &bus->imu[number % BUS_IMUS], number);
+    return true;
+}
+
+/* Takes what stands on standard input without waiting for more. */
+static void obey_input(spi_bus_t *bus)
+{
+    static char line[64];
+    static unsigned length;
+    struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
+    char c;
+    while (poll(&input, 1, 0) == 1 && input.revents & POLLIN && read(STDIN_FILENO, &c, 1) == 1) {
+        if (c != '\n') {
+            if (length < sizeof line - 1)
+                line[length++] = c;
+            continue;
+        }
+        line[length] = 0;
+        length = 0;
+        if (!carry_out(line, bus))
+            fprintf(stderr, "%s is no command.\n", line);
+    }
+}
+
 void events_poll(events_t *events, spi_bus_t *bus)
 {
     for (int i = 0; i < events->count; i++) {
         event_t *event = &events->list[i];
-        int number;
         if (!event->command || bus_time(bus->avr) < event->t)
             continue;
-        int which = parse(event->command, &number);
-        commands[which].action(bus, &bus->imu[number % BUS_IMUS], number);
+        carry_out(event->command, bus);
         event->command = NULL;
     }
+    obey_input(bus);
 }

@@ -1,4 +1,4 @@
-/* What happens to the glove while it runs, at times told beforehand. */
+/* What happens to the glove while it runs, at times told beforehand or as said on standard input. */
 #ifndef EVENTS_H
 #define EVENTS_H
 
@@ -26,7 +26,7 @@ typedef struct {
  *   reset                  the reset button */
 bool events_add(events_t *events, const char *text);
 
-/* Carries out what is due. */
+/* Carries out what is due, and the commands that stand, one a line, on standard input. */
 void events_poll(events_t *events, spi_bus_t *bus);
 
 #endif
