@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QSplitter, QVBo
 from app.panels.panel import Panel
 from app.session import Session
 from app.viewmodels.colours import hue_colours
-from app.viewmodels.overlay import Layers, overlay
+from app.viewmodels.overlay import Layers, hand_box, overlay
 from app.viewmodels.snapshot import Snapshot
 from app.widgets.picture_view import PictureView
 from tracker.messages import StereoFrame
@@ -47,6 +47,10 @@ class CamerasPanel(Panel):
             "skeleton": QCheckBox(self.tr("Skeleton")),
         }
         self.freeze = QCheckBox(self.tr("Freeze"))
+        self.follow = QCheckBox(self.tr("Follow hand"))
+        self.follow.setChecked(True)
+        self.follow.setToolTip(self.tr("Keep the hand large in both pictures"))
+        self.follow.toggled.connect(self._fit_unless)
         self.freeze.setToolTip(self.tr("Hold the pictures; tracking goes on"))
         self.sides = QComboBox()
         self.sides.addItems([self.tr("Both cameras"), self.tr("Left only"), self.tr("Right only")])
@@ -57,12 +61,18 @@ class CamerasPanel(Panel):
             box.setChecked(True)
             row.addWidget(box)
         row.addStretch(1)
+        row.addWidget(self.follow)
         row.addWidget(self.freeze)
         row.addWidget(self.sides)
         return row
 
     def layers(self) -> Layers:
         return Layers(**{name: box.isChecked() for name, box in self._layer_boxes.items()})
+
+    def _fit_unless(self, following: bool) -> None:
+        if not following:
+            self.left.fit()
+            self.right.fit()
 
     def _choose_sides(self, choice: int) -> None:
         self.left.setVisible(choice != 2)
@@ -94,3 +104,6 @@ class CamerasPanel(Panel):
                 camera = view.setup.rig.right if right else view.setup.rig.left
                 picture = np.zeros((camera.height, camera.width), np.uint8)
             widget.show_picture(picture, overlay(view, layers, colours, right))
+            box = hand_box(view, right) if self.follow.isChecked() else None
+            if box is not None:
+                widget.follow(*box)

@@ -20,6 +20,10 @@ FOLLOW = 0.15
 """Share of the way that the view's centre goes to the hand at each picture: calm, yet it follows."""
 
 
+FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
+"""From behind the hand and above it, as its owner sees it."""
+
+
 class HandPanel(Panel):
     name = "hand"
     period = 1 / 30
@@ -112,6 +116,7 @@ class HandPanel(Panel):
     def _open(self, setup: EngineSetup) -> None:
         self._clear()
         self._model = HandSceneModel(setup)
+        self.view.orbit.look_from(FIRST_LOOK)
         if self.view.plotter is not None:
             self._actors = HandActors(self.view.plotter, setup, hue_colours(setup.profile))
 

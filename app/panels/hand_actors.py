@@ -45,7 +45,7 @@ class HandActors:
             for m in setup.glove.markers
         ]
         tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
-        ball = pv.Sphere(1.0, theta_resolution=12, phi_resolution=8)
+        ball = pv.Sphere(radius=1.0, theta_resolution=12, phi_resolution=8)
         self._tips = [self._add(ball, SKY, opacity=0.3) for _ in range(tips)]
         self._camera = self._add(_frustum(setup), SKY, style="wireframe", line_width=1.5)
         self._marker_segment = setup.glove.marker_segment(setup.hand)
@@ -144,7 +144,10 @@ def _slab(s: Segment) -> Any:
 
 def _ball(radius: float, centre: tuple[float, float, float]) -> Any:
     return pv.Sphere(
-        radius, centre, theta_resolution=RESOLUTION, phi_resolution=max(6, RESOLUTION // 2 + 2)
+        radius=radius,
+        center=centre,
+        theta_resolution=RESOLUTION,
+        phi_resolution=max(6, RESOLUTION // 2 + 2),
     )
 
 

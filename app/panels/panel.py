@@ -24,8 +24,7 @@ class Panel(QWidget):
         raise NotImplementedError
 
     def refresh(self, view: Snapshot | None) -> None:
-        """Show ``view``; None while no engine is open."""
-        raise NotImplementedError
+        """Show ``view``; None while no engine is open. Panels fed by signals need none."""
 
     def shut_down(self) -> None:
         """Free what Qt does not; called once, before the window goes."""

@@ -164,6 +164,19 @@ def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
     return out
 
 
+def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] | None:
+    """Centre u, v and size w, h (px) of the hand in a picture; None where it is not known."""
+    if view.estimate_at_frame is None:
+        return None
+    pixels = project(view, view.estimate_at_frame.keypoints, right)
+    pixels = pixels[np.isfinite(pixels).all(axis=1)]
+    if len(pixels) == 0:
+        return None
+    low, high = pixels.min(axis=0), pixels.max(axis=0)
+    (u, v), (w, h) = (low + high) / 2, high - low
+    return float(u), float(v), float(w), float(h)
+
+
 def project(view: Snapshot, p_G: Array, right: bool) -> Array:
     """Points (n, 3) of G to pixels (n, 2) of the picture as recorded."""
     rig: StereoRig = view.setup.rig

@@ -16,6 +16,7 @@ class Chip(QWidget):
         row.setSpacing(5)
         row.addWidget(self._sign)
         row.addWidget(self._text)
+        row.addStretch(1)
         self._shown = ("", "", "")
 
     def show_state(self, colour: str, sign: str, text: str, tip: str = "") -> None:

@@ -28,6 +28,9 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from app.widgets.overlay import Cross, Ellipse, Label, Line, Ring, Shape
 
 MAX_ZOOM = 16.0
+MAX_FOLLOW_ZOOM = 4.0
+FILL = 0.6  # share of the view that a followed box takes
+CALM = 0.08  # share of the way at each picture
 BACKGROUND = QColor("#15181c")
 
 
@@ -74,6 +77,18 @@ class PictureView(QWidget):
         """Show the whole picture."""
         self._zoom, self._centre = 1.0, QPointF(0.5, 0.5)
         self.update()
+
+    def follow(self, u: float, v: float, width: float, height: float) -> None:
+        """Go some of the way to a view in which a box of picture pixels fills the middle."""
+        if self._image is None or self._drag is not None:
+            return
+        w, h = self._image.width(), self._image.height()
+        fit = min(self.width() / w, self.height() / h)
+        wanted = FILL * min(self.width() / max(width, 1), self.height() / max(height, 1)) / fit
+        wanted = min(max(wanted, 1.0), MAX_FOLLOW_ZOOM)
+        self._zoom += CALM * (wanted - self._zoom)
+        self._centre += CALM * (QPointF(u / w, v / h) - self._centre)
+        self._clamp()
 
     # --- geometry
 

@@ -1,0 +1,61 @@
+"""The real window, off-screen; whatever outlives a test fails it."""
+
+import os
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("QT_API", "pyside6")
+os.environ.setdefault("PYTEST_QT_API", "pyside6")
+
+import threading
+import time
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+
+from app.main_window import MainWindow
+from app.settings import SettingsStore
+
+
+@pytest.fixture
+def no_leaks():
+    """Threads of ours that a test leaves behind are its failure."""
+    yield
+    deadline = time.monotonic() + 2
+    while time.monotonic() < deadline and _ours():
+        time.sleep(0.02)
+    assert _ours() == []
+
+
+def _ours() -> list[str]:
+    return [t.name for t in threading.enumerate() if t.name.startswith("glovetrack")]
+
+
+@pytest.fixture
+def store(tmp_path):
+    store = SettingsStore(tmp_path / "window.json")
+    store.update(theme="light", sessions_folder=str(tmp_path / "sessions"))
+    return store
+
+
+@pytest.fixture
+def window(qtbot, store, no_leaks):
+    """A shown window without an engine."""
+    window = MainWindow(store)
+    qtbot.addWidget(window)
+    window.resize(1366, 768)
+    window.show()
+    yield window
+    window.close()
+
+
+@pytest.fixture
+def engine() -> ScriptedEngine:
+    return ScriptedEngine()
+
+
+@pytest.fixture
+def live(window, engine, qtbot):
+    """The window on a scripted engine, with the first second shown."""
+    window.session.adopt(scripted_setup(engine))
+    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=5000)
+    return window

@@ -1,0 +1,232 @@
+"""An engine whose messages are the simulator's truth: what the window must show is known."""
+
+from __future__ import annotations
+
+import threading
+import time
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from app.engine import EngineSetup, Truth
+from resources import folder
+from tracker.clock import ClockAnchor
+from tracker.glove.files import parse_glove
+from tracker.hand.files import parse_hand
+from tracker.messages import (
+    Calibration,
+    Estimate,
+    Event,
+    FrameResult,
+    Status,
+    Tracking,
+    Validity,
+)
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+from tracker.vision.colours import parse_profile
+
+
+@lru_cache
+def models():
+    hand = parse_hand((folder("hands") / "reference-right.toml").read_text("utf-8"))
+    glove = parse_glove((folder("gloves") / "vist-small.toml").read_text("utf-8"), hand)
+    text = (folder("colours") / "fabric-default.toml").read_text("utf-8")
+    return hand, glove, parse_profile(text)
+
+
+@lru_cache
+def simulation() -> Simulation:
+    hand, glove, _ = models()
+    return Simulation(hand, glove, RandomPostures(hand, 4, duration=6.0), 4, fps=30.0)
+
+
+@lru_cache
+def frame_and_blobs(i: int):
+    """The i-th picture pair and what is in it."""
+    sim = simulation()
+    index, t, arrival = list(sim.exposures())[i]
+    return sim.renderer.frame(t, arrival, index), sim.scene.blobs(t, arrival, index)
+
+
+class ScriptedEngine:
+    """A `LiveEngine` without threads that stands at one instant, ``frame``."""
+
+    def __init__(self, frame: int = 30, tracking: Tracking = Tracking.TRACKING) -> None:
+        self.frame = frame
+        self.tracking = tracking
+        self.profiles: list = []
+        self.recorder = None
+        self.started = self.stopped = 0
+        self.lost: tuple[int, ...] = ()
+        self.events = [Event(0.0, "device", "Glove found.")]
+
+    def start(self) -> None:
+        self.started += 1
+
+    def stop(self) -> None:
+        self.stopped += 1
+        self.set_recorder(None)
+
+    def latest_estimate(self) -> Estimate:
+        hand, glove, _ = models()
+        picture, _ = frame_and_blobs(self.frame)
+        truth = simulation().truth(picture.t)
+        k = len(glove.keypoint_names(hand))
+        state = np.full(k, Validity.MEASURED, np.int64)
+        state[list(self.lost)] = Validity.LOST
+        angle_state = np.full(len(hand.joint_names), Validity.MEASURED, np.int64)
+        for name, column in hand.angle_index.items():
+            if name.startswith(("ring", "little")):
+                angle_state[column] = Validity.INFERRED
+        return Estimate(
+            picture.t,
+            self.tracking,
+            truth.keypoints.copy(),
+            np.tile([0.0, 0, 0, 1], (k, 1)),
+            state,
+            np.full(k, 0.004),
+            truth.angles.copy(),
+            angle_state,
+            truth.R_GB.copy(),
+            truth.p_GB.copy(),
+        )
+
+    def latest_frame(self):
+        frame, blobs = frame_and_blobs(self.frame)
+        return frame, blobs, self.result(blobs)
+
+    def result(self, blobs) -> FrameResult:
+        """Predictions at the true markers; the first blobs of each side matched to the nearest."""
+        hand, glove, _ = models()
+        estimate = self.latest_estimate()
+        rig = simulation().rig
+        seg = glove.marker_segment(hand)
+        R, p = estimate.segment_R[seg], estimate.segment_p[seg]
+        p_G = p + np.einsum("mij,mj->mi", R, glove.marker_position)
+        p_C = (p_G - rig.pose.p_GC) @ rig.pose.R_GC
+        left, right = rig.project(p_C), rig.project(p_C, right=True)
+        m = len(glove.markers)
+        match = np.full(m, -1, np.int64)
+        for i, uv in enumerate(blobs.left.uv):
+            match[np.argmin(np.linalg.norm(left - uv, axis=1))] = i
+        visible = np.where(match >= 0, 0.9, 0.1)
+        cov = np.tile(np.diag([16.0, 4.0]), (m, 1, 1))
+        none = np.full(m, -1, np.int64)
+        residual = np.full((m, 4), np.nan)
+        return FrameResult(
+            blobs.t, self.tracking, left, right, cov, visible, match, none, residual, 5
+        )
+
+    def recent_imu(self):
+        return [s for s in _imu() if s.t <= frame_and_blobs(self.frame)[0].t]
+
+    def calibration(self) -> Calibration:
+        names = models()[1].imu_names
+        n = len(names)
+        nothing = np.full((n, 3), np.nan)
+        return Calibration(
+            t=1.0,
+            segments=names,
+            scale=np.full((n, 3), 1.03),
+            scale_sd=np.full((n, 3), 0.01),
+            mounting=np.full((n, 3), 0.05),
+            mounting_sd=np.full((n, 3), np.deg2rad(4.0)),
+            gyro_bias=np.full((n, 3), 0.01),
+            gyro_bias_sd=np.full((n, 3), np.deg2rad(0.2)),
+            accel_bias=nothing,
+            accel_bias_sd=nothing.copy(),
+            hand_length=0.1874,
+            hand_length_sd=0.0015,
+        )
+
+    def status(self) -> Status:
+        values = {
+            "imu_rate_hz": 100.0,
+            "frame_rate_hz": 30.0,
+            "estimate_rate_hz": 100.0,
+            "latency_total_ms": 48.0,
+            "imu_lost": 0.0,
+            "frames_dropped": 0.0,
+        }
+        return Status(1.0, self.tracking, values)
+
+    def take_events(self) -> list[Event]:
+        events, self.events = self.events, []
+        return events
+
+    def set_profile(self, profile) -> None:
+        self.profiles.append(profile)
+
+    def set_recorder(self, recorder) -> None:
+        if self.recorder is not None:
+            self.recorder.close()
+        self.recorder = recorder
+
+    def note(self, text: str) -> None:
+        event = Event(1.0, "note", text)
+        self.events.append(event)
+        if self.recorder is not None:
+            self.recorder.write(event)
+
+
+@lru_cache
+def _imu():
+    return tuple(simulation().imu_samples())
+
+
+class MemoryRecorder:
+    """Keeps what it is given."""
+
+    def __init__(self, path: Path) -> None:
+        self.path, self.messages, self.closed = path, [], False
+        path.write_bytes(b"")
+
+    def write(self, message, overloaded: bool = False) -> None:
+        assert not self.closed
+        self.messages.append(message)
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def scripted_setup(engine: ScriptedEngine, recorders: list | None = None) -> EngineSetup:
+    hand, glove, profile = models()
+    made = recorders if recorders is not None else []
+
+    def make_recorder(request):
+        made.append(MemoryRecorder(request.path))
+        return made[-1]
+
+    def truth(t: float) -> Truth:
+        true = simulation().truth(t)
+        return Truth(true.keypoints, true.R_GB, true.p_GB)
+
+    return EngineSetup(
+        name="scripted",
+        engine=engine,
+        hand=hand,
+        glove=glove,
+        rig=simulation().rig,
+        profile=profile,
+        anchor=ClockAnchor(0, 0),
+        close=lambda: None,
+        make_recorder=make_recorder,
+        truth=truth,
+        simulated=True,
+    )
+
+
+class SlowJob:
+    """A job that reports until it is cancelled."""
+
+    def __init__(self) -> None:
+        self.started, self.steps = threading.Event(), 0
+
+    def __call__(self, progress) -> None:
+        while True:
+            progress(0.5, "working")
+            self.steps += 1
+            self.started.set()
+            time.sleep(0.005)
