@@ -34,7 +34,7 @@ from tracker.fusion.vist.state import (
     initial_covariance,
     reset_motion,
 )
-from tracker.fusion.vist.track import Track
+from tracker.fusion.vist.track import Track, is_better
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -201,8 +201,10 @@ class VistEngine:
         if self._track.should_search(frame.t, len(matched), likely, self._params.tracking):
             self._track.last_search = frame.t
             expected, matched = self._search_again(seen, pose, expected, matched)
-        self._filter.correct(self._state, expected, matched)
         enough = len(matched) >= self._params.tracking.min_markers
+        if not enough and self._track.is_coasting(frame.t, self._params.tracking):
+            matched = matched.none()  # in a wide gate a point or two may be anything
+        self._filter.correct(self._state, expected, matched)
         self._track.judge(frame.t, enough, self._params.tracking)
         self._finish(frame, seen, pose, expected, matched)
 
@@ -248,7 +250,8 @@ class VistEngine:
         trial.p_GI, trial.R_GI, trial.v_GI = placed.p_GI, placed.R_GI, placed.v_GI
         reset_motion(trial.P, self._layout, self._params.prior)
         there, recognised = self._look(trial, seen, pose, None)
-        if len(recognised) <= 1.2 * len(matched):
+        likely = float(both_cameras(there.prior).sum())
+        if not is_better(len(recognised), len(matched), likely):
             return expected, matched
         self._state = trial
         return there, recognised

@@ -51,6 +51,10 @@ class Matched:
     def __len__(self) -> int:
         return len(self.marker)
 
+    def none(self) -> Matched:
+        """Nothing recognised."""
+        return Matched(*(value[:0] for value in vars(self).values()))
+
 
 class MarkerModel:
     """Prediction and correspondence for one glove seen by one rig."""

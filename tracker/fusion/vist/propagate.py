@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import numba
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker import GRAVITY
 from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, P, V, VistLayout
@@ -20,6 +21,8 @@ from tracker.fusion.vist.params import VistNoise
 from tracker.fusion.vist.state import VistState
 from tracker.geometry.kernels import exp3
 from tracker.messages import Array, ImuSample, IntArray
+
+Bools = NDArray[np.bool_]
 
 COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
 
@@ -146,7 +149,7 @@ def transition(state: VistState, sample: ImuSample, layout: VistLayout, dt: floa
     return Phi
 
 
-def _add_noise(P_: Array, layout: VistLayout, noise: VistNoise, valid: Array, dt: float) -> None:
+def _add_noise(P_: Array, layout: VistLayout, noise: VistNoise, valid: Bools, dt: float) -> None:
     """Q on the diagonal; a silent IMU leaves its segment free to move."""
     accel = np.where(valid, noise.accel, noise.silent_accel)[:, None]
     q = np.empty((layout.n, ERRORS))

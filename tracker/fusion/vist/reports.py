@@ -9,7 +9,15 @@ from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, VistLayout
 from tracker.fusion.vist.markers import Expected, Matched
 from tracker.fusion.vist.state import VistState
 from tracker.geometry import so3
-from tracker.messages import Array, BlobFrame, Calibration, CameraPose, FrameResult, Tracking
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    Calibration,
+    CameraPose,
+    FrameResult,
+    IntArray,
+    Tracking,
+)
 from tracker.vision.correspondence import both_cameras
 from tracker.vision.rig import Camera, StereoRig
 
@@ -46,7 +54,7 @@ def hand_length(layout: VistLayout, state: VistState) -> tuple[float, float]:
             last = row_of.get(hand.index[name], last)
             gain[last] += hand.segments[hand.index[name]].length
     rows = np.arange(LAM, layout.size, ERRORS)
-    variance = gain @ state.P[np.ix_(rows, rows)] @ gain
+    variance = float(gain @ state.P[np.ix_(rows, rows)] @ gain)
     return float(gain @ state.scale[:, 0]), float(np.sqrt(max(variance, 0.0)))
 
 
@@ -97,7 +105,7 @@ def _pixel_covariance(rig: StereoRig, pose: CameraPose, p_C: Array, cov_G: Array
     return A @ cov_G @ A.swapaxes(1, 2)
 
 
-def _raw(camera: Camera, uv: Array, kept: Array, m: int) -> Array:
+def _raw(camera: Camera, uv: Array, kept: IntArray, m: int) -> Array:
     """(m, 2) raw pixels; NaN where a point is not in front of the lens or has no state."""
     out = np.full((m, 2), np.nan)
     ok = np.isfinite(uv[:, 0])

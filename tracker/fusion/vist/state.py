@@ -34,9 +34,8 @@ class VistState:
 
     def copy(self) -> VistState:
         """An independent copy."""
-        return replace(
-            self, **{k: v.copy() for k, v in vars(self).items() if isinstance(v, np.ndarray)}
-        )
+        arrays = {k: v.copy() for k, v in vars(self).items() if isinstance(v, np.ndarray)}
+        return VistState(t=self.t, **arrays)
 
     def copy_nominal(self) -> VistState:
         """A copy that shares every array: propagation replaces them."""

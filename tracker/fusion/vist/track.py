@@ -10,6 +10,8 @@ from tracker.fusion.params import MatchParams
 from tracker.messages import Array, Tracking
 
 DOUBTFUL_SHARE = 0.35  # of the expected markers
+MIN_RECOGNISED = 5  # stereo points that place a hand
+RECOGNISED_SHARE = 0.6  # of the expected markers
 LOST_SD = 0.05  # m: an unseen hand whose place is less certain than this is lost
 
 
@@ -45,3 +47,11 @@ class Track:
         self.doubtful_since = min(self.doubtful_since, t) if doubtful else np.inf
         long = t - self.doubtful_since >= params.lost_after or self.is_coasting(t, params)
         return long and t - self.last_search >= params.search_period / 10
+
+
+def is_better(recognised: int, matched: int, expected: float) -> bool:
+    """Whether a place found by searching is to be believed rather than the present one.
+
+    It must explain clearly more points, enough to be no accident, and most of what should be seen.
+    """
+    return recognised >= max(MIN_RECOGNISED, 1.2 * matched, RECOGNISED_SHARE * expected)
