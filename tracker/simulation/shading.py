@@ -103,7 +103,7 @@ def _box_normal(q: Array, R: Array, centre: Array, half: Array, i: int, n: Array
         n[c] = sign * R[i, c, face]
 
 
-@numba.njit(cache=True, fastmath=True)
+@numba.njit(cache=True, fastmath=True, inline="always")
 def _patch_at(
     q: Array,
     R: Array,
@@ -162,9 +162,14 @@ def develop(
     noise (n, m, 3) is a tile of unit scale already multiplied; shift (2,) is where in it to begin.
     """
     rows, columns = noise.shape[0], noise.shape[1]
+    share = np.float32(1.0 / exposures)
     for v in range(out.shape[0]):
+        row = (v + shift[0]) % rows
+        column = shift[1] % columns
         for u in range(out.shape[1]):
             for c in range(3):
-                grain = noise[(v + shift[0]) % rows, (u + shift[1]) % columns, c]
-                value = total[v, u, c] / exposures + grain + 0.5
-                out[v, u, c] = np.uint8(min(max(value, 0.0), 255.0))
+                value = total[v, u, c] * share + noise[row, column, c] + np.float32(0.5)
+                out[v, u, c] = np.uint8(min(max(value, np.float32(0.0)), np.float32(255.0)))
+            column += 1
+            if column == columns:
+                column = 0
