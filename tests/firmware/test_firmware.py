@@ -239,12 +239,14 @@ def test_a_reset_in_mid_stream_shows_as_a_hello(build: Path) -> None:
     with simulated_glove(build) as glove:
         glove.start()
         glove.wait_for(SAMPLES, 300)
+        glove.may_cut_off = True
         glove.tell("reset")
         glove.wait_for(HELLO)
         before = len(glove.of(SAMPLES))
         glove.send(START)
         glove.wait_for(SAMPLES, 10)
     seq, t_us, _ = samples(glove.of(SAMPLES))
+    assert glove.cut_off <= 1
     assert seq[before] == 0
     assert t_us[before] < t_us[before - 1]
 

@@ -99,6 +99,7 @@ static void start(void)
     sei();
     imus_start();
     selftest_run(failed);
+    uart_put(0); /* ends a frame that a reset has cut off, so that the HELLO is not lost with it */
     link_send_hello();
     report_selftest(failed);
 }
