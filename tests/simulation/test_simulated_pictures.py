@@ -1,5 +1,7 @@
 """Pictures and blobs of one scene tell the same story."""
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
@@ -14,7 +16,7 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.render import Renderer, RenderParams
 from tracker.simulation.scene import BlobParams, Scene
 from tracker.simulation.wearer import Wearer
-from tracker.vision.rig import ideal_rig
+from tracker.vision.rig import StereoRig, ideal_rig
 
 HUE = {"red": 0, "yellow": 28, "green": 65, "blue": 110}
 NOISELESS = BlobParams(noise_px=0, dropout=0, size_noise=0)
@@ -175,3 +177,23 @@ def test_missing_photograph_is_told(flat: Scene) -> None:
     params = RenderParams(background=BackgroundParams("photograph", "nowhere.jpg"))
     with pytest.raises(FileError, match=r"nowhere\.jpg is not a picture"):
         Renderer(flat, params)
+
+
+def test_a_lens_with_distortion_bends_pictures_and_blobs_alike(
+    hand: HandModel, glove: GloveModel
+) -> None:
+    ideal, D = ideal_rig(), np.array([-0.17, 0.027, 0.0004, -0.0003, 0.0])
+    bent = StereoRig(replace(ideal.left, D=D), replace(ideal.right, D=D), ideal.pose)
+    place = np.array([0.06, 0.12, 0.10])  # to the side, where the lens bends most
+    still = Still(np.zeros(len(hand.joint_names)), np.eye(3), place)
+    scene = Scene(Wearer.exact(hand, glove), still, bent, 1, NOISELESS)
+    straight = Scene(Wearer.exact(hand, glove), still, ideal, 1, NOISELESS)
+    seen = scene.markers_seen(scene.instant(0.0), False)
+    unbent = straight.markers_seen(straight.instant(0.0), False)
+    image = Renderer(scene, RenderParams(noise=0.0)).pair(0.0)[0]
+    shown = seen.visible & (seen.facing > 0.6)
+    assert shown.sum() >= 6
+    assert np.linalg.norm(seen.uv[shown] - unbent.uv[shown], axis=1).min() > 3
+    for m in np.flatnonzero(shown):
+        gap = abs(_hue_of(image, seen.uv[m]) - HUE[glove.markers[m].hue])
+        assert min(gap, 180 - gap) <= 5, m
