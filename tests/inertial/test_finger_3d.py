@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable
 from importlib.resources import files
 from pathlib import Path
@@ -20,7 +21,7 @@ from tracker.inertial.finger3d import (
     ImuPair,
     finger_geometry,
     finger_pairs,
-    flexion,
+    flexion_angle,
 )
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry
 from tracker.messages import Array
@@ -153,7 +154,7 @@ def test_the_chains_own_acceleration_is_compensated(
         estimator = FingerEstimator3D(geometry, DT, "madgwick")
         error = 0.0
         for i, (dorsum, pair) in enumerate(recording):
-            found = flexion(estimator.update(dorsum, pair).R_01, geometry.R_rest_0)
+            found = flexion_angle(estimator.update(dorsum, pair).R_01, geometry.R_rest_0)
             error = max(error, abs(found - _joints(i * DT)[0]))
         worst.append(error)
     assert worst[1] > 3 * worst[0]
@@ -170,6 +171,34 @@ def test_an_imu_that_stops_answering_leaves_finite_joints(
         joints = estimator.update(dorsum, seen)
         for R in joints:
             np.testing.assert_allclose(R @ R.T, np.eye(3), atol=1e-9)
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_a_copy_goes_on_identically(
+    recording: list[tuple[DorsumMotion, ImuPair]], variant: str
+) -> None:
+    estimator = FingerEstimator3D(GEOMETRY, DT, variant)
+    for dorsum, pair in recording[:60]:
+        estimator.update(dorsum, pair)
+    saved = copy.deepcopy(estimator)
+    ahead = [estimator.update(*sample) for sample in recording[60:90]]
+    again = [saved.update(*sample) for sample in recording[60:90]]
+    np.testing.assert_array_equal(np.array(ahead), np.array(again))
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_a_bent_start_is_kept_at_rest(variant: str) -> None:
+    bent = (0.8, 0.6)
+    estimator = FingerEstimator3D(GEOMETRY, DT, variant, bent)
+    R_0 = GEOMETRY.R_rest_0 @ so3.ry(bent[0])
+    R_1 = R_0 @ GEOMETRY.R_rest_1 @ so3.ry(bent[1])
+    up = np.array([0, 0, GRAVITY])
+    still = DorsumMotion(np.eye(3), np.zeros(3), up, POINT)
+    pair = ImuPair(np.zeros((2, 3)), np.stack([R_0.T @ up, R_1.T @ up]))
+    for _ in range(100):
+        R_01, R_12 = estimator.update(still, pair)
+    assert flexion_angle(R_01, GEOMETRY.R_rest_0) == pytest.approx(bent[0], abs=0.01)
+    assert flexion_angle(R_12, GEOMETRY.R_rest_1) == pytest.approx(bent[1], abs=0.01)
 
 
 def test_an_unknown_variant_is_refused_in_words() -> None:
@@ -197,4 +226,4 @@ def test_pairs_and_geometry_come_from_hand_and_glove() -> None:
 @pytest.mark.parametrize("angle", [-1.2, 0.0, 1.0, 2.5, 4.0])
 def test_flexion_reads_back_a_rotation_about_the_flexion_axis(angle: float) -> None:
     rest = so3.exp(np.array([0.3, -0.2, 0.5]))
-    assert flexion(rest @ so3.ry(angle), rest) == pytest.approx(angle)
+    assert flexion_angle(rest @ so3.ry(angle), rest) == pytest.approx(angle)

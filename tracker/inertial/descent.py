@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
+from tracker.inertial.geometry3d import to_body
 from tracker.messages import Array
 
 NORMAL_B = np.array([0.0, 1.0, 0.0])  # a phalanx's flexion axis
@@ -50,9 +51,7 @@ def gradient(q: Array, a_G: Array, b_B: Array) -> Array:
     size = np.sqrt(np.sum(a_G**2) * np.sum(b_B**2))
     if size == 0:
         return np.zeros(3)
-    u = -q[:3]
-    t = 2 * np.cross(u, a_G)
-    return np.cross(a_G + q[3] * t + np.cross(u, t), b_B) / size
+    return np.cross(to_body(q, a_G), b_B) / size
 
 
 @njit(cache=True)

@@ -48,10 +48,17 @@ class _Inner(Protocol):
 class FingerEstimator3D:
     """Both relative joint rotations of one finger, one sample at a time, every ``dt`` s.
 
-    ``variant`` is one of VARIANTS. The finger is taken to start straight.
+    ``variant`` is one of VARIANTS; ``flexion`` (rad) of both joints is the known start. A deep copy
+    goes on identically, which is how the state is saved.
     """
 
-    def __init__(self, geometry: FingerGeometry, dt: float, variant: str = "switching") -> None:
+    def __init__(
+        self,
+        geometry: FingerGeometry,
+        dt: float,
+        variant: str = "switching",
+        flexion: tuple[float, float] = (0.0, 0.0),
+    ) -> None:
         if variant not in VARIANTS:
             raise ConfigError(
                 f"There is no finger estimator {variant!r}; there are {', '.join(VARIANTS)}."
@@ -59,9 +66,9 @@ class FingerEstimator3D:
         self._inner: _Inner
         if variant.startswith("madgwick"):
             params = ADAPTIVE if variant == "madgwick_adaptive" else MadgwickParams()
-            self._inner = QuaternionFinger(geometry, dt, params)
+            self._inner = QuaternionFinger(geometry, dt, params, flexion)
         else:
-            self._inner = PlaneFinger(geometry, dt, variant)
+            self._inner = PlaneFinger(geometry, dt, variant, flexion)
         self._last: ImuPair | None = None
 
     def update(self, dorsum: DorsumMotion, imus: ImuPair) -> JointRotations:
@@ -112,7 +119,7 @@ def finger_pairs(hand: HandModel, glove: GloveModel) -> tuple[tuple[str, str], .
     )
 
 
-def flexion(R_parentB: Array, R_rest: Array) -> float:
+def flexion_angle(R_parentB: Array, R_rest: Array) -> float:
     """Angle (rad) about the flexion axis of a joint rotation, -π/2 to 3π/2."""
     R = R_rest.T @ R_parentB
     angle = float(np.arctan2(R[0, 2] - R[2, 0], R[0, 0] + R[2, 2]))

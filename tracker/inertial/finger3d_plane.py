@@ -22,9 +22,18 @@ OFFSET = 60e-3 * GRAVITY  # m/s², zero-g tolerance of an MPU-9250
 class PlaneFinger:
     """`switching`, `switching_offset` or `learned` for one finger of a real glove."""
 
-    def __init__(self, geometry: FingerGeometry, dt: float, variant: str) -> None:
+    def __init__(
+        self,
+        geometry: FingerGeometry,
+        dt: float,
+        variant: str,
+        flexion: tuple[float, float] = (0.0, 0.0),
+    ) -> None:
         self._geometry, self._dt = geometry, dt
-        self._planar = _planar(variant, dt, _levers(geometry))
+        R = geometry.R_rest_1
+        self._rest_1 = float(np.arctan2(R[0, 2], R[0, 0]))  # a bend of the straight finger
+        theta = (flexion[0], flexion[0] + self._rest_1 + flexion[1])
+        self._planar = _planar(variant, dt, _levers(geometry), theta)
         self._w: list[Array] = []  # the dorsum's last two rates, newest last
 
     def update(self, dorsum: DorsumMotion, gyro: Array, accel: Array) -> tuple[Array, Array]:
@@ -36,8 +45,7 @@ class PlaneFinger:
         root = complex(in_plane(g.R_rest_0.T @ root_B))
         theta = self._planar.update(gyro[:, 1].copy(), in_plane(accel), root)
         self._w = [*self._w[-1:], dorsum.w_B.copy()]
-        rest_1 = np.arctan2(g.R_rest_1[0, 2], g.R_rest_1[0, 0])  # a bend of the straight finger
-        flexion_1 = theta[1] - theta[0] - rest_1
+        flexion_1 = theta[1] - theta[0] - self._rest_1
         return g.R_rest_0 @ so3.ry(theta[0]), g.R_rest_1 @ so3.ry(flexion_1)
 
     def _turned(self, w_B: Array) -> float:
@@ -57,12 +65,14 @@ class PlaneFinger:
         return alpha
 
 
-def _planar(variant: str, dt: float, levers: Levers) -> Switching | Learned:
+def _planar(
+    variant: str, dt: float, levers: Levers, theta: tuple[float, float]
+) -> Switching | Learned:
     if variant == "learned":
-        return Learned(dt, levers)
+        return Learned(dt, levers, theta=theta)
     if variant == "switching_offset":
-        return Switching(dt, levers, SwitchingParams.with_offset(OFFSET))
-    return Switching(dt, levers, SwitchingParams(longest=abs(levers.length_0)))
+        return Switching(dt, levers, SwitchingParams.with_offset(OFFSET), theta)
+    return Switching(dt, levers, SwitchingParams(longest=abs(levers.length_0)), theta)
 
 
 def _levers(geometry: FingerGeometry) -> Levers:

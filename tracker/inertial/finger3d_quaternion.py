@@ -13,7 +13,7 @@ import numpy as np
 
 from tracker.geometry import so3
 from tracker.inertial.descent import NORMAL_B, descend, integrate_rates
-from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry, force_at
+from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry, chain_accelerations, force_at
 from tracker.inertial.madgwick import MadgwickParams
 from tracker.messages import Array
 
@@ -29,16 +29,22 @@ class _Moment(NamedTuple):
 class QuaternionFinger:
     """q_GB of both phalanges by gradient descent; central differences, so one sample late."""
 
-    def __init__(self, geometry: FingerGeometry, dt: float, params: MadgwickParams) -> None:
+    def __init__(
+        self,
+        geometry: FingerGeometry,
+        dt: float,
+        params: MadgwickParams,
+        flexion: tuple[float, float] = (0.0, 0.0),
+    ) -> None:
         self._geometry, self._dt, self._params = geometry, dt, params
+        self._start = flexion
         self._q_GB: Array | None = None  # (2, 4) xyzw
         self._past: list[_Moment] = []  # the last two samples, newest last
 
     def update(self, dorsum: DorsumMotion, gyro: Array, accel: Array) -> tuple[Array, Array]:
         """R_01, R_12 from the dorsum and both IMUs (2, 3)."""
         if self._q_GB is None:
-            R_0 = dorsum.R_GB @ self._geometry.R_rest_0
-            self._q_GB = so3.quat_from_matrix(np.stack([R_0, R_0 @ self._geometry.R_rest_1]))
+            self._q_GB = self._start_orientations(dorsum.R_GB)
         now = _Moment(gyro, accel, dorsum)
         if len(self._past) == 2:
             self._correct(self._past[1], self._past[0], now)
@@ -49,30 +55,24 @@ class QuaternionFinger:
         R_G0, R_G1 = so3.matrix_from_quat(self._q_GB)
         return dorsum.R_GB.T @ R_G0, R_G0.T @ R_G1
 
+    def _start_orientations(self, R_GB: Array) -> Array:
+        """q_GB (2, 4) of both phalanges in the known start."""
+        R_0 = R_GB @ self._geometry.R_rest_0 @ so3.ry(self._start[0])
+        R_1 = R_0 @ self._geometry.R_rest_1 @ so3.ry(self._start[1])
+        return so3.quat_from_matrix(np.stack([R_0, R_1]))
+
     def _correct(self, at: _Moment, before: _Moment, after: _Moment) -> None:
         """One descent step at the sample between two others."""
         assert self._q_GB is not None
         g, p, span = self._geometry, self._params, 2 * self._dt
         alpha_B = (after.dorsum.w_B - before.dorsum.w_B) / span
         root_G = at.dorsum.R_GB @ force_at(at.dorsum, alpha_B, g.joint_0)
-        R = so3.matrix_from_quat(self._q_GB)
-        mu_G = _chain(R, at.gyro, (after.gyro - before.gyro) / span, g)
+        alpha = (after.gyro - before.gyro) / span
+        levers = (g.sensor_0, g.joint_1, g.sensor_1)
+        mu_G = chain_accelerations(self._q_GB, at.gyro, alpha, *levers)
         force_G = root_G + mu_G if p.compensate else np.stack([root_G, root_G])
         normal_G = at.dorsum.R_GB @ g.R_rest_0 @ NORMAL_B
         beta = np.full(2, p.beta)
         if p.spurious > 0:
             beta = beta / (1 + (np.linalg.norm(mu_G, axis=1) / p.spurious) ** 2)
         descend(self._q_GB, force_G, at.accel, normal_G, 2 * beta * self._dt)
-
-
-def _chain(R_GB: Array, w: Array, alpha: Array, g: FingerGeometry) -> Array:
-    """μ_k (2, 3) m/s² in G of both sensors, relative to joint 0 (eq. 2 in three dimensions)."""
-    to_sensor_0 = R_GB[0] @ _centripetal(w[0], alpha[0], g.sensor_0)
-    to_joint_1 = R_GB[0] @ _centripetal(w[0], alpha[0], g.joint_1)
-    to_sensor_1 = R_GB[1] @ _centripetal(w[1], alpha[1], g.sensor_1)
-    return np.stack([to_sensor_0, to_joint_1 + to_sensor_1])
-
-
-def _centripetal(w: Array, alpha: Array, lever: Array) -> Array:
-    turned: Array = np.cross(alpha, lever) + np.cross(w, np.cross(w, lever))
-    return turned

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numba import njit
 
 from tracker.messages import Array
 
@@ -39,7 +40,39 @@ class DorsumMotion:
 
 def force_at(dorsum: DorsumMotion, alpha_B: Array, place: Array) -> Array:
     """Specific force (3,) in the dorsum's B at ``place`` of it, by rigid-body kinematics."""
-    lever = place - dorsum.point
-    w = dorsum.w_B
-    force: Array = dorsum.f_B + np.cross(alpha_B, lever) + np.cross(w, np.cross(w, lever))
-    return force
+    return dorsum.f_B + lever_acceleration(dorsum.w_B, alpha_B, place - dorsum.point)
+
+
+@njit(cache=True)
+def lever_acceleration(w: Array, alpha: Array, lever: Array) -> Array:
+    """Acceleration (3,) of the end of a lever fixed to a body, from that of its start, in B."""
+    return np.cross(alpha, lever) + np.cross(w, np.cross(w, lever))
+
+
+@njit(cache=True)
+def chain_accelerations(
+    q_GB: Array, w: Array, alpha: Array, sensor_0: Array, joint_1: Array, sensor_1: Array
+) -> Array:
+    """μ_k (2, 3) m/s² in G of both sensors, relative to joint 0 (eq. 2 in three dimensions).
+
+    q_GB (2, 4) xyzw; w, alpha (2, 3) in each phalanx's B; the levers in theirs.
+    """
+    out = np.empty((2, 3))
+    out[0] = to_global(q_GB[0], lever_acceleration(w[0], alpha[0], sensor_0))
+    out[1] = to_global(q_GB[0], lever_acceleration(w[0], alpha[0], joint_1))
+    out[1] += to_global(q_GB[1], lever_acceleration(w[1], alpha[1], sensor_1))
+    return out
+
+
+@njit(cache=True)
+def to_global(q_GB: Array, v_B: Array) -> Array:
+    """R v of the unit quaternion xyzw."""
+    t = 2 * np.cross(q_GB[:3], v_B)
+    return v_B + q_GB[3] * t + np.cross(q_GB[:3], t)
+
+
+@njit(cache=True)
+def to_body(q_GB: Array, v_G: Array) -> Array:
+    """Rᵀ v of the unit quaternion xyzw."""
+    t = 2 * np.cross(v_G, q_GB[:3])
+    return v_G + q_GB[3] * t + np.cross(t, q_GB[:3])
