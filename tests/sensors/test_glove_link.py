@@ -1,0 +1,139 @@
+"""The link against the simulated glove, over a real pseudo-terminal."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker.messages import Event, ImuSample
+from tracker.sensors.glove_link import GloveLink, LinkState, serial_port
+from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove, link_to
+
+N = 3
+
+
+def wave() -> Iterator[ImuSample]:
+    """A known signal, 100 a second."""
+    k = 0
+    while True:
+        t = 0.01 * k
+        accel = np.full((N, 3), 9.8) + 0.1 * np.arange(N)[:, None]
+        gyro = np.full((N, 3), np.sin(2 * np.pi * 0.5 * t))
+        yield ImuSample(t, t, t, k, accel, gyro, np.ones(N, bool))
+        k += 1
+
+
+class Bench:
+    """A simulated glove with a link on it."""
+
+    def __init__(self, folder: Path, params: GloveDeviceParams | None = None, n: int = N) -> None:
+        self.t_0 = time.monotonic()
+        self.device = SimulatedGlove(wave(), N, self.t_0, params)
+        self.folder = folder
+        path = link_to(folder, self.device)
+        self.link = GloveLink(serial_port(str(path)), n)
+        self.samples: list[ImuSample] = []
+        self.events: list[Event] = []
+
+    def until(self, condition: Callable[[], bool], most: float = 10.0) -> None:
+        deadline = time.monotonic() + most
+        while not condition():
+            assert time.monotonic() < deadline, [e.text for e in self.events]
+            for item in self.link.poll(0.02):
+                (self.events if isinstance(item, Event) else self.samples).append(item)  # type: ignore[arg-type]
+
+    def said(self, words: str) -> bool:
+        return any(words in e.text for e in self.events)
+
+    def close(self) -> None:
+        self.link.close()
+        self.device.stop()
+
+
+@pytest.fixture
+def bench(tmp_path: Path) -> Iterator[Bench]:
+    bench = Bench(tmp_path)
+    yield bench
+    bench.close()
+
+
+def test_samples_arrive_in_units_and_time(bench: Bench) -> None:
+    bench.until(lambda: len(bench.samples) > 150)
+    link = bench.link
+    assert link.hello is not None and link.hello.imu_count == N
+    assert link.figures.lost == 0 and link.decoder.counters.errors == 0
+    last = bench.samples[-1]
+    assert last.accel[:, 0] == pytest.approx(9.8 + 0.1 * np.arange(N), abs=16 * 9.81 / 32768)
+    # the true instant of a sample is in its device time; the line's own latency stays in
+    true = np.array([(s.t_device - 4.0) / (1 + 60e-6) for s in bench.samples[50:]]) + bench.t_0
+    lateness = np.array([s.t for s in bench.samples[50:]]) - true
+    assert np.median(lateness) < 0.02 and np.ptp(lateness) < 0.02
+    assert np.all(np.diff([s.t for s in bench.samples]) > 0)
+
+
+def test_lost_and_damaged_packets_are_counted_and_never_believed(bench: Bench) -> None:
+    bench.device.faults.drop, bench.device.faults.corrupt = 0.1, 0.1
+    bench.until(lambda: len(bench.samples) > 250)
+    assert bench.link.figures.lost >= 20
+    assert bench.link.decoder.counters.errors >= 10
+    assert all(np.allclose(s.accel[0], 9.8, atol=0.01) for s in bench.samples)
+    missing = np.diff([s.seq for s in bench.samples]) - 1
+    assert missing.sum() == bench.link.figures.lost
+
+
+def test_a_restart_in_mid_stream(bench: Bench) -> None:
+    bench.until(lambda: len(bench.samples) > 20)
+    bench.device.reset()
+    n = len(bench.samples)
+    bench.until(lambda: bench.said("restarted") and len(bench.samples) > n + 50)
+    assert bench.link.figures.resets == 1
+    assert np.all(np.diff([s.t for s in bench.samples[n + 20 :]]) > 0)
+
+
+def test_unplugged_and_back_under_another_path(bench: Bench) -> None:
+    bench.until(lambda: len(bench.samples) > 20)
+    bench.device.unplug()
+    bench.until(lambda: bench.said("unplugged"))
+    assert bench.link.state == LinkState.UNPLUGGED
+    n = len(bench.samples)
+    bench.device.plug()
+    link_to(bench.folder, bench.device)
+    bench.until(lambda: len(bench.samples) > n + 30)
+    assert bench.link.state == LinkState.STREAMING
+
+
+def test_silence_is_said_and_ends(bench: Bench) -> None:
+    bench.until(lambda: len(bench.samples) > 20)
+    bench.device.faults.silent = True
+    bench.until(lambda: bench.said("silent for"))
+    bench.device.faults.silent = False
+    n = len(bench.samples)
+    bench.until(lambda: bench.said("sends again") and len(bench.samples) > n + 10)
+
+
+def test_a_port_that_is_not_there(tmp_path: Path) -> None:
+    link = GloveLink(serial_port(str(tmp_path / "nothing")), N)
+    events = [item for _ in range(3) for item in link.poll(0.01)]
+    assert [e.text for e in events if isinstance(e, Event)] == [
+        "The glove's port cannot be opened: it is not there"
+    ]
+    link.close()
+
+
+def test_the_wrong_glove_file_is_named(tmp_path: Path) -> None:
+    bench = Bench(tmp_path, n=7)
+    bench.until(lambda: bench.said("choose the right glove file"))
+    assert not bench.samples
+    bench.close()
+
+
+def test_bunched_bytes_keep_their_times(tmp_path: Path) -> None:
+    bench = Bench(tmp_path, GloveDeviceParams(bunch=0.016))
+    bench.until(lambda: len(bench.samples) > 200)
+    steps = np.diff([s.t for s in bench.samples[100:]])
+    assert np.abs(steps - 0.01).max() < 0.004
+    bench.close()

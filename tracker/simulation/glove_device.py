@@ -1,0 +1,212 @@
+"""A simulated glove that speaks bytes over a pseudo-terminal, in real time, with faults on demand.
+
+It answers the host as the firmware does: HELLO until START, then samples and a status a second.
+The ordinary serial code opens ``path`` and cannot tell it from a glove.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pty
+import threading
+import time
+import tty
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from tracker import GRAVITY
+from tracker.messages import ImuSample
+from tracker.sensors.decoder import Decoder
+from tracker.sensors.protocol import (
+    ErrorText,
+    Hello,
+    HelloRequest,
+    Samples,
+    Start,
+    Status,
+    Stop,
+    encode,
+)
+
+GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
+TICK = 0.002  # s between two looks at the clock
+
+
+@dataclass
+class Faults:
+    """Switched by tests and the demo's menu while the device runs."""
+
+    drop: float = 0.0  # share of packets that never leave
+    corrupt: float = 0.0  # share of packets with a flipped bit
+    stalled: bool = False  # nothing leaves, what was sampled meanwhile comes at once
+    silent: bool = False  # nothing leaves and nothing is kept
+
+
+@dataclass(frozen=True)
+class GloveDeviceParams:
+    """``skew`` of the glove's clock; bytes leave in bunches of ``bunch`` s."""
+
+    skew: float = 60e-6
+    bunch: float = 0.0
+    baud: int = 250_000  # a packet is on its way for as long as its bytes take
+    glove_id: int = 1
+    start_us: int = 4_000_000  # on the glove's clock at its start
+    seed: int = 0
+
+
+class SimulatedGlove:
+    """Speaks the samples of ``source``; their t = 0 is the host's ``t_0`` (s)."""
+
+    def __init__(
+        self,
+        source: Iterator[ImuSample],
+        imu_count: int,
+        t_0: float,
+        params: GloveDeviceParams | None = None,
+    ) -> None:
+        self.params, self.faults = params or GloveDeviceParams(), Faults()
+        self._source, self._imu_count, self._t_0 = source, imu_count, t_0
+        self._rng = np.random.default_rng(self.params.seed)
+        self._streaming, self._seq = False, 0
+        self._stopping = threading.Event()
+        self._lock = threading.Lock()
+        self._plug()
+        self._thread = threading.Thread(target=self._run, name="glovetrack-glove-sim", daemon=True)
+        self._thread.start()
+
+    # ---- the plug
+
+    def _plug(self) -> None:
+        self._master, slave = pty.openpty()
+        tty.setraw(slave)
+        os.set_blocking(self._master, False)
+        self.path = os.ttyname(slave)
+        self._slave = slave  # held open, so that the line survives a host that comes and goes
+        self._decoder = Decoder()
+
+    def unplug(self) -> None:
+        """Pull the cable: the host's port dies."""
+        with self._lock:
+            self._streaming = False
+            os.close(self._slave)
+            os.close(self._master)
+            self._master = self._slave = -1
+
+    def plug(self) -> None:
+        """Plug in again, under a new ``path`` as a real adapter may."""
+        with self._lock:
+            self._plug()
+            self._seq = 0
+
+    def reset(self) -> None:
+        """The chip restarts: counters begin anew, HELLO is sent."""
+        with self._lock:
+            self._streaming, self._seq = False, 0
+            self._write(encode(self._hello()))
+
+    def stop(self) -> None:
+        """End the thread and close the line. May be called again."""
+        self._stopping.set()
+        self._thread.join()
+        if self._master >= 0:
+            self.unplug()
+
+    # ---- the firmware
+
+    def _run(self) -> None:
+        pending: list[bytes] = []
+        last_hello = last_status = last_flush = float("-inf")
+        wire = 10 * (12 * self._imu_count + 11) / self.params.baud
+        sample = next(self._source, None)
+        while not self._stopping.wait(TICK):
+            now = time.monotonic()
+            with self._lock:
+                if self._master < 0:
+                    sample = self._skip(sample, now)
+                    continue
+                self._listen()
+                if not self._streaming:
+                    sample = self._skip(sample, now)
+                    if now - last_hello >= 1.0:
+                        last_hello = now
+                        self._write(encode(self._hello()))
+                    continue
+                while sample is not None and self._t_0 + sample.t + wire <= now:
+                    pending += self._packet(sample)
+                    sample = next(self._source, None)
+                if now - last_status >= 1.0:
+                    last_status = now
+                    pending.append(encode(Status(3700, 2900, (1 << self._imu_count) - 1, 0)))
+                if not self.faults.stalled and now - last_flush >= self.params.bunch:
+                    last_flush = now
+                    self._write(b"".join(pending))
+                    pending.clear()
+
+    def _skip(self, sample: ImuSample | None, now: float) -> ImuSample | None:
+        """What was sampled while nobody listened is gone."""
+        while sample is not None and self._t_0 + sample.t <= now:
+            sample = next(self._source, None)
+        return sample
+
+    def _packet(self, sample: ImuSample) -> list[bytes]:
+        seq, self._seq = self._seq, (self._seq + 1) % 65536
+        if self.faults.silent or self._rng.random() < self.faults.drop:
+            return []
+        t_us = self.params.start_us + round(sample.t * (1 + self.params.skew) * 1e6)
+        packet = encode(Samples(seq, t_us % 2**32, quantised(sample)))
+        if self._rng.random() < self.faults.corrupt:
+            damaged = bytearray(packet)
+            damaged[int(self._rng.integers(len(packet)))] ^= 1 << int(self._rng.integers(8))
+            packet = bytes(damaged)
+        return [packet]
+
+    def _hello(self) -> Hello:
+        return Hello(self.params.glove_id, self._imu_count, GYRO_RANGE_DPS, ACCEL_RANGE_G)
+
+    def _listen(self) -> None:
+        try:
+            data = os.read(self._master, 4096)
+        except (BlockingIOError, OSError):
+            return
+        for frame in self._decoder.feed(data):
+            match frame:
+                case HelloRequest():
+                    self._write(encode(self._hello()))
+                case Start():
+                    self._streaming = True
+                case Stop():
+                    self._streaming = False
+                case _:
+                    continue
+
+    def _write(self, data: bytes) -> None:
+        """Bytes that find the line full are lost, as they are on a wire."""
+        if self._master < 0 or not data:
+            return
+        with contextlib.suppress(BlockingIOError, OSError):
+            os.write(self._master, data)
+
+    def complain(self, text: str) -> None:
+        """Send an ERROR frame."""
+        with self._lock:
+            self._write(encode(ErrorText(text)))
+
+
+def quantised(sample: ImuSample) -> np.ndarray:
+    """Raw (n, 6) int16 of a sample, saturated at the ranges."""
+    accel = sample.accel / (ACCEL_RANGE_G * GRAVITY)
+    gyro = sample.gyro / (GYRO_RANGE_DPS * np.pi / 180)
+    raw = np.round(np.concatenate([accel, gyro], axis=1) * 32768.0)
+    return np.clip(np.nan_to_num(raw), -32768, 32767).astype(np.int16)
+
+
+def link_to(folder: Path, device: SimulatedGlove) -> Path:
+    """A stable name for a device whose path changes when it is plugged in again."""
+    link = folder / "glove"
+    link.unlink(missing_ok=True)
+    link.symlink_to(device.path)
+    return link
