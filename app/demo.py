@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
+
+import numpy as np
 
 from app.demo_devices import PacedCamera, PacedGlove, SimulatedClock
 from app.engine import EngineSetup, Recorder, RecordingRequest, Truth
@@ -10,18 +13,24 @@ from app.tasks import Progress
 from tracker import library
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
-from tracker.messages import Estimate, Message
+from tracker.geometry import so3
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import BlobFrame, Estimate, ImuSample, Message, Validity
 from tracker.pipeline import Pipeline
 from tracker.runner import LiveTracker
 from tracker.session.description import SessionInfo
 from tracker.session.writer import SessionRecorder
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
+from tracker.simulation.scenario import Truth as SimulatedTruth
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 
 DURATION = 900.0
 """s of motion; the hand then rests where it is."""
+WARM_UP = 3.0
+TRUTHS_AT_ONCE = 25
 HAND, GLOVE = "reference-right", "vist-small"
 
 
@@ -42,6 +51,7 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     index, t, arrival = next(simulation.exposures())
     picture = simulation.renderer.frame(t, arrival, index)
     make_detector(profile).detect(picture.left)
+    _warm_up(hand, glove, seed)
     progress(0.9, "devices")
     clock = SimulatedClock()
     tracker = LiveTracker(
@@ -70,8 +80,6 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
         return Truth(true.keypoints, true.R_GB, true.p_GB)
 
     def make_recorder(request: RecordingRequest) -> Recorder:
-        from dataclasses import replace
-
         named = replace(info, participant=request.participant, notes=request.task)
         return TruthfulRecorder(SessionRecorder(request.path, named), simulation, clock)
 
@@ -90,6 +98,19 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     )
 
 
+def _warm_up(hand: HandModel, glove: GloveModel, seed: int) -> None:
+    """Track a second of points: kernels are compiled before the clock runs, not while it does."""
+    motion = RandomPostures(hand, seed, duration=WARM_UP)
+    simulation = Simulation(hand, glove, motion, seed, fps=30.0)
+    pipeline = Pipeline(hand, glove, simulation.rig)
+    for message in simulation.feed():
+        if isinstance(message, ImuSample):
+            pipeline.feed_imu(message)
+        elif isinstance(message, BlobFrame):
+            pipeline.feed_frame(message)
+    pipeline.calibration()
+
+
 class TruthfulRecorder:
     """Writes beside each estimate what the hand truly did."""
 
@@ -97,25 +118,38 @@ class TruthfulRecorder:
         self, inner: SessionRecorder, simulation: Simulation, clock: SimulatedClock
     ) -> None:
         self._inner, self._simulation, self._clock = inner, simulation, clock
+        self._waiting: list[Estimate] = []
+        self._segments = simulation.glove.keypoint_segments(simulation.hand)
 
     def write(self, message: Message, overloaded: bool = False) -> None:
         self._inner.write(message, overloaded)
         if isinstance(message, Estimate):
-            self._inner.write_truth(self._truth(message))
+            self._waiting.append(message)
+            if len(self._waiting) >= TRUTHS_AT_ONCE:
+                self._write_truths()
 
-    def _truth(self, estimate: Estimate) -> Estimate:
+    def _write_truths(self) -> None:
+        """Truth for many instants costs no more than for one."""
+        t = [self._clock.simulated(e.t) for e in self._waiting]
+        truths = self._simulation.truths(np.clip(t, 0.0, DURATION - 0.1))
+        for estimate, true in zip(self._waiting, truths, strict=True):
+            self._inner.write_truth(self._with_truth(estimate, true))
+        self._waiting.clear()
+
+    def _with_truth(self, estimate: Estimate, true: SimulatedTruth) -> Estimate:
         """The estimate's shape with the true values."""
-        from dataclasses import replace
-
-        t = min(max(self._clock.simulated(estimate.t), 0.0), DURATION - 0.1)
-        true = self._simulation.truth(t)
         return replace(
             estimate,
             keypoints=true.keypoints.copy(),
             angles=true.angles.copy(),
             segment_R=true.R_GB.copy(),
             segment_p=true.p_GB.copy(),
+            keypoint_q=so3.quat_from_matrix(true.R_GB)[self._segments],
+            keypoint_state=np.full(len(true.keypoints), Validity.MEASURED, np.int64),
+            angle_state=np.full(len(true.angles), Validity.MEASURED, np.int64),
         )
 
     def close(self) -> None:
+        if self._waiting:
+            self._write_truths()
         self._inner.close()

@@ -45,6 +45,9 @@ from app.window_commands import add_commands
 
 TICK_MS = 16
 STATUS_PERIOD = 0.25
+SPARE = 4.0
+"""A panel rests this many times as long as its last refresh took: on a busy machine the picture
+slows down, not the tracking."""
 SMALLEST = (1024, 640)
 
 
@@ -320,8 +323,10 @@ class MainWindow(QMainWindow):
         for panel in self.panels:
             if now < self._due.get(panel.name, 0.0) or panel.visibleRegion().isEmpty():
                 continue
-            self._due[panel.name] = now + panel.period - TICK_MS / 2000
+            began = time.monotonic()
             panel.refresh(view)
+            cost = time.monotonic() - began
+            self._due[panel.name] = now + max(panel.period - TICK_MS / 2000, SPARE * cost)
 
     def _refresh_status(self, view: Snapshot | None) -> None:
         self.bar.show_status(view.status if view else None, self.session.running)

@@ -185,5 +185,4 @@ class Session(QObject):
             calibration=setup.engine.calibration(),
             status=setup.engine.status(),
             imu=setup.engine.recent_imu(),
-            truth=setup.truth(estimate.t) if setup.truth and estimate is not None else None,
         )

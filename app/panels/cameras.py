@@ -107,3 +107,5 @@ class CamerasPanel(Panel):
             box = hand_box(view, right) if self.follow.isChecked() else None
             if box is not None:
                 widget.follow(*box)
+            elif self.follow.isChecked():
+                widget.fit()

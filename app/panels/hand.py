@@ -24,6 +24,9 @@ FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 """From behind the hand and above it, as its owner sees it."""
 
 
+JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
+
+
 class HandPanel(Panel):
     name = "hand"
     period = 1 / 30
@@ -129,19 +132,22 @@ class HandPanel(Panel):
         return Show(**{name: box.isChecked() for name, box in self._boxes.items()})
 
     def refresh(self, view: Snapshot | None) -> None:
-        scene = self._model.scene(view) if self._model is not None and view is not None else None
+        show, scene = self.show_options(), None
+        if self._model is not None and view is not None:
+            scene = self._model.scene(view, show.truth)
         if scene is None or self._actors is None:
             self.view.caption = self.tr("No hand yet")
             self.view.render_scene()
             return
         self._follow(scene)
         self.view.caption = scene.caption
-        self._actors.update(scene, self.show_options())
+        self._actors.update(scene, show)
         self.view.render_scene()
 
     def _follow(self, scene: HandScene) -> None:
         centre = scene.segment_p.mean(axis=0)
-        step = 1.0 if self._scene is None else FOLLOW
+        away = float(np.linalg.norm(centre - self.view.orbit.target))
+        step = FOLLOW if self._scene is not None and away < JUMP else 1.0
         self.view.orbit.target = self.view.orbit.target + step * (centre - self.view.orbit.target)
         self._scene = scene
 

@@ -10,7 +10,7 @@ from app.engine import EngineSetup
 from app.viewmodels.overlay import VISIBLE
 from app.viewmodels.snapshot import Snapshot
 from tracker.hand.model import HandModel
-from tracker.messages import Array, Estimate, FrameResult, IntArray, Validity
+from tracker.messages import Array, Estimate, FrameResult, IntArray, Tracking, Validity
 
 SEEN_LATELY = 0.5
 """s for which a marker counts as seen after its last match."""
@@ -50,17 +50,19 @@ class HandSceneModel:
         self._seen_at = np.full(len(setup.glove.markers), -np.inf)
         self._last: tuple[Array, Array] | None = None
 
-    def scene(self, view: Snapshot) -> HandScene | None:
+    def scene(self, view: Snapshot, with_truth: bool = False) -> HandScene | None:
         """None before the first estimate with a pose."""
         estimate = view.estimate
         if estimate is None:
             return None
-        located = bool(np.isfinite(estimate.segment_p).all())
+        located = estimate.tracking != Tracking.LOST
+        located = located and bool(np.isfinite(estimate.segment_p).all())
         if located:
             self._last = (estimate.segment_R, estimate.segment_p)
         if self._last is None:
             return None
         R, p = self._last
+        truth = view.truth() if with_truth else None
         pose = view.setup.rig.pose
         if view.frame is not None and view.frame.pose is not None:
             pose = view.frame.pose
@@ -72,7 +74,7 @@ class HandSceneModel:
             marker_state=self._marker_states(view.result, estimate.t),
             tips=estimate.keypoints[self._tip_rows],
             tip_sd=estimate.keypoint_sd[self._tip_rows],
-            truth=None if view.truth is None else (view.truth.R_GB, view.truth.p_GB),
+            truth=None if truth is None else (truth.R_GB, truth.p_GB),
             R_GC=pose.R_GC,
             p_GC=pose.p_GC,
             caption="" if located else "Position lost: the hand stands where it was last seen",

@@ -174,6 +174,9 @@ def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] |
         return None
     low, high = pixels.min(axis=0), pixels.max(axis=0)
     (u, v), (w, h) = (low + high) / 2, high - low
+    camera = view.setup.rig.right if right else view.setup.rig.left
+    if not (0 <= u < camera.width and 0 <= v < camera.height):
+        return None
     return float(u), float(v), float(w), float(h)
 
 

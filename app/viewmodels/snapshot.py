@@ -35,7 +35,12 @@ class Snapshot:
     calibration: Calibration | None = None
     status: Status | None = None
     imu: Sequence[ImuSample] = field(default_factory=tuple)
-    truth: Truth | None = None
+
+    def truth(self) -> Truth | None:
+        """The simulated hand at the instant of the estimate; a millisecond's work, so on demand."""
+        if self.setup.truth is None or self.estimate is None:
+            return None
+        return self.setup.truth(self.estimate.t)
 
 
 def nearest(estimates: Sequence[Estimate], t: float) -> Estimate | None:
