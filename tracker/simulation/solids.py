@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.messages import Array, IntArray
 from tracker.simulation.wearer import Wearer
@@ -142,8 +141,3 @@ def _surface(radius: float, glove: GloveModel, segment: str) -> float:
         if m.segment == segment and abs(m.normal[0]) < 0.5
     ]
     return float(np.median(height)) if height else radius + 0.001
-
-
-def random_rotation(rng: np.random.Generator) -> Array:
-    """Uniform over rotations."""
-    return so3.matrix_from_quat(rng.normal(size=4))
