@@ -38,12 +38,13 @@ def _run(
 ) -> tuple[int, int]:
     """The run of ``hue`` around (x, y), marked as visited: first and last column."""
     first, last, right = x, x, image.shape[1] - 1
+    visited[y, x] = 1
     while first > 0 and pixel_class(image, y, first - 1, table) == hue:
         first -= 1
+        visited[y, first] = 1
     while last < right and pixel_class(image, y, last + 1, table) == hue:
         last += 1
-    for k in range(first, last + 1):
-        visited[y, k] = 1
+        visited[y, last] = 1
     return first, last
 
 
