@@ -11,12 +11,14 @@ LATENCY = 0.0004  # s, the least: what no one-way stamp can see
 def errors(skew: float, bunch: float, stall: bool, seed: int = 0) -> np.ndarray:
     """Error (s) of each sample's host time after the first ten seconds."""
     rng = np.random.default_rng(seed)
-    clock, out = ClockMap(), []
+    clock, out, flush = ClockMap(), [], 100.0
     for k in range(9000):
         t = 100.0 + 0.01 * k
         arrival = t + LATENCY + rng.exponential(0.0005)
         if bunch:
-            arrival = np.ceil(arrival / bunch) * bunch + rng.uniform(0, 2e-4)
+            while flush < arrival:  # the adapter's timer starts anew after each flush
+                flush += bunch + rng.uniform(0, 4e-4)
+            arrival = flush
         if stall and 40.0 < t - 100 < 40.1:
             arrival = max(arrival, 140.1)
         device = 5.0 + (t - 100.0) * (1 + skew)
