@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.evaluation import inertial_peers as peers
-from tracker.evaluation.inertial_errors import SERIES, draw
+from tracker.evaluation.inertial_errors import SERIES, Errors, draw
 from tracker.evaluation.inertial_estimators import ESTIMATORS, VARIANTS
 from tracker.evaluation.inertial_motion import (
     DURATIONS,
@@ -28,11 +28,11 @@ Progress = Callable[[float, str], None]
 
 @dataclass(frozen=True)
 class Plan:
-    """What is run. Peers are slow in long 1 kHz runs, so they get fewer seeds."""
+    """What is run. Peers and the study of β are many long runs at 1 kHz and get fewer seeds."""
 
     rates_hz: tuple[float, ...] = (100.0, 1000.0)
     seeds: int = 5
-    peer_seeds: int = 2
+    side_seeds: int = 2
     durations: tuple[float, ...] = DURATIONS
     series: tuple[str, ...] = SERIES
     with_peers: bool = True
@@ -67,8 +67,8 @@ class Case:
     series: str
     rate_hz: float
     t_m: float
-    names: tuple[str, ...]  # own estimators
-    peers: tuple[str, ...]
+    names: tuple[str, ...]
+    side: tuple[str, ...]  # peers and variants, for the first seeds only
 
 
 def run(plan: Plan, finger: Finger, progress: Progress = lambda share, what: None) -> list[Row]:
@@ -83,15 +83,15 @@ def run(plan: Plan, finger: Finger, progress: Progress = lambda share, what: Non
 
 
 def _cases(plan: Plan) -> Iterator[Case]:
-    everything = (*ESTIMATORS, *VARIANTS)
-    public = peers.available() if plan.with_peers else ()
+    own = tuple(ESTIMATORS)
+    side = (*VARIANTS, *(peers.available() if plan.with_peers else ()))
     for rate_hz in plan.rates_hz:
         for series in plan.series:
             for t_m in plan.durations:
-                yield Case(VERTICAL, series, rate_hz, t_m, everything, public)
+                yield Case(VERTICAL, series, rate_hz, t_m, own, side)
     for condition in (HORIZONTAL, MOVING):
         for t_m in plan.durations:
-            yield Case(condition, "both", plan.rates_hz[0], t_m, tuple(ESTIMATORS), ())
+            yield Case(condition, "both", plan.rates_hz[0], t_m, own, ())
 
 
 def run_case(case: Case, plan: Plan, finger: Finger) -> list[Row]:
@@ -100,15 +100,18 @@ def run_case(case: Case, plan: Plan, finger: Finger) -> list[Row]:
     errors: dict[str, list[float]] = {}
     for seed in range(plan.seeds):
         drawn = draw(len(motion.t), case.series, case.rate_hz, _seed(case, seed))
-        readings = drawn.planar(motion.ideal)
-        for name in case.names:
-            maker = ESTIMATORS.get(name) or VARIANTS[name]
-            theta = maker(finger, 1 / case.rate_hz).run(readings)
-            errors.setdefault(name, []).append(rms_deg(motion, theta))
-        for name in case.peers if seed < plan.peer_seeds else ():
-            theta = peers.peer_angles(name, motion, drawn, 1 / case.rate_hz)
+        for name in (*case.names, *(case.side if seed < plan.side_seeds else ())):
+            theta = _angles(name, finger, motion, drawn, 1 / case.rate_hz)
             errors.setdefault(name, []).append(rms_deg(motion, theta))
     return [_row(case, name, values) for name, values in errors.items()]
+
+
+def _angles(name: str, finger: Finger, motion: Motion, errors: Errors, dt: float) -> Array:
+    """θ (n, 2) rad by one estimator or peer."""
+    maker = ESTIMATORS.get(name) or VARIANTS.get(name)
+    if maker is None:
+        return peers.peer_angles(name, motion, errors, dt)
+    return maker(finger, dt).run(errors.planar(motion.ideal))
 
 
 def rms_deg(motion: Motion, theta: Array) -> float:
