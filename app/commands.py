@@ -17,7 +17,7 @@ class Command:
     key: str
     menu: str
     text: str
-    run: Callable[[], None]
+    run: Callable[[], object]
     shortcut: str = ""
     checkable: bool = False
     separator: bool = False  # before it

@@ -25,7 +25,7 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.scenario import Truth as SimulatedTruth
 from tracker.vision.colours import ColourProfile, parse_profile
-from tracker.vision.detector import Detector
+from tracker.vision.detector import Detector, detect_frame
 
 DURATION = 900.0
 """s of motion; the hand then rests where it is."""
@@ -50,7 +50,7 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     progress(0.5, "first picture")
     index, t, arrival = next(simulation.exposures())
     picture = simulation.renderer.frame(t, arrival, index)
-    make_detector(profile).detect(picture.left)
+    detect_frame(make_detector(profile), picture)
     _warm_up(hand, glove, seed)
     progress(0.9, "devices")
     clock = SimulatedClock()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow
 
@@ -34,7 +36,7 @@ def _tabs(
 ) -> None:
     for name in names:
         window.addDockWidget(area, docks[name])
-    for first, second in zip(names, names[1:], strict=False):
+    for first, second in itertools.pairwise(names):
         window.tabifyDockWidget(docks[first], docks[second])
 
 

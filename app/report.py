@@ -58,7 +58,7 @@ def _run(app: QApplication, window: MainWindow, duration: float, out: Path, fps:
     window.tasks.failed.connect(problems.append)
     window.session.error.connect(problems.append)
     window.session.open("demo", demo_factory(fps=fps))
-    _spin(lambda: window.session.running or bool(problems), START_TIMEOUT)
+    wait_until(lambda: window.session.running or bool(problems), START_TIMEOUT)
     if not window.session.running:
         print(f"The demo did not start: {' '.join(problems) or 'it took too long.'}")
         return 1
@@ -80,14 +80,15 @@ def _free(path: Path) -> Path:
     return path
 
 
-def _spin(done: Callable[[], bool], timeout: float) -> None:
-    """Let the window live until ``done()`` or the time is over."""
+def wait_until(done: Callable[[], bool], timeout: float) -> bool:
+    """Let the window live until ``done()`` or for ``timeout`` s; whether it was done."""
     loop, poll = QEventLoop(), QTimer()
     end = time.monotonic() + timeout
     poll.timeout.connect(lambda: loop.quit() if done() or time.monotonic() > end else None)
     poll.start(20)
     loop.exec()
     poll.stop()
+    return done()
 
 
 def _gather(window: MainWindow, figures: Figures, duration: float, picture: Path) -> None:
@@ -106,7 +107,7 @@ def _gather(window: MainWindow, figures: Figures, duration: float, picture: Path
 
     sampler.timeout.connect(sample)
     sampler.start(SAMPLE_MS)
-    _spin(lambda: False, duration)
+    wait_until(lambda: False, duration)
     sampler.stop()
     if not figures.screenshot:
         window.grab().save(str(picture))
@@ -127,8 +128,8 @@ def _take(view: Snapshot, figures: Figures) -> None:
 
 def _report(figures: Figures, view: Snapshot | None, rate: float, path: Path) -> str:
     values = view.status.values if view is not None and view.status is not None else {}
-    tracked = np.mean([s == Tracking.TRACKING for s in figures.states] or [0.0])
-    located = np.mean([s in (Tracking.TRACKING, Tracking.COASTING) for s in figures.states] or [0])
+    tracked = _share(figures, Tracking.TRACKING)
+    located = _share(figures, Tracking.TRACKING, Tracking.COASTING)
     load = os.getloadavg()[0] if hasattr(os, "getloadavg") else float("nan")
 
     def figure(key: str, pattern: str = "{:.1f}") -> str:
@@ -147,10 +148,15 @@ def _report(figures: Figures, view: Snapshot | None, rate: float, path: Path) ->
         f"{figure('pictures_thinned', '{:.0f}')} pictures not recorded",
         f"tracking     {100 * tracked:.0f} % of the time, position known {100 * located:.0f} %",
         f"error        {_error_text(figures)}",
-        f"session      {path} ({path.stat().st_size / 1e6:.1f} MB), {path.with_suffix('.csv').name}",
+        f"session      {path} ({path.stat().st_size / 1e6:.1f} MB), {path.stem}.csv",
         f"machine      {os.cpu_count()} cores, load {load:.1f}",
     ]
     return "\n".join(lines)
+
+
+def _share(figures: Figures, *states: Tracking) -> float:
+    """Share of the time spent in one of ``states``."""
+    return sum(s in states for s in figures.states) / max(1, len(figures.states))
 
 
 def _error_text(figures: Figures) -> str:

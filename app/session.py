@@ -17,7 +17,7 @@ from app.recorder import PausableRecorder
 from app.tasks import Progress, TaskOwner
 from app.viewmodels.snapshot import Snapshot, nearest
 from tracker.errors import GlovetrackError
-from tracker.messages import Estimate, Event
+from tracker.messages import Estimate
 from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
@@ -34,7 +34,7 @@ class Session(QObject):
     running_changed = Signal(bool)
     recording_changed = Signal(bool)
     profile_changed = Signal(object)  # ColourProfile
-    event = Signal(object)  # Event
+    happened = Signal(object)  # Event
     error = Signal(str)
 
     def __init__(self, tasks: TaskOwner, parent: QObject | None = None) -> None:
@@ -168,7 +168,7 @@ class Session(QObject):
         if setup is None:
             return None
         for event in setup.engine.take_events():
-            self.event.emit(event)
+            self.happened.emit(event)
         estimate = setup.engine.latest_estimate()
         if estimate is not None and (not self._recent or self._recent[-1].t != estimate.t):
             self._recent.append(estimate)

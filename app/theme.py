@@ -27,10 +27,26 @@ class Colours:
 
 
 LIGHT = Colours(
-    "#F3F4F6", "#FFFFFF", "#E7E9ED", "#CBD0D7", "#1C2127", "#59626D", "#0B63B0", "#FFFFFF", "#E9EDF2"
+    "#F3F4F6",
+    "#FFFFFF",
+    "#E7E9ED",
+    "#CBD0D7",
+    "#1C2127",
+    "#59626D",
+    "#0B63B0",
+    "#FFFFFF",
+    "#E9EDF2",
 )
 DARK = Colours(
-    "#1E2227", "#16191D", "#2A2F36", "#3D444D", "#E8EBEE", "#A3ACB7", "#4FA3E3", "#0B1116", "#181C21"
+    "#1E2227",
+    "#16191D",
+    "#2A2F36",
+    "#3D444D",
+    "#E8EBEE",
+    "#A3ACB7",
+    "#4FA3E3",
+    "#0B1116",
+    "#181C21",
 )
 
 
@@ -89,7 +105,8 @@ def _style_sheet(c: Colours) -> str:
     QMainWindow::separator:hover {{ background: {c.accent}; }}
     QDockWidget {{ font-weight: 600; titlebar-close-icon: none; titlebar-normal-icon: none; }}
     QDockWidget::title {{ background: {c.raised}; padding: 5px 8px; text-align: left; }}
-    QToolBar {{ border: none; border-bottom: 1px solid {c.border}; padding: 4px 6px; spacing: 4px; }}
+    QToolBar {{ border: none; border-bottom: 1px solid {c.border}; padding: 4px 6px;
+        spacing: 4px; }}
     QToolButton {{ padding: 4px 10px; border: 1px solid transparent; border-radius: 4px; }}
     QToolButton:hover {{ background: {c.raised}; border-color: {c.border}; }}
     QToolButton:checked {{ background: {c.accent}; color: {c.on_accent}; }}

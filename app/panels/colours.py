@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -32,6 +31,7 @@ from app.viewmodels.colours import (
     mask_picture,
     pixel_hsv,
     stretched,
+    with_channel,
     with_range,
     without_pixel,
 )
@@ -66,8 +66,8 @@ class ColoursPanel(Panel):
         self._group.idClicked.connect(self.choose_hue)
         self._chips: list[Chip] = []
         self.strip = HueStrip()
-        self.mask = PictureView(self.tr("Mask"), self.tr("No picture yet"))
-        self.mask.picked.connect(self._picked)
+        self.mask_view = PictureView(self.tr("Mask"), self.tr("No picture yet"))
+        self.mask_view.picked.connect(self._picked)
         self.rows = {
             "hue": RangeRow(self.tr("Hue"), 179, wraps=True),
             "saturation": RangeRow(self.tr("Saturation"), 255),
@@ -82,7 +82,7 @@ class ColoursPanel(Panel):
         for row in self.rows.values():
             column.addWidget(row)
         column.addWidget(self.strip)
-        column.addWidget(self.mask, 1)
+        column.addWidget(self.mask_view, 1)
         column.addLayout(self._buttons())
         session.opened.connect(self._open)
 
@@ -94,7 +94,7 @@ class ColoursPanel(Panel):
         self.pick.setText(self.tr("Eyedropper"))
         self.pick.setCheckable(True)
         self.pick.setToolTip(self.tr("Click takes a pixel in, Ctrl+click leaves it out"))
-        self.pick.toggled.connect(self.mask.set_picking)
+        self.pick.toggled.connect(self.mask_view.set_picking)
         self.hold = QCheckBox(self.tr("Hold picture"))
         row = QHBoxLayout()
         row.addWidget(self.pick)
@@ -153,7 +153,7 @@ class ColoursPanel(Panel):
         current = self._range()
         if current is None:
             return
-        self._change(dataclasses.replace(current, **{key: (low, high)}), self._holding)
+        self._change(with_channel(current, key, (low, high)), self._holding)
         self._holding = held
 
     def _change(self, changed: HueRange, merge: bool = False) -> None:
@@ -246,8 +246,6 @@ class ColoursPanel(Panel):
                 look, text = row.look, row.count
                 chip.show_state(look.colour, look.sign, row.clash or text, text)
         if self._picture is not None:
-            self.mask.show_picture(mask_picture(self._picture, current, MASK_STEP))
-            intervals = [
-                (*h.hue, row.colour) for h, row in zip(profile.hues, rows, strict=True)
-            ]
+            self.mask_view.show_picture(mask_picture(self._picture, current, MASK_STEP))
+            intervals = [(*h.hue, row.colour) for h, row in zip(profile.hues, rows, strict=True)]
             self.strip.show_hues(hue_histogram(self._picture), intervals)

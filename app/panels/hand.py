@@ -17,7 +17,7 @@ from app.widgets.view_3d import View3D
 from tracker.messages import Array, Validity
 
 FOLLOW = 0.15
-"""Share of the way that the view's centre goes to the hand at each picture: calm, yet it follows."""
+"""Share of the way that the view's centre goes to the hand at each picture."""
 
 
 FIRST_LOOK = np.array([-0.75, 0.25, 0.85])

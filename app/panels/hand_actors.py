@@ -123,8 +123,10 @@ def segment_mesh(s: Segment) -> Any:
         capping=False,
     )
     ends = [_ball(s.radius, (0, 0, 0)), _ball(s.radius, (s.length, 0, 0))]
-    return body.extract_surface(algorithm="dataset_surface").merge(ends).extract_surface(
-        algorithm="dataset_surface"
+    return (
+        body.extract_surface(algorithm="dataset_surface")
+        .merge(ends)
+        .extract_surface(algorithm="dataset_surface")
     )
 
 

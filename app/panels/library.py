@@ -40,7 +40,11 @@ class LibraryPanel(Panel):
     replay = Signal(object)  # Path
 
     def __init__(
-        self, session: Session, store: SettingsStore, tasks: TaskOwner, parent: QWidget | None = None
+        self,
+        session: Session,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(session, parent)
         self._store, self._tasks = store, tasks

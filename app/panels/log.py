@@ -49,7 +49,7 @@ class LogPanel(Panel):
         column.setContentsMargins(6, 6, 6, 6)
         column.addLayout(row)
         column.addWidget(self.list, 1)
-        session.event.connect(self.add)
+        session.happened.connect(self.add)
         session.error.connect(lambda text: self.add(Event(0.0, "error", text)))
 
     def title(self) -> str:

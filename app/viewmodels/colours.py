@@ -67,6 +67,15 @@ def with_range(profile: ColourProfile, changed: HueRange) -> ColourProfile:
     return dataclasses.replace(profile, hues=hues)
 
 
+def with_channel(hue_range: HueRange, channel: str, interval: tuple[int, int]) -> HueRange:
+    """``hue_range`` with its "hue", "saturation" or "value" interval replaced."""
+    if channel == "hue":
+        return dataclasses.replace(hue_range, hue=interval)
+    if channel == "saturation":
+        return dataclasses.replace(hue_range, saturation=interval)
+    return dataclasses.replace(hue_range, value=interval)
+
+
 def stretched(hue_range: HueRange, hsv: tuple[int, int, int], margin: int = 2) -> HueRange:
     """The smallest growth of a range that takes in the pixel, and ``margin`` beyond it.
 
@@ -123,7 +132,7 @@ def _level_cuts(r: HueRange, s: int, v: int) -> list[tuple[float, HueRange]]:
         low, high = getattr(r, key)
         if x < high:
             share = (x - low + 1) / (high - low + 1)
-            cuts.append((share, dataclasses.replace(r, **{key: (x + 1, high)})))
+            cuts.append((share, with_channel(r, key, (x + 1, high))))
     return cuts
 
 

@@ -96,7 +96,7 @@ class HandSceneModel:
 
 
 def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArray:
-    """(S,) how each segment is known: the worst of its joint's angles; the root's is the wrist's."""
+    """(S,) how each segment is known: as the worst of its joint's angles; the root as the wrist."""
     out = np.empty(len(hand.segments), np.int64)
     for i, s in enumerate(hand.segments):
         columns = [c for c in hand.axis_columns[i] if c >= 0]

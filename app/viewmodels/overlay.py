@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -136,13 +137,13 @@ def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shape]:
 
 def bones(names: tuple[str, ...]) -> list[tuple[int, int]]:
     """Pairs of keypoint rows that a bone joins, wrist to tips."""
-    chains = [("wrist", "thumb_cmc", "thumb_mcp", "thumb_ip", "thumb_tip")]
+    chains: list[tuple[str, ...]] = [("wrist", "thumb_cmc", "thumb_mcp", "thumb_ip", "thumb_tip")]
     chains += [("wrist", *(f"{f}_{p}" for p in ("mcp", "pip", "dip", "tip"))) for f in FINGERS]
     row = {n: i for i, n in enumerate(names)}
     return [
         (row[a], row[b])
         for chain in chains
-        for a, b in zip(chain, chain[1:], strict=False)
+        for a, b in itertools.pairwise(chain)
         if a in row and b in row
     ]
 
@@ -160,7 +161,8 @@ def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
         state = int(min(estimate.keypoint_state[a], estimate.keypoint_state[b]))
         colour = VALIDITY[state].colour if state != Validity.LOST else GREY
         dashed = state != Validity.MEASURED
-        out.append(Line(*(float(x) for x in ends), colour, 2.5, dashed, 0.85))
+        u0, v0, u1, v1 = ends.tolist()
+        out.append(Line(u0, v0, u1, v1, colour, 2.5, dashed, 0.85))
     return out
 
 

@@ -62,7 +62,9 @@ class Disk:
 def disk(free: int, bytes_per_second: float) -> Disk:
     left = f"{size_text(free)} free"
     if bytes_per_second > 0:
-        left += f", about {duration_text(max(0, free - STOP_BYTES) / bytes_per_second)} of recording"
+        left += (
+            f", about {duration_text(max(0, free - STOP_BYTES) / bytes_per_second)} of recording"
+        )
     if free < STOP_BYTES:
         return Disk(left, "Under 1 GB is left: recording is not possible on this disk.", True)
     if free < LOW_BYTES:

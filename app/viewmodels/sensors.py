@@ -40,7 +40,9 @@ def curves(samples: Sequence[ImuSample], imu: int, kind: str, span: float) -> Cu
     return Curves(t, np.rad2deg(rows) if kind == "gyro" else rows / 9.80665)
 
 
-def imu_states(names: tuple[str, ...], samples: Sequence[ImuSample], running: bool) -> list[ImuState]:
+def imu_states(
+    names: tuple[str, ...], samples: Sequence[ImuSample], running: bool
+) -> list[ImuState]:
     """Per IMU: answers, answers with gaps, or silent; judged over the last second."""
     if not samples or not running:
         return [ImuState(n, IDLE, "no samples") for n in names]

@@ -24,7 +24,7 @@ class MeterDelegate(QStyledItemDelegate):
         share = index.data(SHARE_ROLE)
         if share is None or share != share:  # NaN: there is no such parameter
             return
-        box = QRectF(option.rect).adjusted(6, option.rect.height() - 5, -6, -2)  # type: ignore[attr-defined]
+        box = QRectF(option.rect).adjusted(6, option.rect.height() - 5, -6, -2)
         painter.save()
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(128, 128, 128, 70))

@@ -87,7 +87,7 @@ class PictureView(QWidget):
         wanted = FILL * min(self.width() / max(width, 1), self.height() / max(height, 1)) / fit
         wanted = min(max(wanted, 1.0), MAX_FOLLOW_ZOOM)
         self._zoom += CALM * (wanted - self._zoom)
-        self._centre += CALM * (QPointF(u / w, v / h) - self._centre)
+        self._centre += (QPointF(u / w, v / h) - self._centre) * CALM
         self._clamp()
 
     # --- geometry

@@ -1,0 +1,104 @@
+"""``python -m app.screenshots``: every panel of the running demo, light and dark, as PNG files."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import cv2
+import numpy as np
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.engine import RecordingRequest
+from app.main_window import MainWindow
+from app.report import START_TIMEOUT, wait_until
+from app.settings import SettingsStore
+from app.sources import demo_factory
+from tracker.messages import Tracking
+
+SETTLE = 6.0  # s of tracking before the first picture
+SIZE = (1366, 768)
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the demo and take the pictures; returns the exit status."""
+    parser = argparse.ArgumentParser(prog="app.screenshots")
+    parser.add_argument("--out", type=Path, default=Path("docs/screenshots"))
+    out = parser.parse_args(argv).out
+    out.mkdir(parents=True, exist_ok=True)
+    app = QApplication.instance() or QApplication(["glovetrack"])
+    app.setApplicationName("glovetrack")
+    with tempfile.TemporaryDirectory() as folder:
+        store = SettingsStore(Path(folder) / "window.json")
+        store.update(sessions_folder=folder)
+        window = MainWindow(store)
+        try:
+            return _take_all(window, out, Path(folder))
+        finally:
+            window.close()
+
+
+def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
+    window.resize(*SIZE)
+    window.show()
+    for name in ("light", "dark"):
+        window.set_theme(name)
+        wait_until(lambda: False, 0.3)
+        save(window, out / f"start-{name}.png")
+    window.session.open("demo", demo_factory())
+    if not wait_until(lambda: window.session.running, START_TIMEOUT):
+        print("The demo did not start.")
+        return 1
+    window.session.record(RecordingRequest(folder / "P01_pinch.mcap", "P01", "pinch"))
+    wait_until(lambda: False, SETTLE)
+    for name in ("light", "dark"):
+        window.set_theme(name)
+        _take_panels(window, out, name)
+    return 0
+
+
+def _take_panels(window: MainWindow, out: Path, name: str) -> None:
+    """The whole window and each dock, while the hand is tracked."""
+    window.reset_layout()
+    _wait_for_hand(window)
+    save(window, out / f"window-{name}.png")
+    for panel, dock in window.docks.items():
+        dock.raise_()
+        _wait_for_hand(window)
+        save(dock, out / f"{panel}-{name}.png")
+
+
+def _wait_for_hand(window: MainWindow) -> None:
+    """Let the panels refresh, then wait for a tracked hand (4 s at most)."""
+    wait_until(lambda: False, 0.7)
+
+    def tracked() -> bool:
+        view = window.session.snapshot()
+        return (
+            view is not None
+            and view.estimate is not None
+            and (view.estimate.tracking == Tracking.TRACKING)
+        )
+
+    wait_until(tracked, 4.0)
+
+
+def save(widget: QWidget, path: Path) -> None:
+    """A PNG of 256 colours' worth of bytes: the repository holds these files."""
+    image = widget.grab().toImage().convertToFormat(QImage.Format.Format_BGR888)
+    width, height = image.width(), image.height()
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(height, image.bytesPerLine())
+    pixels = rows[:, : 3 * width].reshape(height, width, 3)
+    # The two lowest bits hold the simulated camera's noise, which no PNG can pack.
+    cv2.imwrite(str(path), pixels & 0xFC, [cv2.IMWRITE_PNG_COMPRESSION, 9])
+
+
+if __name__ == "__main__":
+    sys.exit(main())
