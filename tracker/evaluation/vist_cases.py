@@ -30,6 +30,7 @@ class Case:
     fps: float = 60.0
     seed: int = 0
     motion_files: tuple[str, ...] = ()
+    distractors: int = 0  # still balls of the markers' hues in the room
 
 
 @dataclass(frozen=True)
@@ -84,19 +85,28 @@ def without_imus(feed: Feed) -> Feed:
             yield m
 
 
+NOTHING = 1e-6  # a standard deviation that leaves a state where it is
+
+
 def _no_autocalibration(s: Settings) -> Settings:
-    prior = replace(
-        s.chain.prior,
-        mounting=1e-6,
-        common_length=1e-6,
-        common_girth=1e-6,
-        own_length=1e-6,
-        own_girth=1e-6,
-        joint=1e-6,
-        marker=1e-6,
+    still = dict.fromkeys(
+        ("mounting", "common_length", "common_girth", "own_length", "own_girth"), NOTHING
     )
-    noise = replace(s.chain.noise, scale=0.0, mounting=0.0)
-    return replace(s, chain=replace(s.chain, prior=prior, noise=noise))
+    chain = replace(
+        s.chain,
+        prior=replace(s.chain.prior, joint=NOTHING, marker=NOTHING, **still),
+        noise=replace(s.chain.noise, scale=0.0, mounting=0.0),
+    )
+    vist = replace(
+        s.vist,
+        prior=replace(s.vist.prior, **still),
+        noise=replace(s.vist.noise, scale=0.0, mounting=0.0),
+    )
+    return replace(s, chain=chain, vist=vist)
+
+
+def _previous_pose(s: Settings) -> Settings:
+    return replace(s, vist=replace(s.vist, match=replace(s.vist.match, guide="previous")))
 
 
 def _no_finger_accelerometers(s: Settings) -> Settings:
@@ -130,6 +140,27 @@ ABLATIONS: dict[str, Ablation] = {
         ),
         Ablation(
             "vision-only", "IMUs silent after the start", ("chain", "vist"), feed=without_imus
+        ),
+        Ablation(
+            "previous-pose",
+            "correspondence from the previous picture's pose instead of the IMU prediction",
+            ("vist",),
+            settings=_previous_pose,
+        ),
+        Ablation(
+            "10fps-double-speed",
+            "ten pictures a second, motion twice as fast",
+            ("chain", "vist"),
+            fps=10.0,
+            speed=2.0,
+        ),
+        Ablation(
+            "previous-pose-10fps-double-speed",
+            "both: where the paper's movie S1 shows vision alone to fail",
+            ("vist",),
+            settings=_previous_pose,
+            fps=10.0,
+            speed=2.0,
         ),
         _outage(5.0),
         _outage(10.0),

@@ -26,6 +26,7 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
     p.add_argument("--level", choices=("points", "images"), default="points")
     p.add_argument("--ablations", type=_words, default=(), metavar="A,B|all")
     p.add_argument("--fps", type=_positive, default=60.0)
+    p.add_argument("--distractors", type=int, default=0, help="coloured balls in the room")
     p.add_argument("--seed", type=int, default=0)
     p.add_argument("--processes", type=_count, default=1, metavar="N")
     p.add_argument("--quick", action="store_true", help="two people, twenty seconds each")
@@ -99,7 +100,8 @@ def cases_of(args: argparse.Namespace) -> list[Any]:
             case = Case(experiment, engine, args.level, None, minutes, args.fps, args.seed)
             if args.quick and not args.minutes:
                 case = replace(case, minutes=QUICK_MINUTES)
-            out.append(replace(case, motion_files=tuple(map(str, args.motion))))
+            files = tuple(map(str, args.motion))
+            out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
     return out + _ablations(args.ablations, out)
 
 

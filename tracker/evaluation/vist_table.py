@@ -24,6 +24,7 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "minutes": case.minutes,
         "fps": case.fps,
         "seed": case.seed,
+        "distractors": case.distractors,
     }
     row.update(asdict(summary))
     row["paper"] = PAPER[case.experiment]
@@ -62,6 +63,8 @@ def _variant(case: Case) -> str:
     parts = [case.ablation] if case.ablation else []
     if case.level == "images":
         parts.append("images")
+    if case.distractors:
+        parts.append(f"{case.distractors} balls")
     return ", ".join(parts) or "-"
 
 
