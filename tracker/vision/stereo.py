@@ -27,7 +27,7 @@ class StereoParams:
     sd_u_max_px: float = 30.0
     sd_v_px: float = 1.0
     outlier: float = 0.1
-    iterations: int = 20
+    iterations: int = 10
     nearest: float = 0.15  # m
     farthest: float = 0.9  # m
 
