@@ -13,10 +13,8 @@ from tracker import __version__
 from tracker.errors import ConfigError, FileError
 from tracker.session.disk import disk_error
 from tracker.session.export.motion import ExportOptions, Motion
+from tracker.session.formats import FORMATS
 from tracker.session.reader import SessionReader
-
-FORMATS = ("csv", "parquet", "h5", "c3d", "trc", "mot", "bvh", "glb", "urdf", "mp4")
-PERSONAL = ("participant", "notes")
 
 
 def export(
@@ -84,4 +82,4 @@ def sha256(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-__all__ = ["FORMATS", "PERSONAL", "ExportOptions", "export", "sha256"]
+__all__ = ["FORMATS", "ExportOptions", "export", "sha256"]

@@ -100,7 +100,7 @@ def load_motion(
     if rate is not None:
         motion = resample(motion, rate)
     motion = _turned(motion, AXES[options.axes or axes])
-    notes = {"axes": options.axes or axes, "resampled_hz": rate}
+    notes: dict[str, object] = {"axes": options.axes or axes, "resampled_hz": rate}
     return replace(_picked(motion, options.joints), notes=notes)
 
 
@@ -205,7 +205,7 @@ def _spline(t_old: Array, values: Array, t: Array) -> Array:
 def _slerp(t_old: Array, q: Array, t: Array) -> Array:
     out = np.full((len(t), *q.shape[1:]), np.nan)
     for k in range(q.shape[1]):
-        known = np.isfinite(q[:, k]).all(axis=1)
+        known = np.asarray(np.isfinite(q[:, k]).all(axis=1))
         if known.sum() < 2:
             continue
         covered = _covered(t_old, known, t)

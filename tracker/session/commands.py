@@ -1,0 +1,163 @@
+"""The sub-commands export, info, verify, recover and compare."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+from tracker.session.disk import disk_error
+
+
+def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the room's commands; each sets ``func``, which returns the exit status."""
+    _add_export(subparsers)
+    for name, func, text in (
+        ("info", _info, "what a session holds"),
+        ("verify", _verify, "whether a session is whole, with reasons"),
+        ("recover", _recover, "make a whole file of a broken recording"),
+    ):
+        command = subparsers.add_parser(name, help=text)
+        command.add_argument("file", type=Path, metavar="FILE")
+        _add_json(command)
+        command.set_defaults(func=func)
+        if name == "recover":
+            command.add_argument("-o", "--output", type=Path, metavar="OUT")
+    command = subparsers.add_parser("compare", help="what differs between two trackings")
+    command.add_argument("first", type=Path, metavar="A")
+    command.add_argument("second", type=Path, metavar="B")
+    command.add_argument("--figure", type=Path, metavar="PNG", help="draw the differences")
+    _add_json(command)
+    command.set_defaults(func=_compare)
+
+
+def _add_json(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--json", metavar="FILE", help="write results as JSON (- for the screen)")
+
+
+def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    from tracker.session.formats import AXES_NAMES, FORMATS, PERSONAL, UNIT_NAMES
+
+    command = subparsers.add_parser("export", help="write a session in another format")
+    command.add_argument("file", type=Path, metavar="IN")
+    command.add_argument("--format", required=True, choices=FORMATS)
+    command.add_argument("-o", "--output", type=Path, required=True, metavar="OUT")
+    command.add_argument("--rate", type=float, metavar="HZ", help="resample to this rate")
+    command.add_argument("--axes", choices=AXES_NAMES)
+    command.add_argument("--units", choices=UNIT_NAMES)
+    command.add_argument("--start", type=float, metavar="S", help="from the first estimate")
+    command.add_argument("--stop", type=float, metavar="S", help="from the first estimate")
+    command.add_argument("--joints", metavar="A,B", help="only these keypoints and angles")
+    command.add_argument(
+        "--anonymous",
+        nargs="*",
+        choices=PERSONAL,
+        metavar="FIELD",
+        help=f"leave out {' and '.join(PERSONAL)}, or the named ones",
+    )
+    _add_json(command)
+    command.set_defaults(func=_export)
+
+
+def _export(args: argparse.Namespace) -> int:
+    from tracker.session.export import ExportOptions, export
+    from tracker.session.formats import PERSONAL
+
+    anonymous = () if args.anonymous is None else tuple(args.anonymous or PERSONAL)
+    options = ExportOptions(
+        rate=args.rate,
+        axes=args.axes,
+        units=args.units,
+        start=args.start,
+        stop=args.stop,
+        joints=tuple(args.joints.split(",")) if args.joints else (),
+        anonymous=anonymous,
+    )
+    _finish(args, export(args.file, args.format, args.output, options), [f"{args.output}"])
+    return 0
+
+
+def _info(args: argparse.Namespace) -> int:
+    from tracker.session.info import session_summary
+
+    found = session_summary(args.file)
+    lines = [f"{args.file}: {found['duration_s']:.2f} s, {found['integrity']}"]
+    if found["version"]:
+        lines.append(f"engine {found['engine']}, version {found['version']}")
+    lines += [
+        f"  {name}  {t['count']}  {t['rate_hz']:g} Hz  {t['type']}"
+        for name, t in found["topics"].items()
+    ]
+    _finish(args, found, lines)
+    return 0
+
+
+def _verify(args: argparse.Namespace) -> int:
+    from dataclasses import asdict
+
+    from tracker.session.verify import is_ok, verify
+
+    findings = verify(args.file)
+    lines = [f"{f.severity}: {f.where}: {f.what}" for f in findings]
+    lines.append(f"{args.file} is {'all right' if is_ok(findings) else 'damaged'}.")
+    _finish(args, {"ok": is_ok(findings), "findings": [asdict(f) for f in findings]}, lines)
+    return 0 if is_ok(findings) else 1
+
+
+def _recover(args: argparse.Namespace) -> int:
+    from tracker.session.recover import recover
+
+    saved = recover(args.file, args.output)
+    lines = [f"byte {d.offset}: {d.what}" for d in saved.damage]
+    lines.append(f"{saved.messages} messages of {saved.duration:.2f} s are in {saved.path}.")
+    result = {
+        "file": str(saved.path),
+        "messages": saved.messages,
+        "duration_s": saved.duration,
+        "damage": [{"offset": d.offset, "what": d.what} for d in saved.damage],
+    }
+    _finish(args, result, lines)
+    return 0
+
+
+def _compare(args: argparse.Namespace) -> int:
+    from tracker.session.compare import compare
+
+    found = compare(args.first, args.second, args.figure)
+    lines = [
+        f"{found['compared']} instants in common; mean {found['mean_mm']:.3f} mm, "
+        f"largest {found['max_mm']:.3f} mm; angles {found['rms_deg']:.3f}° rms",
+        "identical to the last bit" if found["identical"] else "not identical",
+    ]
+    if found["differing"]:
+        lines.append(f"differing: {', '.join(found['differing'])}")
+    _finish(args, found, lines)
+    return 0
+
+
+def _finish(args: argparse.Namespace, result: dict[str, Any], lines: list[str]) -> None:
+    """Lines for people, or JSON where it was asked for; with ``-`` the JSON alone."""
+    if args.json != "-":
+        print("\n".join(lines))
+    if args.json is None:
+        return
+    text = json.dumps(_plain(result), indent=2, ensure_ascii=False)
+    if args.json == "-":
+        sys.stdout.write(text + "\n")
+        return
+    try:
+        Path(args.json).write_text(text + "\n", "utf-8")
+    except OSError as error:
+        raise disk_error(Path(args.json), error) from error
+
+
+def _plain(value: Any) -> Any:
+    """NaN has no place in JSON: it becomes null."""
+    if isinstance(value, dict):
+        return {k: _plain(v) for k, v in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(v) for v in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

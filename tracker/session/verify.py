@@ -1,0 +1,173 @@
+"""A verdict on a session, with reasons."""
+
+from __future__ import annotations
+
+import statistics
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from tracker.errors import GlovetrackError
+from tracker.session import description, topics
+from tracker.session import ros_motion as motion
+from tracker.session import ros_sensors as sensors
+from tracker.session.cdr import CdrError, CdrReader
+from tracker.session.mcap_input import RawMessage
+from tracker.session.pictures import picture_size
+from tracker.session.reader import SessionReader
+
+_STAMPED = {
+    sensors.IMU,
+    sensors.IMAGE,
+    sensors.DETECTIONS,
+    motion.POSES,
+    motion.JOINTS,
+}
+_GAP_PERIODS = 3.5
+_CLOCK_JUMP_NS = 500_000_000
+
+
+@dataclass(frozen=True)
+class Finding:
+    """``severity`` error, warning or note; ``where`` a topic, an attachment or a byte."""
+
+    severity: str
+    what: str
+    where: str
+
+
+@dataclass
+class _Track:
+    """What is kept of one topic while its messages go by."""
+
+    last_stamp: int | None = None
+    last_delay: int = 0
+    steps: list[tuple[int, int]] = field(default_factory=list)  # ns, from this stamp
+    backward: int = 0
+    jumps: int = 0
+    damaged: int = 0
+    count: int = 0
+
+
+def verify(path: Path) -> list[Finding]:
+    """Everything that is wrong with a session. Raises FileError if it is no MCAP at all."""
+    with SessionReader(path) as reader:
+        out = _container(reader)
+        out += _description(reader)
+        tracks, damage = _read_all(reader)
+        out += damage
+        for topic, track in sorted(tracks.items()):
+            out += _judge(topic, track)
+        out += _missing(reader, tracks)
+        return out
+
+
+def is_ok(findings: list[Finding]) -> bool:
+    """Whether none of the findings is an error."""
+    return all(f.severity != "error" for f in findings)
+
+
+def _container(reader: SessionReader) -> list[Finding]:
+    contents = reader.source.contents
+    out = [Finding("error", d.what, f"byte {d.offset}") for d in contents.damage]
+    if not contents.finished:
+        text = "the recording was never finished; `glovetrack recover` makes a whole file of it"
+        out.append(Finding("error", text, "file"))
+    if contents.profile != "ros2":
+        out.append(Finding("warning", f"the profile is {contents.profile!r}, not 'ros2'", "file"))
+    if not reader.metadata:
+        out.append(Finding("note", "not recorded by Glovetrack", "file"))
+    return out
+
+
+def _description(reader: SessionReader) -> list[Finding]:
+    """Hand, glove and camera: there, readable, and fitting together."""
+    for name in (description.HAND, description.GLOVE):
+        try:
+            reader.attachment(name)
+        except GlovetrackError as error:
+            return [Finding("error", str(error), name)]
+    try:
+        info = reader.info
+    except GlovetrackError as error:
+        return [Finding("error", str(error), "attachments")]
+    if info.rig is None and any(t.startswith("/camera/") for t in reader.topic_names):
+        return [Finding("error", "the stereo calibration or where it stands is missing", "camera")]
+    return []
+
+
+def _read_all(reader: SessionReader) -> tuple[dict[str, _Track], list[Finding]]:
+    tracks: dict[str, _Track] = {}
+    out: list[Finding] = []
+    spans = reader.source.contents.spans
+    for i in range(len(spans)):
+        try:
+            messages = reader.source.messages_in(spans[i])
+        except GlovetrackError as error:
+            out.append(Finding("error", str(error), f"byte {spans[i].offset}"))
+            continue
+        for m in messages:
+            _follow(tracks.setdefault(m.topic, _Track()), m)
+    return tracks, out
+
+
+def _follow(track: _Track, m: RawMessage) -> None:
+    track.count += 1
+    if m.type not in _STAMPED:
+        return
+    try:
+        stamp = CdrReader(m.data).time()
+        if m.type == sensors.IMAGE and picture_size(sensors.unpack_image(m.data).data) is None:
+            track.damaged += 1
+    except CdrError:
+        track.damaged += 1
+        return
+    delay = m.log_time - stamp
+    if track.last_stamp is not None:
+        step = stamp - track.last_stamp
+        track.backward += step < 0
+        track.jumps += abs(delay - track.last_delay) > _CLOCK_JUMP_NS
+        track.steps.append((step, track.last_stamp))
+    track.last_stamp, track.last_delay = stamp, delay
+
+
+def _judge(topic: str, track: _Track) -> list[Finding]:
+    out: list[Finding] = []
+    if track.damaged:
+        out.append(Finding("error", f"{track.damaged} messages are damaged", topic))
+    if track.backward:
+        out.append(Finding("warning", f"{track.backward} stamps run backward", topic))
+    if track.jumps:
+        out.append(Finding("warning", f"the clock jumps {track.jumps} times", topic))
+    if topic.startswith(("/glove/", "/camera/")) and len(track.steps) > 10:
+        out += _gaps(topic, track)
+    return out
+
+
+def _gaps(topic: str, track: _Track) -> list[Finding]:
+    period = statistics.median(s for s, _ in track.steps)
+    gaps = [(s, at) for s, at in track.steps if s > _GAP_PERIODS * max(period, 1)]
+    if not gaps:
+        return []
+    longest, at = max(gaps)
+    first = track.last_stamp if track.last_stamp is not None else at
+    total = sum(s for s, _ in track.steps)
+    after = (at - (first - total)) / 1e9
+    text = f"{len(gaps)} gaps, the longest {longest / 1e9:.3f} s after {after:.1f} s"
+    return [Finding("warning", text, topic)]
+
+
+def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[Finding]:
+    """Topics that a session of this glove should have."""
+    try:
+        info = reader.info
+    except GlovetrackError:
+        return []
+    tracked_only = "source" in reader.metadata
+    if tracked_only:
+        return []
+    wanted = [topics.imu(info.side, n) for n in info.glove.imu_names]
+    out = [Finding("warning", "no message of this IMU", t) for t in wanted if t not in tracks]
+    seen = any(f(c) in tracks for c in topics.SIDES for f in (topics.image, topics.blobs))
+    if not seen:
+        out.append(Finding("warning", "neither pictures nor blobs of a camera", "/camera"))
+    return out
