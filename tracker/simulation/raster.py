@@ -39,7 +39,7 @@ def _box_of(points: Array, radius: Array, K: Array) -> Array:
     return np.concatenate([low * K[:2] + K[2:], high * K[:2] + K[2:]], axis=1)
 
 
-@numba.njit(cache=True, fastmath=True)
+@numba.njit(cache=True, fastmath=True, nogil=True)
 def draw(
     rays: Float32,
     jitter: Array,

@@ -10,7 +10,7 @@ from tracker.messages import Array, IntArray
 from tracker.simulation.raster import Float32, Int16
 
 
-@numba.njit(cache=True, fastmath=True)
+@numba.njit(cache=True, fastmath=True, nogil=True)
 def shade(
     rays: Float32,
     jitter: Array,
@@ -149,7 +149,7 @@ def _around(y: float, z: float, my: float, mz: float) -> float:
     return rho * angle
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def develop(
     total: Float32,
     exposures: int,
