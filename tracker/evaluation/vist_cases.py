@@ -50,6 +50,11 @@ class Ablation:
     speed: float = 1.0
     outage: float = 0.0
 
+    @property
+    def least_minutes(self) -> float:
+        """A trial that holds one outage at least."""
+        return (PAUSE + self.outage + 1.0) / 60 if self.outage else 0.0
+
 
 BLIND_FROM = 4.0  # s: a start needs gravity, so the IMUs fall silent once the hand is found
 PAUSE = 10.0  # s of pictures between two outages

@@ -111,7 +111,7 @@ def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
     names = tuple(ABLATIONS) if "all" in names else names
     _known(names, ABLATIONS, "ablation")
     return [
-        replace(case, ablation=name)
+        replace(case, ablation=name, minutes=max(case.minutes, ABLATIONS[name].least_minutes))
         for name in names
         for case in cases
         if case.experiment == "free" and case.engine in ABLATIONS[name].engines
