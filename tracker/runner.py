@@ -40,6 +40,7 @@ from tracker.vision.detector import Detector, detect_frame
 WAIT = 0.05  # s that a thread waits before it looks whether it should end
 SILENCE = 0.1  # s without packets after which the screen follows the pictures alone
 HISTORY_S = 10.0
+MAX_FRAMES_BEHIND = 3
 MAX_PICTURES_WAITING = 24  # 130 MB at 720p
 TRACKING_WORDS = {
     Tracking.SEARCHING: "Looking for the hand.",
@@ -139,7 +140,8 @@ class LiveTracker:
         self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
         self._calibration: Calibration | None = None
         self._waiting: deque[_Found] = deque()
-        self._lost_packets = 0
+        self._lost_packets = self._skipped = self._behind = 0
+        self._counting = threading.Lock()
         self._next_slow = 0.0
         if recorder is not None:
             self.set_recorder(recorder)
@@ -211,7 +213,7 @@ class LiveTracker:
     def status(self) -> Status:
         now = self._clock()
         t = self._telemetry
-        t.set("frames_dropped", self._pictures.dropped)
+        t.set("frames_dropped", self._pictures.dropped + self._skipped)
         t.set("imu_lost", self._lost_packets)
         t.set("imu_overflow", self._inbox.overflowed)
         if self._disk is not None:
@@ -258,6 +260,11 @@ class LiveTracker:
             started = self._clock()
             blobs = detect_frame(self._detector, frame)
             self._telemetry.took("detect", self._clock() - started)
+            if self._behind >= MAX_FRAMES_BEHIND:  # the engine has older ones to do
+                self._skipped += 1
+                continue
+            with self._counting:
+                self._behind += 1
             self._inbox.put(_Found(frame, blobs))
 
     def _run_engine(self) -> None:
@@ -269,6 +276,8 @@ class LiveTracker:
             if isinstance(item, ImuSample):
                 self._feed_imu(item)
             else:
+                with self._counting:
+                    self._behind -= 1
                 self._feed_frame(item)
             self._telemetry.took("filter", self._clock() - started)
             self._take_results()

@@ -227,3 +227,18 @@ def test_markers_on_the_tips_help(
         estimates, error = run(s)
         means.append(np.nanmean(error[times(estimates) > 4, :3]))
     assert means[0] < 0.9 * means[1]
+
+
+def test_pictures_that_come_late_are_waited_for(sim: Simulation) -> None:
+    """A slow machine delivers 200 ms late; the filter must not run away from its pictures."""
+    late = sorted(
+        (
+            dataclasses.replace(m, t_arrival=m.t_arrival + 0.2) if isinstance(m, BlobFrame) else m
+            for m in sim.feed()
+        ),
+        key=lambda m: m.t_arrival,
+    )
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
+    estimates = feed(pipeline, late)
+    error = errors(sim, estimates)[times(estimates) > 2]
+    assert np.isfinite(error).all() and error.mean() < 0.012

@@ -90,7 +90,7 @@ def test_a_restart_in_mid_stream(bench: Bench) -> None:
     bench.device.reset()
     n = len(bench.samples)
     bench.until(lambda: bench.said("restarted") and len(bench.samples) > n + 50)
-    assert bench.link.figures.resets == 1
+    assert bench.link.figures.resets >= 1  # HELLO may come twice before START gets through
     assert np.all(np.diff([s.t for s in bench.samples[n + 20 :]]) > 0)
 
 

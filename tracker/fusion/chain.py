@@ -44,6 +44,7 @@ from tracker.messages import (
 from tracker.vision.rig import StereoRig
 
 SEEN_LATELY = 0.5  # s
+LATE_MARGIN = 0.03  # s beyond the latest picture so far
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
@@ -59,6 +60,8 @@ class _Track:
     doubtful_since: float = np.inf
     seen: Array = field(default_factory=lambda: np.zeros(0))  # (M,) when each marker was seen last
     felt: Array = field(default_factory=lambda: np.zeros(0))  # (n,) when each IMU answered last
+    lag: float = 0.0  # s that the filter stays behind while no picture comes
+    last_frame: float = -np.inf  # exposure of the last picture that was processed
     tip_sd: Array = field(default_factory=lambda: np.zeros(0))  # (A,)
 
 
@@ -83,6 +86,7 @@ class ChainEngine:
             seen=np.full(len(glove.markers), -np.inf),
             felt=np.full(len(glove.imus), -np.inf),
             tip_sd=np.zeros(len(self._layout.active)),
+            lag=params.match.max_frame_delay,
         )
         self._waiting: list[BlobFrame] = []
         self._results: list[FrameResult] = []
@@ -138,7 +142,7 @@ class ChainEngine:
         """Without pictures the filter follows at a fixed lag, held together by anatomy."""
         if self._track.tracking == Tracking.SEARCHING or self._waiting:
             return
-        target = now - self._params.match.max_frame_delay
+        target = now - self._track.lag
         if target <= self._filter.t:
             return
         self._advance(target)
@@ -226,7 +230,8 @@ class ChainEngine:
             self._start(frame, seen, pose)
             return
         if frame.t <= self._filter.t:
-            return  # later than the longest delay: the filter has gone on without it
+            self._wait_longer(frame.t)
+            return
         self._advance(frame.t)
         prediction = self._predict(self._filter, pose)
         match = self._pixels.match(prediction, seen)
@@ -236,6 +241,13 @@ class ChainEngine:
         self._correct(prediction, seen, match)
         self._judge(frame.t, self._count(match) >= self._params.match.min_markers)
         self._finish(frame, seen, prediction, match)
+
+    def _wait_longer(self, t: float) -> None:
+        """A picture came after the filter had gone on without it: the next ones are waited for."""
+        newest = self._buffer.newest
+        if newest is not None and t > self._track.last_frame:
+            late = newest.t - t + LATE_MARGIN
+            self._track.lag = min(max(self._track.lag, late), self._params.match.longest_delay)
 
     def _search_again(
         self,
@@ -337,6 +349,7 @@ class ChainEngine:
         prediction: Prediction,
         match: IntArray,
     ) -> None:
+        self._track.last_frame = frame.t
         self._track.seen[np.any(match >= 0, axis=0)] = frame.t
         self._track.tip_sd = self._tip_sd()
         self._results.append(

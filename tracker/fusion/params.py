@@ -61,7 +61,8 @@ class MatchParams:
     lost_after: float = 0.2  # s without enough matches before the room is searched again
     min_markers: int = 4
     coast_limit: float = 1.0  # s of useful inertial position
-    max_frame_delay: float = 0.10  # s, then the filter goes on without a picture
+    max_frame_delay: float = 0.12  # s, then the filter goes on without a picture
+    longest_delay: float = 0.5  # s that it learns to wait for pictures that come later
     search_period: float = 0.10  # s between two searches
 
 
