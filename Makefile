@@ -46,7 +46,7 @@ firmware:
 	$(MAKE) -C resources/firmware BUILD=$(abspath $(FIRMWARE_BUILD)) all size
 
 screenshots: $(READY)
-	$(OFFSCREEN) $(BIN)/python -m app.screenshots docs/screenshots
+	$(OFFSCREEN) $(BIN)/python -m app.screenshots --out docs/screenshots
 
 bench: $(READY)
 	$(OFFSCREEN) $(BIN)/python -m tracker.evaluation.bench --json bench.json

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import numpy as np
-from glove_oracle import HELLO, SAMPLES, STATUS, samples, simulated_glove
+from glove_oracle import HELLO, IMUS, SAMPLES, STATUS, samples, simulated_glove
 
+from tracker.messages import Event, ImuSample
 from tracker.sensors.decoder import Decoder
+from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.sensors.protocol import Haptic, Hello, Rate, Samples, Start, Status, Stop, encode
 
 
@@ -43,3 +46,31 @@ def test_the_firmware_obeys_what_the_engine_sends(build: Path) -> None:
         glove.stop()
     assert np.all(np.diff(t_us) == 5000)
     assert "haptic 1 77 " in glove.printed
+
+
+def test_the_ordinary_serial_code_reads_the_simulated_silicon(build: Path, tmp_path: Path) -> None:
+    """`GloveLink` opens the port, greets, starts and gives samples in SI units."""
+    felt = np.linspace([-30, -20, -10, -6, -4, -2], [30, 20, 10, 6, 4, 2], IMUS)
+    motion = tmp_path / "felt.txt"
+    np.savetxt(motion, [[0.0, *felt.ravel()]])
+    with simulated_glove(build, "0:unplug 5", motion=motion, fast=False) as glove:
+        glove.port.close()
+        link = GloveLink(serial_port(glove.port.port), IMUS)
+        got: list[ImuSample | Event] = []
+        end = time.monotonic() + 20
+        while sum(isinstance(m, ImuSample) for m in got) < 50 and time.monotonic() < end:
+            got += link.poll(0.1)
+        link.close()
+    taken = [m for m in got if isinstance(m, ImuSample)]
+    assert len(taken) >= 50
+    assert np.all(np.diff([m.seq for m in taken]) == 1)
+    assert np.allclose(np.diff([m.t_device for m in taken]), 0.01, atol=1e-9)
+    answering = [j for j in range(IMUS) if j != 5]
+    for sample in taken:
+        assert sample.valid.tolist() == [j != 5 for j in range(IMUS)]
+        assert np.all(np.isnan(sample.accel[5]))
+        # Half a step of ±16 g and ±2000 °/s.
+        assert np.allclose(sample.accel[answering], felt[answering, :3], atol=0.0024)
+        assert np.allclose(sample.gyro[answering], felt[answering, 3:], atol=0.00054)
+    said = [m.text for m in got if isinstance(m, Event)]
+    assert any("IMU 5" in text for text in said)

@@ -7,6 +7,7 @@
 #define GYRO_START_MS 35
 
 static uint16_t ok;
+static int16_t temperature; /* raw */
 
 void imus_start(void)
 {
@@ -30,6 +31,15 @@ static void set_no_reading(imu_reading_t *reading)
         reading->axis[i] = IMU_NO_READING;
 }
 
+static void note_temperature(const imu_reading_t readings[IMU_COUNT])
+{
+    for (uint8_t i = 0; i < IMU_COUNT; i++)
+        if (ok & _BV(i)) {
+            temperature = readings[i].temperature;
+            return;
+        }
+}
+
 uint16_t imus_read(imu_reading_t readings[IMU_COUNT])
 {
     uint16_t before = ok;
@@ -43,7 +53,13 @@ uint16_t imus_read(imu_reading_t readings[IMU_COUNT])
         if (!(ok & _BV(i)))
             set_no_reading(&readings[i]);
     }
+    note_temperature(readings);
     return before & ~ok;
+}
+
+int16_t imus_temperature_cC(void)
+{
+    return mpu_temperature_cC(temperature);
 }
 
 void imus_revive(void)

@@ -20,6 +20,9 @@ uint16_t imus_ok(void);
  * Returns the bits of the IMUs that have just stopped answering. */
 uint16_t imus_read(imu_reading_t readings[IMU_COUNT]);
 
+/* Hundredths of a degree Celsius in the first IMU that answers, as of the last imus_read. */
+int16_t imus_temperature_cC(void);
+
 /* Tries to start again those that do not answer; takes under 1.5 ms. */
 void imus_revive(void);
 

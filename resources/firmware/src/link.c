@@ -46,11 +46,11 @@ void link_send_hello(void)
     frame_send();
 }
 
-void link_send_status(int16_t raw_temperature)
+void link_send_status(void)
 {
     frame_begin(STATUS);
     frame_u16(battery_mV());
-    frame_u16(mpu_temperature_cC(raw_temperature));
+    frame_u16(imus_temperature_cC());
     frame_u16(imus_ok());
     frame_u16(dropped);
     frame_send();
@@ -98,6 +98,13 @@ static void set_rate(uint16_t rate_hz)
         clock_set_rate(rate_hz);
 }
 
+/* STATUS goes first, so that the host knows from the first packet on which IMUs to believe. */
+static void start_streaming(void)
+{
+    streaming = true;
+    link_send_status();
+}
+
 static uint16_t u16_at(const uint8_t *bytes)
 {
     return bytes[0] | (uint16_t)bytes[1] << 8;
@@ -109,7 +116,7 @@ static void obey(uint8_t type, const uint8_t *payload, int8_t length)
     if (type == ASK_HELLO && length == 0)
         link_send_hello();
     else if (type == START && length == 0)
-        streaming = true;
+        start_streaming();
     else if (type == STOP && length == 0)
         streaming = false;
     else if (type == RATE && length == 2)

@@ -14,7 +14,7 @@ bool link_is_streaming(void);
 void link_obey(void);
 
 void link_send_hello(void);
-void link_send_status(int16_t raw_temperature);
+void link_send_status(void);
 
 /* Sends one sample of all IMUs, or counts it as dropped where the port is behind. `skipped` sampling
  * instants before it, which nobody read, are missing numbers too. */

@@ -41,35 +41,26 @@ static void report_selftest(const uint8_t failed[])
         link_send_error(PSTR("gyroscope self-test failed on IMU"), gyro);
 }
 
-static int16_t temperature(void)
-{
-    for (uint8_t i = 0; i < IMU_COUNT; i++)
-        if (imus_ok() & _BV(i))
-            return readings[i].temperature;
-    return 0;
-}
-
+/* The host learns that an IMU is gone before it gets a packet without it. */
 static void sample(uint32_t t_us, uint8_t skipped)
 {
     uint16_t lost = imus_read(readings);
-    link_send_samples(t_us, skipped, readings);
-    if (lost)
+    if (lost) {
+        link_send_status();
         link_send_error(PSTR("no answer from IMU"), lost);
+    }
+    link_send_samples(t_us, skipped, readings);
 }
 
-/* What happens once a second; at once after a start. */
 static void each_second(uint32_t now_us)
 {
     static uint32_t last_us;
-    static bool was_streaming;
-    bool started = link_is_streaming() && !was_streaming;
-    was_streaming = link_is_streaming();
-    if (!started && now_us - last_us < SECOND_US)
+    if (now_us - last_us < SECOND_US)
         return;
     last_us = now_us;
     imus_revive();
     if (link_is_streaming())
-        link_send_status(temperature());
+        link_send_status();
     else
         link_send_hello();
 }
@@ -99,6 +90,7 @@ static void start(void)
     sei();
     imus_start();
     selftest_run(failed);
+    imus_read(readings); /* for the temperature in the first STATUS */
     uart_put(0); /* ends a frame that a reset has cut off, so that the HELLO is not lost with it */
     link_send_hello();
     report_selftest(failed);
