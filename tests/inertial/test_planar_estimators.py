@@ -169,6 +169,14 @@ def test_small_beta_diverges_on_long_motions_and_large_beta_errs_on_fast_ones() 
     assert rms[100.0, 0.033] > 5 * rms[100.0, 0.33]
 
 
+def test_adaptive_beta_is_calmer_in_fast_motion_and_still_holds_a_swaying_hand() -> None:
+    white, truth = _readings(0.6, "white")
+    adaptive, constant = MAKERS["madgwick_adaptive"], MAKERS["madgwick"]
+    assert _rms_deg(adaptive(), white, truth) < _rms_deg(constant(), white, truth)
+    swaying, truth = _readings(60.0, "both", MOVING)
+    assert _rms_deg(adaptive(), swaying, truth) < 6.0  # 5 °/s alone would give 170°
+
+
 @pytest.mark.parametrize("condition", [VERTICAL, MOVING])
 @pytest.mark.parametrize("t_m", [0.33, 1.08, 11.6, 100.0])
 def test_learned_is_ten_times_better_than_the_papers_estimators(

@@ -74,5 +74,6 @@ class QuaternionFinger:
         normal_G = at.dorsum.R_GB @ g.R_rest_0 @ NORMAL_B
         beta = np.full(2, p.beta)
         if p.spurious > 0:
-            beta = beta / (1 + (np.linalg.norm(mu_G, axis=1) / p.spurious) ** 2)
+            fallen = beta / (1 + (np.linalg.norm(mu_G, axis=1) / p.spurious) ** 2)
+            beta = np.maximum(p.least, fallen)
         descend(self._q_GB, force_G, at.accel, normal_G, 2 * beta * self._dt)

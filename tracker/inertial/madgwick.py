@@ -25,11 +25,12 @@ class MadgwickParams:
 
     beta: float = 0.1  # rad/s of the quaternion; twice that as an angular rate
     spurious: float = 0.0  # m/s² of |μ| at which β is halved; 0: β is constant
+    least: float = 0.0  # rad/s that β never falls below: below ω_offset / 2 the estimate drifts
     compensate: bool = True  # False: the plain filter, every acceleration taken for gravity
     central: bool = True  # angular acceleration by central differences, one sample late
 
 
-ADAPTIVE = MadgwickParams(beta=0.1, spurious=1.0)
+ADAPTIVE = MadgwickParams(beta=0.1, spurious=1.0, least=0.05)
 """β falls while the finger accelerates (end of section 2.3.2)."""
 
 
@@ -45,6 +46,7 @@ class _Gains(NamedTuple):
     dt: float
     beta: float
     spurious: float
+    least: float
     compensate: bool
     central: bool
 
@@ -62,7 +64,7 @@ class Madgwick:
         p = params or MadgwickParams()
         self.params = p
         self._levers = levers
-        self._gains = _Gains(dt, p.beta, p.spurious, p.compensate, p.central)
+        self._gains = _Gains(dt, p.beta, p.spurious, p.least, p.compensate, p.central)
         self._state = MadgwickState(
             IntegrationState.start(theta), np.zeros(SENSORS, complex), np.zeros(1, complex)
         )
@@ -134,7 +136,7 @@ def _descend(
         error = np.angle(expected * (np.exp(1j * theta[k]) * accel[k]).conjugate())
         beta = gains.beta
         if gains.spurious > 0:
-            beta /= 1 + (abs(mu) / gains.spurious) ** 2
+            beta = max(gains.least, beta / (1 + (abs(mu) / gains.spurious) ** 2))
         theta[k] += 2 * beta * gains.dt * np.sign(error)  # |dq| = β dt turns by twice that
 
 
