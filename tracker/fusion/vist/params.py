@@ -67,4 +67,4 @@ class VistParams:
     prior: VistPrior = field(default_factory=VistPrior)
     constraint: VistConstraint = field(default_factory=VistConstraint)
     match: VistMatch = field(default_factory=VistMatch)
-    tracking: MatchParams = field(default_factory=MatchParams)
+    tracking: MatchParams = field(default_factory=lambda: MatchParams(min_markers=3))
