@@ -7,20 +7,24 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.demo_devices import PacedCamera, PacedGlove, SimulatedClock
 from app.engine import EngineSetup, Recorder, RecordingRequest, Truth
 from app.tasks import Progress
 from tracker import library
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
+from tracker.errors import DeviceError
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, ImuSample, Message, Validity
 from tracker.pipeline import Pipeline
 from tracker.runner import LiveTracker
+from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo
 from tracker.session.writer import SessionRecorder
+from tracker.simulation.camera_device import SimulatedCamera
+from tracker.simulation.demo import DemoSpec, build
+from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.scenario import Truth as SimulatedTruth
@@ -30,6 +34,8 @@ from tracker.vision.detector import Detector, detect_frame
 DURATION = 900.0
 """s of motion; the hand then rests where it is."""
 WARM_UP = 3.0
+LEAD = 1.0  # s until the devices begin: a recording asked for at once misses nothing
+CAMERA_TIMEOUT = 120.0
 TRUTHS_AT_ONCE = 25
 HAND, GLOVE = "reference-right", "vist-small"
 
@@ -40,8 +46,10 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     hand, glove = library.load(GLOVE, HAND)
     profile = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
     progress(0.3, "a simulated wearer")
-    motion = RandomPostures(hand, seed, duration=DURATION)
-    simulation = Simulation(hand, glove, motion, seed, fps=fps)
+    hand_text, glove_text = library.text("hands", HAND), library.text("gloves", GLOVE)
+    spec = DemoSpec(hand_text, glove_text, seed, DURATION, fps)
+    camera = SimulatedCamera(spec)  # its own process gets ready beside us
+    simulation = build(spec)
     pipeline = Pipeline(hand, glove, simulation.rig)
 
     def make_detector(colours: ColourProfile) -> Detector:
@@ -53,20 +61,22 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     detect_frame(make_detector(profile), picture)
     _warm_up(hand, glove, seed)
     progress(0.9, "devices")
-    clock = SimulatedClock()
-    tracker = LiveTracker(
-        pipeline,
-        profile,
-        make_detector,
-        PacedGlove(simulation.imu_samples(), clock),
-        PacedCamera(simulation, clock),
-    )
+    if not camera.wait_ready(CAMERA_TIMEOUT):
+        camera.close()
+        raise DeviceError("The simulated camera did not start.")
+    count = len(glove.imus)
+    device = SimulatedGlove(simulation.imu_samples(), count)
+    link = GloveLink(serial_port(device.path), count)
+    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
+    t_0 = time.monotonic() + LEAD
+    camera.begin(t_0)
+    device.begin(t_0)
     anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
     info = SessionInfo(
         hand=hand,
         glove=glove,
-        hand_text=library.text("hands", HAND),
-        glove_text=library.text("gloves", GLOVE),
+        hand_text=hand_text,
+        glove_text=glove_text,
         anchor=anchor,
         rig=simulation.rig,
         colours_text=library.text("colours", library.DEFAULT_COLOURS),
@@ -76,12 +86,12 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     )
 
     def truth(t: float) -> Truth:
-        true = simulation.truth(min(max(clock.simulated(t), 0.0), DURATION - 0.1))
+        true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
         return Truth(true.keypoints, true.R_GB, true.p_GB)
 
     def make_recorder(request: RecordingRequest) -> Recorder:
         named = replace(info, participant=request.participant, notes=request.task)
-        return TruthfulRecorder(SessionRecorder(request.path, named), simulation, clock)
+        return TruthfulRecorder(SessionRecorder(request.path, named), simulation, t_0)
 
     return EngineSetup(
         name="demo",
@@ -91,7 +101,7 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
         rig=simulation.rig,
         profile=profile,
         anchor=anchor,
-        close=lambda: None,
+        close=device.stop,
         make_recorder=make_recorder,
         truth=truth,
         simulated=True,
@@ -114,10 +124,8 @@ def _warm_up(hand: HandModel, glove: GloveModel, seed: int) -> None:
 class TruthfulRecorder:
     """Writes beside each estimate what the hand truly did."""
 
-    def __init__(
-        self, inner: SessionRecorder, simulation: Simulation, clock: SimulatedClock
-    ) -> None:
-        self._inner, self._simulation, self._clock = inner, simulation, clock
+    def __init__(self, inner: SessionRecorder, simulation: Simulation, t_0: float) -> None:
+        self._inner, self._simulation, self._t_0 = inner, simulation, t_0
         self._waiting: list[Estimate] = []
         self._segments = simulation.glove.keypoint_segments(simulation.hand)
 
@@ -130,7 +138,7 @@ class TruthfulRecorder:
 
     def _write_truths(self) -> None:
         """Truth for many instants costs no more than for one."""
-        t = [self._clock.simulated(e.t) for e in self._waiting]
+        t = np.array([e.t for e in self._waiting]) - self._t_0
         truths = self._simulation.truths(np.clip(t, 0.0, DURATION - 0.1))
         for estimate, true in zip(self._waiting, truths, strict=True):
             self._inner.write_truth(self._with_truth(estimate, true))

@@ -18,9 +18,11 @@ SPEC = DemoSpec(
 
 
 def test_pictures_come_in_time_and_are_those_of_the_simulation() -> None:
-    t_0 = time.monotonic() + 0.2
-    camera = SimulatedCamera(SPEC, t_0)
+    camera = SimulatedCamera(SPEC)
     try:
+        assert camera.wait_ready(60.0)
+        t_0 = time.monotonic() + 0.1
+        camera.begin(t_0)
         frames = []
         deadline = time.monotonic() + 40
         while len(frames) < 4 and time.monotonic() < deadline:
@@ -43,8 +45,9 @@ def test_pictures_come_in_time_and_are_those_of_the_simulation() -> None:
 
 
 def test_a_camera_whose_process_dies_says_so() -> None:
-    camera = SimulatedCamera(SPEC, time.monotonic())
+    camera = SimulatedCamera(SPEC)
     camera._process.kill()
+    camera.begin(0.0)
     deadline = time.monotonic() + 20
     events = []
     while not events and time.monotonic() < deadline:

@@ -7,6 +7,7 @@ as a camera would drop it, and the gap in ``index`` tells.
 
 from __future__ import annotations
 
+import contextlib
 import multiprocessing as mp
 import time
 from collections.abc import Sequence
@@ -22,6 +23,7 @@ from tracker.messages import Event, StereoFrame
 from tracker.simulation.demo import DemoSpec, build
 
 SLOTS = 6
+READY = "ready"
 LATE = 0.3  # s behind its arrival at which a picture is not drawn any more
 
 
@@ -35,10 +37,13 @@ class _Drawn(NamedTuple):
 
 
 class SimulatedCamera:
-    """Pictures of a `DemoSpec` in real time; simulated time 0 is the host's ``t_0`` (s)."""
+    """Pictures of a `DemoSpec` in real time, from `begin` on.
 
-    def __init__(self, spec: DemoSpec, t_0: float, width: int = 1280, height: int = 720) -> None:
-        self._t_0, self._shape = t_0, (SLOTS, 2, height, width, 3)
+    Getting ready takes the process a second or two; meanwhile others may get ready too.
+    """
+
+    def __init__(self, spec: DemoSpec, width: int = 1280, height: int = 720) -> None:
+        self._t_0, self._shape = 0.0, (SLOTS, 2, height, width, 3)
         self._memory = SharedMemory(create=True, size=int(np.prod(self._shape)))
         self._events: list[Event] = []
         self._closed = False
@@ -46,12 +51,25 @@ class SimulatedCamera:
         self._pipe, theirs = context.Pipe()
         self._process = context.Process(
             target=_draw_for_ever,
-            args=(spec, t_0, self._memory.name, self._shape, theirs),
+            args=(spec, self._memory.name, self._shape, theirs),
             name="glovetrack-camera",
             daemon=True,
         )
         self._process.start()
         theirs.close()
+
+    def wait_ready(self, timeout: float) -> bool:
+        """Whether the first picture could be drawn within ``timeout`` s. Call it once."""
+        try:
+            return self._pipe.poll(timeout) and self._pipe.recv() == READY
+        except (EOFError, OSError):
+            return False
+
+    def begin(self, t_0: float) -> None:
+        """Let simulated time 0 be the host's ``t_0`` (s)."""
+        self._t_0 = t_0
+        with contextlib.suppress(OSError):
+            self._pipe.send(t_0)
 
     def read(self, timeout: float) -> StereoFrame | None:
         """The next picture pair at its time of arrival; None if none comes within ``timeout``."""
@@ -108,14 +126,12 @@ class SimulatedCamera:
         self._memory.unlink()
 
 
-def _draw_for_ever(
-    spec: DemoSpec, t_0: float, name: str, shape: tuple[int, ...], pipe: Connection
-) -> None:
+def _draw_for_ever(spec: DemoSpec, name: str, shape: tuple[int, ...], pipe: Connection) -> None:
     """The other process: draws until the pipe closes."""
     memory = SharedMemory(name=name)
     try:
         pictures: NDArray[np.uint8] = np.ndarray(shape, np.uint8, buffer=memory.buf)
-        _draw(spec, t_0, pictures, pipe)
+        _draw(spec, pictures, pipe)
     except (EOFError, BrokenPipeError, ConnectionResetError, KeyboardInterrupt):
         return
     finally:
@@ -123,8 +139,11 @@ def _draw_for_ever(
         memory.close()
 
 
-def _draw(spec: DemoSpec, t_0: float, pictures: NDArray[np.uint8], pipe: Connection) -> None:
+def _draw(spec: DemoSpec, pictures: NDArray[np.uint8], pipe: Connection) -> None:
     sim = build(spec)
+    sim.renderer.pair(0.1)  # compiles what is compiled
+    pipe.send(READY)
+    t_0: float = pipe.recv()
     free = list(range(len(pictures)))
     for index, t, arrival in sim.exposures():
         if time.monotonic() > t_0 + arrival + LATE:

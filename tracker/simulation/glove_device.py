@@ -7,6 +7,7 @@ The ordinary serial code opens ``path`` and cannot tell it from a glove.
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import pty
 import threading
@@ -59,13 +60,13 @@ class GloveDeviceParams:
 
 
 class SimulatedGlove:
-    """Speaks the samples of ``source``; their t = 0 is the host's ``t_0`` (s)."""
+    """Speaks the samples of ``source``; their t = 0 is the host's ``t_0`` (s), see `begin`."""
 
     def __init__(
         self,
         source: Iterator[ImuSample],
         imu_count: int,
-        t_0: float,
+        t_0: float = math.inf,
         params: GloveDeviceParams | None = None,
     ) -> None:
         self.params, self.faults = params or GloveDeviceParams(), Faults()
@@ -77,6 +78,10 @@ class SimulatedGlove:
         self._plug()
         self._thread = threading.Thread(target=self._run, name="glovetrack-glove-sim", daemon=True)
         self._thread.start()
+
+    def begin(self, t_0: float) -> None:
+        """Let the samples' time 0 be the host's ``t_0`` (s)."""
+        self._t_0 = t_0
 
     # ---- the plug
 
