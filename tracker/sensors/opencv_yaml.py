@@ -1,0 +1,101 @@
+"""A stereo calibration as OpenCV's own tools write it (YAML, XML or JSON by `cv2.FileStorage`).
+
+Either one file holds everything, or ``intrinsics.yml`` has M1, D1, M2, D2 and ``extrinsics.yml``
+beside it R and T, as OpenCV's stereo_calib sample makes them. T is in the unit of the calibration
+board's squares, which the file does not tell; the caller does.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from tracker.errors import FileError
+from tracker.messages import Array, CameraPose
+from tracker.sensors.stereo_calibration import Lens, rectified_rig
+from tracker.toml_reader import read_text
+from tracker.vision.rig import StereoRig
+
+NAMES = {
+    "K of the left camera": ("M1", "K1", "cameraMatrix1", "camera_matrix_left"),
+    "D of the left camera": ("D1", "distCoeffs1", "dist_coeffs_left"),
+    "K of the right camera": ("M2", "K2", "cameraMatrix2", "camera_matrix_right"),
+    "D of the right camera": ("D2", "distCoeffs2", "dist_coeffs_right"),
+    "the rotation R": ("R",),
+    "the translation T": ("T",),
+}
+MAX_COEFFICIENTS = 5  # plumb bob
+
+
+def load_opencv_stereo(
+    paths: list[Path],
+    width: int,
+    height: int,
+    unit: float = 1.0,
+    pose: CameraPose | None = None,
+) -> StereoRig:
+    """The rig of one or two files; ``unit`` is the length of T's unit, m.
+
+    Raises FileError where something is missing or is not a plumb-bob calibration.
+    """
+    found: dict[str, Array] = {}
+    for path in paths:
+        found |= _matrices(path)
+    where = " and ".join(str(p) for p in paths)
+    for what in NAMES:
+        if what not in found:
+            raise FileError(f"{where} does not hold {what} ({' or '.join(NAMES[what])}).")
+    left, right = (_lens(found, side, width, height, where) for side in ("left", "right"))
+    R = _shaped(found["the rotation R"], (3, 3), "the rotation R", where)
+    T = _shaped(found["the translation T"].reshape(-1), (3,), "the translation T", where)
+    if not np.allclose(R @ R.T, np.eye(3), atol=1e-3):
+        raise FileError(f"{where}: R is no rotation.")
+    return rectified_rig(left, right, R, T * unit, pose)
+
+
+def _lens(found: dict[str, Array], side: str, width: int, height: int, where: str) -> Lens:
+    K = _shaped(found[f"K of the {side} camera"], (3, 3), f"K of the {side} camera", where)
+    return Lens(width, height, K, _distortion(found[f"D of the {side} camera"], side, where))
+
+
+def _matrices(path: Path) -> dict[str, Array]:
+    text = read_text(path)
+    try:
+        storage = cv2.FileStorage(text, cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
+    except (cv2.error, SystemError) as error:
+        raise FileError(f"{path} is no calibration that OpenCV can read.") from error
+    try:
+        return {
+            what: m for what, names in NAMES.items() if (m := _first(storage, names)) is not None
+        }
+    except cv2.error as error:
+        raise FileError(f"{path} holds something that is no matrix.") from error
+    finally:
+        storage.release()
+
+
+def _first(storage: cv2.FileStorage, names: tuple[str, ...]) -> Array | None:
+    for name in names:
+        node = storage.getNode(name)
+        if not node.empty():
+            matrix = node.mat()
+            return None if matrix is None else np.asarray(matrix, float)
+    return None
+
+
+def _shaped(matrix: Array, shape: tuple[int, ...], what: str, where: str) -> Array:
+    if matrix.shape != shape or not np.all(np.isfinite(matrix)):
+        raise FileError(f"{where}: {what} must be {'x'.join(map(str, shape))} finite numbers.")
+    return matrix
+
+
+def _distortion(matrix: Array, side: str, where: str) -> Array:
+    D = matrix.reshape(-1)
+    if np.any(D[MAX_COEFFICIENTS:]) or not np.all(np.isfinite(D)):
+        raise FileError(
+            f"{where}: the {side} camera has {len(D)} distortion coefficients; "
+            "only k1 k2 p1 p2 k3 are understood."
+        )
+    return np.pad(D[:MAX_COEFFICIENTS], (0, max(0, MAX_COEFFICIENTS - len(D))))
