@@ -30,11 +30,11 @@ def run_cases(
 
 
 def _results(jobs: Sequence[Job], processes: int) -> Iterator[tuple[int, Trial]]:
-    if processes <= 1:
+    if processes <= 1 or not jobs:
         yield from map(_run, jobs)
         return
     # "spawn": a forked child would inherit the parent's threads in an unknown state
-    with multiprocessing.get_context("spawn").Pool(processes) as pool:
+    with multiprocessing.get_context("spawn").Pool(min(processes, len(jobs))) as pool:
         yield from pool.imap_unordered(_run, jobs)
 
 

@@ -1,0 +1,141 @@
+"""`evaluate vist` from the command line, small, and the pieces it is made of."""
+
+import argparse
+import json
+
+import numpy as np
+import pytest
+
+from tracker.errors import ConfigError
+from tracker.evaluation.commands import add_commands
+from tracker.evaluation.vist_cases import (
+    ABLATIONS,
+    Case,
+    in_outage,
+    judged_in_outage,
+    without_imus,
+    without_pictures,
+)
+from tracker.evaluation.vist_command import cases_of
+from tracker.evaluation.vist_run import run_cases
+from tracker.evaluation.vist_trial import owners
+from tracker.messages import BlobFrame, ImuSample
+from tracker.settings import Settings
+
+ROW_KEYS = {
+    "experiment", "engine", "ablation", "level", "participants", "mean_mm", "sd_mm",
+    "within_sd_mm", "between_sd_mm", "ci95_mm", "pck20", "pck35", "keypoints", "matched_mean",
+    "wrong_match_rate", "nees_per_dof", "core_s_per_s", "paper",
+}  # fmt: skip
+
+
+def parse(*words: str) -> argparse.Namespace:
+    parser = argparse.ArgumentParser()
+    add_commands(parser.add_subparsers())
+    return parser.parse_args(["evaluate", "vist", *words])
+
+
+def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
+    target, out = tmp_path / "rows.json", tmp_path / "report"
+    args = parse(
+        "--engines", "chain,vist", "--experiments", "free", "--participants", "1",
+        "--minutes", "0.12", "--fps", "30", "--json", str(target), "--out", str(out),
+    )  # fmt: skip
+    assert args.func(args) == 0
+    rows = json.loads(target.read_text())["rows"]
+    assert [r["engine"] for r in rows] == ["chain", "vist"]
+    for row in rows:
+        assert set(row) >= ROW_KEYS
+        assert 0 < row["mean_mm"] < 15
+        assert row["paper"]["mean_mm"] == 10.69
+        assert row["between_sd_mm"] is None  # one person alone has none
+    page = (out / "report.html").read_text()
+    assert "simulated" in page
+    assert f"{rows[0]['mean_mm']:.2f}" in page
+    assert (out / "free-pck.png").read_bytes().startswith(b"\x89PNG")
+    assert "paper" in capsys.readouterr().out
+
+
+def test_json_on_standard_output_is_json_alone(monkeypatch, capsys):
+    monkeypatch.setattr("tracker.evaluation.vist_run.run_cases", lambda *a: [])
+    monkeypatch.setattr("tracker.evaluation.vist_command.cases_of", lambda args: [])
+    args = parse("--json", "-")
+    assert args.func(args) == 0
+    assert json.loads(capsys.readouterr().out) == {"rows": []}
+
+
+def test_the_defaults_are_the_papers():
+    args = parse()
+    cases = cases_of(args)
+    assert args.participants == 15
+    assert {(c.experiment, c.minutes) for c in cases} == {
+        ("free", 3.0), ("object", 2.0), ("device", 2.0),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--engines", "nonsense"], "nonsense"),
+        (["--experiments", "juggling"], "juggling"),
+        (["--ablations", "no-hand"], "no-hand"),
+        (["--motion", "absent.tsv"], "absent.tsv"),
+    ],
+)
+def test_what_does_not_exist_is_named(words, told):
+    with pytest.raises(ConfigError, match=told):
+        cases_of(parse(*words))
+
+
+@pytest.mark.parametrize("words", [["--participants", "0"], ["--minutes", "x"], ["--level", "3d"]])
+def test_wrong_usage_ends_with_two(words):
+    with pytest.raises(SystemExit) as stop:
+        parse(*words)
+    assert stop.value.code == 2
+
+
+def test_a_trial_is_the_same_whoever_runs_it():
+    case = Case("device", "vist", minutes=0.1, fps=30)
+    (here,) = run_cases([case], 1, processes=1)[0]
+    (elsewhere,) = run_cases([case], 1, processes=2)[0]
+    np.testing.assert_array_equal(here.error, elsewhere.error)
+    assert here.matches == elsewhere.matches
+
+
+def test_ablations_change_what_they_name():
+    for name, ablation in ABLATIONS.items():
+        changed = ablation.settings(Settings()) != Settings()
+        moved = ablation.fps is not None or ablation.speed != 1 or ablation.outage > 0
+        assert changed or moved or name == "vision-only"
+
+
+def imu(t: float) -> ImuSample:
+    return ImuSample(t, t, t, 0, np.zeros((2, 3)), np.zeros((2, 3)), np.ones(2, bool))
+
+
+def picture(t: float) -> BlobFrame:
+    return BlobFrame(t, t, (), None, None)
+
+
+def test_outages_withhold_pictures_and_are_judged_at_their_end():
+    feed = [m for k in range(400) for m in (imu(k / 10), picture(k / 10))]
+    kept = [m.t for m in without_pictures(5.0)(iter(feed)) if isinstance(m, BlobFrame)]
+    assert not [t for t in kept if 10 <= t < 15 or 25 <= t < 30]
+    assert 9.9 in kept
+    assert 15.0 in kept
+    judged = [t for t in np.arange(0, 30, 0.5) if judged_in_outage(t, 5.0)]
+    assert judged == [14.0, 14.5, 29.0, 29.5]
+    assert all(in_outage(t, 5.0) for t in judged)
+
+
+def test_silent_imus_stay_silent_and_pictures_pass():
+    out = list(without_imus(iter([imu(1.0), imu(9.0), picture(9.0)])))
+    assert out[0].valid.all()
+    assert not out[1].valid.any()
+    assert out[2].t == 9.0
+
+
+def test_a_blob_belongs_to_the_nearest_marker_or_to_none():
+    true_uv = np.array([[100.0, 100.0], [120.0, 100.0], [np.nan, np.nan]])
+    blobs = np.array([[101.0, 99.0], [119.0, 101.0], [160.0, 100.0]])
+    np.testing.assert_array_equal(owners(blobs, true_uv), [0, 1, -1])
