@@ -1,0 +1,261 @@
+"""Killed processes, full disks, damaged and hostile files."""
+
+import json
+import os
+import random
+import signal
+import struct
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import lz4.frame
+import numpy as np
+import pytest
+
+from tracker.cli import main
+from tracker.errors import FileError, GlovetrackError
+from tracker.messages import Estimate, ImuSample
+from tracker.session import disk
+from tracker.session.compare import compare
+from tracker.session.mcap_input import McapInput
+from tracker.session.reader import SessionReader
+from tracker.session.recover import needs_recovery, recover
+from tracker.session.verify import is_ok, verify
+from tracker.session.writer import SessionRecorder
+
+Record = Callable[..., Path]
+
+VICTIM = """
+import sys, time
+sys.path[:0] = [{root!r}, {tests!r}]
+import conftest
+from pathlib import Path
+from tracker.hand.files import load_hand
+from tracker.glove.files import load_glove
+from tracker.session.description import describe
+from tracker.session.writer import SessionRecorder
+from tracker.vision.rig import ideal_rig
+res = Path({root!r}) / "resources"
+info = describe((res / "hands/reference-right.toml").read_text(),
+                (res / "gloves/vist-small.toml").read_text(),
+                conftest.ANCHOR, rig=ideal_rig(64, 48))
+maker = conftest.MessageMaker(info)
+with SessionRecorder(Path(sys.argv[1]), info) as recorder:
+    for k in range(100000):
+        recorder.write(maker.imu(10.0 * k, seq=k))
+        print(k, flush=True)
+"""
+
+
+@pytest.fixture
+def session(tmp_path: Path, record: Record, maker) -> Path:
+    return record(tmp_path / "a.mcap", list(maker.stream(1500, pictures=False)))
+
+
+def test_a_killed_recording_loses_less_than_half_a_second(tmp_path: Path) -> None:
+    tests = Path(__file__).parent
+    code = VICTIM.format(root=str(tests.parents[1]), tests=str(tests))
+    rng = random.Random(4)
+    for n in range(4):
+        path = tmp_path / f"{n}.mcap"
+        process = subprocess.Popen(
+            [sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, text=True
+        )
+        assert process.stdout is not None
+        wanted = rng.randrange(60, 600)
+        last = next(int(line) for line in process.stdout if int(line) >= wanted)
+        process.send_signal(signal.SIGKILL)
+        rest = process.stdout.read().split()
+        process.wait()
+        last = int(rest[-1]) if rest else last
+        assert needs_recovery(path)
+        saved = recover(path)
+        with SessionReader(saved.path) as reader:
+            found = list(reader.messages([ImuSample]))
+        assert [m.seq for m in found] == list(range(len(found)))
+        assert (last - found[-1].seq) * 0.01 <= 0.5
+        assert not needs_recovery(saved.path)
+        with SessionReader(path) as unfinished:
+            assert len(list(unfinished.messages([ImuSample]))) == len(found)
+
+
+def test_recovered_messages_are_those_of_the_file(session: Path) -> None:
+    data = session.read_bytes()
+    cut = session.with_name("cut.mcap")
+    cut.write_bytes(data[: len(data) // 2])
+    saved = recover(cut)
+    assert saved.damage
+    with SessionReader(saved.path) as part, SessionReader(session) as whole:
+        assert part.info.metadata() == whole.info.metadata()
+        some, every = list(part.messages([ImuSample])), list(whole.messages([ImuSample]))
+    assert 0 < len(some) < len(every)
+    for a, b in zip(some, every, strict=False):
+        assert np.array_equal(a.accel, b.accel, equal_nan=True)
+
+
+def test_every_truncation_is_read_or_refused_in_words(session: Path) -> None:
+    data = session.read_bytes()
+    cut = session.with_name("cut.mcap")
+    for end in range(0, len(data), len(data) // 60):
+        cut.write_bytes(data[:end])
+        try:
+            verdict = verify(cut)
+        except GlovetrackError:
+            continue
+        assert not is_ok(verdict)
+
+
+def test_flipped_bits_end_in_words(session: Path) -> None:
+    data, rng = session.read_bytes(), np.random.default_rng(8)
+    bad = session.with_name("bad.mcap")
+    refused = 0
+    for _ in range(60):
+        spoilt = bytearray(data)
+        for at in rng.integers(0, len(data), 3):
+            spoilt[at] ^= 1 << int(rng.integers(8))
+        bad.write_bytes(spoilt)
+        started = time.perf_counter()
+        try:
+            with SessionReader(bad) as reader:
+                list(reader.messages())
+        except GlovetrackError:
+            refused += 1
+        assert time.perf_counter() - started < 2
+    assert refused > 12
+
+
+def test_a_chunk_that_swells_is_refused(tmp_path: Path, session: Path) -> None:
+    bomb = lz4.frame.compress(bytes(2**26))
+    head = struct.pack("<QQQII", 0, 1, 2**20, 0, 3) + b"lz4" + struct.pack("<Q", len(bomb))
+    body = head + bomb
+    header = b"\x01" + struct.pack("<Q", 8) + bytes(8)
+    path = tmp_path / "bomb.mcap"
+    path.write_bytes(b"\x89MCAP0\r\n" + header + b"\x06" + struct.pack("<Q", len(body)) + body)
+    source = McapInput(path)
+    assert "another amount" in source.contents.damage[0].what
+    source.close()
+
+
+@pytest.mark.parametrize("content", [b"", b"\x89MCAP0\r\n", b"not a session", bytes(5000)])
+def test_what_is_no_session_is_refused(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "x.mcap"
+    path.write_bytes(content)
+    with pytest.raises(FileError, match="x.mcap"), SessionReader(path) as reader:
+        list(reader.messages())
+
+
+def test_a_recording_never_overwrites(session: Path, session_info) -> None:
+    before = session.read_bytes()
+    with pytest.raises(FileError, match="exists already"):
+        SessionRecorder(session, session_info)
+    assert session.read_bytes() == before
+    for _ in range(2):
+        SessionRecorder(session.parent, session_info).close()
+    names = sorted(p.name for p in session.parent.glob("2025-10-09*"))
+    assert names == ["2025-10-09_08-53-20_P-07.mcap", "2025-10-09_08-53-20_P-07_2.mcap"]
+
+
+def test_a_missing_folder_is_told_in_words(tmp_path: Path, session_info) -> None:
+    with pytest.raises(FileError, match="folder does not exist"):
+        SessionRecorder(tmp_path / "no" / "a.mcap", session_info)
+
+
+def test_a_disk_that_runs_low_warns_and_then_stops(tmp_path: Path, session_info, maker) -> None:
+    room = iter([9e9, 4e9, 0.5e9])
+    path = tmp_path / "a.mcap"
+    recorder = SessionRecorder(path, session_info, free=lambda _: int(next(room)))
+    assert "GB" in recorder.status.warning
+    with pytest.raises(FileError, match="nearly full"):
+        for k in range(1000):
+            recorder.write(maker.imu(10.0 * k, k))
+    assert recorder.closed
+    assert is_ok(verify(path))
+
+
+def test_a_full_disk_leaves_whole_chunks(tmp_path: Path, session_info, maker, monkeypatch) -> None:
+    path = tmp_path / "a.mcap"
+    recorder = SessionRecorder(path, session_info)
+    write, left = os.write, [200_000]
+
+    def limited(fd: int, data: bytes) -> int:
+        if left[0] < len(data):
+            write(fd, bytes(data)[: left[0]])
+            raise OSError(28, "No space left on device")
+        left[0] -= len(data)
+        return write(fd, data)
+
+    monkeypatch.setattr(disk.os, "write", limited)
+    with pytest.raises(FileError, match="disk is full"):
+        for k in range(5000):
+            recorder.write(maker.imu(10.0 * k, k))
+    monkeypatch.undo()
+    assert recorder.closed
+    saved = recover(path)
+    assert saved.messages > 500
+    assert all("breaks off" in d.what for d in saved.damage)
+    with pytest.raises(FileError, match="ended already"):
+        recorder.write(maker.imu(0))
+
+
+def test_overload_costs_pictures_and_nothing_else(tmp_path: Path, session_info, maker) -> None:
+    path = tmp_path / "a.mcap"
+    with SessionRecorder(path, session_info) as recorder:
+        for k in range(20):
+            recorder.write(maker.imu(10.0 * k, k), overloaded=True)
+            recorder.write(maker.picture(10.0 * k, k), overloaded=k % 2 == 0)
+        assert (recorder.status.frames, recorder.status.frames_thinned) == (10, 10)
+    with SessionReader(path) as reader:
+        kinds = [type(m).__name__ for m in reader.messages()]
+    assert (kinds.count("ImuSample"), kinds.count("StereoFrame")) == (20, 10)
+
+
+def test_verify_finds_gaps_jumps_and_missing_topics(tmp_path: Path, record: Record, maker) -> None:
+    messages = [maker.imu(10.0 * k + (800 if k > 60 else 0), k, missing=1) for k in range(120)]
+    found = verify(record(tmp_path / "a.mcap", messages))
+    said = " ".join(f"{f.where} {f.what}" for f in found)
+    assert "gaps, the longest 0.810 s" in said
+    assert "no message of this IMU" in said
+    assert "neither pictures nor blobs" in said
+    assert is_ok(found)
+
+
+def test_a_sound_session_has_no_findings(session: Path) -> None:
+    assert verify(session) == []
+
+
+def test_compare_measures_what_was_changed(tmp_path: Path, record: Record, maker) -> None:
+    from dataclasses import replace
+
+    estimates = [maker.estimate(10.0 * k) for k in range(30)]
+    moved = [replace(e, keypoints=e.keypoints + [0.003, 0.0, 0.004]) for e in estimates]
+    a, b = record(tmp_path / "a.mcap", estimates), record(tmp_path / "b.mcap", moved)
+    found = compare(a, b, tmp_path / "f.png")
+    assert found["mean_mm"] == pytest.approx(5.0)
+    assert found["rms_deg"] == 0
+    assert not found["identical"]
+    assert compare(a, a)["identical"]
+    assert (tmp_path / "f.png").read_bytes()[:4] == b"\x89PNG"
+
+
+def test_commands_speak_json(session: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["info", str(session), "--json", "-"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["topics"]["/hand/right/keypoints"]["count"] == 150
+    assert found["topics"]["/glove/right/imu/dorsum"]["type"] == "sensor_msgs/msg/Imu"
+    assert found["integrity"] == "ok"
+    assert found["simulated"] is True
+    assert main(["verify", str(session), "--json", "-"]) == 0
+    assert json.loads(capsys.readouterr().out) == {"ok": True, "findings": []}
+    assert main(["info", str(session.parent / "none.mcap")]) == 1
+    assert "There is no file" in capsys.readouterr().err
+
+
+def test_estimates_of_an_unfinished_file_are_read(session: Path) -> None:
+    data = session.read_bytes()
+    cut = session.with_name("cut.mcap")
+    cut.write_bytes(data[: len(data) * 2 // 3])
+    with SessionReader(cut) as reader:
+        assert len(list(reader.messages([Estimate]))) > 20

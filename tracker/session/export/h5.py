@@ -1,0 +1,39 @@
+"""HDF5: one array per quantity, with names and units as attributes; NaN where lost."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from tracker.messages import Validity
+from tracker.session.export.motion import UNITS, ExportOptions, Motion, load_motion
+from tracker.session.reader import SessionReader
+
+
+def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
+    """``/stamp_ns``, ``/keypoints/{position,orientation,state}`` and ``/joints/{angle,state}``."""
+    m = load_motion(reader, options)
+    unit = options.units or "m"
+    with h5py.File(path, "w") as file:
+        file.create_dataset("stamp_ns", data=m.stamp_ns).attrs["unit"] = "ns since 1970"
+        points = file.create_group("keypoints")
+        points.attrs["names"] = list(m.keypoint_names)
+        _put(points, "position", m.keypoints * UNITS[unit], unit)
+        _put(points, "orientation", m.q, "quaternion x, y, z, w")
+        _put(points, "state", m.state.astype(np.int8), _states())
+        joints = file.create_group("joints")
+        joints.attrs["names"] = list(m.joint_names)
+        _put(joints, "angle", m.angles, "rad")
+        _put(joints, "state", m.angle_state.astype(np.int8), _states())
+    return m
+
+
+def _put(group: h5py.Group, name: str, values: np.ndarray, unit: str) -> None:
+    data = group.create_dataset(name, data=values, compression="gzip" if values.size else None)
+    data.attrs["unit"] = unit
+
+
+def _states() -> str:
+    return ", ".join(f"{s.value} {s.name.lower()}" for s in Validity)

@@ -1,0 +1,36 @@
+"""TRC, marker trajectories for OpenSim: tab-separated, mm, y up; a lost cell is empty."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from tracker.session.export.motion import UNITS, ExportOptions, Motion, load_motion
+from tracker.session.reader import SessionReader
+
+
+def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
+    m = load_motion(reader, options, even=True, axes="opensim")
+    unit = options.units or "mm"
+    with path.open("w", encoding="utf-8", newline="\n") as out:
+        out.write(_header(m, path.name, unit))
+        for i, t in enumerate(m.elapsed):
+            cells = [f"{v:.6f}" if np.isfinite(v) else "" for v in _row(m, i, UNITS[unit])]
+            out.write("\t".join([str(i + 1), f"{t:.6f}", *cells]) + "\n")
+    return m
+
+
+def _row(m: Motion, i: int, scale: float) -> list[float]:
+    return [float(v) for v in (m.keypoints[i] * scale).ravel()]
+
+
+def _header(m: Motion, name: str, unit: str) -> str:
+    rate, n, points = f"{m.rate:.6g}", len(m), len(m.keypoint_names)
+    keys = ["DataRate", "CameraRate", "NumFrames", "NumMarkers", "Units"]
+    keys += ["OrigDataRate", "OrigDataStartFrame", "OrigNumFrames"]
+    values = [rate, rate, str(n), str(points), unit, rate, "1", str(n)]
+    names = ["Frame#", "Time", *(f"{k}\t\t" for k in m.keypoint_names)]
+    axes = ["", "", *(f"{c}{k}" for k in range(1, points + 1) for c in "XYZ")]
+    lines = (["PathFileType", "4", "(X/Y/Z)", name], keys, values, names, axes)
+    return "\n".join("\t".join(line) for line in lines) + "\n\n"

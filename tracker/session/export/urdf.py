@@ -1,0 +1,97 @@
+"""URDF of the hand as calibrated; joints have the names of the session's JointState."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from tracker.hand.model import HandModel, Segment
+from tracker.hand.names import AXES
+from tracker.messages import Array, Calibration
+from tracker.session.export.motion import ExportOptions
+from tracker.session.reader import SessionReader
+
+_VECTOR = {"abduction": "0 0 1", "flexion": "0 1 0", "twist": "1 0 0"}
+_FASTEST = "20"  # rad/s, a generous bound: URDF wants one
+_STRONGEST = "10"  # N m
+
+
+def export_urdf(reader: SessionReader, path: Path, options: ExportOptions) -> None:
+    """A joint of several axes becomes a chain: abduction, flexion, twist, with bare links between."""
+    hand = reader.info.hand
+    scale = _calibrated_scale(reader, hand)
+    robot = ET.Element("robot", name=hand.name)
+    for i, segment in enumerate(hand.segments):
+        _link(robot, segment, segment.length * scale[i, 0])
+        if segment.parent is not None:
+            origin = segment.origin * scale[hand.index[segment.parent]]
+            _joint(robot, hand, segment, origin)
+    ET.indent(robot)
+    ET.ElementTree(robot).write(path, encoding="utf-8", xml_declaration=True)
+
+
+def _calibrated_scale(reader: SessionReader, hand: HandModel) -> Array:
+    """(S, 3) factors of the session's last calibration; ones where there is none."""
+    scale = np.ones((len(hand.segments), 3))
+    for m in reader.messages([Calibration]):
+        assert isinstance(m, Calibration)
+        for name, factors in zip(m.segments, m.scale, strict=True):
+            if name in hand.index and np.isfinite(factors).all():
+                scale[hand.index[name]] = factors
+    return scale
+
+
+def _link(robot: ET.Element, segment: Segment, length: float) -> None:
+    """A box for the back of the hand, else a cylinder along the bone."""
+    link = ET.SubElement(robot, "link", name=segment.name)
+    visual = ET.SubElement(link, "visual")
+    middle = f"{length / 2:.9g} 0 0"
+    geometry = ET.Element("geometry")
+    if segment.width:
+        ET.SubElement(visual, "origin", xyz=middle, rpy="0 0 0")
+        size = f"{length:.9g} {segment.width:.9g} {2 * segment.radius:.9g}"
+        ET.SubElement(geometry, "box", size=size)
+    else:
+        ET.SubElement(visual, "origin", xyz=middle, rpy=f"0 {np.pi / 2:.9g} 0")
+        ET.SubElement(geometry, "cylinder", radius=f"{segment.radius:.9g}", length=f"{length:.9g}")
+    visual.append(geometry)
+
+
+def _joint(robot: ET.Element, hand: HandModel, segment: Segment, origin: Array) -> None:
+    assert segment.parent is not None
+    rest = Rotation.from_matrix(segment.R_rest).as_euler("xyz")  # URDF: fixed axes x, y, z
+    xyz, rpy = _numbers(origin), _numbers(rest)
+    joint = hand.joint_of.get(segment.name)
+    axes = [a for a in AXES if joint is not None and a in joint.axes]
+    if joint is None or not axes:
+        _element(robot, f"{segment.name}_fixed", "fixed", segment.parent, segment.name, xyz, rpy)
+        return
+    parent = segment.parent
+    for axis in axes:
+        name = f"{joint.name}_{axis}"
+        child = segment.name if axis == axes[-1] else f"{name}_link"
+        if child != segment.name:
+            ET.SubElement(robot, "link", name=child)
+        element = _element(robot, name, "revolute", parent, child, xyz, rpy)
+        ET.SubElement(element, "axis", xyz=_VECTOR[axis])
+        low, high = joint.limits[axis]
+        bounds = {"lower": f"{low:.9g}", "upper": f"{high:.9g}"}
+        ET.SubElement(element, "limit", bounds, effort=_STRONGEST, velocity=_FASTEST)
+        parent, xyz, rpy = child, "0 0 0", "0 0 0"
+
+
+def _element(
+    robot: ET.Element, name: str, kind: str, parent: str, child: str, xyz: str, rpy: str
+) -> ET.Element:
+    element = ET.SubElement(robot, "joint", name=name, type=kind)
+    ET.SubElement(element, "origin", xyz=xyz, rpy=rpy)
+    ET.SubElement(element, "parent", link=parent)
+    ET.SubElement(element, "child", link=child)
+    return element
+
+
+def _numbers(values: Array) -> str:
+    return " ".join(f"{v:.9g}" for v in values)
