@@ -10,6 +10,7 @@ shows it directly. Heading is free.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -22,7 +23,7 @@ class SegmentParams:
     """Times in s; thresholds of rest as in a hand that lies still."""
 
     tilt_time: float = 2.0  # of each of two low passes on the specific force
-    level_period: float = 0.05  # between two levellings
+    level_period: float = 0.1  # between two levellings
     offset_time: float = 60.0  # in which motion corrects a gyroscope's offset
     rest_time: float = 1.5  # of stillness that make a rest
     rest_filter: float = 0.5  # of the averages that stillness is judged by
@@ -40,6 +41,8 @@ class SegmentFilters:
         self._coefficients = _coefficients(dt, self.params)
         self._state = np.zeros((n, kernel.SIZE))
         self._state[:, kernel.Q + 3] = 1.0
+        # bound once: at half a microsecond an update, looking names up would show
+        self._step = partial(kernel.step, self._state, self._coefficients)
 
     @property
     def state(self) -> Array:
@@ -47,7 +50,7 @@ class SegmentFilters:
 
     @state.setter
     def state(self, value: Array) -> None:
-        self._state = value.copy()
+        self._state[:] = value
 
     @property
     def q_GB(self) -> Array:
@@ -69,7 +72,7 @@ class SegmentFilters:
 
         A row with NaN is skipped: that IMU did not answer and keeps its orientation.
         """
-        kernel.step(self._state, self._coefficients, gyro, accel)
+        self._step(gyro, accel)
 
     def run(self, gyro: Array, accel: Array) -> Array:
         """q_GB (m, n, 4) of m samples (m, n, 3): the same as m calls of `update`."""

@@ -45,8 +45,9 @@ def step(state: Array, c: Array, gyro: Array, accel: Array) -> None:
             _turn(state, i, c[DT], g_x, g_y, g_z)
         _filter(state, i, c[K_TILT], a_x, a_y, a_z)
         state[i, COUNT] += 1
-        state[i, TICKS] += 1
-        if state[i, TICKS] >= c[EVERY]:
+        ticks = state[i, TICKS] + 1
+        state[i, TICKS] = ticks
+        if ticks >= c[EVERY]:
             _judge_rest(state[i], c, gyro[i], accel[i])
             _level(state[i], c)
             state[i, TICKS] = 0
