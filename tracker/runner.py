@@ -142,6 +142,7 @@ class LiveTracker:
         self._waiting: deque[_Found] = deque()
         self._lost_packets = self._skipped = self._behind = 0
         self._counting = threading.Lock()
+        self._whole = threading.RLock()
         self._next_slow = 0.0
         if recorder is not None:
             self.set_recorder(recorder)
@@ -180,7 +181,8 @@ class LiveTracker:
 
     def set_recorder(self, recorder: Recorder | None) -> None:
         """Record into ``recorder`` from now on; the last one is finished and closed."""
-        before, self._disk = self._disk, None
+        with self._whole:
+            before, self._disk = self._disk, None
         if before is not None:
             before.finish()
             self._say("recording", "The recording is finished.")
@@ -287,9 +289,10 @@ class LiveTracker:
 
     def _feed_imu(self, sample: ImuSample) -> None:
         sample = self._order.imu(sample)
-        self._record(sample)
         self._remember(sample)
-        self._show(self._pipeline.feed_imu(sample), record=True)
+        with self._whole:  # a recording holds a packet and its estimate, or neither
+            self._record(sample)
+            self._show(self._pipeline.feed_imu(sample), record=True)
         self._telemetry.took("imu", self._clock() - sample.t_arrival)
 
     def _remember(self, sample: ImuSample) -> None:

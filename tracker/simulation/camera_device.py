@@ -24,7 +24,7 @@ from tracker.simulation.demo import DemoSpec, build
 
 SLOTS = 6
 READY = "ready"
-LATE = 0.3  # s behind its arrival at which a picture is not drawn any more
+LATE = 0.06  # s behind its arrival at which a picture is not drawn any more
 
 
 class _Drawn(NamedTuple):
