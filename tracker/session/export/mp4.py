@@ -44,7 +44,7 @@ def export_mp4(reader: SessionReader, path: Path, options: ExportOptions) -> Mot
 
 def _open(path: Path, rate: float, image: NDArray[np.uint8]) -> cv2.VideoWriter:
     size = image.shape[1], image.shape[0]
-    writer = cv2.VideoWriter(str(path), cv2.VideoWriter_fourcc(*"mp4v"), rate, size)
+    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"mp4v"), rate, size)
     if not writer.isOpened():
         raise FileError(f"OpenCV on this computer cannot write {path}.")
     return writer

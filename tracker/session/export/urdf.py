@@ -20,7 +20,7 @@ _STRONGEST = "10"  # N m
 
 
 def export_urdf(reader: SessionReader, path: Path, options: ExportOptions) -> None:
-    """A joint of several axes becomes a chain: abduction, flexion, twist, with bare links between."""
+    """A joint of several axes becomes a chain (abduction, flexion, twist) with bare links."""
     hand = reader.info.hand
     scale = _calibrated_scale(reader, hand)
     robot = ET.Element("robot", name=hand.name)
