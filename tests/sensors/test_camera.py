@@ -1,0 +1,240 @@
+"""Cameras through OpenCV, and what is noticed when one misbehaves."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from tracker.errors import DeviceError
+from tracker.sensors.camera import StereoCamera
+from tracker.sensors.picture_input import (
+    CaptureFormat,
+    Image,
+    Pair,
+    SequenceInput,
+    SideBySideInput,
+    TwoCameraInput,
+    list_cameras,
+    split,
+)
+from tracker.vision.rig import ideal_rig
+
+RIG = ideal_rig(64, 48)
+BLACK = np.zeros((48, 64, 3), np.uint8)
+
+
+def picture(n: int) -> Image:
+    return np.random.default_rng(n).integers(30, 255, (48, 64, 3)).astype(np.uint8)
+
+
+class Scripted:
+    """Gives the pairs of a list, None for a failed read; opens only while ``plugged``."""
+
+    name, live, fps = "bench", True, 0.0
+
+    def __init__(self, pairs: list[Pair | None]) -> None:
+        self.pairs, self.plugged, self.opened = pairs, True, 0
+
+    def open(self) -> None:
+        if not self.plugged:
+            raise DeviceError("The camera bench cannot be opened.")
+        self.opened += 1
+
+    def read(self) -> Pair | None:
+        return self.pairs.pop(0) if self.pairs else None
+
+    def close(self) -> None: ...
+
+
+class Bench:
+    """A camera on a clock of its own, 0.1 s a picture."""
+
+    def __init__(self, pairs: list[Pair | None]) -> None:
+        self.t, self.source = 100.0, Scripted(pairs)
+        self.camera = StereoCamera(self.source, RIG, clock=lambda: self.t, sleep=self.sleep)
+        self.texts: list[str] = []
+
+    def sleep(self, dt: float) -> None:
+        self.t += dt
+
+    def read(self) -> object:
+        self.t += 0.1
+        frame = self.camera.read(0.05)
+        self.texts += [e.text for e in self.camera.take_events()]
+        return frame
+
+
+def test_stamps_and_rate() -> None:
+    bench = Bench([(picture(n), picture(n + 50)) for n in range(5)])
+    frames = [bench.read() for _ in range(5)]
+    assert [f.index for f in frames] == [0, 1, 2, 3, 4]
+    assert [f.t_arrival - f.t for f in frames] == pytest.approx([0.035] * 5)
+    assert bench.camera.fps == pytest.approx(10.0)
+    assert np.array_equal(frames[2].right, picture(52))
+
+
+def test_a_dark_side_is_none_and_told_once() -> None:
+    pairs: list[Pair | None] = [(picture(n), BLACK) for n in range(3)]
+    bench = Bench([*pairs, (picture(9), picture(10))])
+    frames = [bench.read() for _ in range(4)]
+    assert [f.right is None for f in frames] == [True, True, True, False]
+    assert all(f.left is not None for f in frames)
+    assert [t for t in bench.texts if "black" in t] == [
+        "The right camera's picture is black: is the lens covered?"
+    ]
+    assert bench.texts[-1] == "The right camera's picture is back."
+
+
+def test_both_dark_gives_no_frame() -> None:
+    bench = Bench([(BLACK, BLACK)])
+    assert bench.read() is None
+
+
+def test_frozen_pictures_are_left_out() -> None:
+    bench = Bench([(picture(1), picture(n)) for n in range(10)])
+    frames = [bench.read() for _ in range(10)]
+    assert frames[0] is not None
+    assert frames[1:] == [None] * 9
+    assert bench.camera.repeated == 9
+    assert sum("left camera's picture is frozen" in t for t in bench.texts) == 1
+
+
+def test_unplugged_and_back() -> None:
+    bench = Bench([(picture(0), picture(1)), None])
+    assert bench.read() is not None
+    assert bench.read() is None
+    bench.source.plugged = False
+    for _ in range(30):
+        assert bench.read() is None
+    bench.source.plugged = True
+    bench.source.pairs = [(picture(n), picture(n + 50)) for n in range(20)]
+    start = bench.t
+    while bench.read() is None:
+        assert bench.t - start < 1.3
+    assert bench.source.opened == 2
+    assert bench.texts == [
+        "The camera bench is connected.",
+        "The camera bench gives no pictures; waiting for it.",
+        "The camera bench cannot be opened.",
+        "The camera bench is connected.",
+    ]
+
+
+def test_wrong_size_is_refused_in_words() -> None:
+    bench = Bench([(picture(0)[:40], picture(1))])
+    assert bench.read() is None
+    assert "64 by 40 pixels, but the calibration is for 64 by 48" in bench.texts[-1]
+
+
+def test_odd_width_has_no_halves() -> None:
+    with pytest.raises(DeviceError, match="no two halves"):
+        split(np.zeros((10, 63, 3), np.uint8))
+
+
+def pair_of_colours(left: int, right: int) -> Image:
+    image = np.zeros((48, 128, 3), np.uint8)
+    image[:, :64], image[:, 64:] = left, right
+    return image
+
+
+def video(path: Path, count: int = 5) -> Path:
+    code = cv2.VideoWriter.fourcc(*"MJPG")
+    writer = cv2.VideoWriter(str(path), code, 20.0, (128, 48))
+    for n in range(count):
+        writer.write(pair_of_colours(40 * n + 30, 200))
+    writer.release()
+    return path
+
+
+def test_video_file_is_paced_and_ends(tmp_path: Path) -> None:
+    t = [0.0]
+
+    def sleep(dt: float) -> None:
+        t[0] += dt
+
+    source = SideBySideInput(str(video(tmp_path / "a.avi")), live=False)
+    camera = StereoCamera(source, RIG, clock=lambda: t[0], sleep=sleep)
+    frames = []
+    while len(frames) < 5 and t[0] < 10:
+        frame = camera.read(0.02)
+        if frame is not None:
+            frames.append(frame)
+    assert [f.left.mean() for f in frames] == pytest.approx([30, 70, 110, 150, 190], abs=4)
+    assert [f.right.mean() for f in frames] == pytest.approx([200] * 5, abs=4)
+    assert np.diff([f.t for f in frames]) == pytest.approx([0.05] * 4, abs=1e-6)
+    assert all(camera.read(0.02) is None for _ in range(5))
+    assert "The end of" in camera.take_events()[-1].text
+
+
+def test_two_captures_stay_apart(tmp_path: Path) -> None:
+    a, b = str(video(tmp_path / "a.avi")), str(video(tmp_path / "b.avi", 2))
+    source = TwoCameraInput(a, b)
+    source.open()
+    assert source.read() is not None
+    assert source.read() is not None
+    assert source.read() is None  # the second one has ended
+    source.close()
+    with pytest.raises(DeviceError, match="cannot be opened"):
+        TwoCameraInput(a, str(tmp_path / "none.avi")).open()
+
+
+def test_image_sequence(tmp_path: Path) -> None:
+    paths = [tmp_path / f"{n}.png" for n in range(4)]
+    for n, path in enumerate(paths):
+        cv2.imwrite(str(path), picture(n))
+    source = SequenceInput(paths[:2], paths[2:])
+    pairs = [source.read(), source.read()]
+    assert all(p is not None for p in pairs)
+    assert np.array_equal(pairs[1][1], picture(3))
+    assert source.read() is None
+    with pytest.raises(DeviceError, match="2 left and 1 right"):
+        SequenceInput(paths[:2], paths[:1])
+    paths[0].write_text("no picture")
+    source.open()
+    with pytest.raises(DeviceError, match="no picture that can be read"):
+        source.read()
+
+
+class Mjpeg(BaseHTTPRequestHandler):
+    """Ten JPEG pictures as multipart/x-mixed-replace, then the end."""
+
+    def do_GET(self) -> None:
+        self.send_response(200)
+        self.send_header("Content-Type", "multipart/x-mixed-replace; boundary=frame")
+        self.end_headers()
+        for n in range(10):
+            data = cv2.imencode(".jpg", pair_of_colours(20 * n + 30, 220))[1].tobytes()
+            self.wfile.write(b"--frame\r\nContent-Type: image/jpeg\r\n")
+            self.wfile.write(f"Content-Length: {len(data)}\r\n\r\n".encode() + data + b"\r\n")
+
+    def log_message(self, format: str, *args: object) -> None: ...
+
+
+@pytest.fixture
+def stream() -> Iterator[str]:
+    server = HTTPServer(("127.0.0.1", 0), Mjpeg)
+    thread = threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.02})
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_port}/stream.mjpg"
+    server.shutdown()
+    thread.join()
+    server.server_close()
+
+
+def test_http_stream(stream: str) -> None:
+    source = SideBySideInput(stream, CaptureFormat(timeout_ms=3000))
+    source.open()
+    pairs = [source.read() for _ in range(8)]
+    source.close()
+    means = [p[0].mean() for p in pairs if p is not None]
+    assert means == pytest.approx([30 + 20 * n for n in range(8)], abs=4)
+
+
+def test_named_discovery_never_fails() -> None:
+    assert all(c.name for c in list_cameras())

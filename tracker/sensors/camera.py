@@ -1,0 +1,201 @@
+"""A stereo camera as the runner wants it: stamped pairs, and words about what happens to it."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from tracker.clock import nanoseconds, seconds
+from tracker.errors import DeviceError
+from tracker.messages import Event, StereoFrame
+from tracker.sensors.picture_input import Image, Pair, PictureInput
+from tracker.sensors.picture_watch import PictureWatch, WatchParams
+from tracker.vision.rig import StereoRig
+
+
+@dataclass(frozen=True)
+class CameraParams:
+    """``delay``: s from the middle of an exposure to the picture's arrival."""
+
+    delay: float = 0.035
+    retry: float = 1.0  # s between attempts to open a camera that is gone
+    slow: float = 0.8  # of the asked frame rate: below, the user is told
+    watch: WatchParams = field(default_factory=WatchParams)
+
+
+def monotonic() -> float:
+    """Seconds of the host's monotonic clock, a whole number of nanoseconds."""
+    return seconds(time.monotonic_ns())
+
+
+class StereoCamera:
+    """Opens its input when first read, and again whenever it went away.
+
+    A dark side is None in the frame, and a picture that is the last one again is left out: neither
+    is passed off as a new exposure. Files are paced by their own frame rate.
+    """
+
+    def __init__(
+        self,
+        source: PictureInput,
+        rig: StereoRig,
+        params: CameraParams | None = None,
+        clock: Callable[[], float] = monotonic,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        self.rig, self._source, self._params = rig, source, params or CameraParams()
+        self._clock, self._sleep = clock, sleep
+        self._events: deque[Event] = deque(maxlen=1000)
+        self._said: dict[str, str] = {}
+        self._open = self._ended = False
+        self._next_attempt = float("-inf")
+        self._next_due: float | None = None
+        self._arrivals: deque[float] = deque(maxlen=120)
+        self._restart_watch()
+        self._index = 0
+        self.repeated = 0
+        """Pictures left out because they were the one before again."""
+
+    def _restart_watch(self) -> None:
+        self._watch = (PictureWatch(self._params.watch), PictureWatch(self._params.watch))
+        self._arrivals.clear()
+
+    @property
+    def fps(self) -> float:
+        """Measured over the last pictures; 0 before there are two."""
+        if len(self._arrivals) < 2:
+            return 0.0
+        return (len(self._arrivals) - 1) / max(self._arrivals[-1] - self._arrivals[0], 1e-9)
+
+    def read(self, timeout: float) -> StereoFrame | None:
+        """The next exposure; None if none is there. A device may hold it for one exposure more."""
+        if not self._ready(timeout) or not self._due(timeout):
+            return None
+        try:
+            pair = self._source.read()
+            if pair is None:
+                self._gone()
+                return None
+            self._check_size(pair)
+        except DeviceError as error:
+            self._refuse(str(error))
+            return None
+        return self._frame(pair)
+
+    def take_events(self) -> Sequence[Event]:
+        """What happened since the last call."""
+        out = list(self._events)
+        self._events.clear()
+        return out
+
+    def close(self) -> None:
+        """Free the device; reading gives nothing from then on."""
+        self._source.close()
+        self._open, self._ended = False, True
+
+    # ---- the device
+
+    def _ready(self, timeout: float) -> bool:
+        if self._open:
+            return True
+        if self._ended or self._clock() < self._next_attempt:
+            self._sleep(timeout)
+            return False
+        try:
+            self._source.open()
+        except DeviceError as error:
+            self._refuse(str(error))
+            return False
+        self._open = True
+        self._restart_watch()
+        self._say("link", f"The camera {self._source.name} is connected.")
+        return True
+
+    def _due(self, timeout: float) -> bool:
+        """Hold a file back to its own frame rate; a device paces itself."""
+        if self._source.live or self._source.fps <= 0:
+            return True
+        now = self._clock()
+        due = now if self._next_due is None else self._next_due
+        if due > now:
+            self._sleep(min(due - now, timeout))
+            if due - now > timeout:
+                return False
+        self._next_due = due + 1 / self._source.fps
+        return True
+
+    def _gone(self) -> None:
+        if self._source.live:
+            self._refuse(f"The camera {self._source.name} gives no pictures; waiting for it.")
+        else:
+            self.close()
+            self._say("link", f"The end of {self._source.name} is reached.")
+
+    def _refuse(self, why: str) -> None:
+        self._source.close()
+        self._open, self._ended = False, not self._source.live  # a file is not tried again
+        self._next_attempt = self._clock() + self._params.retry
+        self._say("link", why)
+
+    def _check_size(self, pair: Pair) -> None:
+        for image, lens, side in zip(pair, (self.rig.left, self.rig.right), SIDES, strict=True):
+            height, width = image.shape[:2]
+            if (width, height) != (lens.width, lens.height):
+                raise DeviceError(
+                    f"The {side} camera gives pictures of {width} by {height} pixels, but the "
+                    f"calibration is for {lens.width} by {lens.height}."
+                )
+
+    # ---- the pictures
+
+    def _frame(self, pair: Pair) -> StereoFrame | None:
+        arrival = self._clock()
+        self._arrivals.append(arrival)
+        self._watch_rate()
+        sides = [self._judge(k, pair[k], arrival) for k in range(2)]
+        if self._source.live and any(w.repeated and not w.black for w in self._watch):
+            self.repeated += 1
+            return None
+        left, right = sides
+        if left is None and right is None:
+            return None
+        self._index += 1
+        t = seconds(nanoseconds(arrival - self._params.delay))
+        return StereoFrame(t, arrival, left, right, index=self._index - 1)
+
+    def _judge(self, k: int, image: Image, t: float) -> Image | None:
+        """The picture, or None where it is black."""
+        watch = self._watch[k]
+        watch.look(image, t)
+        if watch.black:
+            self._say(SIDES[k], f"The {SIDES[k]} camera's picture is black: is the lens covered?")
+        elif watch.frozen and self._source.live:
+            self._say(SIDES[k], f"The {SIDES[k]} camera's picture is frozen; it is not used.")
+        elif SIDES[k] in self._said and not watch.repeated:
+            del self._said[SIDES[k]]
+            self._tell(f"The {SIDES[k]} camera's picture is back.")
+        return None if watch.black else image
+
+    def _watch_rate(self) -> None:
+        asked = self._source.fps
+        full = len(self._arrivals) == self._arrivals.maxlen
+        if full and self._source.live and 0 < self.fps < self._params.slow * asked:
+            self._say(
+                "rate",
+                f"The camera gives {self.fps:.0f} pictures a second instead of {asked:.0f}: "
+                "a long exposure in poor light, or a slow USB port.",
+            )
+
+    def _say(self, topic: str, text: str) -> None:
+        """Tell it once, until something else is to be told of the same topic."""
+        if self._said.get(topic) != text:
+            self._said[topic] = text
+            self._tell(text)
+
+    def _tell(self, text: str) -> None:
+        self._events.append(Event(self._clock(), "device", text))
+
+
+SIDES = ("left", "right")
