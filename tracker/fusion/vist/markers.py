@@ -91,25 +91,42 @@ class MarkerModel:
         """Stereo points of the picture and their markers. ``guide`` is what is compared with: the
         same as ``expected``, unless correspondence is made from the previous picture's pose."""
         left, right = seen
+        i, j = (self._candidates(seen[c], guide, pose, bool(c)) for c in range(2))
         z = self._depth(guide, pose)
-        stereo = match_stereo(left.uv, left.hue, right.uv, right.hue, self._rig, z_hint=z)
+        stereo = match_stereo(
+            left.uv[i], left.hue[i], right.uv[j], right.hue[j], self._rig, z_hint=z
+        )
+        left_row, right_row = i[stereo.left_index], j[stereo.right_index]
         p_G = stereo.p_C @ pose.R_GC.T + pose.p_GC
         cov = self.noise(stereo.p_C, pose)
         hue = self._layout.chain.glove.marker_hue
         likely = both_cameras(guide.prior)
         likely = np.where(likely > self._match.min_prior, likely, 0.0)
-        found = match_translation(
-            p_G, left.hue[stereo.left_index], guide.p_G, hue, likely, cov
-        ).marker
+        found = match_translation(p_G, left.hue[left_row], guide.p_G, hue, likely, cov).marker
         keep = np.flatnonzero(found >= 0)
         keep = keep[self._near(p_G[keep], cov[keep], found[keep], expected)]
         return Matched(
             found[keep],
-            stereo.left_index[keep],
-            stereo.right_index[keep],
+            left_row[keep],
+            right_row[keep],
             p_G[keep],
             cov[keep],
         )
+
+    def _candidates(
+        self, seen: SeenBlobs, guide: Expected, pose: CameraPose, right: bool
+    ) -> IntArray:
+        """Rows of blobs near a marker of their hue. With one parallax for all, coloured things
+        elsewhere in the room would outvote the hand."""
+        p_C = (guide.p_G - pose.p_GC) @ pose.R_GC
+        uv = self._rig.project(p_C, right)
+        sd = np.sqrt(np.trace(guide.cov, axis1=1, axis2=2) / 3)
+        radius = self._rig.fx * (3 * sd + self._match.reach) / np.maximum(p_C[:, 2], 0.05)
+        far2 = np.sum((seen.uv[:, None] - uv[None]) ** 2, axis=2)
+        same = seen.hue[:, None] == self._layout.chain.glove.marker_hue[None]
+        with np.errstate(invalid="ignore"):
+            near = same & (far2 < radius**2) & (guide.prior[int(right)] > 0)
+        return np.flatnonzero(near.any(axis=1))
 
     def _depth(self, guide: Expected, pose: CameraPose) -> float | None:
         """Where on the optical axis the hand is expected, m; None where it is behind the lens."""

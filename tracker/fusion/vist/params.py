@@ -56,6 +56,7 @@ class VistMatch:
 
     guide: str = "imu"
     gate: float = 30.0  # Mahalanobis² of three degrees of freedom
+    reach: float = 0.02  # m beyond three standard deviations, within which blobs are considered
     min_prior: float = 0.01  # markers less likely to be seen by both cameras do not take part
 
 
