@@ -259,3 +259,28 @@ def test_estimates_of_an_unfinished_file_are_read(session: Path) -> None:
     cut.write_bytes(data[: len(data) * 2 // 3])
     with SessionReader(cut) as reader:
         assert len(list(reader.messages([Estimate]))) > 20
+
+
+def test_a_disk_that_goes_away_is_told(tmp_path: Path, session_info, maker, monkeypatch) -> None:
+    recorder = SessionRecorder(tmp_path / "a.mcap", session_info)
+
+    def gone(*_: object) -> int:
+        raise OSError(5, "Input/output error")
+
+    monkeypatch.setattr(disk.os, "write", gone)
+    monkeypatch.setattr(disk.os, "ftruncate", gone)
+    with pytest.raises(FileError, match="failed or was taken away"):
+        for k in range(200):
+            recorder.write(maker.imu(10.0 * k, k))
+    monkeypatch.undo()
+    recorder.close()
+    assert recorder.closed
+
+
+def test_chunks_are_short_in_time_and_size(session: Path) -> None:
+    source = McapInput(session)
+    spans = [source.contents.spans[i] for i in range(len(source.contents.spans))]
+    source.close()
+    assert len(spans) > 3
+    assert all(s.end - s.start <= 0.5e9 for s in spans)
+    assert all(s.length < 80_000 for s in spans)

@@ -14,7 +14,6 @@ from tracker.clock import seconds
 from tracker.errors import FileError
 from tracker.geometry import so3
 from tracker.messages import (
-    Array,
     BlobFrame,
     Blobs,
     Calibration,
@@ -22,16 +21,14 @@ from tracker.messages import (
     Estimate,
     Event,
     ImuSample,
-    IntArray,
     Message,
     Status,
     StereoFrame,
-    Tracking,
-    Validity,
 )
 from tracker.session import ros_motion as motion
 from tracker.session import ros_sensors as sensors
 from tracker.session import topics
+from tracker.session.decode_estimate import EstimateDecoder, tracking_of
 from tracker.session.description import SessionInfo
 from tracker.session.encode import CALIBRATION_ROWS
 from tracker.session.grouping import Group, Grouper
@@ -256,7 +253,9 @@ class Decoder:
     def _status(self, raw: RawMessage) -> list[Message]:
         stamp, statuses = motion.unpack_diagnostics(raw.data)
         return [
-            Status(self._t(stamp), _tracking(s.message), {k: float(v) for k, v in s.values.items()})
+            Status(
+                self._t(stamp), tracking_of(s.message), {k: float(v) for k, v in s.values.items()}
+            )
             for s in statuses
             if s.name == "tracker"
         ]
@@ -270,91 +269,6 @@ class Decoder:
         if not isinstance(said, dict):
             said = {"text": text}
         return [_event_of(said, self._t(int(said.get("stamp_ns", raw.log_time))))]
-
-
-class EstimateDecoder:
-    """Puts estimates together from their topics; ``root`` is ``hand`` or ``truth``."""
-
-    def __init__(self, info: SessionInfo, root: str) -> None:
-        name = topics.hand if root == "hand" else topics.truth
-        self._keypoint_names, self._hand = info.keypoint_names, info.hand
-        self._t = info.anchor.monotonic
-        self._rows = {f"{info.side}_{s}": i for i, s in enumerate(info.hand.segment_names)}
-        self._names = {
-            name(info.side, what): what
-            for what in ("keypoints", "joint_states", "keypoint_sd", "states")
-        }
-        self.topics = tuple(self._names)
-        self.states_topic = name(info.side, "states")
-        self._tracking = Tracking.TRACKING
-        self._words: dict[str, dict[str, str]] = {}
-        self._joints: motion.Joints | None = None
-        self._sd: Array | None = None
-        self._segments: dict[int, list[motion.Transform]] = {}
-
-    def take_segments(self, transforms: list[motion.Transform]) -> None:
-        mine = [t for t in transforms if t.child in self._rows]
-        if mine:
-            self._segments = {mine[0].stamp: mine}
-
-    def feed(self, raw: RawMessage) -> Estimate | None:
-        """An estimate when its keypoints come: they are written last."""
-        what = self._names[raw.topic]
-        if what == "keypoints":
-            return self._build(motion.unpack_poses(raw.data))
-        if what == "joint_states":
-            self._joints = motion.unpack_joints(raw.data)
-        elif what == "keypoint_sd":
-            self._sd = motion.unpack_numbers(raw.data)
-        else:
-            self._take_states(raw.data)
-        return None
-
-    def _take_states(self, data: bytes) -> None:
-        for s in motion.unpack_diagnostics(data)[1]:
-            if s.name == "tracking":
-                self._tracking = _tracking(s.message)
-            else:
-                self._words[s.name] = s.values
-
-    def _build(self, poses: motion.Poses) -> Estimate:
-        n = len(self._keypoint_names)
-        keypoints, q = np.full((n, 3), np.nan), np.full((n, 4), np.nan)
-        rows = min(n, len(poses.position))
-        keypoints[:rows], q[:rows] = poses.position[:rows], poses.orientation[:rows]
-        angles = self._angles(poses.stamp)
-        R, p = self._segment_poses(poses.stamp)
-        sd = self._sd if self._sd is not None and len(self._sd) == n else np.full(n, np.nan)
-        self._sd = None
-        known = np.isfinite(keypoints).all(axis=1)
-        return Estimate(
-            self._t(poses.stamp),
-            self._tracking,
-            keypoints,
-            q,
-            _states(self._words.get("keypoints", {}), self._keypoint_names, known),
-            sd,
-            angles,
-            _states(self._words.get("joints", {}), self._hand.joint_names, np.isfinite(angles)),
-            R,
-            p,
-        )
-
-    def _angles(self, stamp: int) -> Array:
-        angles = np.full(len(self._hand.joint_names), np.nan)
-        if self._joints is not None and self._joints.stamp == stamp:
-            for name, value in zip(self._joints.names, self._joints.position, strict=False):
-                if name in self._hand.angle_index:
-                    angles[self._hand.angle_index[name]] = value
-        return angles
-
-    def _segment_poses(self, stamp: int) -> tuple[Array, Array]:
-        n = len(self._rows)
-        R, p = np.full((n, 3, 3), np.nan), np.full((n, 3), np.nan)
-        for t in self._segments.get(stamp, ()):
-            row = self._rows[t.child]
-            R[row], p[row] = so3.matrix_from_quat(t.rotation), t.translation
-        return R, p
 
 
 def is_camera(t: motion.Transform) -> bool:
@@ -383,17 +297,6 @@ def _with_hues(found: sensors.Detections, names: tuple[str, ...]) -> Blobs:
     b = found.blobs
     index = np.array([names.index(n) for n in found.names], np.int64)
     return Blobs(b.uv, b.size, index[b.hue] if len(b) else b.hue, b.score)
-
-
-def _states(words: dict[str, str], names: tuple[str, ...], known: np.ndarray) -> IntArray:
-    """States by name; measured where nothing was said, and lost where there is no number."""
-    said = [words.get(n, "measured").upper() for n in names]
-    values = [Validity[w] if w in Validity.__members__ else Validity.LOST for w in said]
-    return np.where(known, np.array(values, np.int64), int(Validity.LOST)).astype(np.int64)
-
-
-def _tracking(word: str) -> Tracking:
-    return Tracking[word.upper()] if word.upper() in Tracking.__members__ else Tracking.LOST
 
 
 def _number(values: dict[str, str], key: str) -> float:

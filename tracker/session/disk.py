@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import shutil
@@ -61,11 +62,16 @@ class WholeRecordFile:
             while view:
                 view = view[os.write(self._fd, view) :]
         except OSError as error:
-            os.ftruncate(self._fd, self._size)
-            os.lseek(self._fd, self._size, os.SEEK_SET)
+            self._forget_part()
             raise disk_error(self._path, error) from error
         self._size += len(data)
         return len(data)
+
+    def _forget_part(self) -> None:
+        """Cut off what a failed write left; a disk that is gone cannot be cut."""
+        with contextlib.suppress(OSError):
+            os.ftruncate(self._fd, self._size)
+            os.lseek(self._fd, self._size, os.SEEK_SET)
 
     def tell(self) -> int:
         return self._size
@@ -82,8 +88,11 @@ class WholeRecordFile:
 
     def close(self) -> None:
         if self._fd >= 0:
-            os.close(self._fd)
-            self._fd = -1
+            fd, self._fd = self._fd, -1
+            try:
+                os.close(fd)
+            except OSError as error:
+                raise disk_error(self._path, error) from error
 
 
 def free_bytes(folder: Path) -> int:

@@ -10,28 +10,25 @@ from __future__ import annotations
 import os
 import struct
 import zlib
-from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from io import BytesIO
 from pathlib import Path
 from typing import IO, NamedTuple
 
-import lz4.frame
-import numpy as np
 import zstandard
 from mcap.data_stream import ReadDataStream
 from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Header, Metadata, Schema
-from numpy.typing import NDArray
 
 from tracker.errors import FileError
+from tracker.session.decompress import decompress
+from tracker.session.spans import Run, Span, Spans
 
 MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20
 FOREVER = 2**64 - 1
-_RUN = 2**20  # loose messages are gathered in runs of this many bytes
 _MESSAGE = struct.Struct("<HIQQ")
 _CHUNK = struct.Struct("<QQQI")
 _BAD_RECORD = (McapError, struct.error, ValueError, EOFError, IndexError, MemoryError)
@@ -48,61 +45,11 @@ class RawMessage(NamedTuple):
     data: bytes
 
 
-class Span(NamedTuple):
-    """A stretch of the file with messages of a span of log times: a chunk, or loose messages."""
-
-    start: int
-    end: int
-    offset: int
-    length: int
-    channels: frozenset[int] | None  # None where unknown
-
-
 class Damage(NamedTuple):
     """Something wrong with the file's bytes."""
 
     offset: int
     what: str
-
-
-class Spans:
-    """Many spans in little memory (an hour of pictures makes 400 000 of them)."""
-
-    def __init__(self) -> None:
-        self._numbers = array("Q")
-        self._sets: list[frozenset[int] | None] = []
-        self._known: dict[frozenset[int], frozenset[int]] = {}
-        self._order: tuple[NDArray[np.int64], NDArray[np.uint64], NDArray[np.uint64]] | None = None
-
-    def add(self, span: Span) -> None:
-        self._numbers.extend(span[:4])
-        channels = span.channels
-        self._sets.append(None if channels is None else self._known.setdefault(channels, channels))
-
-    def __len__(self) -> int:
-        return len(self._sets)
-
-    def __getitem__(self, i: int) -> Span:
-        if i < 0:
-            raise IndexError(i)
-        a, b, c, d = self._numbers[4 * i : 4 * i + 4]
-        return Span(a, b, c, d, self._sets[i])
-
-    def between(self, start: int, end: int) -> NDArray[np.int64]:
-        """Indices of spans that touch [start, end), by start and then by place in the file."""
-        order, starts, latest = self._sorted()
-        first = np.searchsorted(latest, np.uint64(max(start, 0)))
-        last = np.searchsorted(starts, np.uint64(max(end, 0)))
-        return order[first:last]
-
-    def _sorted(self) -> tuple[NDArray[np.int64], NDArray[np.uint64], NDArray[np.uint64]]:
-        """Order, starts in it, and the latest end up to each."""
-        if self._order is None or len(self._order[0]) != len(self):
-            rows = np.array(self._numbers, np.uint64).reshape(-1, 4)
-            order = np.lexsort((rows[:, 2], rows[:, 0]))
-            rows = rows[order]
-            self._order = order, rows[:, 0].copy(), np.maximum.accumulate(rows[:, 1])
-        return self._order
 
 
 @dataclass
@@ -230,7 +177,7 @@ class McapInput:
 
     def _scan(self) -> None:
         """Walk over the records from the start as far as they are whole."""
-        c, at, run = self.contents, len(MAGIC), _Run()
+        c, at, run = self.contents, len(MAGIC), Run()
         while True:
             opcode, length = self._record(at)
             if opcode in (0, Opcode.DATA_END, Opcode.FOOTER):
@@ -243,7 +190,7 @@ class McapInput:
         if opcode != Opcode.DATA_END:
             c.damage.append(Damage(at, "the file breaks off here"))
 
-    def _visit(self, opcode: int, at: int, length: int, run: _Run) -> None:
+    def _visit(self, opcode: int, at: int, length: int, run: Run) -> None:
         c = self.contents
         if opcode == Opcode.HEADER:
             self._take_header(at, length)
@@ -382,38 +329,6 @@ class McapInput:
                 f"{self.path} is damaged: the attachment at byte {offset} is not whole."
             )
         return body
-
-
-class _Run:
-    """Loose messages that stand one after the other."""
-
-    def __init__(self) -> None:
-        self._offset = self._length = self._start = self._end = 0
-
-    def add(self, spans: Spans, offset: int, length: int, log_time: int) -> None:
-        if self._length and self._length + length > _RUN:
-            self.flush(spans)
-        if not self._length:
-            self._offset, self._start, self._end = offset, log_time, log_time
-        self._length += length
-        self._start, self._end = min(self._start, log_time), max(self._end, log_time)
-
-    def flush(self, spans: Spans) -> None:
-        if self._length:
-            spans.add(Span(self._start, self._end, self._offset, self._length, None))
-        self._length = 0
-
-
-def decompress(name: str, packed: bytes, size: int) -> bytes:
-    """A chunk's records, never more than ``size`` + 1 bytes of them."""
-    if name == "":
-        return packed
-    if name == "lz4":
-        return bytes(lz4.frame.LZ4FrameDecompressor().decompress(packed, max_length=size + 1))
-    if name == "zstd":
-        with zstandard.ZstdDecompressor(max_window_size=2**27).stream_reader(packed) as stream:
-            return bytes(stream.read(size + 1))
-    raise ValueError(f"the compression {name[:20]!r} is unknown")
 
 
 def _open(path: Path) -> IO[bytes]:

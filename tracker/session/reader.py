@@ -21,12 +21,12 @@ from tracker.session.cdr import CdrError, CdrReader
 from tracker.session.decode import (
     MESSAGE_KINDS,
     Decoder,
-    EstimateDecoder,
     Timing,
     exact_pose,
     is_camera,
     pose_of,
 )
+from tracker.session.decode_estimate import EstimateDecoder
 from tracker.session.description import SessionInfo
 from tracker.session.mcap_input import FOREVER, McapInput
 from tracker.session.ordering import last_before, ordered
@@ -106,10 +106,7 @@ class SessionReader:
     @cached_property
     def span_ns(self) -> tuple[int, int]:
         """First and last log time; (0, 0) if there are no messages."""
-        spans = list(self.source.spans_with(None))
-        if not spans:
-            return 0, 0
-        return spans[0].start, max(s.end for s in spans)
+        return self.source.contents.spans.bounds()
 
     @property
     def duration(self) -> float:

@@ -149,9 +149,7 @@ def _gaps(topic: str, track: _Track) -> list[Finding]:
     if not gaps:
         return []
     longest, at = max(gaps)
-    first = track.last_stamp if track.last_stamp is not None else at
-    total = sum(s for s, _ in track.steps)
-    after = (at - (first - total)) / 1e9
+    after = (at - track.steps[0][1]) / 1e9
     text = f"{len(gaps)} gaps, the longest {longest / 1e9:.3f} s after {after:.1f} s"
     return [Finding("warning", text, topic)]
 
