@@ -1,0 +1,117 @@
+"""Finding gloves among ports, without disturbing what is no glove."""
+
+from __future__ import annotations
+
+import errno
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker.messages import ImuSample
+from tracker.sensors.discovery import find_gloves, latency_advice, probe, serial_ports
+from tracker.sensors.glove_link import serial_port
+from tracker.sensors.protocol import Hello, HelloRequest, Samples, encode
+from tracker.simulation.glove_device import SimulatedGlove
+
+
+class FakePort:
+    """Says ``data`` over and over, one read a tenth of a second, and keeps what it is told."""
+
+    timeout: float | None = 0.1
+
+    def __init__(self, data: bytes) -> None:
+        self.data, self.heard, self.t, self.closed = data, b"", 0.0, False
+
+    @property
+    def in_waiting(self) -> int:
+        return len(self.data)
+
+    def read(self, size: int) -> bytes:
+        self.t += 0.1
+        return self.data[:size]
+
+    def write(self, data: bytes) -> int:
+        self.heard += data
+        return len(data)
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def ask(port: FakePort, patience: float = 2.0) -> object:
+    return probe("/dev/x", lambda: port, patience, lambda: port.t)
+
+
+def test_a_stranger_hears_nothing_but_the_request() -> None:
+    port = FakePort(b"$GPGGA,123519,4807.038,N\r\n")
+    report = ask(port)
+    assert not report.is_glove
+    assert "bytes that are no glove's" in report.trouble
+    assert port.heard.replace(b"\0" + encode(HelloRequest()), b"") == b""
+    assert port.heard.count(encode(HelloRequest())) == 4
+    assert port.closed
+
+
+def test_silence_is_told() -> None:
+    assert ask(FakePort(b"")).trouble == "Nothing answers at /dev/x."
+
+
+def test_hello_between_garbage() -> None:
+    hello = Hello(glove_id=77, imu_count=7)
+    report = ask(FakePort(b"\x13\x37\0" + encode(hello)))
+    assert report.is_glove
+    assert report.hello == hello
+
+
+def test_a_streaming_glove_is_one_too() -> None:
+    report = ask(FakePort(encode(Samples(1, 2, np.zeros((7, 6), np.int16)))))
+    assert report.is_glove
+    assert report.hello is None
+
+
+@pytest.mark.parametrize(
+    ("number", "words"),
+    [(errno.EACCES, "usermod -aG dialout"), (errno.ENOENT, "not there"), (errno.EBUSY, "another")],
+)
+def test_a_port_that_cannot_be_opened(number: int, words: str) -> None:
+    def refuse() -> FakePort:
+        raise OSError(number, "no")
+
+    report = probe("/dev/x", refuse)
+    assert not report.is_glove
+    assert words in report.trouble
+
+
+def still() -> Iterator[ImuSample]:
+    one = np.ones(2, bool)
+    for k in range(10_000):
+        yield ImuSample(k / 100, k / 100, k / 100, k, np.zeros((2, 3)), np.zeros((2, 3)), one)
+
+
+def test_a_simulated_glove_among_absent_ports(tmp_path: Path) -> None:
+    device = SimulatedGlove(still(), 2)
+    try:
+        absent, there = find_gloves([str(tmp_path / "none"), str(device.path)], patience=3.0)
+        assert "it is not there" in absent.trouble
+        assert there.hello is not None
+        assert there.hello.imu_count == 2
+        second = probe(str(device.path), serial_port(str(device.path)), 3.0)
+        assert second.hello == there.hello  # asking changed nothing: it still says HELLO
+    finally:
+        device.stop()
+
+
+def test_ports_are_listed_without_error() -> None:
+    assert all(p.startswith("/dev/") for p in serial_ports())
+
+
+@pytest.mark.parametrize(("value", "told"), [("16\n", True), ("1\n", False), ("?", False)])
+def test_latency_timer(tmp_path: Path, value: str, told: bool) -> None:
+    folder = tmp_path / "ttyUSB0"
+    folder.mkdir()
+    (folder / "latency_timer").write_text(value)
+    advice = latency_advice("/dev/ttyUSB0", tmp_path)
+    assert ("up to 16 ms" in advice) == told
+    assert latency_advice("/dev/ttyACM0", tmp_path) == ""
