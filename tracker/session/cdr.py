@@ -6,11 +6,13 @@ Every value is aligned to its own size, counted from the end of the four-byte he
 from __future__ import annotations
 
 import struct
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from tracker.errors import FileError
 from tracker.messages import Array
 
 LITTLE_ENDIAN = b"\x00\x01\x00\x00"
@@ -19,6 +21,15 @@ NS = 1_000_000_000
 
 class CdrError(ValueError):
     """The bytes are not the message that they are said to be."""
+
+
+@contextmanager
+def in_words(topic: str) -> Iterator[None]:
+    """Turns what goes wrong with a message of ``topic`` into a FileError."""
+    try:
+        yield
+    except (ValueError, KeyError, TypeError, IndexError, OverflowError, struct.error) as error:
+        raise FileError(f"A message on {topic} is damaged: {error}.") from error
 
 
 class CdrWriter:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import struct
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from typing import Any
@@ -11,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from tracker.clock import seconds
-from tracker.errors import FileError
 from tracker.geometry import so3
 from tracker.messages import (
     BlobFrame,
@@ -28,6 +26,7 @@ from tracker.messages import (
 from tracker.session import ros_motion as motion
 from tracker.session import ros_sensors as sensors
 from tracker.session import topics
+from tracker.session.cdr import in_words
 from tracker.session.decode_estimate import EstimateDecoder, tracking_of
 from tracker.session.description import SessionInfo
 from tracker.session.encode import CALIBRATION_ROWS
@@ -117,18 +116,20 @@ class Decoder:
 
     def remember(self, raw: RawMessage) -> None:
         """Take a message from before the first, for what still holds of it."""
-        self._handlers[raw.topic](raw)
+        self._handle(raw)
 
     def feed(self, raw: RawMessage) -> list[Message]:
         """What is complete by the time of ``raw``. Raises FileError where it is not readable."""
         out = self._release(raw.log_time)
-        handler = self._handlers.get(raw.topic)
-        if handler is not None:
-            try:
-                out += handler(raw)
-            except (ValueError, KeyError, TypeError, struct.error, UnicodeError) as error:
-                raise FileError(f"A message on {raw.topic} is damaged: {error}.") from error
+        out += self._handle(raw)
         return out + self._complete()
+
+    def _handle(self, raw: RawMessage) -> list[Message]:
+        handler = self._handlers.get(raw.topic)
+        if handler is None:
+            return []
+        with in_words(raw.topic):
+            return handler(raw)
 
     def finish(self) -> list[Message]:
         """What was still waiting for company."""

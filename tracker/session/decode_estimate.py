@@ -11,6 +11,8 @@ from tracker.session import topics
 from tracker.session.description import SessionInfo
 from tracker.session.mcap_input import RawMessage
 
+_SEGMENTS_KEPT = 64  # estimates of one arrival are read transforms first
+
 
 class EstimateDecoder:
     """Puts estimates together from their topics; ``root`` is ``hand`` or ``truth``."""
@@ -35,7 +37,9 @@ class EstimateDecoder:
     def take_segments(self, transforms: list[motion.Transform]) -> None:
         mine = [t for t in transforms if t.child in self._rows]
         if mine:
-            self._segments = {mine[0].stamp: mine}
+            self._segments[mine[0].stamp] = mine
+            while len(self._segments) > _SEGMENTS_KEPT:
+                del self._segments[next(iter(self._segments))]
 
     def feed(self, raw: RawMessage) -> Estimate | None:
         """An estimate when its keypoints come: they are written last."""

@@ -11,6 +11,7 @@ import os
 import struct
 import zlib
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from io import BytesIO
 from pathlib import Path
@@ -309,12 +310,23 @@ class McapInput:
     def attachments(self) -> Iterator[Attachment]:
         for offset, _ in self.contents.attachments:
             body = self._checked_body(offset, Opcode.ATTACHMENT)
-            yield Attachment.read(ReadDataStream(BytesIO(body)))
+            with self._in_words(offset):
+                record = Attachment.read(ReadDataStream(BytesIO(body)))
+            yield record
 
     def metadata(self) -> Iterator[Metadata]:
         for offset, _ in self.contents.metadata:
             body = self._checked_body(offset, Opcode.METADATA)
-            yield Metadata.read(ReadDataStream(BytesIO(body)))
+            with self._in_words(offset):
+                extra = Metadata.read(ReadDataStream(BytesIO(body)))
+            yield extra
+
+    @contextmanager
+    def _in_words(self, offset: int) -> Iterator[None]:
+        try:
+            yield
+        except _BAD_RECORD as error:
+            raise FileError(f"{self.path} is damaged at byte {offset}.") from error
 
     def _checked_body(self, offset: int, opcode: int) -> bytes:
         found, length = self._record(offset)

@@ -17,7 +17,7 @@ from tracker.messages import CameraPose, Estimate, Message
 from tracker.session import description, topics
 from tracker.session import ros_motion as motion
 from tracker.session import ros_sensors as sensors
-from tracker.session.cdr import CdrError, CdrReader
+from tracker.session.cdr import CdrReader, in_words
 from tracker.session.decode import (
     MESSAGE_KINDS,
     Decoder,
@@ -160,7 +160,7 @@ class SessionReader:
         infos = {topics.camera_info(c): c for c in topics.SIDES}
         wanted = frozenset([*infos, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
         for n, raw in enumerate(ordered(self.source, wanted)):
-            try:
+            with in_words(raw.topic):
                 if raw.topic in infos:
                     cameras.setdefault(infos[raw.topic], sensors.unpack_camera_info(raw.data))
                 elif raw.topic == topics.CAMERA_POSE:
@@ -170,8 +170,6 @@ class SessionReader:
                         if raw.topic == topics.TF_STATIC:
                             fixed = fixed or pose_of(t)
                         first = first or pose_of(t)
-            except CdrError as error:
-                raise FileError(f"A message on {raw.topic} is damaged: {error}.") from error
             if (len(cameras) == 2 and first is not None) or n > _LOOK_FOR_RIG:
                 break
         pose = exact or fixed or first
@@ -215,7 +213,8 @@ class SessionReader:
         """What a simulated hand really did; nothing in a recorded session."""
         decoder = EstimateDecoder(self.info, "truth")
         for raw in ordered(self.source, frozenset(decoder.topics)):
-            estimate = decoder.feed(raw)
+            with in_words(raw.topic):
+                estimate = decoder.feed(raw)
             if estimate is not None:
                 yield estimate
 
@@ -240,7 +239,8 @@ class SessionReader:
             return default // 2
         stamps: list[int] = []
         for raw in ordered(self.source, frozenset([topic])):
-            stamps.append(CdrReader(raw.data).time())
+            with in_words(topic):
+                stamps.append(CdrReader(raw.data).time())
             if len(stamps) == 50:
                 break
         steps = np.diff(np.sort(stamps))
