@@ -340,8 +340,8 @@ class MainWindow(QMainWindow):
         """End everything in order: timer, jobs, engine and file, GL."""
         self._timer.stop()
         self._remember()
-        self.tasks.shut_down()
-        self.session.shut_down()
+        self.session.end()
+        self.tasks.shut_down()  # last: a recording that ends has the library read again
         for panel in self.panels:
             panel.shut_down()
         event.accept()

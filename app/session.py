@@ -48,6 +48,7 @@ class Session(QObject):
         self._spent = False  # the engine has been stopped and cannot start again
         self.running = False
         self.opening = False
+        self._ended = False
 
     # --- life of the engine
 
@@ -70,6 +71,11 @@ class Session(QObject):
 
     def adopt(self, setup: EngineSetup, start: bool = True) -> None:
         """Take over a built engine."""
+        self.opening = False
+        if self._ended:
+            setup.engine.stop()
+            setup.close()
+            return
         self.shut_down()
         self._setup = setup
         self._spent = False
@@ -107,9 +113,16 @@ class Session(QObject):
         if self._setup is None:
             return
         setup, self._setup = self._setup, None
+        if not self._spent:
+            setup.engine.stop()  # one that never ran holds its devices too
         self._recent.clear()
         setup.close()
         self.closed.emit()
+
+    def end(self) -> None:
+        """Shut down for good: an engine still being built is freed when it comes."""
+        self._ended = True
+        self.shut_down()
 
     # --- recording
 

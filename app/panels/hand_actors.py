@@ -18,7 +18,7 @@ RESOLUTION = 10
 """Sides of a capsule: at 24 the software renderer takes twice as long for no visible gain."""
 OPACITY = {Validity.MEASURED: 1.0, Validity.INFERRED: 0.55, Validity.LOST: 0.25}
 MARKER_SIZE = {MARKER_NOW: 1.0, MARKER_LATELY: 0.7}
-FRUSTUM_DEPTH = 0.10
+FRUSTUM_DEPTH = 0.05
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,91 @@
+"""From the demo to an exported file through the window's own commands, on the real engine."""
+
+import csv
+
+import numpy as np
+import pytest
+from gui_fakes import models
+
+from app.demo import demo_setup
+from app.report import KEYPOINTS
+from tracker.messages import Estimate, StereoFrame
+from tracker.session.reader import SessionReader
+
+
+@pytest.fixture
+def demo(window, qtbot):
+    """The window with the demo running and the hand found."""
+    window.start_demo()
+    qtbot.waitUntil(lambda: window.session.running, timeout=100_000)
+    qtbot.waitUntil(lambda: _tracked(window), timeout=20_000)
+    return window
+
+
+def _tracked(window) -> bool:
+    view = window.session.snapshot()
+    return view is not None and view.estimate is not None and view.estimate.tracking == 1
+
+
+def _recorded(window, qtbot, tmp_path):
+    """A session of a second, made by the record command."""
+    window.recording.set_folder(tmp_path)
+    window.commands.actions["record"].trigger()
+    path = window.session.recording.path
+    qtbot.wait(1200)
+    window.commands.actions["record"].trigger()
+    return path
+
+
+@pytest.mark.timeout(180)
+def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
+    path = _recorded(demo, qtbot, tmp_path)
+    qtbot.waitUntil(lambda: demo.library.selected() is not None, timeout=10_000)
+    row = demo.library.selected()
+    assert row.path == path and row.integrity == "whole"
+
+    demo.library.export(path, "csv", tmp_path / "out.csv")
+    qtbot.waitUntil(lambda: not demo.tasks.tasks, timeout=20_000)
+    with (tmp_path / "out.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) > 50
+    assert {f"{k}_x" for k in KEYPOINTS} <= set(rows[0])
+
+    demo.library.replay.emit(path)
+    qtbot.waitUntil(
+        lambda: demo.session.setup is not None and demo.session.setup.player is not None,
+        timeout=10_000,
+    )
+    qtbot.waitUntil(lambda: _tracked(demo), timeout=10_000)
+    player = demo.session.setup.player
+    assert 0.5 < player.duration < 30.0
+    player.play(False)
+    player.seek(0.5 * player.duration)
+    qtbot.waitUntil(lambda: abs(player.position - 0.5 * player.duration) < 0.25, timeout=5_000)
+    assert not demo.commands.actions["record"].isEnabled()
+
+
+@pytest.mark.timeout(180)
+def test_closing_while_recording_leaves_a_whole_file_with_pictures_and_truth(demo, qtbot, tmp_path):
+    demo.recording.set_folder(tmp_path)
+    demo.commands.actions["record"].trigger()
+    path = demo.session.recording.path
+    qtbot.wait(800)
+    demo.close()
+    with SessionReader(path) as reader:
+        assert reader.source.contents.finished
+        assert any(t.startswith("/truth/") for t in reader.topic_names)
+        kinds = [type(m) for m in reader.messages()]
+    assert StereoFrame in kinds and Estimate in kinds
+
+
+@pytest.mark.timeout(120)
+def test_the_truth_of_the_demo_is_the_simulated_hand(no_leaks):
+    setup = demo_setup(lambda *_: None, seed=1, fps=30.0)
+    hand, glove, _ = models()
+    true = setup.truth(setup.anchor.monotonic_ns / 1e9 + 1.0)
+    setup.engine.stop()
+    setup.close()
+    assert true.keypoints.shape == (len(glove.keypoint_names(hand)), 3)
+    lengths = np.linalg.norm(np.diff(true.keypoints[5:9], axis=0), axis=1)
+    nominal = [hand.segments[hand.index[f"index_{p}"]].length for p in ("proximal", "intermediate")]
+    assert lengths[:2] == pytest.approx(nominal, rel=0.2)

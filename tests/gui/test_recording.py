@@ -1,0 +1,130 @@
+"""Record, pause, note, stop; and what a closing window leaves behind."""
+
+from datetime import datetime
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+
+from app.engine import RecordingRequest
+from app.recorder import PausableRecorder
+from app.viewmodels.recording import (
+    LOW_BYTES,
+    STOP_BYTES,
+    RateMeter,
+    automatic_path,
+    disk,
+    duration_text,
+    size_text,
+)
+from tracker.messages import Event
+
+
+@pytest.fixture
+def recorders():
+    return []
+
+
+@pytest.fixture
+def recording(window, engine, recorders, qtbot):
+    window.session.adopt(scripted_setup(engine, recorders))
+    window.recording.participant.setText("P 01/a")
+    window.commands.actions["record"].trigger()
+    return window
+
+
+def test_record_command_makes_a_named_file_and_a_second_press_ends_it(recording, recorders):
+    assert recording.session.recording is not None
+    assert recorders[0].path.name.startswith("P-01-a_")
+    assert recording.recording.record_button.text() == "Stop"
+    recording.commands.actions["record"].trigger()
+    assert recording.session.recording is None
+    assert recorders[0].closed
+    assert recording.recording.record_button.text() == "Record"
+
+
+def test_a_note_reaches_the_file(recording, recorders, qtbot):
+    recording.recording.note_text.setText("gripped the cup")
+    recording.recording._note()
+    assert [m.text for m in recorders[0].messages if isinstance(m, Event)] == ["gripped the cup"]
+    qtbot.waitUntil(lambda: recording.log.model.entries("note", "gripped") != [], timeout=2000)
+
+
+def test_closing_the_window_while_recording_closes_the_file(recording, engine, recorders):
+    recording.close()
+    assert recorders[0].closed
+    assert engine.stopped == 1
+
+
+def test_pause_holds_back_streams_and_keeps_notes(engine, tmp_path, recorders):
+    setup = scripted_setup(engine, recorders)
+    recorder = PausableRecorder(setup.make_recorder(RecordingRequest(tmp_path / "a.mcap", "", "")))
+    recorder.write(engine.latest_estimate())
+    recorder.paused = True
+    recorder.write(engine.latest_estimate())
+    recorder.write(Event(0.0, "note", "while paused"))
+    recorder.paused = False
+    recorder.write(engine.latest_estimate())
+    kinds = [type(m).__name__ for m in recorders[0].messages]
+    assert kinds == ["Estimate", "Event", "Estimate"]
+
+
+def test_an_impossible_folder_is_said_and_nothing_is_recorded(window, engine, tmp_path):
+    window.session.adopt(scripted_setup(engine))
+    blocker = tmp_path / "file"
+    blocker.write_text("")
+    window.recording.set_folder(blocker / "inside")
+    window.recording.toggle()
+    assert window.session.recording is None
+    assert "Nothing can be recorded" in window.banner.text()
+
+
+def test_start_after_stop_builds_a_new_engine(window, qtbot):
+    made = []
+
+    def factory(progress):
+        made.append(ScriptedEngine())
+        return scripted_setup(made[-1])
+
+    window.session.open("first", factory)
+    qtbot.waitUntil(lambda: window.session.running, timeout=3000)
+    window.session.stop()
+    window.session.start()
+    qtbot.waitUntil(lambda: len(made) == 2 and window.session.running, timeout=3000)
+    assert made[0].stopped == 1 and made[1].started == 1
+
+
+def test_automatic_names_never_meet_an_existing_file(tmp_path):
+    now = datetime(2026, 3, 1, 12, 0, 0)
+    first = automatic_path(tmp_path, "P1", "", now)
+    assert first.name == "P1_2026-03-01_12-00-00.mcap"
+    first.write_text("")
+    second = automatic_path(tmp_path, "P1", "", now)
+    second.write_text("")
+    third = automatic_path(tmp_path, "P1", "", now)
+    assert len({first, second, third}) == 3
+
+
+@pytest.mark.parametrize(
+    ("free", "warns", "full"),
+    [(LOW_BYTES + 1, False, False), (LOW_BYTES - 1, True, False), (STOP_BYTES - 1, True, True)],
+)
+def test_disk_warns_under_five_and_stops_under_one_gigabyte(free, warns, full):
+    room = disk(free, 1e6)
+    assert (bool(room.warning), room.full) == (warns, full)
+
+
+def test_disk_tells_the_time_left():
+    assert "1:06:40" in disk(STOP_BYTES + 4_000_000_000, 1e6).text
+
+
+def test_figures_as_people_write_them():
+    assert duration_text(59.9) == "0:59"
+    assert duration_text(3725) == "1:02:05"
+    assert size_text(999) == "999 B"
+    assert size_text(1_500_000) == "1.5 MB"
+
+
+def test_rate_meter_measures_growth():
+    meter = RateMeter()
+    assert meter.add(0.0, 0) == 0.0
+    assert meter.add(2.0, 3000) == pytest.approx(1500.0)

@@ -1,0 +1,268 @@
+"""What panels show, computed from messages of which everything is known."""
+
+import dataclasses
+
+import cv2
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
+from hypothesis import given
+from hypothesis import strategies as st
+
+from app.session import Session
+from app.tasks import TaskOwner
+from app.viewmodels.calibration import RANGES, calibration_view, convergence
+from app.viewmodels.colours import (
+    ProfileHistory,
+    hue_histogram,
+    hue_rows,
+    pixel_hsv,
+    stretched,
+    with_range,
+    without_pixel,
+)
+from app.viewmodels.hand_scene import HandSceneModel, segment_states
+from app.viewmodels.overlay import Layers, bones, overlay
+from app.viewmodels.sensors import curves, imu_states
+from app.viewmodels.status import fields
+from app.widgets.orbit import Orbit
+from app.widgets.overlay import Cross, Ellipse, Line, Ring
+from tracker.messages import Status, Tracking, Validity
+from tracker.vision.colours import HueRange
+
+
+@pytest.fixture
+def view(qapp):
+    session = Session(TaskOwner())
+    session.adopt(scripted_setup(ScriptedEngine()))
+    yield session.snapshot()
+    session.shut_down()
+
+
+def test_a_ring_stands_round_every_blob_full_where_it_was_matched(view):
+    shapes = overlay(view, Layers(skeleton=False, residuals=False), {}, right=False)
+    rings = [s for s in shapes if isinstance(s, Ring)]
+    assert len(rings) == len(view.blobs.left)
+    matched = set(view.result.match_left[view.result.match_left >= 0].tolist())
+    assert {i for i, r in enumerate(rings) if not r.dashed} == matched
+    assert [(r.u, r.v) for r in rings] == [tuple(uv) for uv in view.blobs.left.uv.tolist()]
+
+
+def test_the_ellipse_is_two_sigma_of_the_covariance(view):
+    shapes = overlay(view, Layers(blobs=False, skeleton=False), {}, right=False)
+    ellipses = [s for s in shapes if isinstance(s, Ellipse)]
+    assert ellipses
+    for e in ellipses:
+        assert (e.a, e.b) == pytest.approx((8.0, 4.0))  # cov is diag(16, 4) px²
+        assert np.sin(e.angle) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_the_right_picture_has_no_ellipses_since_none_is_known(view):
+    shapes = overlay(view, Layers(), {}, right=True)
+    assert not any(isinstance(s, Ellipse) for s in shapes)
+
+
+def test_residuals_join_prediction_and_blob(view):
+    only = Layers(blobs=False, rejected=False, predicted=False, skeleton=False)
+    lines = [s for s in overlay(view, only, {}, right=False) if isinstance(s, Line)]
+    marker = int(np.flatnonzero(view.result.match_left >= 0)[0])
+    blob = view.blobs.left.uv[view.result.match_left[marker]]
+    assert (lines[0].u0, lines[0].v0) == pytest.approx(tuple(view.result.predicted_left[marker]))
+    assert (lines[0].u1, lines[0].v1) == pytest.approx(tuple(blob))
+
+
+def test_unlikely_markers_are_dimmed(view):
+    shapes = overlay(view, Layers(blobs=False, rejected=False, skeleton=False), {}, right=False)
+    crosses = [s for s in shapes if isinstance(s, Cross)]
+    full = sum(s.opacity == 1.0 for s in crosses)
+    assert full == int((view.result.visible >= 0.5).sum())
+    assert full < len(crosses)
+
+
+def test_every_keypoint_but_the_wrist_ends_one_bone():
+    hand, glove, _ = models()
+    names = glove.keypoint_names(hand)
+    ends = [b for _, b in bones(names)]
+    assert sorted(names[e] for e in ends) == sorted(n for n in hand.keypoint_names if n != "wrist")
+
+
+def test_a_lost_keypoint_takes_its_bones_away(view):
+    nothing = dataclasses.replace(
+        view.estimate_at_frame, keypoints=np.full_like(view.estimate.keypoints, np.nan)
+    )
+    blind = dataclasses.replace(view, estimate_at_frame=nothing)
+    only = Layers(blobs=False, rejected=False, predicted=False, residuals=False)
+    assert overlay(view, only, {}, right=False)
+    assert overlay(blind, only, {}, right=False) == []
+
+
+def test_segments_show_the_worst_state_of_their_joint(view):
+    hand = view.setup.hand
+    states = segment_states(hand, view.estimate, located=True)
+    assert states[hand.index["ring_proximal"]] == Validity.INFERRED
+    assert states[hand.index["index_proximal"]] == Validity.MEASURED
+    assert set(segment_states(hand, view.estimate, located=False)) == {Validity.LOST}
+
+
+def test_a_hand_whose_position_is_lost_stays_where_it_was(view):
+    model = HandSceneModel(view.setup)
+    seen = model.scene(view)
+    gone = dataclasses.replace(
+        view.estimate,
+        tracking=Tracking.LOST,
+        segment_p=np.full_like(view.estimate.segment_p, np.nan),
+    )
+    scene = model.scene(dataclasses.replace(view, estimate=gone))
+    assert np.array_equal(scene.segment_p, seen.segment_p)
+    assert "lost" in scene.caption and not seen.caption
+
+
+def test_no_hand_is_drawn_before_there_is_one(view):
+    unknown = dataclasses.replace(
+        view.estimate, segment_p=np.full_like(view.estimate.segment_p, np.nan)
+    )
+    assert HandSceneModel(view.setup).scene(dataclasses.replace(view, estimate=unknown)) is None
+
+
+hues = st.integers(0, 179)
+levels = st.integers(0, 255)
+
+
+@st.composite
+def ranges(draw):
+    first, width = draw(hues), draw(st.integers(0, 120))
+    low, high = sorted((draw(levels), draw(levels)))
+    value = sorted((draw(levels), draw(levels)))
+    return HueRange("red", (first, (first + width) % 180), (low, high), tuple(value))
+
+
+@given(ranges(), hues, levels, levels)
+def test_eyedropper_takes_the_pixel_in_and_keeps_what_was_in(r, h, s, v):
+    grown = stretched(r, (h, s, v))
+    assert grown.contains(np.array([h, s, v]))
+    corners = [(x, y, z) for x in r.hue for y in r.saturation for z in r.value]
+    assert grown.contains(np.array(corners)).all()
+
+
+@given(ranges(), hues, levels, levels)
+def test_eyedropper_leaves_the_pixel_out_and_takes_nothing_new_in(r, h, s, v):
+    cut = without_pixel(r, (h, s, v))
+    pixel = np.array([h, s, v])
+    single = r.hue[0] == r.hue[1] and s >= r.saturation[1] and v >= r.value[1]
+    assert not cut.contains(pixel) or single
+    sample = np.stack(np.meshgrid(range(0, 180, 7), range(0, 256, 51), range(0, 256, 51)), -1)
+    assert not (cut.contains(sample) & ~r.contains(sample)).any()
+
+
+def test_undo_and_redo_walk_the_same_steps():
+    profile = models()[2]
+    history = ProfileHistory(profile)
+    second = with_range(profile, dataclasses.replace(profile.hues[0], value=(10, 255)))
+    third = with_range(second, dataclasses.replace(second.hues[1], value=(20, 255)))
+    history.change(second)
+    history.change(third)
+    assert history.undo() and history.profile == second
+    assert history.undo() and history.profile == profile
+    assert not history.undo()
+    assert history.redo() and history.redo() and history.profile == third
+    history.undo()
+    history.change(profile)
+    assert not history.redo()
+
+
+def test_a_dragged_slider_is_one_step_back():
+    profile = models()[2]
+    history = ProfileHistory(profile)
+    for i, low in enumerate((50, 60, 70)):
+        changed = dataclasses.replace(profile.hues[0], value=(low, 255))
+        history.change(with_range(profile, changed), merge=i > 0)
+    history.undo()
+    assert history.profile == profile
+
+
+def test_overlapping_hues_are_named():
+    profile = models()[2]
+    wide = with_range(profile, dataclasses.replace(profile.hues[1], hue=(5, 39)))
+    rows = {r.name: r.clash for r in hue_rows(None, wide)}
+    assert rows["red"] == "overlaps yellow" and rows["yellow"] == "overlaps red"
+    assert rows["blue"] == ""
+    assert not any(r.clash for r in hue_rows(None, profile))
+
+
+def test_blob_counts_per_hue_are_means_over_both_pictures(view):
+    rows = {r.name: r.count for r in hue_rows(view, view.setup.profile)}
+    index = view.blobs.hue_names.index("red")
+    both = (view.blobs.left.hue == index).sum() + (view.blobs.right.hue == index).sum()
+    assert rows["red"].startswith(f"{both / 2:g} found")
+
+
+def test_histogram_peaks_at_the_hue_that_is_there():
+    hsv = np.zeros((80, 80, 3), np.uint8)
+    hsv[..., 2] = 200
+    hsv[:40] = (65, 220, 200)
+    histogram = hue_histogram(cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR))
+    assert abs(int(histogram.argmax()) - 65) <= 1
+    assert histogram[100:].max() == 0
+
+
+def test_eyedropper_reads_the_colour_under_it():
+    picture = frame_and_blobs(30)[0].left
+    hsv = cv2.cvtColor(picture, cv2.COLOR_BGR2HSV)
+    v, u = np.unravel_index(int(hsv[..., 1].argmax()), hsv.shape[:2])
+    h, _, _ = pixel_hsv(picture, float(u), float(v))
+    assert min((h - int(hsv[v, u, 0])) % 180, (int(hsv[v, u, 0]) - h) % 180) < 8
+
+
+def test_convergence_runs_from_prior_to_settled():
+    start, end = RANGES["scale"]
+    assert convergence(np.array([start]), "scale") == pytest.approx(0.0)
+    assert convergence(np.array([end]), "scale") == pytest.approx(1.0)
+    middle = np.sqrt(start * end)
+    assert convergence(np.array([middle, end]), "scale") == pytest.approx(0.5)
+    assert np.isnan(convergence(np.array([np.nan]), "scale"))
+
+
+def test_calibration_in_peoples_units():
+    shown = calibration_view(ScriptedEngine().calibration())
+    assert shown.hand_length == "187.4 ± 3.0 mm"
+    scale, mounting, gyro, accel = shown.rows[0].cells
+    assert scale.text == "1.030 ± 0.02"
+    assert mounting.text.startswith(f"{np.rad2deg(0.05 * np.sqrt(3)):.1f} ± 8")
+    assert gyro.text.endswith("°/s")
+    assert accel.text == "" and np.isnan(accel.convergence)
+    assert "Bend" in shown.advice  # the mounting is what is farthest from settled
+
+
+def test_curves_end_now_and_are_in_degrees():
+    samples = ScriptedEngine().recent_imu()
+    shown = curves(samples, 2, "gyro", 0.5)
+    assert shown.t[-1] == 0.0 and shown.t[0] >= -0.5
+    assert shown.values[-1] == pytest.approx(np.rad2deg(samples[-1].gyro[2]))
+
+
+def test_a_silent_imu_is_found():
+    samples = list(ScriptedEngine().recent_imu())
+    valid = samples[0].valid.copy()
+    valid[3] = False
+    silent = [dataclasses.replace(s, valid=valid) for s in samples]
+    states = imu_states(models()[1].imu_names, silent, running=True)
+    assert [s.text for s in states].count("silent") == 1
+    assert states[3].text == "silent"
+
+
+def test_lost_packets_are_a_problem_and_nothing_known_is_a_dash():
+    values = {"imu_lost": 3.0, "frames_dropped": 0.0, "imu_rate_hz": 99.6}
+    shown = {f.key: f for f in fields(Status(0.0, Tracking.TRACKING, values))}
+    assert shown["losses"].look.word == "problem"
+    assert shown["imu_rate_hz"].text == "100 Hz"
+    assert shown["latency"].text == "–"
+
+
+def test_orbit_keeps_its_distance_and_looks_where_it_is_told():
+    orbit = Orbit()
+    orbit.target = np.array([0.2, 0.0, 0.1])
+    orbit.turn(0.7, -0.4)
+    assert np.linalg.norm(orbit.eye - orbit.target) == pytest.approx(orbit.distance)
+    assert orbit.up @ orbit.direction == pytest.approx(0.0, abs=1e-12)
+    orbit.look_from(np.array([1.0, 2.0, 0.5]))
+    assert np.cross(orbit.direction, [1.0, 2.0, 0.5]) == pytest.approx(np.zeros(3), abs=1e-12)

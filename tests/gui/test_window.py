@@ -1,0 +1,264 @@
+"""The real window on an engine whose every message is known."""
+
+import gc
+import threading
+import time
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, SlowJob, frame_and_blobs, models, scripted_setup
+from PySide6.QtCore import QPointF, Qt, QTimer
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
+
+from app.main_window import MainWindow
+from app.viewmodels.overlay import project
+from app.widgets.command_palette import CommandPalette, rank
+from tracker.messages import Event, Tracking
+
+
+def pixels(widget) -> np.ndarray:
+    """(h, w, 3) RGB of what a widget shows."""
+    image = widget.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
+
+
+def test_starts_on_the_start_page_with_nothing_to_stop(window):
+    assert window.start_page.isVisible()
+    assert not any(dock.isVisible() for dock in window.docks.values())
+    assert not window.commands.actions["stop"].isEnabled()
+    assert not window.commands.actions["record"].isEnabled()
+    assert window.commands.actions["demo"].isEnabled()
+
+
+def test_every_command_is_in_a_menu_and_no_shortcut_is_taken_twice(window):
+    listed = {a for m in window.commands._menus.values() for a in m.actions()}
+    assert set(window.commands.actions.values()) <= listed
+    keys = [a.shortcut().toString() for a in window.commands.actions.values()]
+    keys = [k for k in keys if k]
+    assert len(keys) == len(set(keys))
+
+
+def test_the_camera_panel_paints_the_picture_it_is_given(live, engine):
+    view = live.cameras.left
+    live.cameras.follow.setChecked(False)
+    for box in live.cameras._layer_boxes.values():
+        box.setChecked(False)
+    live.cameras._shown = None
+    live.cameras.refresh(live.session.snapshot())
+    shown, picture = pixels(view), frame_and_blobs(engine.frame)[0].left
+    for u, v in ((640, 360), (400, 500), (900, 200)):
+        at = view._origin() + QPointF(u + 0.5, v + 0.5) * view._scale()
+        colour = shown[int(at.y()), int(at.x())].astype(int)
+        assert np.abs(colour - picture[v, u, ::-1].astype(int)).max() < 60
+
+
+def test_a_pixel_of_the_view_maps_back_to_itself_at_any_zoom(live, qtbot):
+    view = live.cameras.left
+    live.cameras.follow.setChecked(False)
+    for zoom, centre in ((1.0, (0.5, 0.5)), (3.7, (0.3, 0.6))):
+        view._zoom, view._centre = zoom, QPointF(*centre)
+        at = view._origin() + QPointF(200.5, 300.5) * view._scale()
+        assert view.to_picture(at) == pytest.approx((200.0, 300.0), abs=1e-6)
+
+
+def test_the_skeleton_is_projected_onto_the_hand(live):
+    """Every true fingertip lands on a pixel of the dark glove or of a patch, not on the table."""
+    view = live.session.snapshot()
+    names = view.setup.glove.keypoint_names(view.setup.hand)
+    uv = project(view, view.estimate.keypoints, right=False)
+    wrist, middle = uv[names.index("wrist")], uv[names.index("middle_mcp")]
+    table = view.frame.left[20, 20].astype(int)
+    between = np.round((wrist + 2 * middle) / 3).astype(int)
+    colour = view.frame.left[between[1], between[0]].astype(int)
+    assert np.abs(colour - table).max() > 25
+
+
+def test_the_hand_view_draws_the_hand(live, qtbot):
+    if live.hand.view.plotter is None:
+        pytest.skip("no OpenGL here")
+    before = pixels(live.hand.view)
+    greenish = (before[..., 1] > before[..., 0] + 25).mean()
+    assert greenish > 0.005  # the colour of what is measured
+    live.hand.view.orbit.turn(1.0, 0.3)
+    live.hand.view.render_scene()
+    assert (pixels(live.hand.view) != before).mean() > 0.005
+
+
+def test_lost_position_is_said_and_shown_differently(live, engine, qtbot):
+    engine.tracking = Tracking.LOST
+    qtbot.waitUntil(lambda: "lost" in live.bar.tracking.text().lower(), timeout=3000)
+    qtbot.waitUntil(lambda: "lost" in live.hand.view.caption, timeout=3000)
+
+
+def test_status_bar_tells_rates_and_latency(live, qtbot):
+    qtbot.waitUntil(lambda: "100 Hz" in live.bar.chips["imu_rate_hz"].text(), timeout=3000)
+    assert "48 ms" in live.bar.chips["latency"].text()
+    live.session.stop()
+    qtbot.waitUntil(lambda: live.bar.tracking.text() == "Stopped", timeout=3000)
+
+
+def test_tuning_a_hue_reaches_the_engine_and_can_be_undone(live, engine):
+    before = models()[2]
+    live.colours.choose_hue(1)
+    live.colours.rows["hue"].low.setValue(5)
+    assert engine.profiles[-1].hues[1].hue == (5, before.hues[1].hue[1])
+    live.colours.undo()
+    assert engine.profiles[-1] == before
+    live.colours.redo()
+    assert engine.profiles[-1].hues[1].hue[0] == 5
+
+
+def test_a_saved_profile_loads_as_the_same_and_a_broken_one_is_refused(live, tmp_path):
+    live.colours.rows["saturation"].low.setValue(77)
+    tuned = live.colours.profile
+    live.colours.save_file(tmp_path / "mine.toml")
+    live.colours.undo()
+    live.colours.load_file(tmp_path / "mine.toml")
+    assert live.colours.profile == tuned
+    (tmp_path / "bad.toml").write_text("schema = 1\nname = 3\n")
+    live.colours.load_file(tmp_path / "bad.toml")
+    assert "bad.toml" in live.banner.text()
+    assert live.colours.profile == tuned
+
+
+def test_hidden_panels_cost_nothing(live, qtbot, monkeypatch):
+    calls = []
+    monkeypatch.setattr(live.sensors, "refresh", lambda view: calls.append(view))
+    live.docks["log"].raise_()
+    qtbot.wait(150)
+    calls.clear()
+    qtbot.wait(200)
+    assert calls == []
+    live.docks["sensors"].raise_()
+    qtbot.waitUntil(lambda: len(calls) > 0, timeout=2000)
+
+
+def test_palette_finds_and_runs_a_command(live, qtbot):
+    palette = CommandPalette(list(live.commands.actions.values()), live)
+    qtbot.addWidget(palette)
+    palette._query.setText("freeze")
+    assert palette.names()[0] == "Freeze the pictures"
+    qtbot.keyClick(palette._query, Qt.Key.Key_Return)
+    assert live.cameras.freeze.isChecked()
+
+
+@pytest.mark.parametrize(
+    ("query", "better", "worse"),
+    [("rec", "Record", "Reset the layout"), ("lay", "Reset the layout", "Pause the replay")],
+)
+def test_palette_ranks_word_starts_first(query, better, worse):
+    good, bad = rank(query, better), rank(query, worse)
+    assert good is not None and (bad is None or good < bad)
+    assert rank("xyz", better) is None
+
+
+def test_events_reach_the_log_and_are_filtered(live, engine, qtbot):
+    engine.events.append(Event(1.0, "error", "The glove does not answer."))
+    qtbot.waitUntil(lambda: live.log.list.count() == 2, timeout=2000)
+    live.log.kind.setCurrentIndex(live.log.kind.findData("error"))
+    assert live.log.list.count() == 1
+    assert "does not answer" in live.log.list.item(0).text()
+    live.log.copy()
+    assert "does not answer" in QApplication.clipboard().text()
+
+
+def test_checklist_follows_what_arrives(window, qtbot):
+    assert window.checklist.summary.text().startswith("0 of")
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.run_command("show_checklist")
+    qtbot.waitUntil(lambda: window.checklist.summary.text().startswith("6 of"), timeout=3000)
+    window.session.shut_down()
+    assert window.checklist.summary.text().startswith("0 of")
+
+
+def test_errors_stand_in_the_banner_until_dismissed(window):
+    window.session.error.emit("The camera was unplugged.")
+    assert window.banner.isVisible()
+    window.session.error.emit("The glove was unplugged.")
+    assert window.banner.text() == "The glove was unplugged."
+    window.banner.dismissed.emit()
+    assert not window.banner.isVisible()
+
+
+def test_a_broken_factory_is_told_in_words(window, qtbot):
+    def factory(progress):
+        raise RuntimeError("no such thing")
+
+    window.session.open("Trying", factory)
+    qtbot.waitUntil(lambda: "no such thing" in window.banner.text(), timeout=2000)
+    assert window.session.setup is None and not window.session.opening
+
+
+def test_a_long_job_shows_progress_and_ends_when_cancelled(window, qtbot):
+    job = SlowJob()
+    task = window.tasks.run("Working", job)
+    qtbot.waitUntil(window.bar._bar.isVisible, timeout=2000)
+    assert job.started.wait(2)
+    window.bar._cancel.click()
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=2000)
+    assert not window.bar._bar.isVisible()
+    assert not task.alive
+
+
+def test_theme_and_layout_come_back(window, store, qtbot, no_leaks):
+    window.set_theme("dark")
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.docks["sensors"].hide()
+    window.close()
+    again = MainWindow(store)
+    qtbot.addWidget(again)
+    again.show()
+    again.session.adopt(scripted_setup(ScriptedEngine()))
+    assert store.value.theme == "dark"
+    assert not again.docks["sensors"].isVisible()
+    again.reset_layout()
+    assert not again.docks["sensors"].isHidden()
+    again.close()
+
+
+def test_space_and_n_do_not_steal_letters_from_a_text_field(live, qtbot):
+    live.run_command("show_recording")
+    live.recording.participant.setFocus()
+    qtbot.keyClicks(live.recording.participant, "no name")
+    assert live.recording.participant.text().endswith("no name")
+    assert live.session.recording is None
+
+
+def test_the_window_never_blocks_long_on_a_live_engine(live, qtbot):
+    gaps, last = [], [time.monotonic()]
+    timer = QTimer()
+
+    def tick():
+        gaps.append(time.monotonic() - last[0])
+        last[0] = time.monotonic()
+
+    timer.timeout.connect(tick)
+    timer.start(5)
+    cpu = time.thread_time()
+    qtbot.wait(800)
+    cpu = time.thread_time() - cpu
+    timer.stop()
+    assert np.median(gaps) < 0.2
+    assert cpu < 0.8  # of this thread alone: other programs' load does not count
+
+
+def test_opening_and_closing_leaves_no_thread_timer_or_window(store, qtbot, no_leaks):
+    threads = threading.active_count()
+    for _ in range(5):
+        window = MainWindow(store)
+        window.show()
+        window.session.adopt(scripted_setup(ScriptedEngine()))
+        qtbot.wait(20)
+        window.close()
+        window.deleteLater()
+        QApplication.processEvents()
+        del window
+    gc.collect()
+    qtbot.wait(20)
+    assert threading.active_count() <= threads
+    left = [
+        w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow) and w.isVisible()
+    ]
+    assert left == []
