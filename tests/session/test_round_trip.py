@@ -199,3 +199,17 @@ def test_quaternions_in_the_file_are_those_of_the_segments(session) -> None:
     with SessionReader(path) as reader:
         found = next(iter(reader.messages([Estimate])))
     assert np.allclose(so3.matrix_from_quat(found.keypoint_q[0]), wanted.segment_R[0])
+
+
+def test_two_estimates_of_one_arrival_keep_their_segments(
+    tmp_path: Path, record: Record, maker
+) -> None:
+    late = replace(maker.imu(0), t_arrival=maker.imu(40).t_arrival)
+    estimates = [maker.estimate(ms) for ms in (0.0, 10.0, 20.0)]
+    path = record(tmp_path / "a.mcap", [late, *estimates])
+    with SessionReader(path) as reader:
+        found = list(reader.messages([Estimate]))
+    for a, b in zip(found, estimates, strict=True):
+        assert np.array_equal(a.segment_p, b.segment_p)
+        assert np.array_equal(a.angles, b.angles)
+        assert np.array_equal(a.keypoint_sd, b.keypoint_sd)

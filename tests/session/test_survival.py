@@ -20,7 +20,9 @@ from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Estimate, ImuSample
 from tracker.session import disk
 from tracker.session.compare import compare
+from tracker.session.container import McapOutput
 from tracker.session.mcap_input import McapInput
+from tracker.session.ordering import ordered
 from tracker.session.reader import SessionReader
 from tracker.session.recover import needs_recovery, recover
 from tracker.session.verify import is_ok, verify
@@ -284,3 +286,31 @@ def test_chunks_are_short_in_time_and_size(session: Path) -> None:
     assert len(spans) > 3
     assert all(s.end - s.start <= 0.5e9 for s in spans)
     assert all(s.length < 80_000 for s in spans)
+
+
+def test_spoilt_messages_in_sound_chunks_end_in_words(session: Path, maker) -> None:
+    """Checksums are right here, so the damage reaches the decoders."""
+    rng = np.random.default_rng(12)
+    refused = 0
+    with SessionReader(session) as reader:
+        everything = list(ordered(reader.source))
+        attachments, metadata = dict(reader.attachments), dict(reader.metadata)
+    for n in range(40):
+        path = session.with_name(f"spoilt{n}.mcap")
+        out = McapOutput(path, "none", sync=False)
+        out.metadata("glovetrack", metadata)
+        for name, text in attachments.items():
+            out.attach(name, text, 0)
+        for m in everything[:200] + everything[-10:]:
+            data = bytearray(m.data)
+            if rng.uniform() < 0.03:
+                data[int(rng.integers(len(data)))] ^= 1 << int(rng.integers(8))
+            out.write(out.channel(m.topic, m.type), m.log_time, m.publish_time, bytes(data), 0)
+        out.finish()
+        try:
+            with SessionReader(path) as reader:
+                list(reader.messages())
+        except GlovetrackError:
+            refused += 1
+        verify(path)
+    assert 3 < refused < 40
