@@ -204,7 +204,9 @@ class VistEngine:
         enough = len(matched) >= self._params.tracking.min_markers
         if not enough and self._track.is_coasting(frame.t, self._params.tracking):
             matched = matched.none()  # in a wide gate a point or two may be anything
-        self._filter.correct(self._state, expected, matched)
+        since = max(frame.t - self._track.last_constraint, 1e-3)
+        often = max(1.0, self._params.constraint.period / since)
+        self._filter.correct(self._state, expected, matched, often)
         self._track.judge(frame.t, enough, self._params.tracking)
         self._finish(frame, seen, pose, expected, matched)
 

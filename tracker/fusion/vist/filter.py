@@ -31,16 +31,21 @@ class VistFilter:
         """The hand is known to keep still."""
         self._update(state, *rest_rows(state, self._layout))
 
-    def correct(self, state: VistState, expected: Expected, matched: Matched) -> None:
+    def correct(
+        self, state: VistState, expected: Expected, matched: Matched, often: float = 1.0
+    ) -> None:
         """Eq. 10 and the constraints in one stacked update, linearised at one place.
 
-        The innovation uses the predicted markers themselves; the shift that correspondence found
-        only served the assignment.
+        ``often`` multiplies all noise: what is wrong with a marker's place or a joint's axis is
+        the same in the next picture, so more pictures a second tell no more. The innovation uses
+        the predicted markers themselves; the shift that correspondence found only served the
+        assignment.
         """
         H, r, variance = self._anatomy.rows(state)
-        R = np.diag(variance)
+        R = np.diag(variance * often)
         if len(matched):
             H_m, r_m, R_m = self.marker_rows(expected, matched)
+            R_m *= often
             H, r = np.concatenate([H_m, H]), np.concatenate([r_m, r])
             both = np.zeros((len(r), len(r)))
             both[: len(R_m), : len(R_m)] = R_m

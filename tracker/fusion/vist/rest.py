@@ -14,9 +14,9 @@ from tracker.fusion.vist.layout import V, VistLayout
 from tracker.fusion.vist.state import VistState
 from tracker.messages import Array, ImuSample
 
-WINDOW = 0.2  # s looked back on
-STILL_TURN = 0.25  # rad/s mean angular rate; tremor alone gives 0.1
-STILL_FORCE = 0.6  # m/s² spread of the specific force
+WINDOW = 0.3  # s looked back on
+STILL_TURN = 0.35  # rad/s mean angular rate; sway and tremor give 0.2
+STILL_FORCE = 1.8  # m/s² spread of the specific force; tremor gives 1
 SD = 0.05  # m/s, for sway goes on and the same rest is used many times a second
 
 
