@@ -139,8 +139,7 @@ def test_a_thousand_faults() -> None:
     assert np.all(np.diff(arrival) >= 0)
     assert np.all(np.array([s.t for s in samples]) <= arrival)
     assert len(samples) > 15_000
-    c = link.decoder.counters
-    assert c.frames > 0
+    assert np.all(np.diff([s.t for s in samples]) > 0)
     for text in ("was unplugged", "has restarted"):
         assert any(text in w for w in words)
     assert link.figures.lost > 100
