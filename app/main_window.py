@@ -42,6 +42,7 @@ from app.viewmodels.states import BAD, WARN
 from app.widgets.banner import Banner
 from app.widgets.command_palette import CommandPalette
 from app.window_commands import add_commands
+from tracker.errors import GlovetrackError
 
 TICK_MS = 16
 STATUS_PERIOD = 0.25
@@ -198,6 +199,24 @@ class MainWindow(QMainWindow):
     def start_hardware(self) -> None:
         settings = self.store.value
         self._open(self.tr("Looking for glove and camera"), hardware_factory(settings))
+
+    def choose_calibration(self) -> None:
+        """Remember the camera's calibration file; it is checked before it is taken."""
+        path, _ = QFileDialog.getOpenFileName(
+            self, self.tr("Stereo calibration"), "", "*.conf *.yml *.yaml"
+        )
+        if path:
+            self.set_calibration(Path(path))
+
+    def set_calibration(self, path: Path) -> None:
+        from app.hardware import load_rig
+
+        try:
+            load_rig(str(path))
+        except GlovetrackError as error:
+            self.show_error(str(error))
+            return
+        self.store.update(calibration=str(path))
 
     def choose_session(self) -> None:
         path, _ = QFileDialog.getOpenFileName(

@@ -30,6 +30,8 @@ class Settings:
     hand: str = "reference-right"
     glove: str = "vist-small"
     port: str = ""
+    camera: str = ""  # index, file or address of a side-by-side picture; empty: the first one
+    calibration: str = ""  # path of the stereo calibration
 
 
 class SettingsStore:

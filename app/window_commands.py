@@ -22,6 +22,7 @@ def _file(w: MainWindow) -> list[Command]:
     return [
         Command("demo", menu, w.tr("Start the &demo"), w.start_demo, "Ctrl+D"),
         Command("hardware", menu, w.tr("&Glove and camera"), w.start_hardware, "Ctrl+G"),
+        Command("calibration", menu, w.tr("Stereo &calibration…"), w.choose_calibration),
         Command("open", menu, w.tr("&Open a session…"), w.choose_session, "Ctrl+O"),
         Command("export", menu, w.tr("&Export…"), w.export_session, "Ctrl+E"),
         Command("close", menu, w.tr("&Close the session"), w.session.shut_down, "Ctrl+W"),

@@ -182,6 +182,20 @@ def test_errors_stand_in_the_banner_until_dismissed(window):
     assert not window.banner.isVisible()
 
 
+def test_without_devices_the_window_says_what_is_missing(window, qtbot, monkeypatch):
+    monkeypatch.setattr("app.hardware.serial_ports", list)
+    window.start_hardware()
+    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=20_000)
+    assert window.start_page.isVisible()
+
+
+def test_a_calibration_that_is_none_is_refused_and_not_remembered(window, store, tmp_path):
+    (tmp_path / "mine.conf").write_text("[LEFT_CAM_HD]\nfx=700\n")
+    window.set_calibration(tmp_path / "mine.conf")
+    assert "mine.conf" in window.banner.text()
+    assert store.value.calibration == ""
+
+
 def test_a_broken_factory_is_told_in_words(window, qtbot):
     def factory(progress):
         raise RuntimeError("no such thing")

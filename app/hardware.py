@@ -1,0 +1,116 @@
+"""The real devices: a glove on a serial port and a side-by-side stereo camera."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from pathlib import Path
+
+from app.engine import EngineSetup, Recorder, RecordingRequest
+from app.settings import Settings
+from app.tasks import Progress
+from tracker import library
+from tracker.clock import ClockAnchor
+from tracker.config import to_toml
+from tracker.errors import DeviceError
+from tracker.pipeline import Pipeline
+from tracker.runner import LiveTracker
+from tracker.sensors.camera import StereoCamera
+from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
+from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.sensors.opencv_yaml import load_opencv_stereo
+from tracker.sensors.picture_input import CaptureFormat, SideBySideInput, list_cameras
+from tracker.sensors.zed_files import load_zed
+from tracker.session.description import SessionInfo
+from tracker.session.writer import SessionRecorder
+from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.detector import Detector
+from tracker.vision.rig import StereoRig
+
+WIDTH, HEIGHT, FPS = 1280, 720, 60.0
+
+
+def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
+    """Find the devices and build an engine on them. Raises DeviceError with what is missing."""
+    port = find_port(progress, settings.port)
+    progress(0.5, "camera")
+    source = find_camera(settings.camera)
+    rig = load_rig(settings.calibration)
+    progress(0.7, "engine")
+    hand, glove = library.load(settings.glove, settings.hand)
+    colours_text = library.text("colours", settings.profile or library.DEFAULT_COLOURS)
+    profile = parse_profile(colours_text)
+    pipeline = Pipeline(hand, glove, rig)
+
+    def make_detector(colours: ColourProfile) -> Detector:
+        return Detector(colours, float(glove.marker_size.mean()), rig.fx)
+
+    want = CaptureFormat(2 * rig.left.width, rig.left.height, FPS)
+    camera = StereoCamera(SideBySideInput(source, want), rig)
+    link = GloveLink(serial_port(port), len(glove.imus))
+    anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
+    info = SessionInfo(
+        hand=hand,
+        glove=glove,
+        hand_text=library.text("hands", settings.hand),
+        glove_text=library.text("gloves", settings.glove),
+        anchor=anchor,
+        rig=rig,
+        colours_text=colours_text,
+        settings_text=to_toml(pipeline.settings),
+        engine=pipeline.settings.engine,
+    )
+
+    def make_recorder(request: RecordingRequest) -> Recorder:
+        named = replace(info, participant=request.participant, notes=request.task)
+        return SessionRecorder(request.path, named)
+
+    return EngineSetup(
+        name=f"glove at {port}",
+        engine=LiveTracker(pipeline, profile, make_detector, link, camera),
+        hand=hand,
+        glove=glove,
+        rig=rig,
+        profile=profile,
+        anchor=anchor,
+        close=lambda: None,
+        make_recorder=make_recorder,
+    )
+
+
+def find_port(progress: Progress, last: str) -> str:
+    """The first port with a glove behind it; the last one used is asked first."""
+    ports = serial_ports()
+    ports.sort(key=lambda p: p != last)
+    troubles = []
+    for i, path in enumerate(ports):
+        progress(0.4 * i / len(ports), path)
+        report: PortReport = find_gloves([path])[0]
+        if report.is_glove:
+            return path
+        troubles.append(report.trouble)
+    if not troubles:
+        raise DeviceError("No glove was found: no USB serial port is there. Is it plugged in?")
+    raise DeviceError(f"No glove was found. {' '.join(troubles)}")
+
+
+def find_camera(chosen: str) -> int | str:
+    """The camera that the user chose (an index, a file or an address), else the first one."""
+    if chosen:
+        return int(chosen) if chosen.isdigit() else chosen
+    cameras = list_cameras()
+    if not cameras:
+        raise DeviceError("No camera was found. Plug in the stereo camera and look again.")
+    return cameras[0].index
+
+
+def load_rig(path: str) -> StereoRig:
+    """The stereo calibration that the user chose: a ZED's factory file or OpenCV's YAML."""
+    if not path:
+        raise DeviceError(
+            "The camera has no stereo calibration yet: choose its file under "
+            "File, Stereo calibration."
+        )
+    if Path(path).suffix == ".conf":
+        return load_zed(Path(path), HEIGHT)
+    return load_opencv_stereo([Path(path)], WIDTH, HEIGHT)
