@@ -185,7 +185,7 @@ def _judge(
     columns = [names.index(k) for k in KEYPOINTS]
     t = np.array([e.t for e in record.estimates])
     outage = variant.outage if variant is not None else 0.0
-    ok = t > SETTLING
+    ok = t > min(SETTLING, simulation.duration / 3)  # some recordings are short
     if outage:
         ok &= np.array([judged_in_outage(x, outage) for x in t])
     rows = np.flatnonzero(ok)
