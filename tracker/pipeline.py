@@ -65,6 +65,11 @@ class Pipeline:
         self._engine = build(hand, glove, rig, self.settings)
 
     @property
+    def engine(self) -> Engine:
+        """For what only some engines know, such as a wearer's profile."""
+        return self._engine
+
+    @property
     def keypoint_names(self) -> tuple[str, ...]:
         """Rows of ``Estimate.keypoints``."""
         return self.glove.keypoint_names(self.hand)

@@ -23,6 +23,7 @@ from tracker.fusion.output import HandOutput, Sensed
 from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import PixelModel, Prediction, SeenBlobs, seen_blobs
 from tracker.fusion.prior import initial_covariance, reset_pose
+from tracker.fusion.profile import WearerProfile, profile_of, wear
 from tracker.fusion.propagate import propagate
 from tracker.fusion.reports import calibration_of, frame_result
 from tracker.fusion.start import Starter
@@ -405,6 +406,20 @@ class ChainEngine:
 
     def calibration(self) -> Calibration:
         return calibration_of(self._layout, self._filter)
+
+    def profile(self) -> WearerProfile:
+        """What has been learned of the wearer."""
+        return profile_of(self._filter, self._layout)
+
+    def put_on(self, profile: WearerProfile) -> None:
+        """Take what is known of the wearer, now and at each new start."""
+        self._starter.profile = profile
+        wear(self._filter, self._layout, profile)
+        self._rebuild_head()
+
+    @property
+    def layout(self) -> ChainLayout:
+        return self._layout
 
     # ---- saving
 

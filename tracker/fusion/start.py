@@ -11,6 +11,7 @@ from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import SeenBlobs
 from tracker.fusion.prior import initial_covariance
+from tracker.fusion.profile import WearerProfile, wear
 from tracker.fusion.search import Pose, SearchParams, Seen, postures_from_gravity, vote
 from tracker.fusion.state import ChainState, initial_state
 from tracker.messages import Array, CameraPose
@@ -29,6 +30,7 @@ class Starter:
     def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
         self._layout, self._rig, self._params = layout, rig, params
         self._search = SearchParams()
+        self.profile: WearerProfile | None = None  # what is known of the wearer beforehand
 
     def first(
         self, buffer: ImuBuffer, seen: tuple[SeenBlobs, ...], pose: CameraPose, t: float
@@ -40,10 +42,13 @@ class Starter:
         state = initial_state(self._layout)
         state.t = t
         state.P = initial_covariance(self._layout, self._params.prior)
+        if self.profile is not None:
+            wear(state, self._layout, self.profile)
         valid = np.all([s.valid for s in packets], axis=0)
         force = np.mean([s.accel for s in packets], axis=0)
         gyro = np.array([s.gyro for s in packets])
-        self._bias_at_rest(state, gyro, valid)
+        if self.profile is None:
+            self._bias_at_rest(state, gyro, valid)
         postures = postures_from_gravity(self._layout, state.R_IB, force, valid)
         headings = np.arange(0, 2 * np.pi, np.deg2rad(self._search.heading_step_deg))
         best = self._best(state, postures, headings, seen, pose, self._search)

@@ -37,6 +37,7 @@ from tracker.sensors.protocol import (
 
 DEGREE = np.pi / 180
 BITS_PER_BYTE = 10  # 8N1
+LONG_SILENCE = 60.0  # s, after which seq may have wrapped unseen
 
 
 class Port(Protocol):
@@ -163,7 +164,8 @@ class GloveLink:
             return False
         self._told.discard("open")
         self.figures.reopened += 1
-        self.decoder = Decoder()
+        counters, self.decoder = self.decoder.counters, Decoder()
+        self.decoder.counters = counters
         self._greet(now)
         return True
 
@@ -238,6 +240,8 @@ class GloveLink:
             return []
         if self.state == LinkState.SILENT:
             self._say("The glove sends again.")
+            if now - self._since > LONG_SILENCE:
+                self._restart_counting()
         self.state, self._since = LinkState.STREAMING, now
         seq, t_device = self._seq(frame.seq), self._device(frame.t_us) * 1e-6
         if self._last_seq is not None:

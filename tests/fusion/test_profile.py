@@ -1,0 +1,24 @@
+"""What was learned of a wearer, given to another run."""
+
+import numpy as np
+
+from tests.fusion.test_chain_engine import errors, feed, simulation, times
+from tracker.fusion.chain import ChainEngine
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.pipeline import Pipeline
+
+
+def test_a_known_wearer_starts_better(hand: HandModel, glove: GloveModel) -> None:
+    sim = simulation(hand, glove, 7, 12.0)
+    messages = list(sim.feed())
+    first = Pipeline(hand, glove, sim.rig)
+    learned = errors(sim, estimates := feed(first, messages))
+    again = Pipeline(hand, glove, sim.rig)
+    assert isinstance(first.engine, ChainEngine) and isinstance(again.engine, ChainEngine)
+    again.engine.put_on(first.engine.profile())
+    known = errors(sim, feed(again, messages))
+    early = (times(estimates) > 0.5) & (times(estimates) < 4)
+    assert known[early].mean() < learned[early].mean()
+    scale = again.calibration().scale
+    assert np.allclose(scale, first.calibration().scale, atol=0.03)
