@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import sys
 from collections.abc import Sequence
 
-WINDOW = {"demo": ["--demo"]}
+WINDOW = {"demo": ["--demo"], "--demo": ["--demo"]}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -24,4 +25,6 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
+    # In a frozen program the simulated camera's process starts here too, and must not go on.
+    multiprocessing.freeze_support()
     sys.exit(main())

@@ -25,6 +25,7 @@ from tracker.messages import Tracking
 
 SETTLE = 6.0  # s of tracking before the first picture
 SIZE = (1366, 768)
+CALM_MS = 150.0
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -81,11 +82,11 @@ def _wait_for_hand(window: MainWindow) -> None:
 
     def tracked() -> bool:
         view = window.session.snapshot()
-        return (
-            view is not None
-            and view.estimate is not None
-            and (view.estimate.tracking == Tracking.TRACKING)
-        )
+        if view is None or view.status is None:
+            return False
+        if view.status.values.get("latency_total_ms", 0.0) > CALM_MS:
+            return False  # the last picture taken held everything up
+        return view.estimate is not None and view.estimate.tracking == Tracking.TRACKING
 
     wait_until(tracked, 4.0)
 

@@ -24,6 +24,7 @@ REASONS = {
     "edge": "at the edge",
 }
 WHITE = "#FFFFFF"
+REASON_ZOOM, ID_ZOOM = 0.8, 0.4  # screen pixels per picture pixel
 
 
 @dataclass(frozen=True)
@@ -88,7 +89,7 @@ def _rejected(rejected: RejectedBlobs) -> list[Shape]:
     out: list[Shape] = []
     for (u, v), reason in zip(rejected.uv.tolist(), rejected.reason, strict=True):
         out.append(Cross(u, v, "#FF8A65", diagonal=True))
-        out.append(Label(u, v, REASONS.get(reason, reason), "#FFB199"))
+        out.append(Label(u, v, REASONS.get(reason, reason), "#FFB199", least_zoom=REASON_ZOOM))
     return out
 
 
@@ -106,7 +107,7 @@ def _predicted(
         colour = colours.get(marker.hue, WHITE)
         out.append(Cross(u, v, colour, opacity=opacity))
         if opacity == 1.0:
-            out.append(Label(u, v, str(marker.id), WHITE, opacity))
+            out.append(Label(u, v, str(marker.id), WHITE, opacity, ID_ZOOM))
             if not right:
                 out += _ellipse(u, v, result.predicted_cov[marker.id])
     return out

@@ -56,13 +56,15 @@ class Line:
 
 @dataclass(frozen=True)
 class Label:
-    """Text beside a point; its size does not follow the zoom."""
+    """Text beside a point, as large at any zoom; left out below ``least_zoom`` screen pixels per
+    picture pixel, where texts would cover each other."""
 
     u: float
     v: float
     text: str
     colour: str
     opacity: float = 1.0
+    least_zoom: float = 0.0
 
 
 Shape = Ring | Cross | Ellipse | Line | Label

@@ -242,7 +242,7 @@ def _paint(painter: QPainter, shape: Shape, s: float, origin: QPointF) -> None:
         _paint_ellipse(painter, shape, s, at(shape.u, shape.v))
     elif isinstance(shape, Cross):
         _paint_cross(painter, shape, at(shape.u, shape.v))
-    else:
+    elif s >= shape.least_zoom:
         _paint_label(painter, shape, at(shape.u, shape.v))
 
 
