@@ -31,7 +31,7 @@ class PriorParams:
     returned: float = 0.4  # rad, added when an IMU answers again
     rotation: float = 0.12  # rad
     mounting: float = 0.0873  # rad, 5° an axis
-    gyro_bias: float = 0.021  # rad/s
+    gyro_bias: float = 0.03  # rad/s
     accel_bias: float = 0.3  # m/s²
     common_length: float = 0.07
     common_girth: float = 0.07
@@ -45,7 +45,7 @@ class PriorParams:
 class ConstraintParams:
     """Anatomy as pseudo-measurements, applied once per picture."""
 
-    rotation: float = 0.1  # rad: no twist, no abduction of a hinge
+    rotation: float = 0.15  # rad: no twist, no abduction of a hinge
     thumb_abduction: float = 0.12  # rad, soft
     synergy: float = 0.13  # rad, for a segment seen only by markers
     limit: float = 0.05  # rad, beyond a joint's limit

@@ -20,7 +20,8 @@ from tracker.vision.stereo import all_pairs
 
 LOOK_BACK = 0.3  # s of packets that are averaged for tilt
 STILL_GYRO = 0.05  # rad/s: spread below which the mean gyro reading is a bias
-STILL_BIAS_SD = 0.012  # rad/s, what a wearer at rest still turns
+REST_PACKETS = 20
+STILL_BIAS_SD = 0.015  # rad/s, what a wearer at rest still turns
 MAX_BIAS = 0.2  # rad/s: more than this is motion (turn-on bias is at most 0.09)
 
 
@@ -90,6 +91,8 @@ class Starter:
 
     def _bias_at_rest(self, state: ChainState, gyro: Array, valid: Array) -> None:
         """A still hand shows the gyro biases: take them, with what a person at rest still turns."""
+        if len(gyro) < REST_PACKETS:
+            return  # tremor does not average out in a few packets
         spread, mean = gyro.std(axis=0), gyro.mean(axis=0)
         for j in np.flatnonzero(valid):
             if spread[j].max() < STILL_GYRO and np.abs(mean[j]).max() < MAX_BIAS:
