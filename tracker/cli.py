@@ -35,7 +35,9 @@ def _parser() -> argparse.ArgumentParser:
     from tracker.session.commands import add_commands as add_session
 
     parser = argparse.ArgumentParser(
-        prog="glovetrack", description="Hand tracking with a sensor glove and a stereo camera."
+        prog="glovetrack",
+        description="Hand tracking with a sensor glove and a stereo camera. Without a command, or "
+        "with a session file, the window opens; 'glovetrack demo' opens it on simulated sensors.",
     )
     parser.add_argument("--version", action="version", version=f"glovetrack {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
