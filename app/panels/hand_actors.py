@@ -131,17 +131,15 @@ def segment_mesh(s: Segment) -> Any:
 
 
 def _slab(s: Segment) -> Any:
-    """An ellipsoidal block ``width`` across and two radii thick (superquadric)."""
+    """A rounded block ``width`` across (y) and two radii thick (z), reaching over both ends (x)."""
     block = pv.Superquadric(
-        center=(s.length / 2, 0, 0),
-        scale=(s.length / 2 + s.radius * 0.6, s.width / 2, s.radius),
-        size=0.5,
-        phi_roundness=0.35,
-        theta_roundness=0.45,
-        theta_resolution=24,
-        phi_resolution=16,
+        phi_roundness=0.35, theta_roundness=0.45, theta_resolution=24, phi_resolution=16
     )
-    return block.scale(2.0, point=block.center, inplace=False)
+    half = np.array([s.length / 2 + 0.6 * s.radius, s.width / 2, s.radius])
+    # Fitted by its bounds: VTK's scales refer to axes that turn with its axis of symmetry.
+    largest = np.abs(block.points).max(axis=0)
+    block.points = block.points / largest * half + [s.length / 2, 0, 0]
+    return block.compute_normals()
 
 
 def _ball(radius: float, centre: tuple[float, float, float]) -> Any:

@@ -12,6 +12,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from app.main_window import MainWindow
+from app.panels.hand_actors import segment_mesh
 from app.viewmodels.overlay import project
 from app.widgets.command_palette import CommandPalette, rank
 from tracker.messages import Event, Tracking
@@ -84,6 +85,18 @@ def test_the_hand_view_draws_the_hand(live, qtbot):
     live.hand.view.orbit.turn(1.0, 0.3)
     live.hand.view.render_scene()
     assert (pixels(live.hand.view) != before).mean() > 0.005
+
+
+def test_a_body_has_the_size_of_its_segment_along_its_own_axes():
+    hand = models()[0]
+    dorsum, finger = (hand.segments[hand.index[n]] for n in ("dorsum", "index_proximal"))
+    x0, x1, y0, y1, z0, z1 = segment_mesh(dorsum).bounds
+    assert (y1, z1) == pytest.approx((dorsum.width / 2, dorsum.radius), rel=1e-3)
+    assert (y0, z0) == pytest.approx((-y1, -z1), rel=1e-3)
+    assert x0 < 0 and x1 > dorsum.length
+    x0, x1, y0, y1, _, _ = segment_mesh(finger).bounds
+    assert (x0, x1) == pytest.approx((-finger.radius, finger.length + finger.radius), rel=0.1)
+    assert y1 - y0 == pytest.approx(2 * finger.radius, rel=0.1)
 
 
 def test_lost_position_is_said_and_shown_differently(live, engine, qtbot):
