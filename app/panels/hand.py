@@ -16,7 +16,7 @@ from app.viewmodels.states import VALIDITY
 from app.widgets.view_3d import View3D
 from tracker.messages import Array, Validity
 
-FOLLOW = 0.15
+FOLLOW = 0.3
 """Share of the way that the view's centre goes to the hand at each picture."""
 
 

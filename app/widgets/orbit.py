@@ -16,7 +16,7 @@ class Orbit:
         self.target: Vector = np.zeros(3)
         self.azimuth = np.deg2rad(200.0)
         self.elevation = np.deg2rad(35.0)
-        self.distance = 0.38
+        self.distance = 0.42
 
     @property
     def direction(self) -> Vector:

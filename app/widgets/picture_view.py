@@ -30,7 +30,7 @@ from app.widgets.overlay import Cross, Ellipse, Label, Line, Ring, Shape
 MAX_ZOOM = 16.0
 MAX_FOLLOW_ZOOM = 4.0
 FILL = 0.6  # share of the view that a followed box takes
-CALM = 0.08  # share of the way at each picture
+CALM = 0.2  # share of the way at each picture
 BACKGROUND = QColor("#15181c")
 
 
