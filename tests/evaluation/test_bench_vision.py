@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from tracker.evaluation.bench_peers_vision import PlainOpenCv
-from tracker.evaluation.bench_vision import cpd_rows, interleaved, make_pictures
+from tracker.evaluation.bench_rows import interleaved
+from tracker.evaluation.bench_vision import cpd_rows, make_pictures
 from tracker.vision.colours import ColourProfile, HueRange
 
 CENTRES = {"red": 0, "yellow": 28, "green": 65, "blue": 110}

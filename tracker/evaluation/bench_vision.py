@@ -6,19 +6,18 @@ round, so that a busy machine slows both.
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import resources
 from tracker.evaluation.bench_peers_vision import PlainOpenCv
+from tracker.evaluation.bench_rows import BenchRow, Call, interleaved, row
 from tracker.glove.files import load_glove
 from tracker.hand.files import load_hand
 from tracker.messages import Array, IntArray
@@ -34,22 +33,8 @@ from tracker.vision.rig import ideal_rig
 from tracker.vision.stereo import StereoParams, match_stereo
 
 Image = NDArray[np.uint8]
-Call = Callable[[], object]
 MARKER_SIZE = 0.012  # m
 FOUND_WITHIN_PX = 4.0
-
-
-@dataclass(frozen=True)
-class BenchRow:
-    """One line of the table. ``ratio`` is value / peer_value; None where there is no peer."""
-
-    name: str
-    value: float
-    unit: str
-    peer: str
-    peer_value: float | None
-    ratio: float | None
-    goal: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,14 +46,14 @@ class Picture:
     hue: IntArray
 
 
-def bench_vision(rounds: int = 9, pictures: int = 8, seed: int = 1) -> list[dict[str, Any]]:
+def bench_vision(rounds: int = 9, pictures: int = 8, seed: int = 1) -> list[BenchRow]:
     """All rows: detection on plain and painted backgrounds, then CPD."""
     profile = load_profile(Path(resources.__file__).parent / "colours" / "fabric-default.toml")
     rows: list[BenchRow] = []
     for kind in ("plain", "painted"):
         rows += detection_rows(profile, make_pictures(profile, kind, pictures, seed), kind, rounds)
     rows += cpd_rows(rounds, seed)
-    return [asdict(r) for r in rows]
+    return rows
 
 
 def make_pictures(profile: ColourProfile, kind: str, count: int, seed: int) -> list[Picture]:
@@ -118,7 +103,7 @@ def detection_rows(
     ms = interleaved(calls, rounds) * 1e3 / len(pictures)
     names = ("full frame", "coarse to fine", "predicted regions")
     rows = [
-        _row(f"detection, {name}, {kind}", ms[k], "ms", "plain OpenCV", ms[3], goal)
+        row(f"detection, {name}, {kind}", ms[k], "ms", "plain OpenCV", ms[3], goal)
         for k, (name, goal) in enumerate(zip(names, ("0.40", "0.12", "0.12"), strict=True))
     ]
     return rows + _quality_rows(pictures, coarse, peer, kind)
@@ -137,11 +122,11 @@ def _quality_rows(
     (found, other), (peer_found, peer_other) = np.sum(mine, axis=0), np.sum(theirs, axis=0)
     n = len(pictures)
     return [
-        _row(
+        row(
             f"recall, {kind}", 100 * found / total, "%", "plain OpenCV", 100 * peer_found / total,
             ">= peer - 0.5",
         ),
-        _row(
+        row(
             f"other blobs, {kind}", other / n, "per picture", "plain OpenCV", peer_other / n,
             "<= peer + 0.5",
         ),
@@ -183,34 +168,12 @@ def cpd_rows(rounds: int, seed: int) -> list[BenchRow]:
     us = interleaved(calls, rounds, inner=20) * 1e6
     theirs = us[3:] if len(us) > 3 else (None, None)
     return [
-        _row("CPD, 1-DOF 15 x 15", us[0], "µs", "pycpd rigid", theirs[0], "0.01"),
-        _row("stereo matching, 15 x 15", us[1], "µs", "pycpd rigid", theirs[0], "-"),
-        _row("CPD, 3-DOF 13 x 37", us[2], "µs", "pycpd rigid", theirs[1], "0.01"),
+        row("CPD, 1-DOF 15 x 15", us[0], "µs", "pycpd rigid", theirs[0], "0.01"),
+        row("stereo matching, 15 x 15", us[1], "µs", "pycpd rigid", theirs[0], "-"),
+        row("CPD, 3-DOF 13 x 37", us[2], "µs", "pycpd rigid", theirs[1], "0.01"),
     ]
 
 
 def _pycpd(target: Array, source: Array) -> Call:
     rigid = import_module("pycpd").RigidRegistration
     return lambda: rigid(X=target, Y=source, w=0.1).register()
-
-
-def interleaved(calls: Sequence[Call], rounds: int, inner: int = 1) -> Array:
-    """Median seconds of each call; every round runs each of them ``inner`` times in a row."""
-    for call in calls:
-        call()
-    times = np.empty((rounds, len(calls)))
-    for r in range(rounds):
-        for k, call in enumerate(calls):
-            start = time.perf_counter()
-            for _ in range(inner):
-                call()
-            times[r, k] = (time.perf_counter() - start) / inner
-    return np.median(times, axis=0)
-
-
-def _row(
-    name: str, value: float, unit: str, peer: str, peer_value: float | None, goal: str
-) -> BenchRow:
-    ratio = float(value / peer_value) if peer_value else None
-    theirs = None if peer_value is None else float(peer_value)
-    return BenchRow(name, float(value), unit, peer, theirs, ratio, goal)

@@ -1,0 +1,166 @@
+"""One second of data through everything, and the same schedule from off-the-shelf parts.
+
+100 packets of seven IMUs and 60 stereo exposures. Pictures are rendered, searched and timed by
+themselves: some of the second's 120, with the time scaled to all. The exposures arrive late by 30
+to 50 ms. Times are of the processor, not of the wall, so that a second core that helps is counted.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tracker import library
+from tracker.evaluation.bench_fusion import STATES, update_case
+from tracker.evaluation.bench_peers_fusion import (
+    FrameCloud,
+    PlainFilter,
+    plain_second,
+    pycpd_installed,
+)
+from tracker.evaluation.bench_peers_vision import PlainOpenCv
+from tracker.evaluation.bench_rows import BenchRow, Call, interleaved, row
+from tracker.messages import Array, BlobFrame, ImuSample, StereoFrame
+from tracker.pipeline import Pipeline
+from tracker.settings import Settings
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.detector import Detector, detect_frame
+from tracker.vision.stereo import match_stereo
+
+START, SECOND = 3.0, 1.0  # s: tracked for so long before the second that is timed
+IMAGES = 120  # a second, both cameras
+OFF_THE_SHELF = "plain OpenCV, pycpd, dense numpy"
+Messages = Sequence[ImuSample | BlobFrame]
+
+
+@dataclass(frozen=True, eq=False)
+class Second:
+    """What a second brings: messages in order of arrival, what came before, and pictures."""
+
+    sim: Simulation
+    before: Messages
+    messages: Messages
+    pictures: Sequence[StereoFrame]
+
+    @property
+    def frames(self) -> list[BlobFrame]:
+        return [m for m in self.messages if isinstance(m, BlobFrame)]
+
+
+def make_second(seed: int = 1, pictures: int = 6) -> Second:
+    """A simulated hand in random postures; ``pictures`` stereo pairs spread over the second."""
+    hand, glove = library.load()
+    motion = RandomPostures(hand, seed, duration=START + SECOND + 0.2)
+    sim = Simulation(hand, glove, motion, seed)
+    feed = [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
+    before = [m for m in feed if m.t_arrival < START]
+    during = [m for m in feed if START <= m.t_arrival < START + SECOND]
+    times = START + SECOND * np.arange(pictures) / max(pictures, 1)
+    frames = [sim.renderer.frame(float(t), float(t), k) for k, t in enumerate(times)]
+    return Second(sim, before, during, frames)
+
+
+def schedule_rows(rounds: int, seed: int = 1, pictures: int = 6) -> list[BenchRow]:
+    """Pipeline and detection of both engines, and their sum beside the off-the-shelf schedule."""
+    second = make_second(seed, pictures)
+    profile = _profile()
+    calls = [
+        pipeline_call(second, "chain"),
+        pipeline_call(second, "vist"),
+        detection_call(second, profile),
+        _plain_detection(second, profile),
+    ]
+    if pycpd_installed():
+        calls.append(_plain_filtering(second))
+    s = interleaved(calls, rounds, clock=time.process_time)
+    scale = IMAGES / (2 * len(second.pictures))
+    theirs = s[3] * scale + s[4] if len(s) > 4 else None
+    return _rows(s[0], s[1], s[2] * scale, s[3] * scale, theirs)
+
+
+def _rows(
+    chain: float, vist: float, detect: float, plain_detect: float, theirs: float | None
+) -> list[BenchRow]:
+    peer, goal = OFF_THE_SHELF, "0.10"
+    stereo_ms = 1e3 * (chain + detect) / (IMAGES / 2)
+    return [
+        row("one second, whole schedule, chain", chain + detect, "s", peer, theirs, goal),
+        row("one second, whole schedule, vist", vist + detect, "s", peer, theirs, "-"),
+        row("core seconds per second, chain", chain + detect, "s", "-", None, "<= 0.15 s"),
+        row("  of it pipeline, chain", chain, "s", "-", None, "-"),
+        row("  of it pipeline, vist", vist, "s", "-", None, "-"),
+        row("  of it detection, 120 pictures", detect, "s", "plain OpenCV", plain_detect, "-"),
+        row("one stereo exposure, vision and filter", stereo_ms, "ms",
+            "two MediaPipe Hands calls (own environment)", None, "0.15"),
+    ]  # fmt: skip
+
+
+def _profile() -> ColourProfile:
+    name = library.DEFAULT_COLOURS
+    return parse_profile(library.text("colours", name), name)
+
+
+def pipeline_call(second: Second, engine: str) -> Call:
+    """A call that feeds the second's messages to a pipeline that is tracking, from one state."""
+    sim = second.sim
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig, replace(Settings(), engine=engine))
+    feed(pipeline, second.before)
+    state = pipeline.get_state()
+
+    def call() -> None:
+        pipeline.set_state(state)
+        feed(pipeline, second.messages)
+
+    return call
+
+
+def feed(pipeline: Pipeline, messages: Messages) -> None:
+    """As the runner does it: results are fetched after every message."""
+    for message in messages:
+        if isinstance(message, ImuSample):
+            pipeline.feed_imu(message)
+        else:
+            pipeline.feed_frame(message)
+        pipeline.take_results()
+
+
+def _marker_size(second: Second) -> float:
+    return float(np.median(second.sim.glove.marker_size))
+
+
+def detection_call(second: Second, profile: ColourProfile) -> Call:
+    """Both images of every picture, as the app searches them: coarse to fine, no prediction."""
+    detector = Detector(profile, _marker_size(second), second.sim.rig.fx)
+    return lambda: [detect_frame(detector, p) for p in second.pictures]
+
+
+def _plain_detection(second: Second, profile: ColourProfile) -> Call:
+    extent = _marker_size(second) * second.sim.rig.fx
+    plain = PlainOpenCv(profile, (extent / 0.9, extent / 0.15))
+    images = [i for p in second.pictures for i in (p.left, p.right) if i is not None]
+    return lambda: [plain.detect(image) for image in images]
+
+
+def _plain_filtering(second: Second) -> Call:
+    clouds, markers = list(_clouds(second)), second.sim.scene.instant(START).markers
+    u, rng = update_case(np.random.default_rng(1)), np.random.default_rng(2)
+    F = np.eye(STATES) + rng.normal(0, 1e-3, (STATES, STATES))
+    plain = PlainFilter(F, np.full(STATES, 1e-8), u.P, u.H, u.r, u.R)
+    packets = sum(isinstance(m, ImuSample) for m in second.messages)
+    return lambda: plain_second(clouds, markers, plain, packets)
+
+
+def _clouds(second: Second) -> Iterator[FrameCloud]:
+    """The second's blobs without hue, and the points that their stereo matches make."""
+    rig = second.sim.rig
+    for f in second.frames:
+        if f.left is None or f.right is None:
+            continue
+        points: Array = match_stereo(f.left.uv, f.left.hue, f.right.uv, f.right.hue, rig).p_C
+        if len(points) >= 3:
+            yield FrameCloud(f.left.uv, f.right.uv, points)
