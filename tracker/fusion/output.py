@@ -11,6 +11,8 @@ from tracker.fusion.layout import ChainLayout
 from tracker.geometry.kernels import quats
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
+INFERRED_SD = 0.004  # m that each segment beyond the last estimated one adds
+
 
 @dataclass(frozen=True, eq=False)
 class Sensed:
@@ -29,6 +31,11 @@ class HandOutput:
         self.complete = Completion(layout)
         self._keypoint_segments = layout.glove.keypoint_segments(hand)
         self._keypoint_count = len(layout.glove.keypoint_names(hand))
+        self._angle_segment, axis = np.nonzero(hand.axis_columns >= 0)
+        self._angle_column = hand.axis_columns[self._angle_segment, axis]
+        self._angle_parent = np.maximum(hand.parent[self._angle_segment], 0)
+        self._base, self._base_parent = self._bases()
+        self._sensed_ancestor, self._steps = self._ancestors()
 
     def estimate(
         self, t: float, R: Array, p: Array, scale3: Array, sensed: Sensed, active_sd: Array
@@ -42,8 +49,8 @@ class HandOutput:
             return self._nothing(t)
         R_all, p_all, scale_all, angles, known = self.complete(R, p, scale3)
         points = lay.glove.keypoint_positions(hand, R_all, p_all, scale_all)
-        angle_state = self._angle_state(sensed, known)
         segment_state = self._segment_state(sensed)
+        angle_state = self._angle_state(segment_state, known)
         keypoint_state = self._keypoint_state(segment_state, sensed.tracking)
         lost = keypoint_state == Validity.LOST
         points[lost] = np.nan
@@ -66,33 +73,40 @@ class HandOutput:
     def _segment_state(self, sensed: Sensed) -> IntArray:
         """(S,) measured where an IMU or marker saw it; inferred otherwise."""
         out = np.full(len(self._layout.hand.segments), int(Validity.INFERRED), np.int64)
-        for i, row in self._layout.row_of.items():
-            if sensed.segments[row]:
-                out[i] = Validity.MEASURED
+        out[self._layout.active[sensed.segments != 0]] = Validity.MEASURED
         return out
 
-    def _angle_state(self, sensed: Sensed, known: Array) -> IntArray:
-        segment = self._segment_state(sensed)
-        hand = self._layout.hand
-        out = np.full(len(hand.joint_names), int(Validity.INFERRED), np.int64)
-        for i, columns in enumerate(hand.axis_columns):
-            both = segment[i] == segment[max(hand.parent[i], 0)] == Validity.MEASURED
-            for c in columns:
-                if c >= 0 and both and known[c]:
-                    out[c] = Validity.MEASURED
+    def _angle_state(self, segment: IntArray, known: Array) -> IntArray:
+        """(J,) measured where the segment and its parent are."""
+        measured = segment == Validity.MEASURED
+        both = measured[self._angle_segment] & measured[self._angle_parent]
+        out = np.full(len(self._layout.hand.joint_names), int(Validity.INFERRED), np.int64)
+        out[self._angle_column[both & known[self._angle_column].astype(bool)]] = Validity.MEASURED
         return out
+
+    def _bases(self) -> tuple[IntArray, IntArray]:
+        """Keypoints at the base of a segment, and that segment's parent."""
+        hand = self._layout.hand
+        parent = hand.parent[hand.keypoint_segment]
+        base = np.flatnonzero(~np.any(hand.keypoint_offset, axis=1) & (parent >= 0))
+        return base, parent[base]
+
+    def _ancestors(self) -> tuple[IntArray, IntArray]:
+        """Per segment: active row of itself or its nearest active ancestor, and steps to it."""
+        hand, row_of = self._layout.hand, self._layout.row_of
+        row, steps = np.zeros((2, len(hand.segments)), np.int64)
+        for i in range(len(row)):
+            if i in row_of:
+                row[i] = row_of[i]
+            else:
+                row[i], steps[i] = row[hand.parent[i]], steps[hand.parent[i]] + 1
+        return row, steps
 
     def _keypoint_state(self, segment: IntArray, tracking: Tracking) -> IntArray:
         """A keypoint's place needs the hand's place: lost with it, inferred while coasting."""
         out = segment[self._keypoint_segments].copy()
-        hand = self._layout.hand
         # the base of a segment is the end of its parent: measured if the parent is
-        for k, (i, offset) in enumerate(
-            zip(hand.keypoint_segment, hand.keypoint_offset, strict=True)
-        ):
-            parent = hand.parent[i]
-            if not np.any(offset) and parent >= 0:
-                out[k] = max(out[k], segment[parent])
+        out[self._base] = np.maximum(out[self._base], segment[self._base_parent])
         if tracking == Tracking.LOST:
             out[:] = Validity.LOST
         elif tracking == Tracking.COASTING:
@@ -100,12 +114,8 @@ class HandOutput:
         return out
 
     def _keypoint_sd(self, active_sd: Array) -> Array:
-        hand, lay = self._layout.hand, self._layout
-        sd = np.empty(len(hand.segments))
-        for i in range(len(sd)):
-            row = lay.row_of.get(i)
-            sd[i] = active_sd[row] if row is not None else np.hypot(sd[hand.parent[i]], 0.004)
-        return sd[self._keypoint_segments]
+        own = active_sd[self._sensed_ancestor] ** 2
+        return np.sqrt(own + self._steps * INFERRED_SD**2)[self._keypoint_segments]
 
     def _nothing(self, t: float) -> Estimate:
         hand, k = self._layout.hand, self._keypoint_count

@@ -62,7 +62,6 @@ class MatchParams:
     min_markers: int = 4
     coast_limit: float = 1.0  # s of useful inertial position
     max_frame_delay: float = 0.12  # s, then the filter goes on without a picture
-    longest_delay: float = 0.5  # s that it learns to wait for pictures that come later
     search_period: float = 0.10  # s between two searches
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions, segment_positions
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import NoiseParams
+from tracker.fusion.pixels_kernel import stack_rows
 from tracker.fusion.state import ChainState
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.vision.correspondence import GateParams, HandShape, assign_gated, visibility
@@ -148,32 +149,13 @@ class PixelModel:
         self, prediction: Prediction, seen: tuple[SeenBlobs, ...], match: IntArray
     ) -> tuple[Array, Array, Array, Array]:
         """Stacked H (m, N), HP (m, N), innovation (m,), noise (m, m) of all matched markers."""
-        H: list[Array] = []
-        HP: list[Array] = []
-        r: list[Array] = []
-        blocks: list[Array] = []
-        for k, marker in enumerate(prediction.rows):
-            sides = [c for c in range(2) if match[c, marker] >= 0]
-            if not sides:
-                continue
-            A = np.concatenate([prediction.A[c, k] for c in sides])
-            innovation = np.concatenate(
-                [seen[c].uv[match[c, marker]] - prediction.uv[c, marker] for c in sides]
-            )
-            H_k, HP_k = A @ prediction.H[k], A @ prediction.HP[k]
-            noise = A @ A.T * self._noise.marker**2
-            noise += np.eye(len(A)) * self._noise.pixel_px**2
-            noise *= self._huber(innovation, HP_k @ H_k.T + noise)
-            H.append(H_k)
-            HP.append(HP_k)
-            r.append(innovation)
-            blocks.append(noise)
-        return np.concatenate(H), np.concatenate(HP), np.concatenate(r), _block_diagonal(blocks)
-
-    def _huber(self, r: Array, S: Array) -> float:
-        """Factor on the noise: 1 up to the threshold, then growing with the distance."""
-        distance = float(np.sqrt(r @ np.linalg.solve(S, r) / len(r)))
-        return max(1.0, distance / self._noise.huber) ** 2
+        p, noise = prediction, self._noise
+        residual = np.full((2, len(p.rows), 2), np.nan)
+        for c in range(2):
+            hit = np.flatnonzero(match[c, p.rows] >= 0)
+            marker = p.rows[hit]
+            residual[c, hit] = seen[c].uv[match[c, marker]] - p.uv[c, marker]
+        return stack_rows(p.H, p.HP, p.A, residual, noise.marker, noise.pixel_px, noise.huber)  # type: ignore[no-any-return]
 
     def segment_poses(self, state: ChainState) -> tuple[Array, Array]:
         return state.R_GB, segment_positions(state, self._layout)
@@ -185,13 +167,3 @@ def _gate(S: Array) -> GateParams:
         return GateParams()
     spread = float(np.median(np.log(np.linalg.det(S))))
     return GateParams(dummy_cost=GATE.dummy_cost + max(0.0, spread - USUAL_SPREAD))
-
-
-def _block_diagonal(blocks: list[Array]) -> Array:
-    size = sum(len(b) for b in blocks)
-    out = np.zeros((size, size))
-    k = 0
-    for b in blocks:
-        out[k : k + len(b), k : k + len(b)] = b
-        k += len(b)
-    return out

@@ -1,19 +1,13 @@
 """The vist engine: Lee et al. 2021 on packets and pictures, with an automatic start.
 
-The filter lives at the exposure of the last picture, or a fixed lag behind the newest packet when
-no picture comes; the ring buffer of packets carries a copy of it to the present. A late picture
-therefore needs no rolling back: it waits until packets cover its exposure.
+The ring buffer that brings late pictures and the present together is in `tracker.fusion.lagged`.
 """
 
 from __future__ import annotations
 
-import copy
-from typing import Any
-
 import numpy as np
 
-from tracker.fusion.health import ImuHealth
-from tracker.fusion.imu_buffer import ImuBuffer
+from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.output import HandOutput, Sensed
 from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import SeenBlobs, seen_blobs
@@ -43,7 +37,6 @@ from tracker.messages import (
     Calibration,
     CameraPose,
     Estimate,
-    FrameResult,
     ImuSample,
     IntArray,
     Tracking,
@@ -52,130 +45,61 @@ from tracker.vision.correspondence import both_cameras
 from tracker.vision.rig import StereoRig
 
 SEEN_LATELY = 0.5  # s
-LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
 
 Seen = tuple[SeenBlobs, ...]
 
 
-class VistEngine:
+class VistEngine(LaggedEngine[VistState]):
     """The paper's filter for one hand; an `Engine`.
 
     Raises ConfigError for a glove that leaves a segment of a chain without IMU.
     """
 
-    _KEPT = ("_state", "_head", "_track", "_guide", "_waiting", "_results")
+    _KEPT = (*LaggedEngine._KEPT, "_track", "_guide")
 
     def __init__(
         self, hand: HandModel, glove: GloveModel, rig: StereoRig, params: VistParams
     ) -> None:
         self._params, self._rig = params, rig
         self._layout = VistLayout(hand, glove)
+        timing = params.tracking
+        super().__init__(
+            len(glove.imus), blank_state(self._layout), timing.lost_after, timing.max_frame_delay
+        )
         self._filter = VistFilter(self._layout, params)
         self._markers = MarkerModel(self._layout, rig, params.noise, params.match)
         self._starter = Starter(self._layout.chain, rig, ChainParams())
         self._output = HandOutput(self._layout.chain)
-        self._buffer = ImuBuffer()
-        self._health = ImuHealth(len(glove.imus))
-        self._state = blank_state(self._layout)
-        self._head = self._state.copy_nominal()
         self._track = Track(
             seen=np.full(len(self._layout.kept), -np.inf),
             felt=np.full(len(glove.imus), -np.inf),
             tip_sd=np.zeros(self._layout.n),
         )
         self._guide: Expected | None = None  # markers after the last picture
-        self._waiting: list[BlobFrame] = []
-        self._results: list[FrameResult] = []
 
-    # ---- messages in
-
-    def feed_imu(self, sample: ImuSample) -> Estimate:
-        sample = self._health.check(sample)
-        if not self._buffer.add(sample):
-            return self.predict(sample.t)
-        self._track.felt[sample.valid] = sample.t
-        self._process_waiting()
-        self._keep_up(sample.t)
-        if self._track.tracking != Tracking.SEARCHING:
-            self._carry(self._head, sample.t)
-        return self._estimate(self._head, sample.t)
-
-    def feed_frame(self, frame: BlobFrame) -> None:
-        self._waiting.append(frame)
-        self._process_waiting()
-
-    def take_results(self) -> list[FrameResult]:
-        out, self._results = self._results, []
-        return out
+    @property
+    def tracking(self) -> Tracking:
+        return self._track.tracking
 
     # ---- time
 
-    def _process_waiting(self) -> None:
-        while self._waiting and self._ready(self._waiting[0]):
-            self._process(self._waiting.pop(0))
-            self._rebuild_head()
+    def _heard(self, sample: ImuSample) -> None:
+        self._track.felt[sample.valid] = sample.t
 
-    def _ready(self, frame: BlobFrame) -> bool:
-        """Covered by packets, or the glove has been silent for too long to wait for them."""
-        if self._buffer.covers(frame.t):
-            return True
-        newest, now = self._buffer.newest, self._waiting[-1].t_arrival
-        return newest is not None and now - newest.t > self._params.tracking.lost_after
+    def _step(self, state: VistState, sample: ImuSample, dt: float, covariance: bool) -> None:
+        coasting = self._track.is_coasting(self._state.t, self._params.tracking)
+        noise = self._params.noise
+        propagate(state, self._layout, noise, sample, dt, coasting=coasting, covariance=covariance)
 
-    def _keep_up(self, now: float) -> None:
-        """Without pictures the filter follows at a fixed lag, held together by anatomy."""
-        target = now - self._params.tracking.max_frame_delay
-        searching = self._track.tracking == Tracking.SEARCHING
-        if searching or self._waiting or target <= self._state.t:
-            return
-        self._advance(target)
-        self._track.judge(target, False, self._params.tracking)
-        if target - self._track.last_constraint >= self._params.constraint.period:
+    def _without_picture(self, t: float) -> None:
+        """Held together by anatomy."""
+        self._track.judge(t, False, self._params.tracking)
+        if t - self._track.last_constraint >= self._params.constraint.period:
             self._filter.constrain(self._state)
             self._rest()
-            self._track.last_constraint = target
+            self._track.last_constraint = t
             self._track.tip_sd = self._filter.tip_sd(self._state)
             self._rebuild_head()
-
-    def _advance(self, t: float) -> None:
-        """Move the filter, with its covariance, to ``t`` through every packet on the way."""
-        self._move(self._state, t, covariance=True)
-
-    def _carry(self, state: VistState, t: float) -> None:
-        """Move a nominal state to ``t``."""
-        self._move(state, t, covariance=False)
-
-    def _move(self, state: VistState, t: float, covariance: bool) -> None:
-        coasting = self._track.is_coasting(self._state.t, self._params.tracking)
-        while t - state.t > 1e-9:
-            sample, stop = self._next_interval(state.t, t)
-            propagate(
-                state,
-                self._layout,
-                self._params.noise,
-                sample,
-                stop - state.t,
-                coasting=coasting,
-                covariance=covariance,
-            )
-            state.t = stop
-
-    def _next_interval(self, start: float, end: float) -> tuple[ImuSample, float]:
-        """Mean readings from ``start`` to the next packet or ``end``, and that instant."""
-        later = self._buffer.after(start)
-        stop = min(later[0].t, end) if later else end
-        middle = self._buffer.at((start + stop) / 2)
-        if middle is None or not later or later[0].t - start > LONGEST_STEP:
-            n = len(self._layout.imu_of)
-            zero = np.zeros((n, 3))
-            return ImuSample(stop, stop, np.nan, -1, zero, zero, np.zeros(n, bool)), stop
-        return middle, stop
-
-    def _rebuild_head(self) -> None:
-        self._head = self._state.copy_nominal()
-        newest = self._buffer.newest
-        if newest is not None and self._track.tracking != Tracking.SEARCHING:
-            self._carry(self._head, newest.t)
 
     def _rest(self) -> None:
         """While nothing is seen, a hand that keeps still does not drift."""
@@ -189,12 +113,6 @@ class VistEngine:
     def _process(self, frame: BlobFrame) -> None:
         seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
         pose = frame.pose or self._rig.pose
-        if self._track.tracking == Tracking.SEARCHING:
-            self._start(frame, seen, pose)
-            return
-        if frame.t <= self._state.t:
-            return  # later than the longest delay: the filter has gone on without it
-        self._advance(frame.t)
         self._rest()
         expected, matched = self._look(self._state, seen, pose, self._guide)
         likely = float(both_cameras(expected.prior).sum())
@@ -219,11 +137,13 @@ class VistEngine:
             guide = previous
         return expected, self._markers.match(expected, guide, seen, pose)
 
-    def _start(self, frame: BlobFrame, seen: Seen, pose: CameraPose) -> None:
+    def _start(self, frame: BlobFrame) -> None:
         """Look for the hand from nothing, at most every ``search_period``."""
         if frame.t - self._track.last_search < self._params.tracking.search_period:
             return
         self._track.last_search = frame.t
+        seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
+        pose = frame.pose or self._rig.pose
         found = self._starter.first(self._buffer, seen, pose, frame.t)
         if found is None:
             return
@@ -281,12 +201,6 @@ class VistEngine:
 
     # ---- messages out
 
-    def predict(self, t: float) -> Estimate:
-        state = self._head.copy_nominal()
-        if self._track.tracking != Tracking.SEARCHING:
-            self._carry(state, t)
-        return self._estimate(state, t)
-
     def _estimate(self, state: VistState, t: float) -> Estimate:
         return self._output.estimate(
             t,
@@ -305,25 +219,9 @@ class VistEngine:
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
         if self._track.tracking in (Tracking.SEARCHING, Tracking.LOST):
             return None
-        state = self._head.copy_nominal()
-        self._carry(state, t)
         segment = self._layout.chain.marker_segment
-        p_G = positions(state, segment, self._layout.marker_lever)
+        p_G = positions(self._head_at(t), segment, self._layout.marker_lever)
         return p_G, self._track.tip_sd[segment], self._layout.kept.copy()
 
     def calibration(self) -> Calibration:
         return calibration_of(self._layout, self._state)
-
-    # ---- saving
-
-    def get_state(self) -> dict[str, Any]:
-        out = {name: copy.deepcopy(getattr(self, name)) for name in self._KEPT}
-        out["buffer"] = self._buffer.state()
-        out["health"] = self._health.state()
-        return out
-
-    def set_state(self, state: dict[str, Any]) -> None:
-        for name in self._KEPT:
-            setattr(self, name, copy.deepcopy(state[name]))
-        self._buffer.restore(state["buffer"])
-        self._health.restore(state["health"])

@@ -1,0 +1,210 @@
+"""What both filters share: time.
+
+A filter lives at the exposure of the last picture, or a fixed lag behind the newest packet when no
+picture comes. What it shows is a copy of its nominal state (the head), carried on with the packets
+since. Late pictures therefore need no rolling back: a picture waits until packets cover its
+exposure, and one that comes after the filter went on without it makes the lag longer.
+"""
+
+from __future__ import annotations
+
+import copy
+from abc import ABC, abstractmethod
+from typing import Any, Generic, Protocol, TypeVar
+
+import numpy as np
+
+from tracker.fusion.health import ImuHealth
+from tracker.fusion.imu_buffer import ImuBuffer
+from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Tracking
+
+LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
+LATE_MARGIN = 0.03  # s beyond the latest picture so far
+LONGEST_LAG = 0.5  # s
+
+
+class TimedState(Protocol):
+    """A filter's state at time ``t``."""
+
+    t: float
+
+    def copy_nominal(self) -> Any:
+        """A copy without its own covariance, to be carried on."""
+
+
+S = TypeVar("S", bound=TimedState)
+
+
+class LaggedEngine(ABC, Generic[S]):
+    """Feeds packets and pictures to a filter in the order of their instants.
+
+    ``silence`` s without packets let a picture be processed without them; ``lag`` s is how far the
+    filter stays behind at first.
+    """
+
+    _KEPT: tuple[str, ...] = ("_state", "_head", "_waiting", "_results", "_lag", "_last_frame")
+
+    def __init__(self, imu_count: int, state: S, silence: float, lag: float) -> None:
+        self._imu_count, self._silence_limit, self._lag = imu_count, silence, lag
+        self._buffer = ImuBuffer()
+        self._health = ImuHealth(imu_count)
+        self._state: S = state
+        self._head: S = state.copy_nominal()
+        self._waiting: list[BlobFrame] = []
+        self._results: list[FrameResult] = []
+        self._last_frame = -np.inf
+
+    # ---- what a filter says and does
+
+    @property
+    @abstractmethod
+    def tracking(self) -> Tracking:
+        """The state of tracking."""
+
+    @abstractmethod
+    def _heard(self, sample: ImuSample) -> None:
+        """A believable packet has come."""
+
+    @abstractmethod
+    def _step(self, state: S, sample: ImuSample, dt: float, covariance: bool) -> None:
+        """Move ``state`` by ``dt`` with the mean readings ``sample``."""
+
+    def _stepped(self) -> None:
+        """The filter has made one step with covariance."""
+        return
+
+    @abstractmethod
+    def _process(self, frame: BlobFrame) -> None:
+        """Use a picture later than the filter's time."""
+
+    @abstractmethod
+    def _start(self, frame: BlobFrame) -> None:
+        """Look for the hand from nothing."""
+
+    @abstractmethod
+    def _without_picture(self, t: float) -> None:
+        """The filter has gone on to ``t`` and no picture has come."""
+
+    @abstractmethod
+    def _estimate(self, state: S, t: float) -> Estimate:
+        """The hand that ``state`` stands for."""
+
+    # ---- messages
+
+    def feed_imu(self, sample: ImuSample) -> Estimate:
+        sample = self._health.check(sample)
+        if not self._buffer.add(sample):
+            return self.predict(sample.t)
+        self._heard(sample)
+        self._process_waiting()
+        self._keep_up(sample.t)
+        if self.tracking != Tracking.SEARCHING:
+            self._carry(self._head, sample.t)
+        return self._estimate(self._head, sample.t)
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        self._waiting.append(frame)
+        self._process_waiting()
+
+    def take_results(self) -> list[FrameResult]:
+        out, self._results = self._results, []
+        return out
+
+    def predict(self, t: float) -> Estimate:
+        return self._estimate(self._head_at(t), t)
+
+    def _head_at(self, t: float) -> S:
+        """A copy of the head carried to ``t``."""
+        state: S = self._head.copy_nominal()
+        if self.tracking != Tracking.SEARCHING:
+            self._carry(state, t)
+        return state
+
+    # ---- time
+
+    def _process_waiting(self) -> None:
+        while self._waiting and self._ready(self._waiting[0]):
+            frame = self._waiting.pop(0)
+            if self.tracking == Tracking.SEARCHING:
+                self._start(frame)
+            elif frame.t > self._state.t:
+                self._advance(frame.t)
+                self._process(frame)
+                self._last_frame = frame.t
+            else:
+                self._wait_longer(frame.t)
+            self._rebuild_head()
+
+    def _ready(self, frame: BlobFrame) -> bool:
+        """Covered by packets, or the glove has been silent for too long to wait for them."""
+        if self._buffer.covers(frame.t):
+            return True
+        newest, now = self._buffer.newest, self._waiting[-1].t_arrival
+        return newest is not None and now - newest.t > self._silence_limit
+
+    def _wait_longer(self, t: float) -> None:
+        """A picture came after the filter had gone on without it: the next ones are waited for."""
+        newest = self._buffer.newest
+        if newest is not None and t > self._last_frame:
+            self._lag = min(max(self._lag, newest.t - t + LATE_MARGIN), LONGEST_LAG)
+
+    def _keep_up(self, now: float) -> None:
+        target = now - self._lag
+        searching = self.tracking == Tracking.SEARCHING
+        if searching or self._waiting or target <= self._state.t:
+            return
+        self._advance(target)
+        self._without_picture(target)
+        if self._head.t < self._state.t:
+            self._rebuild_head()
+
+    def _advance(self, t: float) -> None:
+        """Move the filter, with its covariance, to ``t`` through every packet on the way."""
+        while t - self._state.t > 1e-9:
+            sample, stop = self._next_interval(self._state.t, t)
+            self._step(self._state, sample, stop - self._state.t, covariance=True)
+            self._state.t = stop
+            self._stepped()
+        self._state.t = t
+
+    def _carry(self, state: S, t: float) -> None:
+        """Move a nominal state to ``t``."""
+        while t - state.t > 1e-9:
+            sample, stop = self._next_interval(state.t, t)
+            self._step(state, sample, stop - state.t, covariance=False)
+            state.t = stop
+
+    def _next_interval(self, start: float, end: float) -> tuple[ImuSample, float]:
+        """Mean readings from ``start`` to the next packet or ``end``, and that instant."""
+        later = self._buffer.after(start)
+        stop = min(later[0].t, end) if later else end
+        middle = self._buffer.at((start + stop) / 2)
+        if middle is None or not later or later[0].t - start > LONGEST_STEP:
+            return self._silence(stop), stop
+        return middle, stop
+
+    def _silence(self, t: float) -> ImuSample:
+        """A packet in which no IMU answers."""
+        n = self._imu_count
+        zero = np.zeros((n, 3))
+        return ImuSample(t, t, np.nan, -1, zero, zero, np.zeros(n, bool))
+
+    def _rebuild_head(self) -> None:
+        self._head = self._state.copy_nominal()
+        newest = self._buffer.newest
+        if newest is not None and self.tracking != Tracking.SEARCHING:
+            self._carry(self._head, newest.t)
+
+    # ---- saving
+
+    def get_state(self) -> dict[str, Any]:
+        out = {name: copy.deepcopy(getattr(self, name)) for name in self._KEPT}
+        out["buffer"] = self._buffer.state()
+        out["health"] = self._health.state()
+        return out
+
+    def set_state(self, state: dict[str, Any]) -> None:
+        for name in self._KEPT:
+            setattr(self, name, copy.deepcopy(state[name]))
+        self._buffer.restore(state["buffer"])
+        self._health.restore(state["health"])
