@@ -57,5 +57,5 @@ def engine() -> ScriptedEngine:
 def live(window, engine, qtbot):
     """The window on a scripted engine, with the first second shown."""
     window.session.adopt(scripted_setup(engine))
-    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=5000)
+    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
     return window

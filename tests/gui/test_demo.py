@@ -17,7 +17,7 @@ def demo(window, qtbot):
     """The window with the demo running and the hand found."""
     window.start_demo()
     qtbot.waitUntil(lambda: window.session.running, timeout=100_000)
-    qtbot.waitUntil(lambda: _tracked(window), timeout=20_000)
+    qtbot.waitUntil(lambda: _tracked(window), timeout=60_000)
     return window
 
 
@@ -39,12 +39,12 @@ def _recorded(window, qtbot, tmp_path):
 @pytest.mark.timeout(180)
 def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     path = _recorded(demo, qtbot, tmp_path)
-    qtbot.waitUntil(lambda: demo.library.selected() is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: demo.library.selected() is not None, timeout=60_000)
     row = demo.library.selected()
     assert row.path == path and row.integrity == "whole"
 
     demo.library.export(path, "csv", tmp_path / "out.csv")
-    qtbot.waitUntil(lambda: not demo.tasks.tasks, timeout=20_000)
+    qtbot.waitUntil(lambda: not demo.tasks.tasks, timeout=60_000)
     with (tmp_path / "out.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) > 50
@@ -53,14 +53,14 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     demo.library.replay.emit(path)
     qtbot.waitUntil(
         lambda: demo.session.setup is not None and demo.session.setup.player is not None,
-        timeout=10_000,
+        timeout=60_000,
     )
-    qtbot.waitUntil(lambda: _tracked(demo), timeout=10_000)
+    qtbot.waitUntil(lambda: _tracked(demo), timeout=60_000)
     player = demo.session.setup.player
     assert 0.5 < player.duration < 30.0
     player.play(False)
     player.seek(0.5 * player.duration)
-    qtbot.waitUntil(lambda: abs(player.position - 0.5 * player.duration) < 0.25, timeout=5_000)
+    qtbot.waitUntil(lambda: abs(player.position - 0.5 * player.duration) < 0.25, timeout=30_000)
     assert not demo.commands.actions["record"].isEnabled()
 
 

@@ -46,7 +46,7 @@ def test_a_note_reaches_the_file(recording, recorders, qtbot):
     recording.recording.note_text.setText("gripped the cup")
     recording.recording._note()
     assert [m.text for m in recorders[0].messages if isinstance(m, Event)] == ["gripped the cup"]
-    qtbot.waitUntil(lambda: recording.log.model.entries("note", "gripped") != [], timeout=2000)
+    qtbot.waitUntil(lambda: recording.log.model.entries("note", "gripped") != [], timeout=30_000)
 
 
 def test_closing_the_window_while_recording_closes_the_file(recording, engine, recorders):
@@ -86,10 +86,10 @@ def test_start_after_stop_builds_a_new_engine(window, qtbot):
         return scripted_setup(made[-1])
 
     window.session.open("first", factory)
-    qtbot.waitUntil(lambda: window.session.running, timeout=3000)
+    qtbot.waitUntil(lambda: window.session.running, timeout=30_000)
     window.session.stop()
     window.session.start()
-    qtbot.waitUntil(lambda: len(made) == 2 and window.session.running, timeout=3000)
+    qtbot.waitUntil(lambda: len(made) == 2 and window.session.running, timeout=30_000)
     assert made[0].stopped == 1 and made[1].started == 1
 
 
