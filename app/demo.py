@@ -14,8 +14,6 @@ from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError
 from tracker.geometry import so3
-from tracker.glove.model import GloveModel
-from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, ImuSample, Message, Validity
 from tracker.pipeline import Pipeline
 from tracker.runner import LiveTracker
@@ -42,48 +40,39 @@ HAND, GLOVE = "reference-right", "vist-small"
 
 def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     """Build everything and compile what is compiled; takes a few seconds the first time."""
-    progress(0.1, "hand and glove")
-    hand, glove = library.load(GLOVE, HAND)
-    profile = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
-    progress(0.3, "a simulated wearer")
+    progress(0.1, "a simulated wearer and camera")
     hand_text, glove_text = library.text("hands", HAND), library.text("gloves", GLOVE)
     spec = DemoSpec(hand_text, glove_text, seed, DURATION, fps)
     camera = SimulatedCamera(spec)  # its own process gets ready beside us
+    try:
+        return _setup_with(progress, spec, camera)
+    except BaseException:
+        camera.close()
+        raise
+
+
+def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> EngineSetup:
     simulation = build(spec)
-    pipeline = Pipeline(hand, glove, simulation.rig)
+    colours_text = library.text("colours", library.DEFAULT_COLOURS)
+    profile = parse_profile(colours_text)
+    pipeline = Pipeline(simulation.hand, simulation.glove, simulation.rig)
 
     def make_detector(colours: ColourProfile) -> Detector:
-        return Detector(colours, float(glove.marker_size.mean()), simulation.rig.fx)
+        size = float(simulation.glove.marker_size.mean())
+        return Detector(colours, size, simulation.rig.fx)
 
     progress(0.5, "first picture")
-    index, t, arrival = next(simulation.exposures())
-    picture = simulation.renderer.frame(t, arrival, index)
-    detect_frame(make_detector(profile), picture)
-    _warm_up(hand, glove, seed)
+    _warm_up(simulation, make_detector(profile))
     progress(0.9, "devices")
     if not camera.wait_ready(CAMERA_TIMEOUT):
-        camera.close()
         raise DeviceError("The simulated camera did not start.")
-    count = len(glove.imus)
+    count = len(simulation.glove.imus)
     device = SimulatedGlove(simulation.imu_samples(), count)
     link = GloveLink(serial_port(device.path), count)
-    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
     t_0 = time.monotonic() + LEAD
     camera.begin(t_0)
     device.begin(t_0)
-    anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
-    info = SessionInfo(
-        hand=hand,
-        glove=glove,
-        hand_text=hand_text,
-        glove_text=glove_text,
-        anchor=anchor,
-        rig=simulation.rig,
-        colours_text=library.text("colours", library.DEFAULT_COLOURS),
-        settings_text=to_toml(pipeline.settings),
-        engine=pipeline.settings.engine,
-        simulated=True,
-    )
+    info = _info(spec, simulation, pipeline, colours_text)
 
     def truth(t: float) -> Truth:
         true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
@@ -95,12 +84,12 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
 
     return EngineSetup(
         name="demo",
-        engine=tracker,
-        hand=hand,
-        glove=glove,
+        engine=LiveTracker(pipeline, profile, make_detector, link, camera),
+        hand=simulation.hand,
+        glove=simulation.glove,
         rig=simulation.rig,
         profile=profile,
-        anchor=anchor,
+        anchor=info.anchor,
         close=device.stop,
         make_recorder=make_recorder,
         truth=truth,
@@ -108,12 +97,33 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     )
 
 
-def _warm_up(hand: HandModel, glove: GloveModel, seed: int) -> None:
-    """Track a second of points: kernels are compiled before the clock runs, not while it does."""
-    motion = RandomPostures(hand, seed, duration=WARM_UP)
-    simulation = Simulation(hand, glove, motion, seed, fps=30.0)
-    pipeline = Pipeline(hand, glove, simulation.rig)
-    for message in simulation.feed():
+def _info(
+    spec: DemoSpec, simulation: Simulation, pipeline: Pipeline, colours_text: str
+) -> SessionInfo:
+    """What a recording of the demo is about."""
+    return SessionInfo(
+        hand=simulation.hand,
+        glove=simulation.glove,
+        hand_text=spec.hand_text,
+        glove_text=spec.glove_text,
+        anchor=ClockAnchor(time.time_ns(), time.monotonic_ns()),
+        rig=simulation.rig,
+        colours_text=colours_text,
+        settings_text=to_toml(pipeline.settings),
+        engine=pipeline.settings.engine,
+        simulated=True,
+    )
+
+
+def _warm_up(simulation: Simulation, detector: Detector) -> None:
+    """A picture and a second of points: kernels are compiled before the clock runs."""
+    index, t, arrival = next(simulation.exposures())
+    detect_frame(detector, simulation.renderer.frame(t, arrival, index))
+    hand, glove = simulation.hand, simulation.glove
+    motion = RandomPostures(hand, simulation.seed, duration=WARM_UP)
+    short = Simulation(hand, glove, motion, simulation.seed, fps=30.0)
+    pipeline = Pipeline(hand, glove, short.rig)
+    for message in short.feed():
         if isinstance(message, ImuSample):
             pipeline.feed_imu(message)
         elif isinstance(message, BlobFrame):
