@@ -31,9 +31,10 @@ class HandOutput:
         self.complete = Completion(layout)
         self._keypoint_segments = layout.glove.keypoint_segments(hand)
         self._keypoint_count = len(layout.glove.keypoint_names(hand))
-        self._angle_segment, axis = np.nonzero(hand.axis_columns >= 0)
-        self._angle_column = hand.axis_columns[self._angle_segment, axis]
-        self._angle_parent = np.maximum(hand.parent[self._angle_segment], 0)
+        columns, parent = np.array(hand.axis_columns), np.array(hand.parent)
+        self._angle_segment, axis = np.nonzero(columns >= 0)
+        self._angle_column = columns[self._angle_segment, axis]
+        self._angle_parent = np.maximum(parent[self._angle_segment], 0)
         self._base, self._base_parent = self._bases()
         self._sensed_ancestor, self._steps = self._ancestors()
 
@@ -87,7 +88,7 @@ class HandOutput:
     def _bases(self) -> tuple[IntArray, IntArray]:
         """Keypoints at the base of a segment, and that segment's parent."""
         hand = self._layout.hand
-        parent = hand.parent[hand.keypoint_segment]
+        parent = np.array(hand.parent)[list(hand.keypoint_segment)]
         base = np.flatnonzero(~np.any(hand.keypoint_offset, axis=1) & (parent >= 0))
         return base, parent[base]
 

@@ -155,7 +155,7 @@ class PixelModel:
             hit = np.flatnonzero(match[c, p.rows] >= 0)
             marker = p.rows[hit]
             residual[c, hit] = seen[c].uv[match[c, marker]] - p.uv[c, marker]
-        return stack_rows(p.H, p.HP, p.A, residual, noise.marker, noise.pixel_px, noise.huber)  # type: ignore[no-any-return]
+        return stack_rows(p.H, p.HP, p.A, residual, noise.marker, noise.pixel_px, noise.huber)
 
     def segment_poses(self, state: ChainState) -> tuple[Array, Array]:
         return state.R_GB, segment_positions(state, self._layout)

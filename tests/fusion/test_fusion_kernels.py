@@ -1,0 +1,103 @@
+"""Compiled and vectorised stages of the filters beside their plain twins."""
+
+import numpy as np
+import pytest
+
+from tracker.fusion.layout import ChainLayout
+from tracker.fusion.output import INFERRED_SD, HandOutput, Sensed
+from tracker.fusion.pixels_kernel import stack_rows
+from tracker.fusion.state import initial_state
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array, Tracking, Validity
+
+SD_MARKER, SD_PIXEL, HUBER = 0.002, 0.7, 3.0
+
+
+def plain_rows(H: Array, HP: Array, A: Array, residual: Array) -> tuple[Array, ...]:
+    """The stacked rows as the formulas read; noise as a list of blocks on the diagonal."""
+    out_H, out_HP, out_r, blocks = [], [], [], []
+    for k in range(len(H)):
+        sides = [c for c in range(2) if np.isfinite(residual[c, k, 0])]
+        if not sides:
+            continue
+        J = np.concatenate([A[c, k] for c in sides])
+        r = np.concatenate([residual[c, k] for c in sides])
+        noise = J @ J.T * SD_MARKER**2 + np.eye(len(J)) * SD_PIXEL**2
+        S = J @ HP[k] @ H[k].T @ J.T + noise
+        distance = np.sqrt(r @ np.linalg.inv(S) @ r / len(r))
+        blocks.append(noise * max(1.0, distance / HUBER) ** 2)
+        out_H.append(J @ H[k])
+        out_HP.append(J @ HP[k])
+        out_r.append(r)
+    R = np.zeros((sum(map(len, out_r)),) * 2)
+    at = 0
+    for block in blocks:
+        R[at : at + len(block), at : at + len(block)] = block
+        at += len(block)
+    return np.concatenate(out_H), np.concatenate(out_HP), np.concatenate(out_r), R
+
+
+def test_pixel_rows_are_the_plain_ones() -> None:
+    """Markers of both cameras, of one, of none, and one far away that loses weight."""
+    rng = np.random.default_rng(8)
+    n, size = 9, 30
+    H, A = rng.normal(size=(n, 3, size)), 900 * rng.normal(size=(2, n, 2, 3))
+    root = 1e-3 * rng.normal(size=(size, size))
+    HP = (H.reshape(-1, size) @ root @ root.T).reshape(H.shape)
+    residual = rng.normal(0, 2.0, (2, n, 2))
+    residual[0, :3], residual[1, 2:5] = np.nan, np.nan
+    residual[0, 7] = 300.0
+    expected = plain_rows(H, HP, A, residual)
+    got = stack_rows(H, HP, A, residual, SD_MARKER, SD_PIXEL, HUBER)
+    assert got[0].shape == (2 * (2 * n - 6), size)
+    for mine, plain in zip(got, expected, strict=True):
+        assert np.abs(mine - plain).max() < 1e-10 * np.abs(plain).max()
+    start = 2 * int(np.isfinite(residual[:, :7, 0]).sum())
+    usual = A[0, 7] @ A[0, 7].T * SD_MARKER**2 + np.eye(2) * SD_PIXEL**2
+    assert np.all(np.diag(got[3])[start : start + 2] > np.diag(usual))
+
+
+def test_no_match_gives_no_rows() -> None:
+    nothing = stack_rows(
+        np.ones((2, 3, 5)), np.ones((2, 3, 5)), np.ones((2, 2, 2, 3)), np.full((2, 2, 2), np.nan),
+        SD_MARKER, SD_PIXEL, HUBER,
+    )  # fmt: skip
+    assert [a.shape for a in nothing] == [(0, 5), (0, 5), (0,), (0, 0)]
+
+
+@pytest.mark.parametrize("tracking", [Tracking.TRACKING, Tracking.COASTING, Tracking.LOST])
+@pytest.mark.parametrize("seed", range(4))
+def test_validity_and_spread_follow_the_tree(
+    hand: HandModel, glove: GloveModel, tracking: Tracking, seed: int
+) -> None:
+    """Segment by segment and keypoint by keypoint, as the rules read."""
+    layout = ChainLayout(hand, glove)
+    rng = np.random.default_rng(seed)
+    sensed = rng.integers(0, 2, len(layout.active))
+    sd = rng.uniform(0.001, 0.01, len(sensed))
+    s = initial_state(layout)
+    p = rng.normal(size=(len(sensed), 3))
+    e = HandOutput(layout).estimate(0.0, s.R_GB, p, s.scale3(), Sensed(sensed, tracking), sd)
+    seen = [bool(sensed[layout.row_of[i]]) if i in layout.row_of else False
+            for i in range(len(hand.segments))]  # fmt: skip
+    for i, columns in enumerate(hand.axis_columns):
+        both = seen[i] and seen[max(hand.parent[i], 0)]
+        for c in (c for c in columns if c >= 0):
+            assert e.angle_state[c] in ((Validity.MEASURED,) if both else (Validity.INFERRED,))
+    for k, i in enumerate(hand.keypoint_segment):
+        base = not hand.keypoint_offset[k].any() and hand.parent[i] >= 0
+        measured = seen[i] or (base and seen[hand.parent[i]])
+        expected = Validity.MEASURED if measured else Validity.INFERRED
+        if tracking == Tracking.COASTING:
+            expected = Validity.INFERRED
+        elif tracking == Tracking.LOST:
+            expected = Validity.LOST
+        assert e.keypoint_state[k] == expected
+        assert e.keypoint_sd[k] == pytest.approx(_sd(layout, sd, i))
+
+
+def _sd(layout: ChainLayout, sd: Array, segment: int) -> float:
+    if segment in layout.row_of:
+        return float(sd[layout.row_of[segment]])
+    return float(np.hypot(_sd(layout, sd, layout.hand.parent[segment]), INFERRED_SD))
