@@ -10,7 +10,8 @@ from tracker.hand.files import parse_hand
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.recorded import load_motion
-from tracker.simulation.scenario import Simulation
+from tracker.simulation.render import RenderParams
+from tracker.simulation.scenario import Simulation, SimulationParams
 
 
 @dataclass(frozen=True)
@@ -23,6 +24,7 @@ class DemoSpec:
     duration: float = 3600.0
     fps: float = 30.0
     motion: str = ""
+    exposures: int = 1  # per picture: no motion blur, half the time to draw
 
 
 def build(spec: DemoSpec) -> Simulation:
@@ -34,4 +36,5 @@ def build(spec: DemoSpec) -> Simulation:
         motion = load_motion(Path(spec.motion), hand)
     else:
         motion = RandomPostures(hand, spec.seed, duration=spec.duration)
-    return Simulation(hand, glove, motion, spec.seed, fps=spec.fps)
+    params = SimulationParams(render=RenderParams(exposures=spec.exposures))
+    return Simulation(hand, glove, motion, spec.seed, params, fps=spec.fps)
