@@ -3,6 +3,7 @@
 # make lint         the same without the tests
 # make firmware     the glove's firmware and its simulator; prints their sizes
 # make screenshots  pictures of the window for the documentation
+# make package      dist/glovetrack, a program that needs no Python, and packages of it
 # make bench        speed and accuracy against the goals, into bench.json
 # make lock         requirements.lock anew, from what is installed
 # make clean        removes what was built and measured, and the virtual environment
@@ -22,7 +23,7 @@ ifneq ($(wildcard ../shared/data),)
 export GLOVETRACK_DATA ?= $(abspath ../shared/data)
 endif
 
-.PHONY: demo test lint firmware screenshots bench lock clean
+.PHONY: demo test lint firmware screenshots package bench lock clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -47,6 +48,9 @@ firmware:
 
 screenshots: $(READY)
 	$(OFFSCREEN) $(BIN)/python -m app.screenshots --out docs/screenshots
+
+package: $(READY)
+	packaging/bundle.sh $(VENV) dist
 
 bench: $(READY)
 	$(OFFSCREEN) $(BIN)/python -m tracker.evaluation.bench --json bench.json

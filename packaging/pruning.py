@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 import subprocess
 from collections.abc import Callable, Iterable, Mapping
+from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
 Needs = Callable[[str], Iterable[str]]
@@ -18,6 +19,9 @@ Entry = tuple[str, str, str]
 
 LINK = "SYMLINK"
 """The kind whose "file" is where the link points to, seen from its own folder."""
+
+LOADED_BY_START = "libpython"
+"""What the program's start opens by its name."""
 
 NEEDED = re.compile(r"\(NEEDED\).*\[(.+)\]")
 
@@ -49,10 +53,11 @@ def prune(
 ) -> list[Entry]:
     """``entries`` without what matches ``unwanted`` and what then only unwanted files needed.
 
-    ``unwanted`` are patterns of places as `PurePosixPath.match` has them; only shared libraries below ``folders`` may fall for not being needed.
+    ``unwanted`` are patterns of places, whose * takes slashes too; only shared libraries right in
+    ``folders`` may fall for not being needed.
     """
     patterns, folders = list(unwanted), list(folders)
-    wanted = [e for e in entries if not any(PurePosixPath(e[0]).match(p) for p in patterns)]
+    wanted = [e for e in entries if not any(fnmatchcase(e[0], p) for p in patterns)]
     links = [e for e in wanted if e[2] == LINK]
     real = [e for e in wanted if e[2] != LINK]
     files = {PurePosixPath(e[0]).name: e[1] for e in real if _is_elf(Path(e[1]))}
@@ -64,11 +69,10 @@ def prune(
 
 
 def _is_library(entry: Entry, folders: Iterable[str]) -> bool:
-    """A plain shared library below one of ``folders``; extension modules and plugins are not."""
+    """A plain shared library right in one of ``folders``; extension modules are not."""
     place = PurePosixPath(entry[0])
-    is_plugin = "plugins" in place.parts
-    below = any(place.is_relative_to(f) for f in folders)
-    return below and place.name.startswith("lib") and ".so" in place.name and not is_plugin
+    plain = place.name.startswith("lib") and ".so" in place.name
+    return plain and str(place.parent) in folders and not place.name.startswith(LOADED_BY_START)
 
 
 def _is_elf(path: Path) -> bool:

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Builds the program without a need for Python: dist/glovetrack with the licences of all its parts.
+#
+#   packaging/bundle.sh VENV [OUT]
+#
+# OUT is the folder that gets glovetrack/ (default: dist).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+python=$1/bin/python out=${2:-dist}
+work=build/pyinstaller
+
+if ! "$python" -c 'import PyInstaller' 2>/dev/null; then
+    "$python" -m pip --disable-pip-version-check install --quiet --no-build-isolation \
+        --editable ".[packaging]"
+fi
+
+echo "Building $out/glovetrack (some minutes)"
+nice "$python" -m PyInstaller --noconfirm --log-level ERROR \
+    --distpath "$out" --workpath "$work" packaging/glovetrack.spec
+
+# Symbol tables of these three make a fifth of the bundle. The libraries that auditwheel has
+# rewritten (those in *.libs folders) do not survive strip, so they are left alone.
+inside=$out/glovetrack/_internal
+if command -v strip >/dev/null; then
+    find "$inside/vtkmodules" "$inside/llvmlite" "$inside/pyarrow" "$inside/PySide6" \
+        -type f \( -name '*.so' -o -name '*.so.[0-9]*' \) -exec strip --strip-unneeded {} +
+    find "$inside" -maxdepth 1 -type f -name 'libpython*' -exec strip --strip-unneeded {} +
+fi
+
+"$python" packaging/licences.py "$work/glovetrack" "$inside" >"$out/glovetrack/LICENCES.txt"
+"$out/glovetrack/glovetrack" --version
+du -sm "$out/glovetrack" | sed 's/\t.*/ MB/'

@@ -1,0 +1,145 @@
+"""The licences of everything in a bundle, as one text; fails where a part is GPL, AGPL or unknown.
+
+    python packaging/licences.py WORK BUNDLE
+
+``WORK`` has PyInstaller's lists of what went in (its ``.toc`` files), ``BUNDLE`` is the folder
+built from them. Python packages answer by their metadata, the system's libraries by
+``system_licences.toml``.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+import tomllib
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from importlib.metadata import Distribution, distributions
+from pathlib import Path
+
+TABLE = Path(__file__).with_name("system_licences.toml")
+LISTS = ("COLLECT-00.toc", "PYZ-00.toc")
+TEXT_NAME = re.compile(r"^(licen[cs]e|copying|notice)", re.IGNORECASE)
+COPYLEFT = re.compile(r"(?<!L)(?<!Lesser )\bA?GPL|Affero|(?<!Lesser )General Public", re.IGNORECASE)
+# GCC's run-time libraries; the small program by which PyInstaller starts ours.
+EXCEPTION = re.compile(
+    r"\bWITH GCC-exception|special exception which allows to use PyInstaller to build and distribute"
+)
+
+
+@dataclass(frozen=True)
+class Part:
+    """Something in the bundle with a licence of its own. ``texts`` are files with its words."""
+
+    name: str
+    version: str
+    licence: str
+    texts: tuple[Path, ...] = ()
+
+
+def is_allowed(licence: str) -> bool:
+    """Whether an SPDX expression or a classifier leaves a choice that is neither GPL nor AGPL."""
+    choices = re.split(r"\s+OR\s+", licence.strip())
+    return bool(licence.strip()) and any(_is_free_of_copyleft(c) for c in choices)
+
+
+def _is_free_of_copyleft(choice: str) -> bool:
+    terms = re.split(r"\s+AND\s+", choice)
+    return all(EXCEPTION.search(t) or not COPYLEFT.search(t) for t in terms)
+
+
+def licence_of(distribution: Distribution, known: dict[str, str]) -> str:
+    """The expression, else the first line of the old field, else the classifiers, else ours."""
+    data = distribution.metadata
+    first_line = (data.get("License") or "").strip().partition("\n")[0]
+    classifiers = [
+        c.rpartition(" :: ")[2]
+        for c in data.get_all("Classifier") or []
+        if c.startswith("License :: ") and not c.endswith("OSI Approved")
+    ]
+    told = data.get("License-Expression") or first_line or " AND ".join(classifiers)
+    return told or known.get(data["Name"], "")
+
+
+def sources(work: Path) -> set[Path]:
+    """Files that went into the bundle, where they came from."""
+    found: set[Path] = set()
+    for name in LISTS:
+        listed = ast.literal_eval((work / name).read_text("utf-8"))
+        found |= {Path(e[1]) for e in _entries(listed) if e[1].startswith("/")}
+    return found
+
+
+def _entries(node: object) -> Iterator[tuple[str, str, str]]:
+    """(place, file, kind) wherever they stand in PyInstaller's nested lists."""
+    if isinstance(node, tuple) and len(node) == 3 and all(isinstance(x, str) for x in node):
+        yield node
+    elif isinstance(node, list | tuple):
+        for child in node:
+            yield from _entries(child)
+
+
+def packages(files: set[Path], known: dict[str, str]) -> Iterator[Part]:
+    """The installed distributions that own any of ``files``, which are taken out of the set."""
+    for distribution in distributions():
+        own = {Path(str(distribution.locate_file(f))): f.name for f in distribution.files or ()}
+        if files.isdisjoint(own):
+            continue
+        files -= own.keys()
+        texts = sorted(p for p, name in own.items() if TEXT_NAME.match(name) and p.is_file())
+        data = distribution.metadata
+        licence = licence_of(distribution, known)
+        yield Part(data["Name"], distribution.version, licence, tuple(texts))
+
+
+def libraries(bundle: Path, known: dict[str, str]) -> Iterator[Part]:
+    """The system's libraries: those right in the bundle's folder."""
+    for path in sorted(bundle.glob("lib*.so*")):
+        keys = [k for k in known if path.name.startswith(k)]
+        licence = known[max(keys, key=len)] if keys else ""
+        yield Part(path.name, "", licence)
+
+
+def refused(parts: Iterable[Part]) -> list[str]:
+    """One sentence for each part that must not be in the bundle."""
+    return [
+        f"{p.name}: {p.licence or 'its licence is not known'}"
+        for p in parts
+        if not is_allowed(p.licence)
+    ]
+
+
+def as_text(parts: list[Part]) -> str:
+    """The list, then the words of each licence."""
+    width = max(len(p.name) + len(p.version) for p in parts) + 1
+    lines = ["Glovetrack contains these parts under these licences.", ""]
+    lines += [f"{f'{p.name} {p.version}'.rstrip():{width}}  {p.licence}" for p in parts]
+    for part in parts:
+        for path in part.texts:
+            words = path.read_text("utf-8", "replace").strip()
+            lines += ["", "-" * 80, f"{part.name}: {path.name}", "-" * 80, words]
+    return "\n".join(lines) + "\n"
+
+
+def main(work: Path, bundle: Path) -> int:
+    """Print the list; 1 where a part must not be there."""
+    known = tomllib.loads(TABLE.read_text("utf-8"))
+    files = sources(work)
+    python = Part("Python", sys.version.partition(" ")[0], "PSF-2.0", _python_texts())
+    found = sorted(packages(files, known["packages"]), key=lambda p: p.name.lower())
+    parts = [python, *found, *libraries(bundle, known["licences"])]
+    troubles = refused(parts)
+    for trouble in troubles:
+        print(f"may not be in the bundle: {trouble}", file=sys.stderr)
+    print(as_text(parts), end="")
+    return 1 if troubles else 0
+
+
+def _python_texts() -> tuple[Path, ...]:
+    text = Path(ast.__file__).parent / "LICENSE.txt"
+    return (text,) if text.is_file() else ()
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]), Path(sys.argv[2])))
