@@ -102,7 +102,10 @@ def test_absent_peer_is_said() -> None:
 
 def test_change_is_of_ratios_where_there_are_any() -> None:
     """A machine twice as slow leaves the ratio as it was."""
-    before = bench_history.this_run([row("r", 1.0, "ms", "p", 10.0, "-")], 3)
+    earlier = bench_history.this_run([row("r", 9.0, "ms", "p", 10.0, "-")], 3)
+    latest = bench_history.this_run([row("r", 1.0, "ms", "p", 10.0, "-")], 3)
+    partial = bench_history.this_run([row("q", 5.0, "ms", "p", 10.0, "-")], 3)
+    before = [earlier, latest, partial]
     assert bench_history.change(row("r", 2.0, "ms", "p", 20.0, "-"), before) == pytest.approx(1.0)
     assert bench_history.change(row("r", 2.0, "ms", "p", None, "-"), before) == pytest.approx(2.0)
     assert bench_history.change(row("other", 2.0, "ms", "p", None, "-"), before) is None

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from tracker.fusion.kalman import update
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.output import INFERRED_SD, HandOutput, Sensed
 from tracker.fusion.pixels_kernel import stack_rows
@@ -101,3 +102,9 @@ def _sd(layout: ChainLayout, sd: Array, segment: int) -> float:
     if segment in layout.row_of:
         return float(sd[layout.row_of[segment]])
     return float(np.hypot(_sd(layout, sd, layout.hand.parent[segment]), INFERRED_SD))
+
+
+def test_update_refuses_an_impossible_innovation() -> None:
+    """A covariance that is none must not pass for an update."""
+    with pytest.raises(np.linalg.LinAlgError, match="not positive definite"):
+        update(np.eye(3), np.eye(3), np.ones(3), np.diag([1.0, 1.0, -2.0]))

@@ -57,7 +57,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         history = args.out / "history.jsonl"
         former = bench_history.read(history)
         run = bench_history.this_run(measure(args.only or list(GROUPS), rounds), rounds)
-        print(bench_output.table(run.rows, former[-1] if former else None))
+        print(bench_output.table(run.rows, former))
         write_json(args.json, run.rows)
         bench_output.plot(run.rows, args.out / "bench.png")
         bench_history.append(history, run)

@@ -70,12 +70,13 @@ def _run(data: dict[str, Any]) -> Run:
     return Run(rows=rows, **{f.name: data[f.name] for f in fields(Run) if f.name != "rows"})
 
 
-def change(now: BenchRow, before: Run | None) -> float | None:
-    """This run's figure over the former one's: ratios where both have one, else values.
+def change(now: BenchRow, former: Sequence[Run]) -> float | None:
+    """This run's figure over that of the latest former run with such a row.
 
-    None where there was no such row, or nothing to divide by.
+    Ratios where both have one, else values; None where there is nothing to compare with.
     """
-    old = next((r for r in before.rows if r.name == now.name), None) if before else None
+    rows = (r for run in reversed(former) for r in run.rows if r.name == now.name)
+    old = next(rows, None)
     if old is None:
         return None
     if now.ratio is not None and old.ratio:

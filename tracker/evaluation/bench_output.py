@@ -37,10 +37,10 @@ def reached(row: BenchRow) -> bool | None:
     return None if row.ratio is None else row.ratio <= number
 
 
-def table(rows: Sequence[BenchRow], before: Run | None = None) -> str:
-    """Text for a terminal; the last column is this run's figure over the former run's."""
+def table(rows: Sequence[BenchRow], former: Sequence[Run] = ()) -> str:
+    """Text for a terminal; the last column is this run's figure over a former run's."""
     cells: list[tuple[str, ...]] = [("", "ours", "peer's", "unit", "ratio", "goal", "", "vs last")]
-    cells += [_cells(r, before) for r in rows]
+    cells += [_cells(r, former) for r in rows]
     widths = [max(len(c[k]) for c in cells) for k in range(len(cells[0]))]
     lines = []
     for c in cells:
@@ -57,9 +57,9 @@ def _is_absent(row: BenchRow) -> bool:
     return row.peer != "-" and row.peer_value is None
 
 
-def _cells(row: BenchRow, before: Run | None) -> tuple[str, ...]:
+def _cells(row: BenchRow, former: Sequence[Run]) -> tuple[str, ...]:
     verdict = {True: "reached", False: "MISSED", None: ""}[reached(row)]
-    changed = change(row, before)
+    changed = change(row, former)
     return (
         row.name,
         _number(row.value),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from scipy.linalg import cho_factor, cho_solve, solve_triangular
+import numpy as np
+from scipy.linalg.blas import dtrsm
+from scipy.linalg.lapack import dpotrf
 
 from tracker.messages import Array
 
@@ -19,15 +21,25 @@ def update(P: Array, H: Array, r: Array, R: Array) -> tuple[Array, Array]:
 
 def update_with(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> tuple[Array, Array]:
     """As `update`, for a caller that has H P (m, N) and H P H^T (m, m) already."""
-    S = HPH + R
-    S = (S + S.T) / 2
-    L, _ = cho_factor(S, lower=True, check_finite=False)
-    W = solve_triangular(L, HP, lower=True, check_finite=False)
-    dx = W.T @ solve_triangular(L, r, lower=True, check_finite=False)
+    L = _factor(HPH + R)
+    # HP's transpose is in the library's own order: solving from the right saves two copies of it
+    W = dtrsm(1.0, L, HP.T, side=1, lower=1, trans_a=1).T
+    dx = W.T @ dtrsm(1.0, L, r[:, None], lower=1)[:, 0]
     return dx, P - W.T @ W  # numpy multiplies a matrix by its own transpose symmetrically
 
 
 def mahalanobis2(HPH: Array, r: Array, R: Array) -> float:
     """r^T S^-1 r."""
-    c = cho_factor(HPH + R, lower=True, check_finite=False)
-    return float(r @ cho_solve(c, r, check_finite=False))
+    x = dtrsm(1.0, _factor(HPH + R), r[:, None], lower=1)[:, 0]
+    return float(x @ x)
+
+
+def _factor(S: Array) -> Array:
+    """Lower Cholesky factor of S, made symmetric. Raises LinAlgError where S is not positive.
+
+    LAPACK is called directly: at this size scipy's checks cost as much as the arithmetic.
+    """
+    L, info = dpotrf((S + S.T) / 2, lower=1, clean=0)
+    if info != 0:
+        raise np.linalg.LinAlgError("the innovation covariance is not positive definite")
+    return np.asarray(L)
