@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions, segment_positions
+from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import NoiseParams
 from tracker.fusion.pixels_kernel import stack_rows
@@ -156,9 +156,6 @@ class PixelModel:
             marker = p.rows[hit]
             residual[c, hit] = seen[c].uv[match[c, marker]] - p.uv[c, marker]
         return stack_rows(p.H, p.HP, p.A, residual, noise.marker, noise.pixel_px, noise.huber)
-
-    def segment_poses(self, state: ChainState) -> tuple[Array, Array]:
-        return state.R_GB, segment_positions(state, self._layout)
 
 
 def _gate(S: Array) -> GateParams:
