@@ -51,6 +51,7 @@ screenshots: $(READY)
 
 package: $(READY)
 	packaging/bundle.sh $(VENV) dist
+	if command -v dpkg-deb >/dev/null; then packaging/debian.sh dist; fi
 
 bench: $(READY)
 	$(OFFSCREEN) $(BIN)/python -m tracker.evaluation.bench --json bench.json

@@ -8,8 +8,10 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
+from resources import folder
 from tracker import __version__
 
 
@@ -21,6 +23,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     app.setApplicationName("glovetrack")
     app.setApplicationDisplayName("Glovetrack")
     app.setApplicationVersion(__version__)
+    app.setDesktopFileName("glovetrack")
+    app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
     if args.headless_report is not None:
         from app.report import headless_report
 

@@ -24,7 +24,8 @@ TEXT_NAME = re.compile(r"^(licen[cs]e|copying|notice)", re.IGNORECASE)
 COPYLEFT = re.compile(r"(?<!L)(?<!Lesser )\bA?GPL|Affero|(?<!Lesser )General Public", re.IGNORECASE)
 # GCC's run-time libraries; the small program by which PyInstaller starts ours.
 EXCEPTION = re.compile(
-    r"\bWITH GCC-exception|special exception which allows to use PyInstaller to build and distribute"
+    r"\bWITH GCC-exception"
+    r"|special exception which allows to use PyInstaller to build and distribute non-free programs"
 )
 
 
@@ -50,15 +51,19 @@ def _is_free_of_copyleft(choice: str) -> bool:
 
 
 def licence_of(distribution: Distribution, known: dict[str, str]) -> str:
-    """The expression, else the first line of the old field, else the classifiers, else ours."""
+    """The expression, else the old field, else the classifiers, else what our table says.
+
+    Where the old field holds a whole licence's text, its first line says too little.
+    """
     data = distribution.metadata
-    first_line = (data.get("License") or "").strip().partition("\n")[0]
+    field = (data.get("License") or "").strip()
     classifiers = [
         c.rpartition(" :: ")[2]
         for c in data.get_all("Classifier") or []
         if c.startswith("License :: ") and not c.endswith("OSI Approved")
     ]
-    told = data.get("License-Expression") or first_line or " AND ".join(classifiers)
+    short = "" if "\n" in field else field
+    told = data.get("License-Expression") or short or " AND ".join(classifiers)
     return told or known.get(data["Name"], "")
 
 

@@ -1,0 +1,69 @@
+"""The files that make packages agree with each other and with the program."""
+
+from __future__ import annotations
+
+import configparser
+import re
+import xml.etree.ElementTree as ET
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+from PySide6.QtGui import QImage
+from PySide6.QtSvg import QSvgRenderer
+
+ROOT = Path(__file__).parents[2]
+PACKAGING, ICONS = ROOT / "packaging", ROOT / "resources" / "icons"
+DEBIAN = PACKAGING / "debian"
+MCAP_MAGIC = b"\x89MCAP0\r\n"
+
+
+def desktop_entry() -> configparser.SectionProxy:
+    parser = configparser.ConfigParser(interpolation=None)
+    parser.optionxform = str  # type: ignore[assignment,method-assign]
+    parser.read(DEBIAN / "glovetrack.desktop", "utf-8")
+    return parser["Desktop Entry"]
+
+
+def test_the_desktop_opens_the_type_that_is_declared() -> None:
+    declared = ET.parse(DEBIAN / "glovetrack.xml").find("{*}mime-type")
+    assert declared is not None
+    assert desktop_entry()["MimeType"] == f"{declared.get('type')};"
+    match = declared.find("{*}magic/{*}match")
+    assert match is not None
+    assert match.get("value", "").encode().decode("unicode_escape").encode("latin-1") == MCAP_MAGIC
+
+
+def test_the_desktops_icon_is_one_of_ours() -> None:
+    name = desktop_entry()["Icon"]
+    assert QSvgRenderer(str(ICONS / f"{name}.svg")).isValid()
+    picture = QImage(str(ICONS / f"{name}.png"))
+    assert (picture.width(), picture.height()) == (256, 256)
+    assert picture.pixelColor(0, 0).alpha() == 0 < picture.pixelColor(128, 128).alpha()
+
+
+def test_the_script_fills_every_field_of_control() -> None:
+    fields = set(re.findall(r"@\w+@", (DEBIAN / "control").read_text("utf-8")))
+    assert fields == set(re.findall(r"s/(@\w+@)/", (PACKAGING / "debian.sh").read_text("utf-8")))
+
+
+def test_the_package_depends_on_what_the_program_needs_of_the_system() -> None:
+    """The bundle brings all other libraries along, but never the drivers of OpenGL."""
+    script = (PACKAGING / "system_libraries.sh").read_text("utf-8")
+    drivers = set(re.findall(r"\s(lib(?:egl|gl)\S*)\s+essential", script))
+    depends = re.search(r"^Depends: (.*)$", (DEBIAN / "control").read_text("utf-8"), re.MULTILINE)
+    assert drivers
+    assert depends is not None
+    assert drivers - {"libglib2.0-0"} <= set(depends[1].split(", "))
+
+
+def vtk_modules() -> list[str]:
+    text = (PACKAGING / "glovetrack.spec").read_text("utf-8")
+    words = re.search(r'^VTK = """(.*?)"""', text, re.MULTILINE | re.DOTALL)
+    assert words is not None
+    return words[1].split()
+
+
+@pytest.mark.parametrize("name", vtk_modules())
+def test_vtk_has_every_module_that_the_bundle_takes(name: str) -> None:
+    assert find_spec(f"vtkmodules.vtk{name}") is not None
