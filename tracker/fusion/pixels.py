@@ -162,5 +162,6 @@ def _gate(S: Array) -> GateParams:
     """The cost of no match grows with the spread, or an unsure filter would match nothing."""
     if len(S) == 0:
         return GateParams()
-    spread = float(np.median(np.log(np.linalg.det(S))))
+    det = S[:, 0, 0] * S[:, 1, 1] - S[:, 0, 1] * S[:, 1, 0]
+    spread = float(np.median(np.log(det)))
     return GateParams(dummy_cost=GATE.dummy_cost + max(0.0, spread - USUAL_SPREAD))

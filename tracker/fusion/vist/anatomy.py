@@ -15,6 +15,7 @@ from tracker.fusion.vist.layout import ERRORS, PHI, TH, VistLayout
 from tracker.fusion.vist.params import VistConstraint
 from tracker.fusion.vist.points import jacobians, positions, spread
 from tracker.fusion.vist.state import VistState
+from tracker.geometry.kernels import cross3
 from tracker.messages import Array
 
 SOFT = -1.0  # marks rows that the paper does not have
@@ -71,8 +72,8 @@ class Anatomy:
         a = int(self._layout.chain.parent[c])
         R_rest = self._layout.chain.R_rest[c]
         R_rel = R_rest.T @ R_GB[a].T @ R_GB[c]
-        J_a = R_rest @ np.cross(axis.e, R_rel @ axis.f)
-        J_c = np.cross(axis.f, R_rel.T @ axis.e)
+        J_a = R_rest @ cross3(axis.e, R_rel @ axis.f)
+        J_c = cross3(axis.f, R_rel.T @ axis.e)
         for s, J in ((a, J_a), (c, J_c)):  # beta_B = R_IB^T dth + dphi
             row[ERRORS * s + TH : ERRORS * s + TH + 3] = state.R_IB[s] @ J
             row[ERRORS * s + PHI : ERRORS * s + PHI + 3] = J
