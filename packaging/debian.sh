@@ -16,6 +16,7 @@ architecture=$(dpkg --print-architecture)
 name=glovetrack_${version}_$architecture
 root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
+chmod 755 "$root" # mktemp makes it private, and it becomes the package's /
 
 echo "Packing $out/$name.deb"
 install -d "$root"/{DEBIAN,opt,usr/bin}

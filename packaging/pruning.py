@@ -23,6 +23,9 @@ LINK = "SYMLINK"
 LOADED_BY_START = "libpython"
 """What the program's start opens by its name."""
 
+PLAIN = re.compile(r"lib(?!.*\.(cpython-|abi3)).*\.so(\.\d+)*$")
+"""Not pyarrow's module ``lib.cpython-311-x86_64-linux-gnu.so``, which Python opens by its name."""
+
 NEEDED = re.compile(r"\(NEEDED\).*\[(.+)\]")
 
 
@@ -71,8 +74,8 @@ def prune(
 def _is_library(entry: Entry, folders: Iterable[str]) -> bool:
     """A plain shared library right in one of ``folders``; extension modules are not."""
     place = PurePosixPath(entry[0])
-    plain = place.name.startswith("lib") and ".so" in place.name
-    return plain and str(place.parent) in folders and not place.name.startswith(LOADED_BY_START)
+    plain = PLAIN.match(place.name) and not place.name.startswith(LOADED_BY_START)
+    return bool(plain) and str(place.parent) in folders
 
 
 def _is_elf(path: Path) -> bool:
