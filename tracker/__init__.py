@@ -23,8 +23,8 @@ Rotation errors
 Joints
     ``R_parentB = R_rest @ Rz(abduction) @ Ry(flexion) @ Rx(twist)``.
 
-No module below this one knows Qt, starts a thread (except `runner`) or reads a clock that was not
-handed to it.
+No module below this one knows Qt, starts a thread (except `runner` and `streaming`) or reads a
+clock that was not handed to it.
 """
 
 import os

@@ -1,0 +1,111 @@
+"""OpenXR's joints against the words of its specification."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+from tests.conftest import RESOURCES
+from tracker.hand.files import load_hand
+from tracker.hand.model import HandModel
+from tracker.hand.openxr import JOINTS, OpenXrHand, to_openxr
+from tracker.messages import Estimate, Tracking, Validity
+
+CHAINS = [
+    [j for j in JOINTS if j.startswith(f)] for f in ("thumb", "index", "middle", "ring", "little")
+]
+
+
+def estimate(hand: HandModel, angles: np.ndarray, R_GB: np.ndarray, lost: str = "") -> Estimate:
+    R, p = hand.forward(angles, R_GB, np.array([0.4, -0.1, 0.2]))
+    points = hand.keypoints(R, p)
+    q = Rotation.from_matrix(R).as_quat()[list(hand.keypoint_segment)]
+    gone = np.array([n == lost for n in hand.keypoint_names])
+    points[gone], q[gone] = np.nan, np.nan
+    state = np.where(gone, int(Validity.LOST), int(Validity.MEASURED))
+    known = np.full(len(angles), int(Validity.MEASURED))
+    return Estimate(
+        0.0, Tracking.TRACKING, points, q, state, np.zeros(len(state)), angles, known, R, p
+    )
+
+
+def converted(side: str = "right", R_GB: np.ndarray | None = None, lost: str = "") -> OpenXrHand:
+    hand = load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
+    rng = np.random.default_rng(3)
+    angles = rng.uniform(*hand.angle_limits.T)
+    pose = np.eye(3) if R_GB is None else R_GB
+    return to_openxr(estimate(hand, angles, pose, lost), hand.keypoint_names)
+
+
+def axes(xr: OpenXrHand, joint: str) -> np.ndarray:
+    """Columns: the joint's axes in OpenXR's world, by an independent library."""
+    return Rotation.from_quat(xr.orientation[JOINTS.index(joint)]).as_matrix()
+
+
+def test_there_are_26_joints_in_the_order_of_the_header() -> None:
+    assert len(JOINTS) == 26
+    assert JOINTS[:7] == (
+        "palm",
+        "wrist",
+        "thumb_metacarpal",
+        "thumb_proximal",
+        "thumb_distal",
+        "thumb_tip",
+        "index_metacarpal",
+    )
+    assert JOINTS[10] == "index_tip" and JOINTS[25] == "little_tip"
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+def test_minus_z_leads_from_each_joint_to_the_next(side: str) -> None:
+    xr = converted(side, Rotation.from_euler("xyz", [0.3, -0.8, 1.9]).as_matrix())
+    for chain in CHAINS:
+        for a, b in pairwise(chain):
+            bone = xr.position[JOINTS.index(b)] - xr.position[JOINTS.index(a)]
+            assert_allclose(-axes(xr, a)[:, 2], bone / np.linalg.norm(bone), atol=1e-6, err_msg=a)
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+def test_a_flat_hand_palm_down_pointing_forward_is_not_rotated(side: str) -> None:
+    hand = load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
+    e = estimate(hand, np.zeros(len(hand.joint_names)), np.eye(3))
+    xr = to_openxr(e, hand.keypoint_names)
+    for joint in ("palm", "wrist", "index_proximal", "little_tip"):
+        assert_allclose(axes(xr, joint), np.eye(3), atol=1e-9, err_msg=joint)
+    wrist, middle, thumb = (
+        xr.position[JOINTS.index(j)] for j in ("wrist", "middle_tip", "thumb_tip")
+    )
+    assert_allclose(wrist, [0.1, 0.2, -0.4], atol=1e-12)  # G (0.4, -0.1, 0.2): x is G's -y
+    assert middle[2] < wrist[2] - 0.1, "fingers point along -z"
+    assert (thumb[0] < wrist[0]) == (side == "right"), "a right thumb is on the left"
+
+
+def test_the_back_of_the_hand_faces_y() -> None:
+    R_GB = Rotation.from_euler("x", 180, degrees=True).as_matrix()  # palm up
+    xr = converted(R_GB=R_GB)
+    assert_allclose(axes(xr, "wrist")[:, 1], [0, -1, 0], atol=1e-9)
+
+
+def test_palm_and_metacarpals_are_inferred_and_between_wrist_and_knuckles() -> None:
+    xr = converted()
+    row = JOINTS.index
+    assert xr.state[row("palm")] == xr.state[row("ring_metacarpal")] == Validity.INFERRED
+    assert xr.state[row("index_proximal")] == Validity.MEASURED
+    metacarpal, knuckle = row("middle_metacarpal"), row("middle_proximal")
+    middle = (xr.position[metacarpal] + xr.position[knuckle]) / 2
+    assert_allclose(xr.position[0], middle, atol=1e-12)
+
+
+def test_lost_is_nan_without_flags_and_takes_what_hangs_on_it() -> None:
+    xr = converted(lost="middle_mcp")
+    for joint in ("middle_proximal", "middle_metacarpal", "palm"):
+        i = JOINTS.index(joint)
+        assert np.isnan(xr.position[i]).all() and np.isnan(xr.orientation[i]).all()
+        assert xr.flags[i] == 0
+    assert xr.flags[JOINTS.index("middle_tip")] == 0b1111
+    assert xr.flags[JOINTS.index("index_metacarpal")] == 0b0011
+    assert np.isnan(converted(lost="wrist").position[0]).all()

@@ -1,0 +1,50 @@
+"""LSL: the sample's form, and an inlet that finds the outlet on this machine."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+try:
+    import pylsl
+except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside it
+    pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
+
+from tracker.streaming.lsl import LslPublisher, channels, sample
+from tracker.streaming.publisher import Names
+
+
+def test_channels_name_every_value_of_a_sample(make_estimate, names: Names) -> None:
+    e = make_estimate(lost=("thumb_tip", "thumb_ip_flexion"), angles={"ring_pip_flexion": 0.5})
+    read = dict(zip([label for label, _ in channels(names)], sample(e), strict=True))
+    i = names.keypoints.index("ring_tip")
+    assert_allclose([read[f"ring_tip_{a}"] for a in "xyz"], e.keypoints[i])
+    assert read["ring_tip_state"] == 2 and read["tracking"] == 1
+    assert math.isnan(read["thumb_tip_x"]) and read["thumb_tip_state"] == 0
+    assert math.isnan(read["thumb_ip_flexion"]) and read["thumb_ip_flexion_state"] == 0
+    assert read["ring_pip_flexion"] == 0.5
+
+
+def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names, wait_for) -> None:
+    out = LslPublisher(names)
+    try:
+        found = pylsl.resolve_byprop("source_id", "glovetrack-right", timeout=8)
+        if not found:
+            pytest.skip("LSL finds nothing here: this machine passes no multicast")
+        inlet = pylsl.StreamInlet(found[0])
+        inlet.open_stream(timeout=5)
+        t = time.monotonic()
+        e = make_estimate(t)
+        out.send(e)
+        values, stamp = inlet.pull_sample(timeout=5)
+        assert_allclose(values, np.float32(sample(e)))
+        assert abs(stamp - pylsl.local_clock() - (t - time.monotonic())) < 0.01
+        assert inlet.info(5).get_channel_labels() == [label for label, _ in channels(names)]
+        inlet.close_stream()
+    finally:
+        out.close()
+    out.send(make_estimate())  # after closing: nothing happens

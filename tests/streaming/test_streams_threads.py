@@ -1,0 +1,123 @@
+"""Slow, dead and hanging outputs beside a healthy one; a tracker that is polled."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import pytest
+
+from tracker.messages import Estimate
+from tracker.streaming.attach import attach
+from tracker.streaming.streams import Streams
+
+
+class Sink:
+    """An output that keeps what it gets, and can be blocked or broken."""
+
+    def __init__(self, name: str = "sink") -> None:
+        self.name, self.closed = name, 0
+        self.got: list[float] = []
+        self.open = threading.Event()
+        self.open.set()
+        self.fault: Exception | None = None
+
+    def send(self, estimate: Estimate) -> None:
+        self.open.wait(10)
+        if self.fault:
+            raise self.fault
+        self.got.append(estimate.t)
+
+    def close(self) -> None:
+        self.closed += 1
+
+
+class Tracker:
+    """Offers a new estimate whenever the test says so."""
+
+    def __init__(self) -> None:
+        self.estimate: Estimate | None = None
+
+    def latest_estimate(self) -> Estimate | None:
+        return self.estimate
+
+
+def test_a_blocked_output_holds_up_neither_caller_nor_neighbour(make_estimate, wait_for) -> None:
+    slow, healthy = Sink("slow"), Sink("healthy")
+    slow.open.clear()
+    streams = Streams([slow, healthy])
+    started = time.monotonic()
+    for k in range(200):
+        streams.offer(make_estimate(float(k)))
+        wait_for(lambda k=k: len(healthy.got) == k + 1)
+    assert time.monotonic() - started < 5
+    assert healthy.got == [float(k) for k in range(200)]
+    slow.open.set()
+    wait_for(lambda: len(slow.got) == 2)
+    assert slow.got == [0.0, 199.0], "it gets the newest, not the queue"
+    count = streams.counts()[0]
+    assert (count.sent, count.dropped, count.failed) == (2, 198, 0)
+    streams.close()
+
+
+def test_a_failing_output_is_told_once_and_recovers(make_estimate, wait_for) -> None:
+    said: list[str] = []
+    sink = Sink("UDP")
+    sink.fault = OSError("network is unreachable")
+    streams = Streams([sink], said.append)
+    for k in range(3):
+        streams.offer(make_estimate())
+        wait_for(lambda k=k: streams.counts()[0].failed == k + 1)
+    assert said == ["The stream UDP fails: network is unreachable."]
+    assert streams.counts()[0].error == "network is unreachable"
+    sink.fault = None
+    streams.offer(make_estimate())
+    wait_for(lambda: streams.counts()[0].sent == 1)
+    wait_for(lambda: len(said) == 2)
+    assert said[1] == "The stream UDP works again."
+    streams.close()
+    assert sink.closed == 1
+
+
+def test_closing_does_not_wait_for_an_output_that_hangs(make_estimate) -> None:
+    sink = Sink()
+    sink.open.clear()
+    streams = Streams([sink])
+    streams.offer(make_estimate())
+    started = time.monotonic()
+    streams.close()
+    assert time.monotonic() - started < 3
+    sink.open.set()
+
+
+def test_a_tracker_is_polled_and_each_estimate_sent_once(make_estimate, wait_for) -> None:
+    tracker, sink = Tracker(), Sink()
+    attached = attach(tracker, [sink])
+    time.sleep(0.05)
+    assert sink.got == []
+    for t in (1.0, 2.0):
+        tracker.estimate = make_estimate(t)
+        wait_for(lambda t=t: sink.got and sink.got[-1] == t)
+    time.sleep(0.05)
+    assert sink.got == [1.0, 2.0]
+    attached.close()
+    attached.close()
+    assert sink.closed == 1
+    assert not [t for t in threading.enumerate() if t.name == "glovetrack-streams"]
+
+
+def test_the_rate_is_held(make_estimate) -> None:
+    tracker, sink = Tracker(), Sink()
+    attached = attach(tracker, [sink], rate_hz=20)
+    end = time.monotonic() + 0.5
+    while time.monotonic() < end:
+        tracker.estimate = make_estimate(time.monotonic())
+        time.sleep(0.002)
+    attached.close()
+    assert 2 <= len(sink.got) <= 11
+
+
+@pytest.mark.parametrize("rate", [0.0, -1.0, 1000.0])
+def test_an_impossible_rate_is_refused(rate: float) -> None:
+    with pytest.raises(ValueError, match="rate"):
+        attach(Tracker(), [], rate_hz=rate)

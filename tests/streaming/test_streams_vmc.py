@@ -1,0 +1,120 @@
+"""VMC: the conversion against geometry done another way, the messages by python-osc's parser."""
+
+from __future__ import annotations
+
+import socket
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.spatial.transform import Rotation
+
+from tests.conftest import RESOURCES
+from tracker.hand.files import load_hand
+from tracker.hand.model import HandModel
+from tracker.messages import Estimate, Tracking
+from tracker.streaming.vmc_pose import avatar_offsets, avatar_rotations, unity_pose
+
+pytest.importorskip("pythonosc", reason="python-osc is not installed (extra `streams`)")
+from pythonosc.osc_bundle import OscBundle
+
+from tracker.streaming.osc import VmcPublisher
+
+# Where an avatar's axes lie for somebody who looks along its gaze, right-handed (east, north, up):
+# it looks north, its right hand points east and its left hand west, palms down.
+ENU_OF_UNITY = np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]])
+HAND_IN_ENU = {"right": np.eye(3), "left": np.diag([-1.0, -1.0, 1.0])}
+
+
+def shipped(side: str) -> HandModel:
+    return load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
+
+
+def compose(hand: HandModel, angles: np.ndarray) -> np.ndarray:
+    """(S, 3) positions in Unity of the bones, as an avatar's player adds them up."""
+    rotations, offsets = avatar_rotations(hand, angles), avatar_offsets(hand)
+    R, p = [np.eye(3)], [np.zeros(3)]
+    for i in range(1, len(hand.segments)):
+        a = hand.parent[i]
+        p.append(p[a] + R[a] @ offsets[i])
+        R.append(R[a] @ Rotation.from_quat(rotations[i]).as_matrix())
+    return np.array(p)
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+def test_an_avatar_that_adds_the_bones_up_has_the_hands_shape(side: str) -> None:
+    hand = shipped(side)
+    angles = np.random.default_rng(7).uniform(*hand.angle_limits.T)
+    _, truth = hand.forward(angles, HAND_IN_ENU[side], np.zeros(3))
+    assert_allclose(compose(hand, angles) @ ENU_OF_UNITY.T, truth, atol=1e-9)
+
+
+@pytest.mark.parametrize("side", ["right", "left"])
+def test_the_rest_pose_is_the_t_pose(side: str) -> None:
+    hand = shipped(side)
+    rotations = avatar_rotations(hand, np.zeros(len(hand.joint_names)))
+    assert_allclose(rotations, np.tile([0, 0, 0, 1.0], (len(rotations), 1)), atol=1e-7)
+
+
+@pytest.mark.parametrize(("side", "sign"), [("right", -1), ("left", 1)])
+def test_a_curled_finger_turns_about_unitys_z(side: str, sign: int) -> None:
+    """A positive turn about +Z takes +X to +Y, also left-handed; the right finger goes down."""
+    hand = shipped(side)
+    angles = np.zeros(len(hand.joint_names))
+    angles[hand.angle_index["index_pip_flexion"]] = np.pi / 2
+    q = avatar_rotations(hand, angles)[hand.index["index_intermediate"]]
+    assert_allclose(q, [0, 0, sign * np.sqrt(0.5), np.sqrt(0.5)], atol=1e-9)
+
+
+def test_unitys_world_pose() -> None:
+    p, q = unity_pose(np.array([1.0, 2.0, 3.0]), np.array([0, 0, 0, 1.0]))
+    assert_allclose(p, [-2.0, 3.0, 1.0])  # right = -y, up = z, forward = x
+    assert_allclose(q, [0, 0, 0, 1])
+    yaw_left = Rotation.from_euler("z", 90, degrees=True).as_quat()
+    _, q = unity_pose(np.zeros(3), yaw_left)
+    assert_allclose(q, [0, -np.sqrt(0.5), 0, np.sqrt(0.5)], atol=1e-12)
+
+
+def received(hand: HandModel, estimate: Estimate) -> list[list[Any]]:
+    """[address, arguments...] of every message of the bundle that a client gets."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        client.bind(("127.0.0.1", 0))
+        client.settimeout(2)
+        out = VmcPublisher(hand, port=client.getsockname()[1])
+        out.send(estimate)
+        out.close()
+        bundle = OscBundle(client.recv(65536))
+    return [[m.address, *m.params] for m in bundle]
+
+
+def bones(messages: list[list[Any]], address: str) -> dict[str, list[Any]]:
+    return {m[1]: m[2:] for m in messages if m[0] == address}
+
+
+def test_every_bone_arrives_under_unitys_name(hand, make_estimate) -> None:
+    e = make_estimate(angles={"thumb_cmc_flexion": 0.4})
+    messages = received(hand, e)
+    assert messages[0] == ["/VMC/Ext/OK", 1, 3, 0, 1]
+    poses = bones(messages, "/VMC/Ext/Bone/Pos")
+    assert len(poses) == 15
+    i = hand.index["thumb_metacarpal"]
+    expected = [*avatar_offsets(hand)[i], *avatar_rotations(hand, e.angles)[i]]
+    assert_allclose(poses["RightThumbProximal"], expected, atol=1e-6)  # Unity's shifted thumb
+    assert {"RightThumbIntermediate", "RightThumbDistal", "RightLittleDistal"} <= poses.keys()
+    p, q = unity_pose(e.keypoints[0], e.keypoint_q[0])
+    tracker = bones(messages, "/VMC/Ext/Tra/Pos")["glovetrack-right"]
+    assert_allclose(tracker, [*p, *q], atol=1e-6)
+
+
+def test_a_lost_bone_is_said_to_be_lost_and_has_no_pose(hand, make_estimate) -> None:
+    e = make_estimate(lost=("wrist", "index_mcp_abduction"), tracking=Tracking.LOST)
+    messages = received(hand, e)
+    assert messages[0][-1] == 0
+    poses = bones(messages, "/VMC/Ext/Bone/Pos")
+    states = bones(messages, "/Glovetrack/Bone/State")
+    assert "RightIndexProximal" not in poses and "RightIndexIntermediate" in poses
+    assert states["RightIndexProximal"] == ["lost"]
+    assert states["RightIndexIntermediate"] == ["measured"]
+    assert states["glovetrack-right"] == ["lost"]
+    assert not bones(messages, "/VMC/Ext/Tra/Pos")

@@ -1,0 +1,34 @@
+"""A UDP socket to one address that never waits."""
+
+from __future__ import annotations
+
+import socket
+
+from tracker.streaming.publisher import StreamError
+
+
+class DatagramSocket:
+    """Sends datagrams to host:port; ``what`` names the stream in messages.
+
+    The name is resolved once, since a name server can take seconds. The socket stays unconnected,
+    so that the absence of a listener ("port unreachable") does not come back as an error.
+    """
+
+    def __init__(self, what: str, host: str, port: int) -> None:
+        nowhere = f"The {what} stream cannot go to {host}:{port}"
+        if not 1 <= port <= 65535:
+            raise StreamError(f"{nowhere}: ports are 1 to 65535.")
+        try:
+            found = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)
+        except (OSError, UnicodeError) as error:
+            raise StreamError(f"{nowhere}: {error}.") from error
+        family, _, _, _, self._address = found[0]
+        self._socket = socket.socket(family, socket.SOCK_DGRAM)
+        self._socket.setblocking(False)
+
+    def send(self, data: bytes) -> None:
+        """One datagram. Raises OSError where the system has no room for it or no way to it."""
+        self._socket.sendto(data, self._address)
+
+    def close(self) -> None:
+        self._socket.close()

@@ -1,0 +1,92 @@
+"""Estimates as a Lab Streaming Layer outlet: float32 channels, NaN where lost.
+
+Channels, labelled in the stream's header: per keypoint ``_x _y _z`` (m, G) and ``_state``, per
+angle its value (rad) and ``_state``; last ``tracking``. States are the numbers of
+`tracker.messages`. Stamps are the estimates' own instants on LSL's clock.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+import pylsl
+
+from tracker.messages import Estimate, Validity
+from tracker.streaming.publisher import Names
+
+XYZ = ("x", "y", "z")
+LOCAL_ONLY = "[multicast]\nResolveScope = machine\n"
+BUFFER_S = 10  # s of samples kept for a client that does not read
+
+
+class LslPublisher:
+    """An outlet ``Glovetrack right``. Found from this machine only, unless ``network``.
+
+    liblsl reads its settings once per process, at the first use: an outlet made after another part
+    of the process used LSL follows the settings that part had.
+    """
+
+    def __init__(
+        self,
+        names: Names,
+        network: bool = False,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._names = names
+        if not network:
+            pylsl.set_config_content(LOCAL_ONLY)
+        self.name = f"LSL outlet Glovetrack {names.side}"
+        self._outlet: pylsl.StreamOutlet | None = pylsl.StreamOutlet(
+            stream_info(names), max_buffered=BUFFER_S
+        )
+        self._offset = pylsl.local_clock() - clock()
+
+    def send(self, estimate: Estimate) -> None:
+        if self._outlet is not None:
+            self._outlet.push_sample(sample(estimate), estimate.t + self._offset)
+
+    def close(self) -> None:
+        self._outlet = None  # liblsl ends the outlet when its handle goes
+
+
+def channels(names: Names) -> list[tuple[str, str]]:
+    """Label and unit of every channel."""
+    out: list[tuple[str, str]] = []
+    for n in names.keypoints:
+        out += [(f"{n}_{axis}", "m") for axis in XYZ] + [(f"{n}_state", "")]
+    for n in names.angles:
+        out += [(n, "rad"), (f"{n}_state", "")]
+    return [*out, ("tracking", "")]
+
+
+def sample(e: Estimate) -> list[float]:
+    """One sample in the order of `channels`; NaN where lost."""
+    lost = (e.keypoint_state == Validity.LOST)[:, None]
+    points = np.where(lost, np.nan, e.keypoints)
+    angles = np.where(e.angle_state == Validity.LOST, np.nan, e.angles)
+    return [
+        *np.column_stack([points, e.keypoint_state]).ravel().tolist(),
+        *np.column_stack([angles, e.angle_state]).ravel().tolist(),
+        float(e.tracking),
+    ]
+
+
+def stream_info(names: Names) -> pylsl.StreamInfo:
+    """The outlet's header with a label, unit and type per channel."""
+    listed = channels(names)
+    info = pylsl.StreamInfo(
+        f"Glovetrack {names.side}",
+        "MoCap",
+        len(listed),
+        pylsl.IRREGULAR_RATE,
+        "float32",
+        f"glovetrack-{names.side}",
+    )
+    node = info.desc().append_child("channels")
+    for label, unit in listed:
+        child = node.append_child("channel")
+        child.append_child_value("label", label)
+        child.append_child_value("unit", unit)
+    return info

@@ -1,0 +1,97 @@
+"""Fingers to avatars: the Virtual Motion Capture (VMC) protocol over OSC and UDP.
+
+Messages are those of protocol.vmc.info ("Performer" to "Marionette"). Unity counts the thumb
+from one bone further out than anatomy does: its ThumbProximal is the metacarpal, its
+ThumbIntermediate the proximal phalanx. The hand bone's own rotation is not sent, since it is
+relative to a forearm that nothing measures; the hand's pose goes as a tracker of its own instead.
+
+VMC knows no validity. A lost bone is not sent (the avatar keeps its last pose), and each bone's
+state goes with every bundle as ``/Glovetrack/Bone/State name state``, which receivers of plain VMC
+pass over.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from pythonosc.osc_bundle_builder import IMMEDIATELY, OscBundleBuilder
+from pythonosc.osc_message_builder import OscMessageBuilder
+
+from tracker.hand.model import HandModel
+from tracker.hand.names import FINGERS
+from tracker.messages import Array, Estimate, Tracking, Validity
+from tracker.streaming.datagram import DatagramSocket
+from tracker.streaming.publisher import LOOPBACK, STATE_WORDS
+from tracker.streaming.vmc_pose import avatar_offsets, avatar_rotations, unity_pose
+
+DEFAULT_PORT = 39540  # of a VMC "Marionette"
+CALIBRATED, NORMAL_MODE = 3, 0
+PARTS = ("proximal", "intermediate", "distal")
+UNITY_BONES = {
+    "thumb_metacarpal": "ThumbProximal",
+    "thumb_proximal": "ThumbIntermediate",
+    "thumb_distal": "ThumbDistal",
+    **{f"{f}_{part}": f"{f.title()}{part.title()}" for f in FINGERS for part in PARTS},
+}
+
+
+class VmcPublisher:
+    """Sends one OSC bundle per estimate to one address and never waits."""
+
+    def __init__(self, hand: HandModel, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
+        self.name = f"VMC to {host}:{port}"
+        self._hand = hand
+        self._offsets = avatar_offsets(hand)
+        self._bones = [
+            (i, hand.side.title() + UNITY_BONES[s.name])
+            for i, s in enumerate(hand.segments)
+            if s.name in UNITY_BONES
+        ]
+        self._socket = DatagramSocket("VMC", host, port)
+
+    def send(self, estimate: Estimate) -> None:
+        self._socket.send(self._bundle(estimate))
+
+    def close(self) -> None:
+        self._socket.close()
+
+    def _bundle(self, estimate: Estimate) -> bytes:
+        bundle = OscBundleBuilder(IMMEDIATELY)
+        tracked = int(estimate.tracking in (Tracking.TRACKING, Tracking.COASTING))
+        _add(bundle, "/VMC/Ext/OK", 1, CALIBRATED, NORMAL_MODE, tracked)
+        _add(bundle, "/VMC/Ext/T", float(estimate.t))
+        self._add_hand(bundle, estimate)
+        rotations = avatar_rotations(self._hand, estimate.angles)
+        for i, bone in self._bones:
+            state = self._state(estimate, i)
+            _add(bundle, "/Glovetrack/Bone/State", bone, STATE_WORDS[state])
+            if state != Validity.LOST:
+                _add(bundle, "/VMC/Ext/Bone/Pos", bone, *_pose(self._offsets[i], rotations[i]))
+        return bundle.build().dgram
+
+    def _add_hand(self, bundle: OscBundleBuilder, e: Estimate) -> None:
+        """The wrist as a tracker, where it is known."""
+        wrist = self._hand.keypoint_names.index("wrist")
+        state = Validity(int(e.keypoint_state[wrist]))
+        serial = f"glovetrack-{self._hand.side}"
+        _add(bundle, "/Glovetrack/Bone/State", serial, STATE_WORDS[state])
+        if state != Validity.LOST:
+            pose = unity_pose(e.keypoints[wrist], e.keypoint_q[wrist])
+            _add(bundle, "/VMC/Ext/Tra/Pos", serial, *_pose(*pose))
+
+    def _state(self, e: Estimate, segment: int) -> Validity:
+        """Of a bone: that of its joint's worst angle."""
+        columns = [c for c in self._hand.axis_columns[segment] if c >= 0]
+        if not columns or not np.isfinite(e.angles[columns]).all():
+            return Validity.LOST
+        return Validity(int(e.angle_state[columns].min()))
+
+
+def _pose(p: Array, q: Array) -> list[float]:
+    return [*p.tolist(), *q.tolist()]
+
+
+def _add(bundle: OscBundleBuilder, address: str, *values: str | int | float) -> None:
+    message = OscMessageBuilder(address)
+    for value in values:
+        message.add_arg(value)
+    bundle.add_content(message.build())

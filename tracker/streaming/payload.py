@@ -1,0 +1,69 @@
+"""An Estimate as JSON: what UDP and WebSocket clients read. Lost values are null, never zeros.
+
+    {"schema": 1, "side": "right", "t": 12.34, "tracking": "tracking",
+     "keypoints": {"wrist": {"state": "measured", "position": [x, y, z],
+                             "orientation_xyzw": [x, y, z, w], "sd": 0.002}, ...},
+     "angles": {"index_mcp_flexion": {"state": "measured", "value": 0.5}, ...}}
+
+Position and sd in m, orientation q_GB, both in G (z up); angles in rad; t in s of the host's
+monotonic clock.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+
+from tracker.messages import Array, Estimate, Validity
+from tracker.streaming.publisher import STATE_WORDS, Names
+
+SCHEMA = 1
+DECIMALS = 6  # µm and µrad: below every error of a hand tracker, and half the bytes of a double
+
+
+def payload(estimate: Estimate, names: Names) -> dict[str, Any]:
+    """The message as JSON-ready objects."""
+    return {
+        "schema": SCHEMA,
+        "side": names.side,
+        "t": estimate.t,
+        "tracking": estimate.tracking.name.lower(),
+        "keypoints": {n: _keypoint(estimate, i) for i, n in enumerate(names.keypoints)},
+        "angles": {n: _angle(estimate, i) for i, n in enumerate(names.angles)},
+    }
+
+
+def to_json(estimate: Estimate, names: Names) -> str:
+    """The message as strict JSON without spaces (no NaN)."""
+    return json.dumps(payload(estimate, names), separators=(",", ":"), allow_nan=False)
+
+
+def _keypoint(e: Estimate, i: int) -> dict[str, Any]:
+    state = Validity(int(e.keypoint_state[i]))
+    lost = state == Validity.LOST
+    return {
+        "state": STATE_WORDS[state],
+        "position": _numbers(e.keypoints[i], lost),
+        "orientation_xyzw": _numbers(e.keypoint_q[i], lost),
+        "sd": _number(float(e.keypoint_sd[i]), lost),
+    }
+
+
+def _angle(e: Estimate, i: int) -> dict[str, Any]:
+    state = Validity(int(e.angle_state[i]))
+    return {
+        "state": STATE_WORDS[state],
+        "value": _number(float(e.angles[i]), state == Validity.LOST),
+    }
+
+
+def _number(value: float, lost: bool) -> float | None:
+    return None if lost or not np.isfinite(value) else round(value, DECIMALS)
+
+
+def _numbers(values: Array, lost: bool) -> list[float] | None:
+    if lost or not np.isfinite(values).all():
+        return None
+    return [round(v, DECIMALS) for v in values.tolist()]

@@ -1,0 +1,50 @@
+"""What an output is, and the names that its messages carry."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from tracker.errors import GlovetrackError
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Estimate, Validity
+
+LOOPBACK = "127.0.0.1"
+STATE_WORDS = {
+    Validity.LOST: "lost",
+    Validity.INFERRED: "inferred",
+    Validity.MEASURED: "measured",
+}
+
+
+class StreamError(GlovetrackError):
+    """A stream cannot be opened or has failed."""
+
+
+class Publisher(Protocol):
+    """One output. ``send`` and ``close`` are called from the output's own thread."""
+
+    @property
+    def name(self) -> str:
+        """What the user calls it, for messages."""
+
+    def send(self, estimate: Estimate) -> None:
+        """Hand one estimate on. May raise StreamError or OSError; the next one is tried anew."""
+
+    def close(self) -> None:
+        """Free what it holds. May be called again."""
+
+
+@dataclass(frozen=True)
+class Names:
+    """Names of an Estimate's rows: keypoints (K,), joint angles (J,)."""
+
+    side: str  # "right" or "left"
+    keypoints: tuple[str, ...]
+    angles: tuple[str, ...]
+
+    @staticmethod
+    def of(hand: HandModel, glove: GloveModel) -> Names:
+        """The rows of estimates made for this hand and glove."""
+        return Names(hand.side, glove.keypoint_names(hand), hand.joint_names)

@@ -1,0 +1,25 @@
+"""One UDP datagram of JSON per estimate; see `payload` for the form."""
+
+from __future__ import annotations
+
+from tracker.messages import Estimate
+from tracker.streaming.datagram import DatagramSocket
+from tracker.streaming.payload import to_json
+from tracker.streaming.publisher import LOOPBACK, Names
+
+DEFAULT_PORT = 9750
+
+
+class UdpPublisher:
+    """Sends to one address and never waits."""
+
+    def __init__(self, names: Names, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
+        self._names = names
+        self.name = f"UDP to {host}:{port}"
+        self._socket = DatagramSocket("UDP", host, port)
+
+    def send(self, estimate: Estimate) -> None:
+        self._socket.send(to_json(estimate, self._names).encode())
+
+    def close(self) -> None:
+        self._socket.close()

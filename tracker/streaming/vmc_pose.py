@@ -1,0 +1,67 @@
+"""Finger rotations as avatars take them: parent-local, left-handed, zero in the T-pose.
+
+VMC carries Unity's axes (left-handed; x right, y up, z forward) and a VRM avatar's bones, which are
+all parallel to these axes in the T-pose. There the arms point sideways with the palms down, so a
+hand segment's B (x to the tip, y = z × x, z dorsal) lies along
+
+    right hand: x → +X, y → +Z, z → +Y          left hand: x → -X, y → -Z, z → +Y
+
+The T-pose of a hand is its hand file's rest: all joint angles zero.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.geometry import so3
+from tracker.hand.model import HandModel
+from tracker.messages import Array
+
+# Rows: X, Y, Z of Unity; columns: x, y, z of B (or of G). Determinant -1: they change handedness.
+M_AVATAR = {
+    "right": np.array([[1.0, 0, 0], [0, 0, 1], [0, 1, 0]]),
+    "left": np.array([[-1.0, 0, 0], [0, 0, 1], [0, -1, 0]]),
+}
+M_WORLD = np.array([[0.0, -1, 0], [0, 0, 1], [1, 0, 0]])  # of G with x forward
+
+
+def rest_in_hand(hand: HandModel) -> Array:
+    """(S, 3, 3) orientation of every segment in the dorsum's B with all angles zero."""
+    R, _ = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
+    return R
+
+
+def avatar_rotations(hand: HandModel, angles: Array) -> Array:
+    """Local rotation (S, 4) xyzw of every segment's bone from joint angles (J,) rad.
+
+    With N_i = R_i Rest_i^T the bone's rotation from the T-pose (both in the dorsum's B), the local
+    one is N_parent^T N_i = Rest_i J_i Rest_i^T, J_i the joint's rotation: a bone needs the angles
+    of its own joint alone. The dorsum's row is the identity; NaN where an angle is NaN.
+    """
+    M = M_AVATAR[hand.side]
+    rest = rest_in_hand(hand)
+    out = np.full((len(hand.segments), 4), np.nan)
+    for i in range(len(hand.segments)):
+        local = rest[i] @ hand.joint_rotation(i, angles) @ rest[i].T
+        if np.isfinite(local).all():
+            out[i] = so3.quat_from_matrix(M @ local @ M.T)
+    return out
+
+
+def avatar_offsets(hand: HandModel) -> Array:
+    """(S, 3) m: every bone's origin in its parent bone's axes, in the T-pose."""
+    rest = rest_in_hand(hand)
+    out = np.zeros((len(hand.segments), 3))
+    for i, segment in enumerate(hand.segments):
+        if hand.parent[i] >= 0:
+            out[i] = M_AVATAR[hand.side] @ rest[hand.parent[i]] @ segment.origin
+    return out
+
+
+def unity_pose(p_G: Array, q_GB: Array) -> tuple[Array, Array]:
+    """Position (3,) m and quaternion (4,) xyzw in Unity's world of a pose in G.
+
+    A flat hand, palm down, pointing along G's x has no rotation: Z to the fingers, Y dorsal.
+    """
+    R = M_WORLD @ so3.matrix_from_quat(q_GB) @ M_WORLD.T
+    return M_WORLD @ p_G, so3.quat_from_matrix(R)
