@@ -90,7 +90,7 @@ def plot(rows: Sequence[BenchRow], path: Path) -> None:
     ax.set_xscale("log")
     ax.axvline(1.0, color=NEUTRAL, lw=1, ls="--")
     ax.set_yticks(range(len(shown)), [r.name.strip() for r in reversed(shown)], fontsize=8)
-    ax.set_xlabel("time over the peer's in the same rounds (mark: goal; green: reached)")
+    ax.set_xlabel("ours / peer's (mark: goal)")
     ax.grid(axis="x", alpha=0.25)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -35,23 +35,19 @@ def row(
     return BenchRow(name, float(value), unit, peer, theirs, ratio, goal)
 
 
-def interleaved(
-    calls: Sequence[Call],
-    rounds: int,
-    inner: int = 1,
-    clock: Callable[[], float] = time.perf_counter,
-) -> Array:
+def interleaved(calls: Sequence[Call], rounds: int, inner: int = 1) -> Array:
     """Median seconds of each call; every round runs each of them ``inner`` times in a row.
 
-    A first call of each, which may compile, is not counted.
+    A first call of each, which may compile, is not counted. Seconds are the processor's: on a busy
+    machine the wall's would count waiting, and against the longer call.
     """
     for call in calls:
         call()
     times = np.empty((rounds, len(calls)))
     for r in range(rounds):
         for k, call in enumerate(calls):
-            start = clock()
+            start = time.process_time()
             for _ in range(inner):
                 call()
-            times[r, k] = (clock() - start) / inner
+            times[r, k] = (time.process_time() - start) / inner
     return np.median(times, axis=0)

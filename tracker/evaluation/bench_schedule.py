@@ -7,7 +7,6 @@ to 50 ms. Times are of the processor, not of the wall, so that a second core tha
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -77,7 +76,7 @@ def schedule_rows(rounds: int, seed: int = 1, pictures: int = 6) -> list[BenchRo
     ]
     if pycpd_installed():
         calls.append(_plain_filtering(second))
-    s = interleaved(calls, rounds, clock=time.process_time)
+    s = interleaved(calls, rounds)
     scale = IMAGES / (2 * len(second.pictures))
     theirs = s[3] * scale + s[4] if len(s) > 4 else None
     return _rows(s[0], s[1], s[2] * scale, s[3] * scale, theirs)
