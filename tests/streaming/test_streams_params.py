@@ -8,7 +8,6 @@ from dataclasses import fields
 
 import pytest
 
-pytest.importorskip("pythonosc", reason="python-osc is not installed (extra `streams`)")
 pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
 
 from tracker.streaming.osc import DEFAULT_PORT as VMC_PORT
@@ -47,10 +46,10 @@ def test_what_is_on_is_opened(hand, glove, make_estimate) -> None:
 
 
 def test_an_absent_package_is_named_and_the_rest_closed(hand, glove, monkeypatch) -> None:
-    monkeypatch.setitem(sys.modules, "tracker.streaming.osc", None)  # import fails
+    monkeypatch.setitem(sys.modules, "tracker.streaming.lsl", None)  # import fails
     port = free_port()
-    params = StreamParams(websocket=True, vmc=True, websocket_port=port)
-    with pytest.raises(StreamError, match=r"VMC stream needs a package.*glovetrack\[streams\]"):
+    params = StreamParams(websocket=True, lsl=True, websocket_port=port)
+    with pytest.raises(StreamError, match=r"LSL stream needs a package.*glovetrack\[streams\]"):
         open_publishers(params, hand, glove)
     with socket.socket() as s:
         assert s.connect_ex(("127.0.0.1", port)) != 0, "the WebSocket server is still there"

@@ -8,18 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from pythonosc.osc_bundle import OscBundle
+from pythonosc.osc_message import OscMessage
 from scipy.spatial.transform import Rotation
 
 from tests.conftest import RESOURCES
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, Tracking
-from tracker.streaming.vmc_pose import avatar_offsets, avatar_rotations, unity_pose
-
-pytest.importorskip("pythonosc", reason="python-osc is not installed (extra `streams`)")
-from pythonosc.osc_bundle import OscBundle
-
 from tracker.streaming.osc import VmcPublisher
+from tracker.streaming.osc_encode import message
+from tracker.streaming.vmc_pose import AvatarHand, unity_pose
 
 # Where an avatar's axes lie for somebody who looks along its gaze, right-handed (east, north, up):
 # it looks north, its right hand points east and its left hand west, palms down.
@@ -33,12 +32,12 @@ def shipped(side: str) -> HandModel:
 
 def compose(hand: HandModel, angles: np.ndarray) -> np.ndarray:
     """(S, 3) positions in Unity of the bones, as an avatar's player adds them up."""
-    rotations, offsets = avatar_rotations(hand, angles), avatar_offsets(hand)
+    avatar = AvatarHand(hand)
     R, p = [np.eye(3)], [np.zeros(3)]
     for i in range(1, len(hand.segments)):
         a = hand.parent[i]
-        p.append(p[a] + R[a] @ offsets[i])
-        R.append(R[a] @ Rotation.from_quat(rotations[i]).as_matrix())
+        p.append(p[a] + R[a] @ avatar.offsets[i])
+        R.append(R[a] @ Rotation.from_quat(avatar.rotation(i, angles)).as_matrix())
     return np.array(p)
 
 
@@ -53,8 +52,9 @@ def test_an_avatar_that_adds_the_bones_up_has_the_hands_shape(side: str) -> None
 @pytest.mark.parametrize("side", ["right", "left"])
 def test_the_rest_pose_is_the_t_pose(side: str) -> None:
     hand = shipped(side)
-    rotations = avatar_rotations(hand, np.zeros(len(hand.joint_names)))
-    assert_allclose(rotations, np.tile([0, 0, 0, 1.0], (len(rotations), 1)), atol=1e-7)
+    avatar, angles = AvatarHand(hand), np.zeros(len(hand.joint_names))
+    for i in range(len(hand.segments)):
+        assert_allclose(avatar.rotation(i, angles), [0, 0, 0, 1], atol=1e-7)
 
 
 @pytest.mark.parametrize(("side", "sign"), [("right", -1), ("left", 1)])
@@ -63,7 +63,7 @@ def test_a_curled_finger_turns_about_unitys_z(side: str, sign: int) -> None:
     hand = shipped(side)
     angles = np.zeros(len(hand.joint_names))
     angles[hand.angle_index["index_pip_flexion"]] = np.pi / 2
-    q = avatar_rotations(hand, angles)[hand.index["index_intermediate"]]
+    q = AvatarHand(hand).rotation(hand.index["index_intermediate"], angles)
     assert_allclose(q, [0, 0, sign * np.sqrt(0.5), np.sqrt(0.5)], atol=1e-9)
 
 
@@ -74,6 +74,14 @@ def test_unitys_world_pose() -> None:
     yaw_left = Rotation.from_euler("z", 90, degrees=True).as_quat()
     _, q = unity_pose(np.zeros(3), yaw_left)
     assert_allclose(q, [0, -np.sqrt(0.5), 0, np.sqrt(0.5)], atol=1e-12)
+
+
+@pytest.mark.parametrize("text", ["", "a", "abc", "abcd", "abcde"])
+def test_messages_are_read_by_another_library(text: str) -> None:
+    """Also strings whose length is a multiple of four, which need four zeros."""
+    read = OscMessage(message("/an/address", text, -7, 0.1, text))
+    assert read.address == "/an/address"
+    assert read.params == [text, -7, pytest.approx(0.1), text]
 
 
 def received(hand: HandModel, estimate: Estimate) -> list[list[Any]]:
@@ -99,7 +107,8 @@ def test_every_bone_arrives_under_unitys_name(hand, make_estimate) -> None:
     poses = bones(messages, "/VMC/Ext/Bone/Pos")
     assert len(poses) == 15
     i = hand.index["thumb_metacarpal"]
-    expected = [*avatar_offsets(hand)[i], *avatar_rotations(hand, e.angles)[i]]
+    avatar = AvatarHand(hand)
+    expected = [*avatar.offsets[i], *avatar.rotation(i, e.angles)]
     assert_allclose(poses["RightThumbProximal"], expected, atol=1e-6)  # Unity's shifted thumb
     assert {"RightThumbIntermediate", "RightThumbDistal", "RightLittleDistal"} <= poses.keys()
     p, q = unity_pose(e.keypoints[0], e.keypoint_q[0])

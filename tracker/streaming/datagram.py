@@ -22,7 +22,8 @@ class DatagramSocket:
             found = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)
         except (OSError, UnicodeError) as error:
             raise StreamError(f"{nowhere}: {error}.") from error
-        family, _, _, _, self._address = found[0]
+        family, _, _, _, address = found[0]
+        self._address: tuple[object, ...] = address
         self._socket = socket.socket(family, socket.SOCK_DGRAM)
         self._socket.setblocking(False)
 

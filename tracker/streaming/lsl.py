@@ -24,6 +24,8 @@ BUFFER_S = 10  # s of samples kept for a client that does not read
 class LslPublisher:
     """An outlet ``Glovetrack right``. Found from this machine only, unless ``network``.
 
+    liblsl cannot bind to loopback: it listens on all addresses, and ``network=False`` only keeps
+    the outlet from being announced to other machines. A firewall has to do the rest.
     liblsl reads its settings once per process, at the first use: an outlet made after another part
     of the process used LSL follows the settings that part had.
     """

@@ -13,18 +13,18 @@ pass over.
 from __future__ import annotations
 
 import numpy as np
-from pythonosc.osc_bundle_builder import IMMEDIATELY, OscBundleBuilder
-from pythonosc.osc_message_builder import OscMessageBuilder
 
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.messages import Array, Estimate, Tracking, Validity
 from tracker.streaming.datagram import DatagramSocket
+from tracker.streaming.osc_encode import bundle, message
 from tracker.streaming.publisher import LOOPBACK, STATE_WORDS
-from tracker.streaming.vmc_pose import avatar_offsets, avatar_rotations, unity_pose
+from tracker.streaming.vmc_pose import AvatarHand, unity_pose
 
 DEFAULT_PORT = 39540  # of a VMC "Marionette"
 CALIBRATED, NORMAL_MODE = 3, 0
+STATE = "/Glovetrack/Bone/State"
 PARTS = ("proximal", "intermediate", "distal")
 UNITY_BONES = {
     "thumb_metacarpal": "ThumbProximal",
@@ -40,7 +40,7 @@ class VmcPublisher:
     def __init__(self, hand: HandModel, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
         self.name = f"VMC to {host}:{port}"
         self._hand = hand
-        self._offsets = avatar_offsets(hand)
+        self._avatar = AvatarHand(hand)
         self._bones = [
             (i, hand.side.title() + UNITY_BONES[s.name])
             for i, s in enumerate(hand.segments)
@@ -54,29 +54,31 @@ class VmcPublisher:
     def close(self) -> None:
         self._socket.close()
 
-    def _bundle(self, estimate: Estimate) -> bytes:
-        bundle = OscBundleBuilder(IMMEDIATELY)
-        tracked = int(estimate.tracking in (Tracking.TRACKING, Tracking.COASTING))
-        _add(bundle, "/VMC/Ext/OK", 1, CALIBRATED, NORMAL_MODE, tracked)
-        _add(bundle, "/VMC/Ext/T", float(estimate.t))
-        self._add_hand(bundle, estimate)
-        rotations = avatar_rotations(self._hand, estimate.angles)
+    def _bundle(self, e: Estimate) -> bytes:
+        tracked = int(e.tracking in (Tracking.TRACKING, Tracking.COASTING))
+        out = [
+            message("/VMC/Ext/OK", 1, CALIBRATED, NORMAL_MODE, tracked),
+            message("/VMC/Ext/T", float(e.t)),
+            *self._hand_messages(e),
+        ]
         for i, bone in self._bones:
-            state = self._state(estimate, i)
-            _add(bundle, "/Glovetrack/Bone/State", bone, STATE_WORDS[state])
+            state = self._state(e, i)
+            out.append(message(STATE, bone, STATE_WORDS[state]))
             if state != Validity.LOST:
-                _add(bundle, "/VMC/Ext/Bone/Pos", bone, *_pose(self._offsets[i], rotations[i]))
-        return bundle.build().dgram
+                pose = _pose(self._avatar.offsets[i], self._avatar.rotation(i, e.angles))
+                out.append(message("/VMC/Ext/Bone/Pos", bone, *pose))
+        return bundle(out)
 
-    def _add_hand(self, bundle: OscBundleBuilder, e: Estimate) -> None:
+    def _hand_messages(self, e: Estimate) -> list[bytes]:
         """The wrist as a tracker, where it is known."""
         wrist = self._hand.keypoint_names.index("wrist")
         state = Validity(int(e.keypoint_state[wrist]))
         serial = f"glovetrack-{self._hand.side}"
-        _add(bundle, "/Glovetrack/Bone/State", serial, STATE_WORDS[state])
+        out = [message(STATE, serial, STATE_WORDS[state])]
         if state != Validity.LOST:
-            pose = unity_pose(e.keypoints[wrist], e.keypoint_q[wrist])
-            _add(bundle, "/VMC/Ext/Tra/Pos", serial, *_pose(*pose))
+            pose = _pose(*unity_pose(e.keypoints[wrist], e.keypoint_q[wrist]))
+            out.append(message("/VMC/Ext/Tra/Pos", serial, *pose))
+        return out
 
     def _state(self, e: Estimate, segment: int) -> Validity:
         """Of a bone: that of its joint's worst angle."""
@@ -88,10 +90,3 @@ class VmcPublisher:
 
 def _pose(p: Array, q: Array) -> list[float]:
     return [*p.tolist(), *q.tolist()]
-
-
-def _add(bundle: OscBundleBuilder, address: str, *values: str | int | float) -> None:
-    message = OscMessageBuilder(address)
-    for value in values:
-        message.add_arg(value)
-    bundle.add_content(message.build())

@@ -9,6 +9,7 @@ from types import ModuleType
 
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.streaming.osc import VmcPublisher
 from tracker.streaming.publisher import LOOPBACK, Names, Publisher, StreamError
 from tracker.streaming.udp import UdpPublisher
 
@@ -36,7 +37,7 @@ def open_publishers(params: StreamParams, hand: HandModel, glove: GloveModel) ->
     openers: list[tuple[bool, Callable[[], Publisher]]] = [
         (params.udp, lambda: UdpPublisher(names, params.host, params.udp_port)),
         (params.websocket, lambda: _websocket(params, names)),
-        (params.vmc, lambda: _vmc(params, hand)),
+        (params.vmc, lambda: VmcPublisher(hand, params.host, params.vmc_port)),
         (params.lsl, lambda: _lsl(params, names)),
     ]
     out: list[Publisher] = []
@@ -54,11 +55,6 @@ def open_publishers(params: StreamParams, hand: HandModel, glove: GloveModel) ->
 def _websocket(params: StreamParams, names: Names) -> Publisher:
     module = _optional("websocket", "WebSocket")
     publisher: Publisher = module.WebSocketPublisher(names, params.host, params.websocket_port)
-    return publisher
-
-
-def _vmc(params: StreamParams, hand: HandModel) -> Publisher:
-    publisher: Publisher = _optional("osc", "VMC").VmcPublisher(hand, params.host, params.vmc_port)
     return publisher
 
 

@@ -25,37 +25,29 @@ M_AVATAR = {
 M_WORLD = np.array([[0.0, -1, 0], [0, 0, 1], [1, 0, 0]])  # of G with x forward
 
 
-def rest_in_hand(hand: HandModel) -> Array:
-    """(S, 3, 3) orientation of every segment in the dorsum's B with all angles zero."""
-    R, _ = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
-    return R
+class AvatarHand:
+    """A hand's bones in an avatar's axes.
 
-
-def avatar_rotations(hand: HandModel, angles: Array) -> Array:
-    """Local rotation (S, 4) xyzw of every segment's bone from joint angles (J,) rad.
-
-    With N_i = R_i Rest_i^T the bone's rotation from the T-pose (both in the dorsum's B), the local
-    one is N_parent^T N_i = Rest_i J_i Rest_i^T, J_i the joint's rotation: a bone needs the angles
-    of its own joint alone. The dorsum's row is the identity; NaN where an angle is NaN.
+    With N_i = R_i Rest_i^T the rotation of a bone from the T-pose (both in the dorsum's B), the
+    local one is N_parent^T N_i = Rest_i J_i Rest_i^T, J_i the joint's rotation: a bone needs the
+    angles of its own joint alone.
     """
-    M = M_AVATAR[hand.side]
-    rest = rest_in_hand(hand)
-    out = np.full((len(hand.segments), 4), np.nan)
-    for i in range(len(hand.segments)):
-        local = rest[i] @ hand.joint_rotation(i, angles) @ rest[i].T
-        if np.isfinite(local).all():
-            out[i] = so3.quat_from_matrix(M @ local @ M.T)
-    return out
 
+    def __init__(self, hand: HandModel) -> None:
+        self._hand = hand
+        M = M_AVATAR[hand.side]
+        rest, _ = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
+        self._axes = M @ rest  # (S, 3, 3): B's axes in Unity's, in the T-pose
+        self.offsets = np.zeros((len(hand.segments), 3))
+        """(S, 3) m: every bone's origin in its parent bone's axes."""
+        for i, segment in enumerate(hand.segments):
+            if hand.parent[i] >= 0:
+                self.offsets[i] = self._axes[hand.parent[i]] @ segment.origin
 
-def avatar_offsets(hand: HandModel) -> Array:
-    """(S, 3) m: every bone's origin in its parent bone's axes, in the T-pose."""
-    rest = rest_in_hand(hand)
-    out = np.zeros((len(hand.segments), 3))
-    for i, segment in enumerate(hand.segments):
-        if hand.parent[i] >= 0:
-            out[i] = M_AVATAR[hand.side] @ rest[hand.parent[i]] @ segment.origin
-    return out
+    def rotation(self, i: int, angles: Array) -> Array:
+        """Local rotation (4,) xyzw of segment ``i``'s bone from joint angles (J,) rad."""
+        A = self._axes[i]
+        return so3.quat_from_matrix(A @ self._hand.joint_rotation(i, angles) @ A.T)
 
 
 def unity_pose(p_G: Array, q_GB: Array) -> tuple[Array, Array]:
