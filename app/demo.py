@@ -72,6 +72,7 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
     t_0 = time.monotonic() + LEAD
     camera.begin(t_0)
     device.begin(t_0)
+    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
     info = _info(spec, simulation, pipeline, colours_text)
 
     def truth(t: float) -> Truth:
@@ -79,12 +80,18 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
         return Truth(true.keypoints, true.R_GB, true.p_GB)
 
     def make_recorder(request: RecordingRequest) -> Recorder:
-        named = replace(info, participant=request.participant, notes=request.task)
+        named = replace(
+            info,
+            participant=request.participant,
+            notes=request.task,
+            engine=tracker.settings.engine,
+            settings_text=to_toml(tracker.settings),
+        )
         return TruthfulRecorder(SessionRecorder(request.path, named), simulation, t_0)
 
     return EngineSetup(
         name="demo",
-        engine=LiveTracker(pipeline, profile, make_detector, link, camera),
+        engine=tracker,
         hand=simulation.hand,
         glove=simulation.glove,
         rig=simulation.rig,

@@ -61,13 +61,21 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
         engine=pipeline.settings.engine,
     )
 
+    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
+
     def make_recorder(request: RecordingRequest) -> Recorder:
-        named = replace(info, participant=request.participant, notes=request.task)
+        named = replace(
+            info,
+            participant=request.participant,
+            notes=request.task,
+            engine=tracker.settings.engine,
+            settings_text=to_toml(tracker.settings),
+        )
         return SessionRecorder(request.path, named)
 
     return EngineSetup(
         name=f"glove at {port}",
-        engine=LiveTracker(pipeline, profile, make_detector, link, camera),
+        engine=tracker,
         hand=hand,
         glove=glove,
         rig=rig,

@@ -200,6 +200,11 @@ class MainWindow(QMainWindow):
         settings = self.store.value
         self._open(self.tr("Looking for glove and camera"), hardware_factory(settings))
 
+    def set_engine(self, name: str) -> None:
+        """Track with another engine, now and after the next start."""
+        self.store.update(engine=name)
+        self.session.set_engine(name)
+
     def choose_calibration(self) -> None:
         """Remember the camera's calibration file; it is checked before it is taken."""
         path, _ = QFileDialog.getOpenFileName(
@@ -235,6 +240,7 @@ class MainWindow(QMainWindow):
 
     def _opened(self, setup: EngineSetup) -> None:
         self.setWindowTitle(self.tr("Glovetrack: {}").format(setup.name))
+        setup.engine.set_engine(self.store.value.engine)
         self.start_page.hide()
         self._show_docks(True)
         if self.store.value.layout:

@@ -95,6 +95,9 @@ class ReplayEngine:
     def set_profile(self, profile: ColourProfile) -> None:
         """A replay shows what was found when it was recorded."""
 
+    def set_engine(self, name: str) -> None:
+        """A replay shows what was tracked when it was recorded."""
+
     def set_recorder(self, recorder: Recorder | None) -> None:
         """A replay is not recorded again."""
 

@@ -175,6 +175,11 @@ class Session(QObject):
             self._setup.engine.set_profile(profile)
         self.profile_changed.emit(profile)
 
+    def set_engine(self, name: str) -> None:
+        """Track with another engine from now on."""
+        if self._setup is not None:
+            self._setup.engine.set_engine(name)
+
     def snapshot(self) -> Snapshot | None:
         """The latest of everything, and the events since the last call by signal."""
         setup = self._setup

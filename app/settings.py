@@ -27,6 +27,7 @@ class Settings:
     participant: str = ""
     task: str = ""
     profile: str = ""  # path of the colour profile; empty: the shipped one
+    engine: str = "chain"  # what tracks
     hand: str = "reference-right"
     glove: str = "vist-small"
     port: str = ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from app.commands import Command, Commands
@@ -38,6 +39,20 @@ def _tracking(w: MainWindow) -> list[Command]:
         Command("record", menu, w.tr("&Record"), w.toggle_recording, "Space", separator=True),
         Command("pause", menu, w.tr("&Pause the recording"), w.toggle_pause, "Ctrl+P"),
         Command("note", menu, w.tr("Add a &note…"), w.ask_note, "N"),
+        *_engines(w, menu),
+    ]
+
+
+def _engines(w: MainWindow, menu: str) -> list[Command]:
+    titles = {
+        "chain": w.tr("Engine: &chain (cameras and IMUs, our own)"),
+        "vist": w.tr("Engine: &vist (Lee et al. 2021)"),
+        "switching": w.tr("Engine: s&witching (fingers by their IMUs alone)"),
+        "madgwick": w.tr("Engine: &Madgwick (fingers by their IMUs alone)"),
+    }
+    return [
+        Command(f"engine_{n}", menu, title, partial(w.set_engine, n), separator=n == "chain")
+        for n, title in titles.items()
     ]
 
 

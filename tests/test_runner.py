@@ -174,3 +174,20 @@ def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: Colo
     time.sleep(0.3)
     tracker.stop()
     assert any("camera thread failed" in e.text for e in tracker.take_events())
+
+
+def test_the_engine_can_be_changed_while_it_runs(sim: Simulation, profile: ColourProfile) -> None:
+    tracker, stream = live(sim, profile, None)
+    tracker.start()
+    deadline = time.monotonic() + 60
+    while tracker.latest_estimate() is None and time.monotonic() < deadline:
+        time.sleep(0.01)
+    tracker.set_engine("madgwick")
+    while not stream.done and time.monotonic() < deadline:
+        time.sleep(0.01)
+    time.sleep(0.3)
+    estimate, events = tracker.latest_estimate(), tracker.take_events()
+    tracker.stop()
+    assert tracker.settings.engine == "madgwick"
+    assert any("The engine is now madgwick." in e.text for e in events)
+    assert estimate is not None and estimate.t > 1.5

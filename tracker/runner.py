@@ -33,6 +33,7 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.pipeline import Pipeline
+from tracker.settings import Settings
 from tracker.telemetry import Telemetry
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector, detect_frame
@@ -179,6 +180,24 @@ class LiveTracker:
         """Detect with other colours from the next picture on."""
         self._detector = self._make_detector(profile)
 
+    @property
+    def settings(self) -> Settings:
+        """What is tracked with now."""
+        return self._pipeline.settings
+
+    def set_engine(self, name: str) -> None:
+        """Track with another engine from the next message on; it looks for the hand anew.
+
+        Raises ConfigError for an unknown name.
+        """
+        p = self._pipeline
+        if name == p.settings.engine:
+            return
+        pipeline = Pipeline(p.hand, p.glove, p.rig, replace(p.settings, engine=name))
+        with self._whole:
+            self._pipeline = pipeline
+        self._say("tracking", f"The engine is now {name}.")
+
     def set_recorder(self, recorder: Recorder | None) -> None:
         """Record into ``recorder`` from now on; the last one is finished and closed."""
         with self._whole:
@@ -290,7 +309,7 @@ class LiveTracker:
     def _feed_imu(self, sample: ImuSample) -> None:
         sample = self._order.imu(sample)
         self._remember(sample)
-        with self._whole:  # a recording holds a packet and its estimate, or neither
+        with self._whole:  # a recording holds a packet and its estimate, or neither of them
             self._record(sample)
             self._show(self._pipeline.feed_imu(sample), record=True)
         self._telemetry.took("imu", self._clock() - sample.t_arrival)

@@ -57,6 +57,7 @@ class ScriptedEngine:
         self.frame = frame
         self.tracking = tracking
         self.profiles: list = []
+        self.engines: list[str] = []
         self.recorder = None
         self.started = self.stopped = 0
         self.lost: tuple[int, ...] = ()
@@ -158,6 +159,9 @@ class ScriptedEngine:
 
     def set_profile(self, profile) -> None:
         self.profiles.append(profile)
+
+    def set_engine(self, name) -> None:
+        self.engines.append(name)
 
     def set_recorder(self, recorder) -> None:
         if self.recorder is not None:

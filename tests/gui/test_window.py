@@ -215,7 +215,8 @@ def test_a_broken_factory_is_told_in_words(window, qtbot):
 
     window.session.open("Trying", factory)
     qtbot.waitUntil(lambda: "no such thing" in window.banner.text(), timeout=30_000)
-    assert window.session.setup is None and not window.session.opening
+    qtbot.waitUntil(lambda: not window.session.opening, timeout=30_000)
+    assert window.session.setup is None
 
 
 def test_a_long_job_shows_progress_and_ends_when_cancelled(window, qtbot):
@@ -289,3 +290,9 @@ def test_opening_and_closing_leaves_no_thread_timer_or_window(store, qtbot, no_l
         w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow) and w.isVisible()
     ]
     assert left == []
+
+
+def test_another_engine_is_chosen_and_remembered(live, engine):
+    live.run_command("engine_vist")
+    assert engine.engines[-1] == "vist"
+    assert live.store.value.engine == "vist"
