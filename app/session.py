@@ -63,8 +63,7 @@ class Session(QObject):
         self.shut_down()
         self.opening = True
         self._factory = (title, factory)
-        task = self._tasks.run(title, factory, lambda setup: self.adopt(setup, start))
-        task.ended.connect(self._opening_ended)
+        self._tasks.run(title, factory, lambda setup: self.adopt(setup, start), self._opening_ended)
 
     def _opening_ended(self) -> None:
         self.opening = False

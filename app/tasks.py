@@ -95,9 +95,18 @@ class TaskOwner(QObject):
     def tasks(self) -> tuple[Task, ...]:
         return tuple(self._tasks)
 
-    def run(self, title: str, job: Job, done: Callable[[Any], None] | None = None) -> Task:
-        """Run ``job`` in its own thread; ``done`` is called with its result in this thread."""
+    def run(
+        self,
+        title: str,
+        job: Job,
+        done: Callable[[Any], None] | None = None,
+        ended: Callable[[], None] | None = None,
+    ) -> Task:
+        """Run ``job`` in its own thread. In this thread ``done`` is called with its result, and
+        ``ended`` however it ends: both are connected before the job can have ended."""
         task = Task(title, job, self)
+        if ended is not None:
+            task.ended.connect(ended, Qt.ConnectionType.QueuedConnection)
         if done is not None:
             task.done.connect(done, Qt.ConnectionType.QueuedConnection)
         task.failed.connect(self.failed, Qt.ConnectionType.QueuedConnection)
