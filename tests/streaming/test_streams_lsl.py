@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -27,6 +28,15 @@ def test_channels_name_every_value_of_a_sample(make_estimate, names: Names) -> N
     assert math.isnan(read["thumb_tip_x"]) and read["thumb_tip_state"] == 0
     assert math.isnan(read["thumb_ip_flexion"]) and read["thumb_ip_flexion_state"] == 0
     assert read["ring_pip_flexion"] == 0.5
+
+
+def test_numbers_of_a_lost_row_are_not_sent(make_estimate, names: Names) -> None:
+    e = make_estimate()
+    nothing = replace(e, keypoint_state=0 * e.keypoint_state, angle_state=0 * e.angle_state)
+    read = dict(zip([label for label, _ in channels(names)], sample(nothing), strict=True))
+    values = {k: v for k, v in read.items() if not k.endswith("_state") and k != "tracking"}
+    assert len(values) == 3 * len(names.keypoints) + len(names.angles)
+    assert all(math.isnan(v) for v in values.values())
 
 
 def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names, wait_for) -> None:
