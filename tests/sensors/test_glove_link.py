@@ -110,9 +110,12 @@ def test_silence_is_said_and_ends(bench: Bench) -> None:
     bench.until(lambda: len(bench.samples) > 20)
     bench.device.faults.silent = True
     bench.until(lambda: bench.said("silent for"))
+    assert bench.link.state == LinkState.SILENT
     bench.device.faults.silent = False
     n = len(bench.samples)
     bench.until(lambda: bench.said("sends again") and len(bench.samples) > n + 10)
+    assert bench.link.state == LinkState.STREAMING
+    assert bench.link.figures.lost > 20, "what was not sent is counted as lost"
 
 
 def test_a_port_that_is_not_there(tmp_path: Path) -> None:
