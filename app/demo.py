@@ -26,7 +26,7 @@ from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.scenario import Truth as SimulatedTruth
-from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
 from tracker.vision.detector import Detector, detect_frame
 
 DURATION = 900.0
@@ -36,6 +36,7 @@ LEAD = 1.0  # s until the devices begin: a recording asked for at once misses no
 CAMERA_TIMEOUT = 120.0
 TRUTHS_AT_ONCE = 25
 HAND, GLOVE = "reference-right", "vist-small"
+CAMERA = "simulated camera"
 
 
 def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
@@ -86,6 +87,7 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
             notes=request.task,
             engine=tracker.settings.engine,
             settings_text=to_toml(tracker.settings),
+            colours_text=profile_to_toml(tracker.profile),
         )
         return TruthfulRecorder(SessionRecorder(request.path, named), simulation, t_0)
 
@@ -101,6 +103,7 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
         make_recorder=make_recorder,
         truth=truth,
         simulated=True,
+        vibrate=link.vibrate,
     )
 
 

@@ -80,6 +80,22 @@ class Player(Protocol):
 
     def set_speed(self, speed: float) -> None: ...
 
+    def set_loop(self, on: bool) -> None: ...
+
+    def set_range(self, start: float, stop: float) -> None: ...
+
+    def step(self, pictures: int) -> None: ...
+
+    @property
+    def range(self) -> tuple[float, float]: ...
+
+    @property
+    def events(self) -> Sequence[tuple[float, Event]]: ...
+
+    def set_ghost(self, path: Path | None) -> None: ...
+
+    def ghost(self) -> Truth | None: ...
+
 
 @dataclass(frozen=True)
 class Truth:
@@ -118,3 +134,5 @@ class EngineSetup:
     truth: Callable[[float], Truth | None] | None = None
     simulated: bool = False
     player: Player | None = None  # of a recorded session
+    camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
+    vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms

@@ -23,7 +23,7 @@ from tracker.sensors.picture_input import CaptureFormat, SideBySideInput, list_c
 from tracker.sensors.zed_files import load_zed
 from tracker.session.description import SessionInfo
 from tracker.session.writer import SessionRecorder
-from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig
 
@@ -38,7 +38,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     rig = load_rig(settings.calibration)
     progress(0.7, "engine")
     hand, glove = library.load(settings.glove, settings.hand)
-    colours_text = library.text("colours", settings.profile or library.DEFAULT_COLOURS)
+    colours_text = library.text("colours", library.DEFAULT_COLOURS)
     profile = parse_profile(colours_text)
     pipeline = Pipeline(hand, glove, rig)
 
@@ -70,6 +70,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
             notes=request.task,
             engine=tracker.settings.engine,
             settings_text=to_toml(tracker.settings),
+            colours_text=profile_to_toml(tracker.profile),
         )
         return SessionRecorder(request.path, named)
 
@@ -83,6 +84,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
         anchor=anchor,
         close=lambda: None,
         make_recorder=make_recorder,
+        vibrate=link.vibrate,
     )
 
 
@@ -110,6 +112,13 @@ def find_camera(chosen: str) -> int | str:
     if not cameras:
         raise DeviceError("No camera was found. Plug in the stereo camera and look again.")
     return cameras[0].index
+
+
+def camera_title(source: int | str, calibration: str) -> str:
+    """The camera's name and its calibration file's, which holds a ZED's serial number."""
+    names = {c.index: c.name for c in list_cameras()}
+    name = names.get(source, f"camera {source}") if isinstance(source, int) else str(source)
+    return f"{name} {Path(calibration).stem}"
 
 
 def load_rig(path: str) -> StereoRig:

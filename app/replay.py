@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import threading
-import time
 from collections import deque
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.engine import EngineSetup, Recorder
+from app.engine import EngineSetup, Recorder, Truth
+from app.replay_ghost import GhostTrack
+from app.replay_transport import IDLE_S, Transport
 from app.tasks import Progress
 from resources import folder
-from tracker.errors import GlovetrackError
+from tracker.errors import FileError, GlovetrackError
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -26,34 +27,72 @@ from tracker.messages import (
 )
 from tracker.session.reader import SessionReader
 from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.rig import StereoRig
 
 HISTORY_S = 10.0
-IDLE_S = 0.03
 PICTURES_WAITING = 30
+LEAD_IN_S = 0.12  # read before the place asked for: a picture is older than its blobs
+LOOK_BACK_S = (0.5, 2.0, 10.0)  # where the picture before is looked for, nearest first
+MAX_EVENTS = 5000
 
 
-class ReplayEngine:
+class ReplayEngine(Transport):
     """Plays a file at its own pace in one thread; `seek` starts it anew from another place."""
 
     def __init__(self, path: Path) -> None:
         self._reader = SessionReader(path)
-        self._markers = len(self._reader.info.glove.markers)
+        super().__init__(self._reader.duration)
+        self.info = self._reader.info
+        self._markers = len(self.info.glove.markers)
         self._start_t = self._reader.anchor.monotonic(self._reader.span_ns[0])
         self._thread: threading.Thread | None = None
-        self._stopping = threading.Event()
-        self._seek_to: float | None = 0.0
-        self._playing, self._speed, self._position = True, 1.0, 0.0
-        self._show_one = False
+        self._shown_at = 0.0  # where the picture on screen stands
         self._events: deque[Event] = deque(maxlen=1000)
-        self._forget()
-
-    def _forget(self) -> None:
+        self._timeline: tuple[tuple[float, Event], ...] = ()
+        self._truth = GhostTrack(path, truth=True) if self._holds("/truth/") else None
+        # Without blobs (a session tracked again) there is no picture: one steps by estimates.
+        self._steps_by: type = BlobFrame if self._holds("/camera/") else Estimate
+        self._ghost: GhostTrack | None = None
+        self._ghost_wanted: GhostTrack | None = None
+        self._true_pose: Truth | None = None
+        self._ghost_pose: Truth | None = None
         self._estimate: Estimate | None = None
         self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
-        self._pictures: dict[float, StereoFrame] = {}
         self._calibration: Calibration | None = None
         self._status = Status(0.0, Tracking.SEARCHING, {})
+        self._forget()
+
+    def _holds(self, topic: str) -> bool:
+        endings = ("/blobs", "/keypoints")
+        names = self._reader.topic_names
+        return any(n.startswith(topic) and n.endswith(endings) for n in names)
+
+    @property
+    def has_truth(self) -> bool:
+        return self._truth is not None
+
+    @property
+    def rig(self) -> StereoRig:
+        """Raises FileError that says what of the camera is missing."""
+        return self._reader.rig()
+
+    def _forget(self) -> None:
+        """What belongs to the place that is left; the hand stands until another one comes."""
+        self._pictures: dict[float, StereoFrame] = {}
         self._imu: deque[ImuSample] = deque()
+
+    def read_events(self) -> None:
+        """Find the notes and events for the timeline; a damaged end has none."""
+        found: list[tuple[float, Event]] = []
+        try:
+            for message in self._reader.messages((Event,)):
+                if isinstance(message, Event):
+                    found.append((self._clamped(message.t - self._start_t), message))
+                if len(found) >= MAX_EVENTS:
+                    break
+        except FileError as error:
+            self._events.append(Event(0.0, "error", str(error)))
+        self._timeline = tuple(found)
 
     # --- LiveEngine
 
@@ -70,6 +109,9 @@ class ReplayEngine:
     def close(self) -> None:
         self.stop()
         self._reader.close()
+        for track in {self._truth, self._ghost, self._ghost_wanted}:
+            if track is not None:
+                track.close()
 
     def latest_estimate(self) -> Estimate | None:
         return self._estimate
@@ -107,84 +149,104 @@ class ReplayEngine:
     # --- Player
 
     @property
-    def duration(self) -> float:
-        return self._reader.duration
+    def events(self) -> Sequence[tuple[float, Event]]:
+        """What happened, with its place in s."""
+        return self._timeline
 
-    @property
-    def position(self) -> float:
-        return self._position
+    def set_ghost(self, path: Path | None) -> None:
+        """Show the tracking in ``path`` beside this one. Raises FileError in words."""
+        self._ghost_wanted = None if path is None else GhostTrack(path)
+        self.seek(self._position)
 
-    @property
-    def playing(self) -> bool:
-        return self._playing
+    def ghost(self) -> Truth | None:
+        return self._ghost_pose
 
-    def seek(self, position: float) -> None:
-        self._seek_to = min(max(position, 0.0), self.duration)
-
-    def play(self, on: bool) -> None:
-        self._playing = on
-
-    def set_speed(self, speed: float) -> None:
-        self._speed = speed
+    def truth(self, _t: float) -> Truth | None:
+        """The simulated hand at the instant of the latest estimate."""
+        return self._true_pose
 
     # --- the thread
 
     def _run(self) -> None:
-        try:
-            while not self._stopping.is_set():
+        while not self._stopping.is_set():
+            try:
+                if self._steps_back:
+                    self._seek_back()
                 if self._seek_to is None:
                     self._stopping.wait(IDLE_S)
                     continue
                 start, self._seek_to = self._seek_to, None
                 self._play_from(start)
-        except GlovetrackError as error:
-            self._events.append(Event(0.0, "error", str(error)))
+            except GlovetrackError as error:  # a damaged place; others may still be whole
+                self._playing = False
+                self._events.append(Event(0.0, "error", str(error)))
+
+    def _seek_back(self) -> None:
+        """To the picture that is ``_steps_back`` before the one on screen."""
+        back, self._steps_back = self._steps_back, 0
+        before: list[float] = []
+        for reach in LOOK_BACK_S:
+            begin = self._start_t + self._shown_at - reach * back
+            end = self._start_t + self._shown_at
+            found = self._reader.messages((self._steps_by,), start=begin, end=end)
+            before = [_arrival(m) - self._start_t for m in found]
+            if len(before) >= back or begin <= self._start_t:
+                break
+        self._seek_to = before[-back] if len(before) >= back else 0.0
 
     def _play_from(self, start: float) -> None:
         self._forget()
-        self._position = start
-        self._show_one = True
-        for message in self._reader.messages(start=self._start_t + start):
-            if not self._wait_for(_arrival(message) - self._start_t):
+        self._change_ghost()
+        self._position, self._pictures_due = start, 1
+        begin = self._start_t + start
+        for track in (self._truth, self._ghost):
+            if track is not None:
+                track.seek(begin - LEAD_IN_S)
+        for message in self._reader.messages(start=begin - LEAD_IN_S):
+            place = _arrival(message) - self._start_t
+            if place >= start and not self._wait_for(place):
                 return
-            self._take(message)
-        self._playing = False
+            self._take(message, place >= start)
+        self._ended(self.duration)
 
-    def _wait_for(self, position: float) -> bool:
-        """Sleep until ``position`` is due; False when stopped or sent elsewhere."""
-        while not self._stopping.is_set() and self._seek_to is None:
-            if self._show_one and not self._playing:
-                self._position = max(self._position, position)
-                return True  # a paused replay shows the picture it was sent to
-            ahead = position - self._position
-            if ahead <= 0:
-                return True
-            before = time.monotonic()
-            self._stopping.wait(min(IDLE_S, ahead / self._speed))
-            if self._playing:
-                passed = (time.monotonic() - before) * self._speed
-                self._position = min(position, self._position + passed)
-        return False
+    def _change_ghost(self) -> None:
+        """Here and nowhere else, so that no track is closed while it is read."""
+        if self._ghost is not self._ghost_wanted:
+            if self._ghost is not None:
+                self._ghost.close()
+            self._ghost, self._ghost_pose = self._ghost_wanted, None
 
-    def _take(self, message: Message) -> None:
+    def _take(self, message: Message, due: bool) -> None:
+        """``due``: not of the time before the place that was asked for."""
         if isinstance(message, ImuSample):
             self._imu.append(message)
             while self._imu[-1].t - self._imu[0].t > HISTORY_S:
                 self._imu.popleft()
         elif isinstance(message, Estimate):
-            self._estimate = message
+            self._take_estimate(message)
+            self._shown(message, due)
         elif isinstance(message, StereoFrame):
             self._pictures[message.t] = message
             while len(self._pictures) > PICTURES_WAITING:
                 self._pictures.pop(next(iter(self._pictures)))
         elif isinstance(message, BlobFrame):
             self._take_blobs(message)
+            self._shown(message, due)
         elif isinstance(message, Calibration):
             self._calibration = message
         elif isinstance(message, Status):
             self._status = message
-        elif isinstance(message, Event):
+        elif isinstance(message, Event) and due:
             self._events.append(message)
+
+    def _take_estimate(self, estimate: Estimate) -> None:
+        self._estimate = estimate
+        if self._truth is not None:
+            self._truth.advance(estimate.t)
+            self._true_pose = self._truth.pose(estimate.t)
+        if self._ghost is not None:
+            self._ghost.advance(estimate.t)
+            self._ghost_pose = self._ghost.pose(estimate.t)
 
     def _take_blobs(self, blobs: BlobFrame) -> None:
         picture = self._pictures.pop(blobs.t, None)
@@ -192,7 +254,11 @@ class ReplayEngine:
             picture = StereoFrame(blobs.t, blobs.t_arrival, None, None, blobs.pose, blobs.index)
         tracking = self._estimate.tracking if self._estimate else Tracking.SEARCHING
         self._frame = (picture, blobs, FrameResult.nothing(blobs.t, tracking, self._markers))
-        self._show_one = False
+
+    def _shown(self, message: Message, due: bool) -> None:
+        if due and isinstance(message, self._steps_by):
+            self._shown_at = _arrival(message) - self._start_t
+            self._pictures_due = max(0, self._pictures_due - 1)
 
 
 def _arrival(message: Message) -> float:
@@ -204,8 +270,9 @@ def open_replay(path: Path, progress: Progress) -> EngineSetup:
     progress(-1.0, path.name)
     engine = ReplayEngine(path)
     try:
-        info = engine._reader.info
-        rig = engine._reader.rig()
+        info = engine.info
+        rig = engine.rig
+        engine.read_events()
     except GlovetrackError:
         engine.close()
         raise
@@ -220,6 +287,7 @@ def open_replay(path: Path, progress: Progress) -> EngineSetup:
         profile=profile,
         anchor=info.anchor,
         close=engine.close,
+        truth=engine.truth if engine.has_truth else None,
         simulated=info.simulated,
         player=engine,
     )

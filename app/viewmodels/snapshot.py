@@ -42,6 +42,12 @@ class Snapshot:
             return None
         return self.setup.truth(self.estimate.t)
 
+    def ghost(self) -> Truth | None:
+        """The hand to compare with: a replay's second tracking where one is set, else the truth."""
+        player = self.setup.player
+        other = player.ghost() if player is not None else None
+        return other if other is not None else self.truth()
+
 
 def nearest(estimates: Sequence[Estimate], t: float) -> Estimate | None:
     """The estimate whose instant is nearest to ``t``."""

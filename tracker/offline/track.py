@@ -27,6 +27,7 @@ from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionI
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.settings import Settings
+from tracker.toml_reader import read_text
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams, detect_frame
 
@@ -43,6 +44,7 @@ class TrackOptions:
     glove: str = ""
     colours: str = ""
     with_sensors: bool = False
+    settings: str = ""  # path of a TOML file of `tracker.settings.Settings`
 
 
 @dataclass(eq=False)
@@ -114,9 +116,9 @@ def _replacements(options: TrackOptions) -> dict[str, str]:
 
 
 def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
-    """The recorded settings, with another engine where one is asked for."""
-    text = reader.info.settings_text
-    settings = from_toml(Settings, text, SETTINGS) if text else Settings()
+    """The recorded settings or those asked for, with another engine where one is asked for."""
+    text = read_text(Path(options.settings)) if options.settings else reader.info.settings_text
+    settings = from_toml(Settings, text, options.settings or SETTINGS) if text else Settings()
     if not text and reader.info.engine in ENGINES:
         settings = replace(settings, engine=reader.info.engine)
     return replace(settings, engine=options.engine) if options.engine else settings

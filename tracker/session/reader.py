@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
@@ -34,18 +34,26 @@ from tracker.vision.rig import Camera, StereoRig
 
 _FOREIGN_PATIENCE = NS // 10  # pictures of others may be this late against their IMUs
 _LOOK_FOR_RIG = 500  # messages
+_WATCH_EVERY = 200  # messages
 
 
 class SessionReader:
     """A session opened for reading. Raises FileError in words if it cannot be.
 
     ``replace`` gives texts for attachments (``hand.toml``, ``glove.toml``, ``colours.toml``) that
-    the file lacks or that shall count instead of its own.
+    the file lacks or that shall count instead of its own. ``watch`` hears now and then which share
+    (0..1) of the file `messages` has come through, and may raise to end it.
     """
 
-    def __init__(self, path: Path, replace: Mapping[str, str] | None = None) -> None:
+    def __init__(
+        self,
+        path: Path,
+        replace: Mapping[str, str] | None = None,
+        watch: Callable[[float], None] = lambda share: None,
+    ) -> None:
         self.path = Path(path)
         self._replace = dict(replace or {})
+        self._watch = watch
         self.source = McapInput(self.path)
 
     def close(self) -> None:
@@ -201,7 +209,9 @@ class SessionReader:
             if before is not None:
                 decoder.remember(before)
         wanted = decoder.topics_of(kinds)
-        for raw in ordered(self.source, wanted, first, last, decoder.rank):
+        for n, raw in enumerate(ordered(self.source, wanted, first, last, decoder.rank)):
+            if n % _WATCH_EVERY == 0:
+                self._watch((raw.log_time - self.span_ns[0]) / NS / max(self.duration, 1e-9))
             for message in decoder.feed(raw):
                 if type(message) in kinds:
                     yield message
@@ -209,10 +219,11 @@ class SessionReader:
             if type(message) in kinds:
                 yield message
 
-    def truth(self) -> Iterator[Estimate]:
-        """What a simulated hand really did; nothing in a recorded session."""
+    def truth(self, start: float | None = None) -> Iterator[Estimate]:
+        """What a simulated hand really did, with arrival ≥ ``start`` (s); else nothing."""
         decoder = EstimateDecoder(self.info, "truth")
-        for raw in ordered(self.source, frozenset(decoder.topics)):
+        first = 0 if start is None else max(self.anchor.wall(start), 0)
+        for raw in ordered(self.source, frozenset(decoder.topics), first):
             with in_words(raw.topic):
                 estimate = decoder.feed(raw)
             if estimate is not None:

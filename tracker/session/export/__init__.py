@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Callable
 from dataclasses import asdict
 from importlib import import_module
 from pathlib import Path
@@ -18,11 +19,16 @@ from tracker.session.reader import SessionReader
 
 
 def export(
-    path_in: Path, format: str, path_out: Path, options: ExportOptions | None = None
+    path_in: Path,
+    format: str,
+    path_out: Path,
+    options: ExportOptions | None = None,
+    watch: Callable[[float], None] = lambda share: None,
 ) -> dict[str, Any]:
     """Write ``path_in`` as ``format`` to ``path_out``; returns what the JSON beside it says.
 
-    Raises GlovetrackError in words. An unfinished output is removed.
+    ``watch`` hears which share of the session has been read, once per pass over it, and may raise
+    to end the export. Raises GlovetrackError in words. An unfinished output is removed.
     """
     if format not in FORMATS:
         raise ConfigError(f"There is no format {format!r}; there are {', '.join(FORMATS)}.")
@@ -33,7 +39,7 @@ def export(
     write = getattr(import_module(f"tracker.session.export.{format}"), f"export_{format}")
     partial = path_out.with_name(f".{path_out.stem}.part{path_out.suffix}")
     try:
-        with SessionReader(path_in) as reader:
+        with SessionReader(path_in, watch=watch) as reader:
             motion = write(reader, partial, options)
             report = _report(reader, format, path_out, options, motion)
         partial.replace(path_out)

@@ -1,0 +1,172 @@
+"""A recorded session played: what is shown where, and what the transport does."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.replay import ReplayEngine, open_replay
+from app.replay_ghost import GhostTrack
+from tracker.messages import BlobFrame, Estimate
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import TrackOptions, track
+from tracker.session.reader import SessionReader
+
+SECONDS = 3.0
+
+
+@pytest.fixture(scope="session")
+def sessions(tmp_path_factory) -> dict[str, Path]:
+    """One movement: as simulated (with truth), tracked by `chain` and tracked by `vist`."""
+    folder = tmp_path_factory.mktemp("sessions")
+    made = {name: folder / f"{name}.mcap" for name in ("simulated", "chain", "vist")}
+    simulate(made["simulated"], SimulateOptions(seed=3, duration=SECONDS, fps=30, pictures=False))
+    track(made["simulated"], made["chain"], TrackOptions("chain", with_sensors=True))
+    track(made["simulated"], made["vist"], TrackOptions("vist"))
+    return made
+
+
+@pytest.fixture
+def replay(sessions, qtbot):
+    """A paused replay of the `chain` session, its first picture shown."""
+    engine = ReplayEngine(sessions["chain"])
+    engine.play(False)
+    engine.start()
+    qtbot.waitUntil(lambda: engine.latest_frame() is not None, timeout=20_000)
+    yield engine
+    engine.close()
+
+
+@pytest.fixture(scope="session")
+def frames(sessions) -> list[BlobFrame]:
+    with SessionReader(sessions["chain"]) as reader:
+        return list(reader.messages((BlobFrame,)))
+
+
+def shown(engine: ReplayEngine) -> float:
+    frame = engine.latest_frame()
+    return np.nan if frame is None else frame[1].t
+
+
+def test_steps_go_through_every_picture_and_back(replay, frames, qtbot):
+    assert shown(replay) == frames[0].t
+    for i in (1, 2, 3):
+        replay.step(1)
+        qtbot.waitUntil(lambda i=i: shown(replay) == frames[i].t, timeout=10_000)
+    replay.step(5)
+    qtbot.waitUntil(lambda: shown(replay) == frames[8].t, timeout=10_000)
+    replay.step(-1)
+    qtbot.waitUntil(lambda: shown(replay) == frames[7].t, timeout=10_000)
+    replay.step(-6)
+    qtbot.waitUntil(lambda: shown(replay) == frames[1].t, timeout=10_000)
+    replay.step(-20)
+    qtbot.waitUntil(lambda: shown(replay) == frames[0].t, timeout=10_000)
+
+
+def test_a_paused_replay_shows_the_place_it_is_sent_to(replay, frames, qtbot):
+    replay.seek(2.0)
+    due = next(f for f in frames if f.t_arrival - replay._start_t >= 2.0)
+    qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=10_000)
+    estimate = replay.latest_estimate()
+    assert estimate is not None and abs(estimate.t - due.t) < 0.1
+    assert not replay.playing
+
+
+def test_playing_stops_at_the_out_point_and_begins_again_at_the_in_point(replay, qtbot):
+    replay.set_range(1.6, 1.2)
+    assert replay.range == (1.2, 1.6)
+    replay.play(True)
+    qtbot.waitUntil(lambda: not replay.playing, timeout=10_000)
+    assert replay.position == pytest.approx(1.6, abs=0.02)
+    replay.play(True)
+    qtbot.waitUntil(lambda: replay.position < 1.5, timeout=10_000)
+    assert replay.position >= 1.2 - 1e-9
+
+
+def test_a_loop_goes_around(replay, qtbot):
+    replay.set_range(1.0, 1.3)
+    replay.set_loop(True)
+    replay.set_speed(4.0)
+    places = []
+    replay.play(True)
+    qtbot.waitUntil(
+        lambda: places.append(replay.position) or bool((np.diff(places) < -0.1).any()),
+        timeout=10_000,
+    )
+    assert replay.playing
+    assert max(places) <= 1.3 + 1e-6
+
+
+def test_speed_is_kept(replay, qtbot):
+    replay.set_speed(0.5)
+    replay.seek(0.5)
+    replay.play(True)
+    qtbot.wait(600)
+    assert 0.5 < replay.position < 0.5 + 0.5 * 2.0  # half of the wall's time, on a busy machine
+
+
+def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
+    with SessionReader(sessions["vist"]) as reader:
+        instants = [m.t for m in reader.messages((Estimate,))]
+    engine = ReplayEngine(sessions["vist"])
+    engine.play(False)
+    engine.start()
+    try:
+        qtbot.waitUntil(lambda: engine.latest_estimate() is not None, timeout=10_000)
+        engine.step(1)
+        qtbot.waitUntil(lambda: engine.latest_estimate().t == instants[1], timeout=10_000)
+        assert not engine.playing
+    finally:
+        engine.close()
+
+
+def test_the_other_tracking_stands_beside_this_one(replay, sessions, qtbot):
+    with SessionReader(sessions["vist"]) as reader:
+        other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
+    assert replay.ghost() is None
+    replay.set_ghost(sessions["vist"])
+    replay.seek(2.5)
+    qtbot.waitUntil(lambda: replay.ghost() is not None, timeout=10_000)
+    qtbot.wait(100)
+    ghost, mine = replay.ghost(), other[round(replay.latest_estimate().t, 6)]
+    assert ghost.keypoints == pytest.approx(mine.keypoints, abs=1e-9)
+    assert ghost.p_GB == pytest.approx(mine.segment_p, abs=1e-6)
+    assert ghost.R_GB == pytest.approx(mine.segment_R, abs=1e-6)
+    replay.set_ghost(None)
+    qtbot.waitUntil(lambda: replay.ghost() is None, timeout=10_000)
+
+
+def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):
+    with SessionReader(sessions["simulated"]) as reader:
+        true = next(e for e in reader.truth(1.0) if e.t >= 1.5)
+    track_ = GhostTrack(sessions["simulated"], truth=True)
+    track_.seek(1.4)
+    track_.advance(true.t)
+    pose = track_.pose(true.t)
+    track_.close()
+    assert pose is not None
+    assert pose.keypoints == pytest.approx(true.keypoints, nan_ok=True)
+
+
+def test_notes_and_events_have_their_place_on_the_timeline(tmp_path, sessions):
+    from dataclasses import replace
+
+    from tracker.messages import Event
+    from tracker.session.writer import RecorderParams, SessionRecorder
+
+    with SessionReader(sessions["simulated"]) as reader:
+        info = replace(reader.info, rig=reader.rig())
+        messages = list(reader.messages())
+    path = tmp_path / "noted.mcap"
+    start = messages[0].t_arrival
+    with SessionRecorder(path, info, RecorderParams(sync=False)) as recorder:
+        for message in messages:
+            recorder.write(message)
+        recorder.write(Event(start + 1.25, "note", "gripped the cup"))
+    setup = open_replay(path, lambda *_: None)
+    try:
+        [(place, event)] = [e for e in setup.player.events if e[1].kind == "note"]
+        assert event.text == "gripped the cup"
+        assert place == pytest.approx(1.25, abs=0.02)
+    finally:
+        setup.close()
