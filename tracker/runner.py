@@ -127,6 +127,7 @@ class LiveTracker:
     ) -> None:
         self._pipeline = pipeline
         self._make_detector, self._detector = make_detector, make_detector(profile)
+        self._profile = profile
         self._glove, self._camera, self._clock = glove, camera, clock
         self._stopping = threading.Event()
         self._threads: list[threading.Thread] = []
@@ -178,7 +179,12 @@ class LiveTracker:
 
     def set_profile(self, profile: ColourProfile) -> None:
         """Detect with other colours from the next picture on."""
-        self._detector = self._make_detector(profile)
+        self._profile = profile  # the vision thread makes its detector, which takes a while
+
+    @property
+    def profile(self) -> ColourProfile:
+        """The colours that are looked for now."""
+        return self._profile
 
     @property
     def settings(self) -> Settings:
@@ -278,6 +284,8 @@ class LiveTracker:
             frame = self._pictures.get(WAIT)
             if frame is None:
                 continue
+            if self._detector.profile is not self._profile:
+                self._detector = self._make_detector(self._profile)
             started = self._clock()
             blobs = detect_frame(self._detector, frame)
             self._telemetry.took("detect", self._clock() - started)
