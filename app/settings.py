@@ -1,17 +1,26 @@
-"""What the window remembers between runs: one small JSON file, versioned, replaced atomically."""
+"""What the window remembers between runs: one small JSON file, versioned, replaced atomically.
+
+A file of an earlier version is migrated step by step (`MIGRATIONS`) after a copy of it was put
+beside it; one that cannot be read, or that a later version wrote, is set aside under another name.
+What happened is said once, in `SettingsStore.notice`.
+"""
 
 from __future__ import annotations
 
 import dataclasses
 import json
 import logging
+import shutil
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import platformdirs
 
-VERSION = 1
+from tracker.session.disk import free_path
+
+VERSION = 2
 _log = logging.getLogger(__name__)
 
 
@@ -35,12 +44,25 @@ class Settings:
     calibration: str = ""  # path of the stereo calibration
 
 
+Migration = Callable[[dict[str, Any]], dict[str, Any]]
+
+
+def _from_1(data: dict[str, Any]) -> dict[str, Any]:
+    """Version 2 has other docks: where those of version 1 stood would hide the new ones."""
+    return {**data, "layout": ""}
+
+
+MIGRATIONS: dict[int, Migration] = {1: _from_1}
+"""From each version to the next."""
+
+
 class SettingsStore:
-    """Reads and writes `Settings`. A damaged or newer file is set aside, never overwritten."""
+    """Reads and writes `Settings`. ``notice``: a sentence for the user about the file, or empty."""
 
     def __init__(self, path: Path | None = None) -> None:
         folder = Path(platformdirs.user_config_dir("glovetrack", appauthor=False))
         self.path = path or folder / "window.json"
+        self.notice = ""
         self.value = self._read()
 
     def update(self, **changes: Any) -> None:
@@ -55,18 +77,50 @@ class SettingsStore:
         if not self.path.exists():
             return Settings()
         try:
-            return _settings_from(json.loads(self.path.read_text("utf-8")))
+            data = json.loads(self.path.read_text("utf-8"))
+            version = _version_of(data)
+            if version < VERSION:
+                self._back_up(version)
+                data = migrated(data, version)
+            return _settings_from(data)
         except (OSError, ValueError) as error:
-            aside = self.path.with_suffix(".unreadable.json")
-            _log.warning("The window's settings could not be read (%s); kept as %s.", error, aside)
-            self.path.replace(aside)
+            self._set_aside(error)
             return Settings()
 
+    def _back_up(self, version: int) -> None:
+        """A copy as version ``version`` left it, so that one can go back to it."""
+        copy = free_path(self.path.with_suffix(f".v{version}.json"))
+        shutil.copy2(self.path, copy)
+        _log.info("Settings of version %d are kept as %s.", version, copy)
 
-def _settings_from(data: Any) -> Settings:
-    """Settings from JSON. Unknown keys are dropped; wrong types and versions are ValueErrors."""
-    if not isinstance(data, dict) or data.get("version") != VERSION:
-        raise ValueError("another version of Glovetrack wrote them")
+    def _set_aside(self, error: Exception) -> None:
+        aside = free_path(self.path.with_suffix(".unreadable.json"))
+        self.path.replace(aside)
+        self.notice = (
+            f"The window's settings could not be used ({error}), so it starts with its own. "
+            f"They are kept in {aside}."
+        )
+        _log.warning("%s", self.notice)
+
+
+def _version_of(data: Any) -> int:
+    version = data.get("version") if isinstance(data, dict) else None
+    if type(version) is not int or version < 1:
+        raise ValueError("they do not say which version they are of")
+    if version > VERSION:
+        raise ValueError("a later version of Glovetrack wrote them")
+    return version
+
+
+def migrated(data: dict[str, Any], version: int) -> dict[str, Any]:
+    """Settings of ``version`` as those of today."""
+    for step in range(version, VERSION):
+        data = {**MIGRATIONS[step](data), "version": step + 1}
+    return data
+
+
+def _settings_from(data: dict[str, Any]) -> Settings:
+    """Settings from JSON. Unknown keys are dropped; wrong types are ValueErrors."""
     default = Settings()
     known = {f.name for f in dataclasses.fields(Settings)}
     values = {k: v for k, v in data.items() if k in known}

@@ -4,29 +4,67 @@ import json
 
 import pytest
 
-from app.settings import Settings, SettingsStore, sessions_folder
+from app.settings import MIGRATIONS, VERSION, Settings, SettingsStore, migrated, sessions_folder
 
 
 def test_values_come_back(tmp_path):
     SettingsStore(tmp_path / "w.json").update(theme="dark", participant="Ö")
-    again = SettingsStore(tmp_path / "w.json").value
-    assert (again.theme, again.participant) == ("dark", "Ö")
+    again = SettingsStore(tmp_path / "w.json")
+    assert (again.value.theme, again.value.participant) == ("dark", "Ö")
+    assert again.notice == ""
 
 
 @pytest.mark.parametrize(
-    "text", ["{", "[]", '{"version": 99}', '{"version": 1, "theme": 3}', "\x00\xff"]
+    ("text", "reason"),
+    [
+        ("{", ""),
+        ("[]", "which version"),
+        ('{"version": 99}', "later version"),
+        ('{"version": 1, "theme": 3}', "theme"),
+        ('{"version": "1"}', "which version"),
+        ("\x00\xff", ""),
+    ],
 )
-def test_an_unreadable_file_is_kept_aside_and_defaults_serve(tmp_path, text):
+def test_an_unusable_file_is_kept_aside_in_words_and_defaults_serve(tmp_path, text, reason):
     path = tmp_path / "w.json"
     path.write_text(text, "latin-1")
-    assert SettingsStore(path).value == Settings()
+    store = SettingsStore(path)
+    assert store.value == Settings()
     assert (tmp_path / "w.unreadable.json").read_text("latin-1") == text
+    assert "w.unreadable.json" in store.notice and reason in store.notice
 
 
-def test_unknown_keys_of_a_later_version_are_dropped(tmp_path):
+def test_a_second_unusable_file_does_not_replace_the_first(tmp_path):
     path = tmp_path / "w.json"
-    path.write_text(json.dumps({"version": 1, "theme": "light", "hologram": True}))
+    for text in ("first", "second"):
+        path.write_text(text)
+        SettingsStore(path)
+    assert {p.read_text() for p in tmp_path.glob("w.unreadable*")} == {"first", "second"}
+
+
+def test_unknown_keys_are_dropped(tmp_path):
+    path = tmp_path / "w.json"
+    path.write_text(json.dumps({"version": VERSION, "theme": "light", "hologram": True}))
     assert SettingsStore(path).value.theme == "light"
+
+
+def test_settings_survive_an_upgrade_and_the_old_file_is_kept(tmp_path):
+    path = tmp_path / "w.json"
+    old = {"version": 1, "theme": "dark", "participant": "P07", "layout": "AAAA", "port": "/dev/x"}
+    path.write_text(json.dumps(old))
+    store = SettingsStore(path)
+    value = store.value
+    assert (value.theme, value.participant, value.port) == ("dark", "P07", "/dev/x")
+    assert (value.version, value.layout, store.notice) == (VERSION, "", "")
+    assert json.loads((tmp_path / "w.v1.json").read_text()) == old
+    store.update(task="pinch")
+    assert json.loads(path.read_text())["version"] == VERSION
+    assert SettingsStore(path).value.participant == "P07"
+
+
+def test_every_earlier_version_has_its_way_to_today():
+    assert sorted(MIGRATIONS) == list(range(1, VERSION))
+    assert migrated({"version": 1}, 1)["version"] == VERSION
 
 
 def test_recordings_go_where_the_user_said(tmp_path):
