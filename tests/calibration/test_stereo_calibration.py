@@ -1,0 +1,397 @@
+"""A rig whose truth is known is found again from views of a board; wrong rigs are refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from tracker.calibration.stereo.board import BoardSpec, board_picture, print_picture
+from tracker.calibration.stereo.checks import (
+    Extrinsics,
+    extrinsics_of,
+    quality_problems,
+    rig_problems,
+)
+from tracker.calibration.stereo.collect import Answer, Collector
+from tracker.calibration.stereo.coverage import CoverageParams, advice, coverage, shape_of
+from tracker.calibration.stereo.files import ImportForm, load_rig, save_calibration
+from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve, view_errors
+from tracker.calibration.stereo.verify import verify
+from tracker.calibration.stereo.views import BoardFinder, Look, StereoView
+from tracker.errors import ConfigError, FileError
+from tracker.geometry import so3
+from tracker.sensors.stereo_calibration import Lens, rectified_rig
+from tracker.simulation.board_pictures import BoardPose, BoardRenderer, TrueRig, board_poses
+
+WIDTH, HEIGHT = 640, 360
+SPEC = BoardSpec()
+NOISE_PX = 0.08
+
+
+def lens(f: float, cx: float, cy: float) -> Lens:
+    K = np.array([[f, 0.0, cx], [0.0, f * 1.003, cy], [0.0, 0.0, 1.0]])
+    return Lens(WIDTH, HEIGHT, K, np.array([-0.17, 0.026, 0.0004, -0.0003, 0.0]))
+
+
+RIG = TrueRig(
+    lens(350.0, 327.0, 176.0),
+    lens(352.0, 318.0, 183.0),
+    so3.exp(np.array([0.004, 0.012, -0.003])),
+    np.array([-0.063, 0.0004, -0.0002]),
+)
+
+
+def project(rig: TrueRig, p_C: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Pixels (n, 2) in both raw pictures of points (n, 3) of the left camera."""
+    left, _ = cv2.projectPoints(p_C, np.zeros(3), np.zeros(3), rig.left.K, rig.left.D)
+    right, _ = cv2.projectPoints(p_C, so3.log(rig.R), rig.T, rig.right.K, rig.right.D)
+    return left.reshape(-1, 2), right.reshape(-1, 2)
+
+
+def view_at(pose: BoardPose, rng: np.random.Generator, rig: TrueRig = RIG) -> StereoView:
+    left, right = project(rig, SPEC.points @ pose.R_CB.T + pose.p_CB)
+    noise = rng.normal(0, NOISE_PX, (2, len(left), 2))
+    return StereoView(np.arange(SPEC.corner_count), SPEC.points, left + noise[0], right + noise[1])
+
+
+@lru_cache
+def views(count: int, seed: int) -> tuple[StereoView, ...]:
+    rng = np.random.default_rng(seed)
+    return tuple(view_at(p, rng) for p in board_poses(SPEC, RIG, count, seed))
+
+
+@lru_cache
+def solution():
+    return solve(views(16, 1), WIDTH, HEIGHT)
+
+
+def truth(**changes) -> Extrinsics:
+    return replace(Extrinsics(RIG.left, RIG.right, RIG.R, RIG.T), **changes)
+
+
+# --- the board
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"kind": "dots"}, "charuco and chessboard"),
+        ({"columns": 3}, "4 to 20 squares"),
+        ({"square": 25.0}, "measure one on the paper"),
+        ({"kind": "chessboard", "columns": 9, "rows": 7}, "upside down"),
+    ],
+)
+def test_an_impossible_board_is_refused_in_words(change, words):
+    with pytest.raises(ConfigError, match=words):
+        replace(SPEC, **change)
+
+
+@pytest.mark.parametrize("kind", ["charuco", "chessboard"])
+def test_the_printed_page_has_its_corners_where_the_board_says(kind):
+    """Seen straight on, the page is the board at its scale, shifted by the margin."""
+    spec = replace(SPEC, kind=kind)
+    page, per_metre = print_picture(spec, dpi=110)
+    found = BoardFinder(spec).find(page)
+    assert found is not None and len(found) == spec.corner_count
+    margin = round(spec.square * per_metre)
+    expected = spec.points_of(found.ids)[:, :2] * per_metre + margin - 0.5
+    assert found.uv == pytest.approx(expected, abs=0.1)
+
+
+def test_the_printed_ruler_is_100_mm_long():
+    page, per_metre = print_picture(SPEC, dpi=150)
+    below = page[round(per_metre * (SPEC.height + SPEC.square)) + 4 :]
+    longest = max(below, key=lambda row: int((row < 128).sum()))
+    assert (longest < 128).sum() / per_metre == pytest.approx(0.1, abs=1e-3)
+
+
+# --- pictures
+
+
+@pytest.mark.parametrize("kind", ["charuco", "chessboard"])
+def test_corners_are_found_where_the_lens_puts_them(kind):
+    spec = replace(SPEC, kind=kind)
+    renderer, finder = BoardRenderer(RIG, spec), BoardFinder(spec)
+    rng, used = np.random.default_rng(2), 0
+    R_CB = so3.exp(np.array([0.3, -0.35, 0.2]))
+    for turn in (R_CB, R_CB @ so3.exp(np.array([0, 0, np.pi]))):
+        centre = np.array([0.03, 0.0, 0.33])
+        pose = BoardPose(turn, centre - turn @ [spec.width / 2, spec.height / 2, 0])
+        look = finder.look(*renderer.pair(pose, rng))
+        assert look.view is not None, look.trouble
+        p_C = look.view.points @ pose.R_CB.T + pose.p_CB
+        for found, expected in zip(
+            (look.view.left, look.view.right), project(RIG, p_C), strict=True
+        ):
+            # a corner of another number would be 10 px away
+            assert np.sqrt(np.mean((found - expected) ** 2)) < 0.15
+            assert np.abs(found - expected).max() < 1.0
+        used += 1
+    assert used == 2
+
+
+def test_what_is_wrong_with_a_picture_is_said():
+    finder = BoardFinder(SPEC)
+    page = cv2.copyMakeBorder(board_picture(SPEC, 30), *(40,) * 4, cv2.BORDER_CONSTANT, value=255)
+    wall = np.full_like(page, 90)
+    assert "not seen in the right picture" in finder.look(page, wall).trouble
+    mirrored = np.ascontiguousarray(page[:, ::-1])
+    assert "left picture is mirrored" in finder.look(mirrored, page).trouble
+    left, right = page.copy(), page.copy()
+    left[:, 190:], right[:, :190] = 90, 90
+    assert "same part of the board" in finder.look(left, right).trouble
+
+
+# --- collecting
+
+
+def test_views_are_taken_when_still_and_new():
+    rng = np.random.default_rng(0)
+    first, second = (view_at(p, rng) for p in board_poses(SPEC, RIG, 2, 5))
+    again = replace(first, left=first.left + 0.3, right=first.right + 0.3)
+    collector = Collector(WIDTH)
+    answers = [collector.offer(Look(None, None, v)) for v in (first, again, again, second, second)]
+    assert answers == [
+        Answer.MOVING, Answer.TAKEN, Answer.KNOWN, Answer.MOVING, Answer.TAKEN,
+    ]  # fmt: skip
+    assert collector.offer(Look(None, None, None, "nothing")) is Answer.ABSENT
+    collector.remove(0)
+    assert len(collector.views) == 1
+
+
+def test_coverage_and_advice_follow_what_is_shown():
+    straight = BoardPose(np.eye(3), np.array([-0.12, -0.08, 0.4]))
+    rng = np.random.default_rng(0)
+    alike = [view_at(straight, rng) for _ in range(20)]
+    cover = coverage(alike, WIDTH, HEIGHT)
+    assert cover.tilted == 0 and cover.distances < 1.01
+    assert "where the pictures are empty" in advice(cover)
+    assert "Tilt" in advice(replace(cover, area=0.9))
+    assert "nearer" in advice(replace(cover, area=0.9, tilted=9))
+    good = coverage(views(16, 1), WIDTH, HEIGHT)
+    assert good.area > 0.8 and advice(good) == ""
+    assert good.done(CoverageParams()) == 1.0 and cover.done(CoverageParams()) == 0.0
+
+
+def test_tilt_is_seen_without_knowing_the_lens():
+    for degrees in (0, 20, 40):
+        R_CB = so3.exp(np.array([np.deg2rad(degrees), 0, 0]))
+        far = BoardPose(R_CB, np.array([-0.12, -0.08, 1.5]))
+        shape = shape_of(view_at(far, np.random.default_rng(1)))
+        assert np.rad2deg(shape.tilt) == pytest.approx(degrees, abs=6)
+
+
+# --- solving
+
+
+def test_the_true_rig_is_found_again():
+    s = solution()
+    assert s.dropped == ()
+    assert s.rms_px == pytest.approx(NOISE_PX * np.sqrt(2), rel=0.2)
+    for found, true in ((s.left, RIG.left), (s.right, RIG.right)):
+        assert found.K[[0, 1], [0, 1]] == pytest.approx(true.K[[0, 1], [0, 1]], rel=3e-3)
+        assert found.K[:2, 2] == pytest.approx(true.K[:2, 2], abs=1.0)
+    assert np.allclose(s.T, RIG.T, rtol=0, atol=4e-4)
+    assert np.rad2deg(np.linalg.norm(so3.log(s.R @ RIG.R.T))) < 0.1
+    assert rig_problems(Extrinsics(s.left, s.right, s.R, s.T)) == []
+    assert quality_problems(s, coverage(views(16, 1), WIDTH, HEIGHT)) == []
+
+
+def test_a_bad_view_is_dropped_and_named():
+    spoilt = list(views(14, 1))
+    rng = np.random.default_rng(9)
+    spoilt[5] = replace(
+        spoilt[5], right=spoilt[5].right + rng.normal(0, 3.0, spoilt[5].right.shape)
+    )
+    s = solve(spoilt, WIDTH, HEIGHT)
+    assert s.dropped == (5,)
+    assert s.error[5].max() > 2.0 > 10 * np.delete(s.error, 5, axis=0).max()
+    assert np.allclose(s.T, RIG.T, rtol=0, atol=4e-4)
+
+
+def test_too_few_views_are_refused_and_too_alike_ones_told():
+    with pytest.raises(CalibrationError, match="at least 8"):
+        solve(views(6, 1), WIDTH, HEIGHT)
+    rng = np.random.default_rng(3)
+    poses = [BoardPose(so3.rx(0.02 * k), np.array([-0.1, -0.08, 0.4])) for k in range(10)]
+    alike = [view_at(p, rng) for p in poses]
+    problems = quality_problems(solve(alike, WIDTH, HEIGHT), coverage(alike, WIDTH, HEIGHT))
+    assert any("too alike" in p for p in problems)
+
+
+def test_a_cancelled_solution_stops():
+    class Stop(Exception):
+        pass
+
+    def progress(share: float, text: str) -> None:
+        if text == "both together":
+            raise Stop
+
+    with pytest.raises(Stop):
+        solve(views(16, 1), WIDTH, HEIGHT, progress=progress)
+
+
+# --- what is refused
+
+
+def test_exchanged_pictures_are_told_as_such():
+    """Left and right exchanged: the same views solve perfectly and must still be refused."""
+    swapped = [replace(v, left=v.right, right=v.left) for v in views(12, 1)]
+    s = solve(swapped, WIDTH, HEIGHT)
+    assert s.rms_px < 0.3
+    assert any("exchanged" in p for p in rig_problems(Extrinsics(s.left, s.right, s.R, s.T)))
+
+
+def test_mirrored_pictures_are_refused():
+    """Both pictures mirrored look like a rig whose cameras stand the other way round."""
+
+    def flip(uv: np.ndarray) -> np.ndarray:
+        return np.column_stack([WIDTH - 1 - uv[:, 0], uv[:, 1]])
+
+    columns = SPEC.corner_columns
+    order = np.arange(SPEC.corner_count).reshape(-1, columns)[:, ::-1].ravel()
+    mirrored = [
+        replace(v, left=flip(v.left)[order], right=flip(v.right)[order]) for v in views(12, 1)
+    ]
+    s = solve(mirrored, WIDTH, HEIGHT)
+    assert any("mirror" in p for p in rig_problems(Extrinsics(s.left, s.right, s.R, s.T)))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"T": RIG.T * -1}, "exchanged"),
+        ({"T": RIG.T * 1000}, "unit of the file"),
+        ({"T": RIG.T * 0.1}, "6.3 mm apart"),
+        ({"T": np.array([0.001, 0.06, 0.0])}, "side by side"),
+        ({"T": np.array([-0.063, 0.0, 0.05])}, "before the other"),
+        ({"R": so3.ry(0.6)}, "34 degrees apart"),
+        ({"R": np.diag([-1.0, 1, 1])}, "mirrored"),
+        ({"left": lens(100.0, 327, 176)}, "focal length"),
+        ({"right": lens(500.0, 318, 183)}, "magnify"),
+        ({"right": lens(352.0, 60, 183)}, "middle of the right lens"),
+        ({"left": replace(RIG.left, D=np.array([1.5, 0, 0, 0, 0.0]))}, "left lens would bend"),
+        ({"T": RIG.T * np.nan}, "no numbers"),
+    ],
+)
+def test_an_implausible_rig_is_refused_with_the_reason(change, words):
+    assert rig_problems(truth()) == []
+    assert any(words in p for p in rig_problems(truth(**change)))
+
+
+def test_the_motion_between_the_lenses_is_recovered_from_a_rectified_rig():
+    back = extrinsics_of(rectified_rig(RIG.left, RIG.right, RIG.R, RIG.T))
+    assert np.allclose(back.R, RIG.R, rtol=0, atol=1e-9)
+    assert np.allclose(back.T, RIG.T, rtol=0, atol=1e-9)
+
+
+# --- verification
+
+
+def test_a_good_rig_passes_on_fresh_views_and_a_bumped_one_does_not():
+    fresh = views(6, 77)
+    good = verify(solution().rig, fresh)
+    assert good.verdict()[0] == "good"
+    # two corners with noise on each row
+    assert good.rms_px == pytest.approx(NOISE_PX * np.sqrt(2), rel=0.5)
+    assert good.shape < 0.004
+    bumped = rectified_rig(RIG.left, RIG.right, so3.rx(0.008) @ RIG.R, RIG.T)
+    found = verify(bumped, fresh)
+    assert found.verdict()[0] == "refused" and abs(found.offset_px) == pytest.approx(
+        0.008 * 350, abs=0.3
+    )
+    assert verify(solution().rig, fresh[:2]).verdict()[0] == "waiting"
+
+
+def test_a_wrong_size_of_squares_shows_in_the_sizes_only():
+    longer = rectified_rig(RIG.left, RIG.right, RIG.R, RIG.T * 1.05)
+    found = verify(longer, views(6, 77))
+    assert found.shape == pytest.approx(0.05, abs=0.005)
+    assert found.verdict()[0] == "refused"
+
+
+def test_an_error_of_one_view_is_its_distance_from_truth():
+    rng = np.random.default_rng(0)
+    shifted = view_at(board_poses(SPEC, RIG, 1, 1)[0], rng)
+    shifted = replace(shifted, right=shifted.right + [2.0, 0.0])
+    error = view_errors(RIG.left, RIG.right, RIG.R, RIG.T, [shifted])
+    assert error[0, 1] == pytest.approx(2.0, abs=0.2) and error[0, 0] < 0.2
+
+
+# --- files
+
+
+def test_a_saved_calibration_comes_back_the_same(tmp_path: Path):
+    path = tmp_path / "cameras" / "mine.yml"
+    save_calibration(path, RIG.left, RIG.right, RIG.R, RIG.T, "16 views")
+    rig = load_rig(path, ImportForm(width=1, height=1, unit=7.0))
+    assert (rig.left.width, rig.left.height) == (WIDTH, HEIGHT)
+    back = extrinsics_of(rig)
+    assert np.allclose(back.T, RIG.T, rtol=0, atol=1e-9)
+    assert np.allclose(back.left.K, RIG.left.K, rtol=0, atol=1e-9)
+    assert [p.name for p in path.parent.iterdir()] == ["mine.yml"]
+
+
+@pytest.mark.parametrize(
+    ("T", "unit", "words"),
+    [
+        (RIG.T * 1000, 1.0, "unit of the file"),
+        (-RIG.T * 1000, 1e-3, "swapped"),
+    ],
+)
+def test_a_foreign_file_is_checked_too(tmp_path: Path, T, unit, words):
+    path = tmp_path / "theirs.yml"
+    storage = cv2.FileStorage(str(path), cv2.FILE_STORAGE_WRITE)
+    for name, matrix in {
+        "M1": RIG.left.K, "D1": RIG.left.D, "M2": RIG.right.K, "D2": RIG.right.D,
+        "R": RIG.R, "T": T.reshape(3, 1),
+    }.items():  # fmt: skip
+        storage.write(name, matrix)
+    storage.release()
+    with pytest.raises(ConfigError, match=words):
+        load_rig(path, ImportForm(WIDTH, HEIGHT, unit))
+    if T[0] < 0:
+        rig = load_rig(path, ImportForm(WIDTH, HEIGHT, 1e-3))
+        assert rig.baseline == pytest.approx(0.063, abs=1e-4)
+
+
+def test_what_is_no_calibration_is_told(tmp_path: Path):
+    (tmp_path / "a.txt").write_text("hello")
+    with pytest.raises(FileError, match="no stereo calibration"):
+        load_rig(tmp_path / "a.txt")
+    with pytest.raises(FileError, match="cannot be read"):
+        load_rig(tmp_path / "absent.yml")
+
+
+# --- real pictures
+
+
+@pytest.mark.data
+def test_real_chessboard_pictures_give_a_plausible_rig(data_folder: Path):
+    """OpenCV's sample pictures, 10 by 7 squares; figures of PROVENANCE.txt: f 536/542 px,
+    baseline 3.34 squares, turned by 0.3 degrees, stereo RMS 0.45 px."""
+    folder = data_folder / "stereo_chessboard"
+    spec = BoardSpec("chessboard", 10, 7, 0.025)
+    finder, found = BoardFinder(spec), []
+    for left in sorted(folder.glob("left*.jpg")):
+        right = left.with_name(left.name.replace("left", "right"))
+        look = finder.look(cv2.imread(str(left)), cv2.imread(str(right)))
+        assert look.view is not None, f"{left.name}: {look.trouble}"
+        found.append(look.view)
+    s = solve(found, 640, 480)
+    assert s.rms_px < 0.6
+    assert (s.left.K[0, 0], s.right.K[0, 0]) == pytest.approx((536, 542), rel=0.015)
+    assert np.linalg.norm(s.T) / spec.square == pytest.approx(3.34, rel=0.015)
+    assert np.rad2deg(np.linalg.norm(so3.log(s.R))) == pytest.approx(0.3, abs=0.25)
+    assert rig_problems(Extrinsics(s.left, s.right, s.R, s.T)) == []
+    swapped = [replace(v, left=v.right, right=v.left) for v in found]
+    w = solve(swapped, 640, 480)
+    assert any("exchanged" in p for p in rig_problems(Extrinsics(w.left, w.right, w.R, w.T)))
+    # two pictures judge a rig made of the six others
+    six = solve(found[:6], 640, 480, SolveParams(least_views=6))
+    assert verify(six.rig, found[6:]).rms_px < 0.5

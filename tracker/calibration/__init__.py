@@ -1,0 +1,1 @@
+"""What is found out before tracking: colours, the stereo camera, the glove's sensors."""

@@ -1,0 +1,1 @@
+"""Stereo calibration with a printed board: views, coverage, solution, checks, verification."""

@@ -1,0 +1,134 @@
+"""The printed board: what it looks like and where its inner corners are.
+
+Inner corners are numbered row by row from the top left; x goes right and y down on the paper, as
+OpenCV numbers them. Both kinds of board have a black square in the top left corner.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.errors import ConfigError
+from tracker.messages import Array, IntArray
+
+KINDS = ("charuco", "chessboard")
+DICTIONARY = cv2.aruco.DICT_5X5_250
+MARKER_SHARE = 0.75
+LEAST_SQUARES, MOST_SQUARES = 4, 20
+LEAST_SQUARE, LARGEST_SQUARE = 0.004, 0.2  # m
+RULER = 0.1  # m, printed below the board to check the printer's scale
+
+
+@dataclass(frozen=True)
+class BoardSpec:
+    """``columns`` and ``rows`` count squares, not inner corners; ``square`` is a side in m.
+
+    Raises ConfigError for a board that cannot be used.
+    """
+
+    kind: str = "charuco"
+    columns: int = 10
+    rows: int = 7
+    square: float = 0.025
+
+    def __post_init__(self) -> None:
+        if self.kind not in KINDS:
+            raise ConfigError(f"A board is one of {' and '.join(KINDS)}, not {self.kind!r}.")
+        if not all(LEAST_SQUARES <= n <= MOST_SQUARES for n in (self.columns, self.rows)):
+            raise ConfigError(
+                f"A board has {LEAST_SQUARES} to {MOST_SQUARES} squares each way, "
+                f"not {self.columns} by {self.rows}."
+            )
+        if not LEAST_SQUARE <= self.square <= LARGEST_SQUARE:
+            raise ConfigError(
+                f"A square of {self.square * 1000:g} mm cannot be right: measure one on the paper."
+            )
+        if self.kind == "chessboard" and (self.columns + self.rows) % 2 == 0:
+            raise ConfigError(
+                f"A chessboard of {self.columns} by {self.rows} squares looks the same upside "
+                "down: one number must be even and the other odd."
+            )
+
+    @property
+    def corner_columns(self) -> int:
+        return self.columns - 1
+
+    @property
+    def corner_rows(self) -> int:
+        return self.rows - 1
+
+    @property
+    def corner_count(self) -> int:
+        return self.corner_columns * self.corner_rows
+
+    @property
+    def width(self) -> float:
+        """m"""
+        return self.columns * self.square
+
+    @property
+    def height(self) -> float:
+        """m"""
+        return self.rows * self.square
+
+    @cached_property
+    def points(self) -> Array:
+        """(corners, 3) m: all inner corners on the paper, z = 0."""
+        x, y = np.meshgrid(
+            np.arange(1, self.columns) * self.square, np.arange(1, self.rows) * self.square
+        )
+        return np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
+
+    def points_of(self, ids: IntArray) -> Array:
+        """(n, 3) m."""
+        return self.points[ids]
+
+    @cached_property
+    def charuco(self) -> cv2.aruco.CharucoBoard:
+        """OpenCV's own board; of a ChArUco board only."""
+        dictionary = cv2.aruco.getPredefinedDictionary(DICTIONARY)
+        side = self.square * MARKER_SHARE
+        return cv2.aruco.CharucoBoard((self.columns, self.rows), self.square, side, dictionary)
+
+
+def board_picture(spec: BoardSpec, square_px: int = 60) -> NDArray[np.uint8]:
+    """(rows, columns) · square_px grey pixels of the board alone, without a margin."""
+    if spec.kind == "charuco":
+        size = (spec.columns * square_px, spec.rows * square_px)
+        return np.asarray(spec.charuco.generateImage(size), np.uint8)
+    row, column = np.indices((spec.rows, spec.columns))
+    squares = np.where((row + column) % 2 == 0, 0, 255).astype(np.uint8)
+    return np.kron(squares, np.ones((square_px, square_px), np.uint8))
+
+
+def print_picture(spec: BoardSpec, dpi: int = 300) -> tuple[NDArray[np.uint8], float]:
+    """The page to print: the board, a white margin of a square, a ruler of 100 mm below.
+
+    Returns grey pixels and how many of them make a metre; printed at that scale a square measures
+    what ``spec`` says.
+    """
+    square_px = max(12, round(spec.square * dpi / 0.0254))
+    per_metre = square_px / spec.square
+    board = board_picture(spec, square_px)
+    foot = max(2 * square_px, 90)
+    page = cv2.copyMakeBorder(
+        board, square_px, foot, square_px, square_px, cv2.BORDER_CONSTANT, value=255
+    )
+    _draw_ruler(page, square_px, board.shape[0] + square_px + foot // 2, per_metre)
+    return np.asarray(page, np.uint8), per_metre
+
+
+def _draw_ruler(page: NDArray[np.uint8], x: int, y: int, per_metre: float) -> None:
+    end = x + round(RULER * per_metre)
+    thick = max(2, round(0.0004 * per_metre))
+    cv2.line(page, (x, y), (end, y), 0, thick)
+    for at in (x, end):
+        cv2.line(page, (at, y - 6 * thick), (at, y + 6 * thick), 0, thick)
+    scale = per_metre / 6000
+    words = "100 mm: measure it on the paper"
+    cv2.putText(page, words, (x, y - 10 * thick), cv2.FONT_HERSHEY_SIMPLEX, scale, 0, thick)

@@ -1,0 +1,141 @@
+"""Which parts of the pictures, tilts and distances the views cover, and what is missing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.calibration.stereo.views import StereoView
+from tracker.messages import Array, IntArray
+
+GRID = (4, 6)
+"""Rows and columns of the coverage map."""
+
+
+@dataclass(frozen=True)
+class CoverageParams:
+    """What makes a good set of views; shares are of the cells of both pictures."""
+
+    views: int = 15
+    area: float = 0.7
+    tilted: int = 6
+    tilt_deg: float = 18.0
+    distances: float = 1.3  # largest over smallest
+
+
+@dataclass(frozen=True, eq=False)
+class Coverage:
+    """``left`` and ``right`` (rows, columns): how many views have corners in each cell.
+
+    ``area`` share of cells with any; ``tilted`` how many views are tilted, ``distances`` the ratio
+    of the farthest to the nearest.
+    """
+
+    views: int
+    left: IntArray
+    right: IntArray
+    area: float
+    tilted: int
+    distances: float
+
+    def done(self, params: CoverageParams) -> float:
+        """0..1: how much of what is wanted is there, the least of the four."""
+        shares = (
+            self.views / params.views,
+            self.area / params.area,
+            self.tilted / params.tilted,
+            (self.distances - 1) / (params.distances - 1),
+        )
+        return min(1.0, max(0.0, min(shares)))
+
+
+def coverage(
+    views: Sequence[StereoView], width: int, height: int, params: CoverageParams | None = None
+) -> Coverage:
+    """Of views of pictures ``width`` by ``height`` px."""
+    p = params or CoverageParams()
+    maps = [
+        sum((_cells(getattr(v, side), width, height) for v in views), np.zeros(GRID, np.int64))
+        for side in ("left", "right")
+    ]
+    shapes = [shape_of(v) for v in views]
+    sizes = [s.size_px for s in shapes]
+    return Coverage(
+        views=len(views),
+        left=maps[0],
+        right=maps[1],
+        area=float(np.mean(np.stack(maps) > 0)),
+        tilted=sum(s.tilt >= np.deg2rad(p.tilt_deg) for s in shapes),
+        distances=max(sizes) / min(sizes) if sizes else 1.0,
+    )
+
+
+def advice(cover: Coverage, params: CoverageParams | None = None) -> str:
+    """How to hold the board next, in words; empty where nothing is missing."""
+    p = params or CoverageParams()
+    if cover.area < p.area:
+        return f"Hold the board where the pictures are empty: {_emptiest(cover)}."
+    if cover.tilted < p.tilted:
+        return "Tilt the board: by 30 degrees to the left, right, towards you and away."
+    if cover.distances < p.distances:
+        return "Hold the board nearer, then farther away."
+    if cover.views < p.views:
+        return "A few more views, each different from the others."
+    return ""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A view seen as an affine map: its size (px per m of board) and tilt (rad, ≥ 0)."""
+
+    size_px: float
+    tilt: float
+
+
+def shape_of(view: StereoView) -> Shape:
+    """Foreshortening of the left picture: needs no knowledge of the lens."""
+    s = np.linalg.svd(_affine(view.points[:, :2], view.left)[:2], compute_uv=False)
+    return Shape(float(s[0]), float(np.arccos(min(1.0, s[1] / s[0]))))
+
+
+def novelty(view: StereoView, other: StereoView, width: int) -> float:
+    """0 for the same view; 1 for one that differs enough to be worth taking.
+
+    A shift by 8 % of the picture's width, or a change of size or shape by 15 %, is enough.
+    """
+    a, b = (_affine(v.points[:, :2], v.left) for v in (view, other))
+    centre = np.append(view.points[:, :2].mean(axis=0), 1.0)
+    shift = float(np.linalg.norm(centre @ a - centre @ b)) / (0.08 * width)
+    change = np.linalg.norm(a[:2] @ np.linalg.pinv(b[:2]) - np.eye(2)) / (0.15 * np.sqrt(2))
+    return shift + float(change)
+
+
+def _affine(points: Array, uv: Array) -> Array:
+    """(3, 2): [x y 1] @ it is the pixel, by least squares."""
+    design = np.column_stack([points, np.ones(len(points))])
+    solution, *_ = np.linalg.lstsq(design, uv, rcond=None)
+    return np.asarray(solution, float)
+
+
+def _cells(uv: Array, width: int, height: int) -> IntArray:
+    """1 in each cell of the grid that has a corner."""
+    row = np.clip(uv[:, 1] / height * GRID[0], 0, GRID[0] - 1).astype(int)
+    column = np.clip(uv[:, 0] / width * GRID[1], 0, GRID[1] - 1).astype(int)
+    cells = np.zeros(GRID, np.int64)
+    cells[row, column] = 1
+    return cells
+
+
+def _emptiest(cover: Coverage) -> str:
+    """Words for the ninth of the pictures with the fewest views."""
+    both = (cover.left > 0).astype(float) + (cover.right > 0)
+    rows = np.array_split(np.arange(GRID[0]), 3)
+    columns = np.array_split(np.arange(GRID[1]), 3)
+    filled = np.array([[both[np.ix_(r, c)].mean() for c in columns] for r in rows])
+    i, j = np.unravel_index(int(np.argmin(filled)), filled.shape)
+    if (i, j) == (1, 1):
+        return "the middle"
+    vertical, horizontal = ("top", "", "bottom")[i], ("left", "", "right")[j]
+    return " ".join(w for w in (vertical, horizontal) if w)

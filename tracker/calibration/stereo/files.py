@@ -1,0 +1,107 @@
+"""Stereo calibrations on disk: ours are OpenCV's YAML with the picture's size and metres.
+
+`load_rig` reads ours, other people's OpenCV files and a ZED's factory file, and refuses what cannot
+be right.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from tracker.calibration.stereo.checks import require_plausible
+from tracker.errors import ConfigError, FileError
+from tracker.messages import Array
+from tracker.sensors.opencv_yaml import load_opencv_stereo
+from tracker.sensors.stereo_calibration import Lens
+from tracker.sensors.zed_files import load_zed
+from tracker.toml_reader import read_text
+from tracker.vision.rig import StereoRig
+
+ZED_SUFFIX = ".conf"
+SUFFIXES = (ZED_SUFFIX, ".yml", ".yaml", ".xml", ".json")
+
+
+@dataclass(frozen=True)
+class ImportForm:
+    """What files of others do not say: the pictures' size and the unit of T in m."""
+
+    width: int = 1280
+    height: int = 720
+    unit: float = 1.0
+
+
+def save_calibration(
+    path: Path, left: Lens, right: Lens, R: Array, T: Array, note: str = ""
+) -> None:
+    """Write X_right = R X_left + T (m) so that OpenCV reads it too. Replaces the file at once.
+
+    Raises FileError where the file cannot be written.
+    """
+    storage = cv2.FileStorage(".yml", cv2.FILE_STORAGE_WRITE | cv2.FILE_STORAGE_MEMORY)
+    storage.write("image_width", left.width)
+    storage.write("image_height", left.height)
+    storage.write("note", note)
+    matrices = {"M1": left.K, "D1": left.D, "M2": right.K, "D2": right.D, "R": R, "T": T}
+    for name, matrix in matrices.items():
+        rows = matrix if matrix.ndim == 2 else matrix.reshape(-1, 1)
+        storage.write(name, np.ascontiguousarray(rows, float))
+    text = storage.releaseAndGetString()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        temporary = path.with_suffix(".tmp")
+        temporary.write_text(text, "utf-8")
+        temporary.replace(path)
+    except OSError as error:
+        raise FileError(f"{path} cannot be written: {error.strerror}.") from error
+
+
+def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
+    """The rig of a calibration file, checked.
+
+    Raises FileError where it cannot be read and ConfigError where it cannot be right.
+    """
+    form = form or ImportForm()
+    suffix = path.suffix.lower()
+    if suffix == ZED_SUFFIX:
+        rig = load_zed(path, form.height)
+    elif suffix in SUFFIXES:
+        rig = _load_opencv(path, form)
+    else:
+        raise FileError(
+            f"{path} is no stereo calibration: a ZED's file ends in .conf, OpenCV's in .yml."
+        )
+    require_plausible(rig, str(path))
+    return rig
+
+
+def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
+    size = _size(path)
+    width, height = size or (form.width, form.height)
+    beside = path.with_name("extrinsics" + path.suffix)
+    paths = [path, beside] if path.stem == "intrinsics" and beside.is_file() else [path]
+    # our own files are in metres, whatever the form says of others'
+    unit = 1.0 if size else form.unit
+    try:
+        return load_opencv_stereo(paths, width, height, unit)
+    except ConfigError as error:
+        raise ConfigError(f"{path} is refused. {error}") from error
+
+
+def _size(path: Path) -> tuple[int, int] | None:
+    """The pictures' size that the file names; None where it does not."""
+    try:
+        flags = cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY
+        storage = cv2.FileStorage(read_text(path), flags)
+    except (cv2.error, SystemError) as error:
+        raise FileError(f"{path} is no calibration that OpenCV can read.") from error
+    try:
+        width, height = (storage.getNode(n) for n in ("image_width", "image_height"))
+        if width.empty() or height.empty():
+            return None
+        return int(width.real()), int(height.real())
+    finally:
+        storage.release()

@@ -1,0 +1,194 @@
+"""Two lenses and the motion between them from views of a board (Zhang 2000, through OpenCV)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import cv2
+import numpy as np
+
+from tracker.calibration.stereo.views import StereoView
+from tracker.errors import GlovetrackError
+from tracker.messages import Array
+from tracker.sensors.stereo_calibration import Lens, rectified_rig
+from tracker.vision.rig import StereoRig
+
+Progress = Callable[[float, str], None]
+
+
+class CalibrationError(GlovetrackError):
+    """The views cannot give a calibration; the text says why."""
+
+
+@dataclass(frozen=True)
+class SolveParams:
+    """A view is dropped where its error is above both ``drop_px`` and ``drop_factor`` medians."""
+
+    least_views: int = 8
+    drop_px: float = 0.4
+    drop_factor: float = 2.5
+    drop_most: float = 0.34  # share of the views
+    rounds: int = 3
+    iterations: int = 60
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """X_right = R X_left + T, R (3, 3), T (3,) m.
+
+    ``used`` are rows of the views given, ``error`` (views, 2) px the RMS of each in the left and
+    right picture, also of those dropped. ``focal_sd`` (2,) is the relative deviation of each
+    focal length.
+    """
+
+    left: Lens
+    right: Lens
+    R: Array
+    T: Array
+    rms_px: float
+    used: tuple[int, ...]
+    error: Array
+    focal_sd: Array
+
+    @property
+    def rig(self) -> StereoRig:
+        return rectified_rig(self.left, self.right, self.R, self.T)
+
+    @property
+    def dropped(self) -> tuple[int, ...]:
+        return tuple(i for i in range(len(self.error)) if i not in self.used)
+
+
+@dataclass(eq=False)
+class _Rig:
+    """A solution under way."""
+
+    K: list[Array] = field(default_factory=list)
+    D: list[Array] = field(default_factory=list)
+    focal_sd: list[float] = field(default_factory=list)
+    R: Array = field(default_factory=lambda: np.eye(3))
+    T: Array = field(default_factory=lambda: np.zeros(3))
+    rms_px: float = 0.0
+    error: Array = field(default_factory=lambda: np.zeros((0, 2)))
+
+
+def solve(
+    views: Sequence[StereoView],
+    width: int,
+    height: int,
+    params: SolveParams | None = None,
+    progress: Progress = lambda _share, _text: None,
+) -> Solution:
+    """Calibrate, drop views that do not fit, calibrate again.
+
+    ``progress`` may raise to cancel. Raises CalibrationError where views are too few or too poor.
+    """
+    p = params or SolveParams()
+    used = list(range(len(views)))
+    for k in range(p.rounds):
+        if len(used) < p.least_views:
+            raise CalibrationError(
+                f"{len(used)} usable views are too few: at least {p.least_views} are needed."
+            )
+        chosen = [views[i] for i in used]
+        rig = _solve_once(chosen, (width, height), p, _part(progress, k / p.rounds, 1 / p.rounds))
+        bad = _bad_views(rig.error.max(axis=1), len(views) - len(used), len(views), p)
+        if not bad.any():
+            break
+        used = [i for i, b in zip(used, bad, strict=True) if not b]
+    else:
+        chosen = [views[i] for i in used]
+        rig = _solve_once(chosen, (width, height), p, progress)
+    progress(1.0, "")
+    lenses = [Lens(width, height, rig.K[s], rig.D[s]) for s in range(2)]
+    error = view_errors(lenses[0], lenses[1], rig.R, rig.T, views)
+    return Solution(
+        lenses[0], lenses[1], rig.R, rig.T, rig.rms_px, tuple(used), error, np.array(rig.focal_sd)
+    )
+
+
+def _part(progress: Progress, start: float, share: float) -> Progress:
+    """Reports of one round as a part of the whole."""
+    return lambda fraction, text: progress(start + share * fraction, text)
+
+
+def _solve_once(
+    views: Sequence[StereoView], size: tuple[int, int], p: SolveParams, progress: Progress
+) -> _Rig:
+    points = [v.points.astype(np.float32) for v in views]
+    sides = [
+        [v.left.astype(np.float32) for v in views],
+        [v.right.astype(np.float32) for v in views],
+    ]
+    criteria = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, p.iterations, 1e-7)
+    rig = _Rig()
+    try:
+        for s, word in enumerate(("left lens", "right lens")):
+            progress(0.25 * s, word)
+            _, K, D, _, _, sd, _, _ = cv2.calibrateCameraExtended(
+                points, sides[s], size, np.eye(3), np.zeros(5), criteria=criteria
+            )
+            rig.K.append(K)
+            rig.D.append(D.reshape(-1)[:5])
+            rig.focal_sd.append(float(sd.reshape(-1)[0] / K[0, 0]))
+        progress(0.5, "both together")
+        _solve_pair(rig, points, sides, size, criteria)
+    except cv2.error as error:
+        raise CalibrationError(
+            "The views do not fit any camera: check the board's kind and its numbers of squares."
+        ) from error
+    return rig
+
+
+def _solve_pair(
+    rig: _Rig,
+    points: list[np.ndarray],
+    sides: list[list[np.ndarray]],
+    size: tuple[int, int],
+    criteria: tuple[int, int, float],
+) -> None:
+    """Both lenses and the motion between them at once, from the lenses alone."""
+    rms, K1, D1, K2, D2, R, T, _, _, _, _, each = cv2.stereoCalibrateExtended(
+        points,
+        sides[0],
+        sides[1],
+        rig.K[0],
+        rig.D[0],
+        rig.K[1],
+        rig.D[1],
+        size,
+        np.eye(3),
+        np.zeros((3, 1)),
+        flags=cv2.CALIB_USE_INTRINSIC_GUESS,
+        criteria=criteria,
+    )
+    rig.K, rig.D = [K1, K2], [D1.reshape(-1)[:5], D2.reshape(-1)[:5]]
+    rig.R, rig.T, rig.rms_px = R, T.reshape(3), float(rms)
+    rig.error = each.reshape(-1, 2)
+
+
+def _bad_views(error: Array, dropped: int, total: int, p: SolveParams) -> np.ndarray:
+    """(n,) bool, the worst ones first where there are more than may be dropped."""
+    limit = max(p.drop_px, p.drop_factor * float(np.median(error)))
+    bad = error > limit
+    room = int(p.drop_most * total) - dropped
+    for i in np.argsort(error)[: max(0, len(error) - max(room, 0))]:
+        bad[i] = False
+    return bad
+
+
+def view_errors(left: Lens, right: Lens, R: Array, T: Array, views: Sequence[StereoView]) -> Array:
+    """(views, 2) px RMS of each view in both pictures, the board's pose fitted to the left one."""
+    out = np.full((len(views), 2), np.nan)
+    for i, view in enumerate(views):
+        found, rvec, tvec = cv2.solvePnP(view.points, view.left, left.K, left.D)
+        if not found:
+            continue
+        R_CB, p_CB = cv2.Rodrigues(rvec)[0], tvec.reshape(3)
+        seen = view.points @ R_CB.T + p_CB
+        for s, (lens, uv) in enumerate(((left, view.left), (right, view.right))):
+            p_C = seen if s == 0 else seen @ R.T + T
+            expected, _ = cv2.projectPoints(p_C, np.zeros(3), np.zeros(3), lens.K, lens.D)
+            out[i, s] = np.sqrt(np.mean(np.sum((expected.reshape(-1, 2) - uv) ** 2, axis=1)))
+    return out
