@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -21,6 +22,7 @@ from tracker.messages import (
     StereoFrame,
     Tracking,
 )
+from tracker.offline.detection import detected
 from tracker.pipeline import ENGINES, Pipeline
 from tracker.session import topics
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
@@ -29,7 +31,7 @@ from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.settings import Settings
 from tracker.toml_reader import read_text
 from tracker.vision.colours import ColourProfile, parse_profile
-from tracker.vision.detector import Detector, DetectorParams, detect_frame
+from tracker.vision.detector import Detector, DetectorParams
 
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
@@ -131,6 +133,11 @@ def _output_info(info: SessionInfo, settings: Settings, source: Path) -> Session
     )
 
 
+def usable_cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
 def _sha256(path: Path) -> str:
     digest = hashlib.sha256()
     with path.open("rb") as file:
@@ -153,15 +160,8 @@ def _messages(
     if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
         what = "no pictures to try other colours on" if has_blobs else "neither blobs nor pictures"
         raise FileError(f"{reader.path} holds {what}.")
-    return _detected(reader, make_detector(profile_of(info), info))
-
-
-def _detected(reader: SessionReader, detector: Detector) -> Iterator[ImuSample | BlobFrame]:
-    for message in reader.messages((ImuSample, StereoFrame)):
-        if isinstance(message, StereoFrame):
-            yield detect_frame(detector, message)
-        elif isinstance(message, ImuSample):
-            yield message
+    packed = reader.packed_messages((ImuSample, StereoFrame))
+    return detected(packed, make_detector(profile_of(info), info), usable_cores())
 
 
 def profile_of(info: SessionInfo) -> ColourProfile:

@@ -32,7 +32,7 @@ from tracker.session.description import SessionInfo
 from tracker.session.encode import CALIBRATION_ROWS
 from tracker.session.grouping import Group, Grouper
 from tracker.session.mcap_input import RawMessage
-from tracker.session.pictures import decode_picture
+from tracker.session.pictures import PackedFrame
 
 MESSAGE_KINDS: tuple[type, ...] = (
     ImuSample,
@@ -55,8 +55,12 @@ class Timing:
     patience: int = 0
 
 
+Decoded = Message | PackedFrame
+"""What a `Decoder` gives: a StereoFrame comes as a PackedFrame."""
+
+
 class Decoder:
-    """Feeds on raw messages in order and gives the engine's messages."""
+    """Feeds on raw messages in order and gives the engine's messages, pictures still packed."""
 
     def __init__(self, info: SessionInfo, packets: bool, timing: Timing) -> None:
         """``packets``: the file tells where each glove packet ends."""
@@ -73,9 +77,9 @@ class Decoder:
         self._estimates = EstimateDecoder(info, "hand")
         self._handlers = self._handler_table()
 
-    def _handler_table(self) -> dict[str, Callable[[RawMessage], list[Message]]]:
+    def _handler_table(self) -> dict[str, Callable[[RawMessage], list[Decoded]]]:
         side = self._info.side
-        table: dict[str, Callable[[RawMessage], list[Message]]] = {
+        table: dict[str, Callable[[RawMessage], list[Decoded]]] = {
             topics.packets(side): self._packet,
             topics.TF: self._transforms,
             topics.CAMERA_POSE: self._exact_pose,
@@ -118,41 +122,41 @@ class Decoder:
         """Take a message from before the first, for what still holds of it."""
         self._handle(raw)
 
-    def feed(self, raw: RawMessage) -> list[Message]:
+    def feed(self, raw: RawMessage) -> list[Decoded]:
         """What is complete by the time of ``raw``. Raises FileError where it is not readable."""
         out = self._release(raw.log_time)
         out += self._handle(raw)
         return out + self._complete()
 
-    def _handle(self, raw: RawMessage) -> list[Message]:
+    def _handle(self, raw: RawMessage) -> list[Decoded]:
         handler = self._handlers.get(raw.topic)
         if handler is None:
             return []
         with in_words(raw.topic):
             return handler(raw)
 
-    def finish(self) -> list[Message]:
+    def finish(self) -> list[Decoded]:
         """What was still waiting for company."""
         return self._release(None)
 
-    def _release(self, now: int | None) -> list[Message]:
-        out: list[Message] = []
+    def _release(self, now: int | None) -> list[Decoded]:
+        out: list[Decoded] = []
         if not self._packets:
             out += [self._sample(g) for g in self._imus.ready(now)]
         out += [self._frame(g) for g in self._images.ready(now)]
         out += [self._blob_frame(g) for g in self._blobs.ready(now)]
         return out
 
-    def _complete(self) -> list[Message]:
+    def _complete(self) -> list[Decoded]:
         return self._release(-1)  # no time passes: only groups that are whole
 
-    def _imu(self, raw: RawMessage) -> list[Message]:
+    def _imu(self, raw: RawMessage) -> list[Decoded]:
         name = raw.topic.rsplit("/", 1)[1]
         part = sensors.unpack_imu(raw.data)
         self._imus.add(name, part.stamp, raw.log_time, raw.sequence, part)
         return []
 
-    def _packet(self, raw: RawMessage) -> list[Message]:
+    def _packet(self, raw: RawMessage) -> list[Decoded]:
         times = sensors.unpack_time_reference(raw.data)
         group = self._imus.close(times.stamp, raw.log_time, raw.sequence)
         group.sequence = raw.sequence
@@ -172,23 +176,21 @@ class Decoder:
         t, arrival = self._t(group.stamp), self._t(group.log_time)
         return ImuSample(t, arrival, device, group.sequence - 1, accel, gyro, valid)
 
-    def _image(self, raw: RawMessage) -> list[Message]:
+    def _image(self, raw: RawMessage) -> list[Decoded]:
         part = sensors.unpack_image(raw.data)
         self._images.add(_camera(raw.topic), part.stamp, raw.log_time, raw.sequence, part)
         return []
 
-    def _detections(self, raw: RawMessage) -> list[Message]:
+    def _detections(self, raw: RawMessage) -> list[Decoded]:
         part = sensors.unpack_detections(raw.data)
         self._blobs.add(_camera(raw.topic), part.stamp, raw.log_time, raw.sequence, part)
         return []
 
-    def _frame(self, group: Group[sensors.Image]) -> StereoFrame:
-        images = {c: decode_picture(p.data, p.frame) for c, p in group.parts.items()}
-        return StereoFrame(
+    def _frame(self, group: Group[sensors.Image]) -> PackedFrame:
+        return PackedFrame(
             self._t(group.stamp),
             self._t(group.log_time),
-            images.get("left"),
-            images.get("right"),
+            group.parts,
             self._pose(group.stamp),
             group.sequence - 1,
         )
@@ -216,11 +218,11 @@ class Decoder:
             return None
         return self._poses[nearest]
 
-    def _exact_pose(self, raw: RawMessage) -> list[Message]:
+    def _exact_pose(self, raw: RawMessage) -> list[Decoded]:
         self._keep_pose(raw.publish_time, exact_pose(raw.data))
         return []
 
-    def _transforms(self, raw: RawMessage) -> list[Message]:
+    def _transforms(self, raw: RawMessage) -> list[Decoded]:
         transforms = motion.unpack_transforms(raw.data)
         self._estimates.take_segments(transforms)
         for t in transforms:
@@ -233,11 +235,11 @@ class Decoder:
         while len(self._poses) > _POSES_KEPT:
             del self._poses[next(iter(self._poses))]
 
-    def _estimate(self, raw: RawMessage) -> list[Message]:
+    def _estimate(self, raw: RawMessage) -> list[Decoded]:
         estimate = self._estimates.feed(raw)
         return [] if estimate is None else [estimate]
 
-    def _calibration(self, raw: RawMessage) -> list[Message]:
+    def _calibration(self, raw: RawMessage) -> list[Decoded]:
         stamp, statuses = motion.unpack_diagnostics(raw.data)
         hand = {s.name: s.values for s in statuses}.get("hand", {})
         rows = [s for s in statuses if s.name != "hand"]
@@ -251,7 +253,7 @@ class Decoder:
             Calibration(self._t(stamp), segments, **fields, hand_length=length, hand_length_sd=sd)
         ]
 
-    def _status(self, raw: RawMessage) -> list[Message]:
+    def _status(self, raw: RawMessage) -> list[Decoded]:
         stamp, statuses = motion.unpack_diagnostics(raw.data)
         return [
             Status(
@@ -261,7 +263,7 @@ class Decoder:
             if s.name == "tracker"
         ]
 
-    def _event(self, raw: RawMessage) -> list[Message]:
+    def _event(self, raw: RawMessage) -> list[Decoded]:
         text = motion.unpack_string(raw.data)
         try:
             said = json.loads(text)

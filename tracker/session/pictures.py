@@ -3,15 +3,44 @@
 from __future__ import annotations
 
 import struct
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from tracker.errors import FileError
+from tracker.messages import CameraPose, StereoFrame
+from tracker.session import ros_sensors as sensors
 
 MOST_PIXELS = 40_000_000
 _START_OF_FRAME = {0xC0, 0xC1, 0xC2, 0xC3, 0xC5, 0xC6, 0xC7, 0xC9, 0xCA, 0xCB, 0xCD, 0xCE, 0xCF}
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class PackedFrame:
+    """A StereoFrame before its pictures are unpacked: ``parts`` by camera, ``left`` and ``right``.
+
+    Unpacking is most of the cost of reading and may be done in any thread.
+    """
+
+    t: float
+    t_arrival: float
+    parts: dict[str, sensors.Image]
+    pose: CameraPose | None
+    index: int
+
+    def unpack(self) -> StereoFrame:
+        """Raises FileError where a picture is damaged."""
+        images = {c: decode_picture(p.data, p.frame) for c, p in self.parts.items()}
+        return StereoFrame(
+            self.t,
+            self.t_arrival,
+            images.get("left"),
+            images.get("right"),
+            self.pose,
+            self.index,
+        )
 
 
 def decode_picture(data: bytes, name: str) -> NDArray[np.uint8]:

@@ -13,13 +13,14 @@ from tracker.clock import NS, ClockAnchor
 from tracker.errors import ConfigError, FileError
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
-from tracker.messages import CameraPose, Estimate, Message
+from tracker.messages import CameraPose, Estimate, Message, StereoFrame
 from tracker.session import description, topics
 from tracker.session import ros_motion as motion
 from tracker.session import ros_sensors as sensors
 from tracker.session.cdr import CdrReader, in_words
 from tracker.session.decode import (
     MESSAGE_KINDS,
+    Decoded,
     Decoder,
     Timing,
     exact_pose,
@@ -30,6 +31,7 @@ from tracker.session.decode_estimate import EstimateDecoder
 from tracker.session.description import SessionInfo
 from tracker.session.mcap_input import FOREVER, McapInput
 from tracker.session.ordering import last_before, ordered
+from tracker.session.pictures import PackedFrame
 from tracker.vision.rig import Camera, StereoRig
 
 _FOREIGN_PATIENCE = NS // 10  # pictures of others may be this late against their IMUs
@@ -198,6 +200,16 @@ class SessionReader:
 
         Pictures cost their decoding; leave StereoFrame out of ``kinds`` where they are not needed.
         """
+        for m in self.packed_messages(kinds, start, end):
+            yield m.unpack() if isinstance(m, PackedFrame) else m
+
+    def packed_messages(
+        self,
+        kinds: Collection[type] = MESSAGE_KINDS,
+        start: float | None = None,
+        end: float | None = None,
+    ) -> Iterator[Decoded]:
+        """As `messages`, with a PackedFrame for each StereoFrame: to be unpacked elsewhere."""
         decoder = Decoder(
             self.info, topics.packets(self.info.side) in self.topic_names, self._timing
         )
@@ -209,15 +221,12 @@ class SessionReader:
             if before is not None:
                 decoder.remember(before)
         wanted = decoder.topics_of(kinds)
+        types = {PackedFrame if kind is StereoFrame else kind for kind in kinds}
         for n, raw in enumerate(ordered(self.source, wanted, first, last, decoder.rank)):
             if n % _WATCH_EVERY == 0:
                 self._watch((raw.log_time - self.span_ns[0]) / NS / max(self.duration, 1e-9))
-            for message in decoder.feed(raw):
-                if type(message) in kinds:
-                    yield message
-        for message in decoder.finish():
-            if type(message) in kinds:
-                yield message
+            yield from (m for m in decoder.feed(raw) if type(m) in types)
+        yield from (m for m in decoder.finish() if type(m) in types)
 
     def truth(self, start: float | None = None) -> Iterator[Estimate]:
         """What a simulated hand really did, with arrival ≥ ``start`` (s); else nothing."""

@@ -1,0 +1,49 @@
+"""Pictures of a session searched ahead of the engine, on a few threads."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+
+from tracker.messages import BlobFrame, ImuSample
+from tracker.session.decode import Decoded
+from tracker.session.pictures import PackedFrame
+from tracker.vision.detector import Detector, detect_frame
+
+AHEAD = 12  # pairs of pictures unpacked before the engine asks for them: 65 MB at 720p
+
+
+def detected(
+    messages: Iterable[Decoded], detector: Detector, threads: int
+) -> Iterator[ImuSample | BlobFrame]:
+    """Packets as they are and what is found in the pictures, in the order of ``messages``.
+
+    Unpacking and detection hold no interpreter lock and depend on nothing but their picture, so
+    the result is the same with any number of ``threads``.
+    """
+    waiting: deque[ImuSample | Future[BlobFrame]] = deque()
+    pictures = 0
+    pool = ThreadPoolExecutor(threads, "glovetrack-detect")
+    try:
+        for message in messages:
+            if isinstance(message, PackedFrame):
+                waiting.append(pool.submit(_find, detector, message))
+                pictures += 1
+            elif isinstance(message, ImuSample):
+                waiting.append(message)
+            while pictures > AHEAD or (waiting and isinstance(waiting[0], ImuSample)):
+                first = waiting.popleft()
+                pictures -= isinstance(first, Future)
+                yield _ready(first)
+        yield from map(_ready, waiting)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _find(detector: Detector, frame: PackedFrame) -> BlobFrame:
+    return detect_frame(detector, frame.unpack())
+
+
+def _ready(item: ImuSample | Future[BlobFrame]) -> ImuSample | BlobFrame:
+    return item.result() if isinstance(item, Future) else item
