@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from tracker.fusion.hybrid import HybridParams
 from tracker.fusion.params import ChainParams
 from tracker.fusion.vist.params import VistParams
+from tracker.streaming.params import StreamParams
 
 
 @dataclass(frozen=True)
@@ -17,3 +18,4 @@ class Settings:
     chain: ChainParams = field(default_factory=ChainParams)
     hybrid: HybridParams = field(default_factory=HybridParams)
     vist: VistParams = field(default_factory=VistParams)
+    streams: StreamParams = field(default_factory=StreamParams)

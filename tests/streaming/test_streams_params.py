@@ -10,8 +10,11 @@ import pytest
 
 pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
 
+from tracker.config import from_toml, to_toml
+from tracker.errors import ConfigError
+from tracker.settings import Settings
 from tracker.streaming.osc import DEFAULT_PORT as VMC_PORT
-from tracker.streaming.params import StreamParams, open_publishers
+from tracker.streaming.params import STREAMS, StreamParams, open_publishers, with_streams
 from tracker.streaming.publisher import StreamError
 from tracker.streaming.udp import DEFAULT_PORT as UDP_PORT
 from tracker.streaming.websocket import DEFAULT_PORT as WEBSOCKET_PORT
@@ -53,3 +56,35 @@ def test_an_absent_package_is_named_and_the_rest_closed(hand, glove, monkeypatch
         open_publishers(params, hand, glove)
     with socket.socket() as s:
         assert s.connect_ex(("127.0.0.1", port)) != 0, "the WebSocket server is still there"
+
+
+def test_words_of_the_command_line() -> None:
+    params = with_streams(StreamParams(), "udp, WebSocket:9000,lsl", "10.0.0.2")
+    assert params == StreamParams(
+        udp=True, websocket=True, lsl=True, websocket_port=9000, host="10.0.0.2"
+    )
+    assert with_streams(params, "") == params
+    assert all(getattr(with_streams(StreamParams(), name), name) for name in STREAMS)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("udp,ros", "no stream 'ros'; there are udp, websocket"),
+        ("udp:0", "'0' is no port for the udp stream"),
+        ("vmc:", "'' is no port"),
+        ("lsl:5", "LSL stream has no port"),
+    ],
+)
+def test_a_wrong_word_is_named(words: str, said: str) -> None:
+    with pytest.raises(ConfigError, match=said):
+        with_streams(StreamParams(), words)
+
+
+def test_a_section_of_the_settings_file() -> None:
+    text = "[streams]\nfoxglove = true\nfoxglove_port = 9100\n"
+    settings = from_toml(Settings, text)
+    assert settings.streams == StreamParams(foxglove=True, foxglove_port=9100)
+    assert from_toml(Settings, to_toml(settings)) == settings
+    with pytest.raises(ConfigError, match=r"streams\.ros is not a setting"):
+        from_toml(Settings, "[streams]\nros = true\n")

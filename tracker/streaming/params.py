@@ -1,12 +1,17 @@
-"""Which outputs run and where they go. As built, none does."""
+"""Which outputs run and where they go. As built, none does.
+
+In a settings file it is the table ``[streams]``; on a command line ``--stream udp,vmc``.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from types import ModuleType
+from typing import Any
 
+from tracker.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.streaming.osc import VmcPublisher
@@ -24,11 +29,42 @@ class StreamParams:
     websocket: bool = False
     vmc: bool = False
     lsl: bool = False
-    host: str = LOOPBACK  # UDP and VMC send to it, the WebSocket server listens on it
+    foxglove: bool = False
+    host: str = LOOPBACK  # UDP and VMC send to it, WebSocket and Foxglove servers listen on it
     udp_port: int = 9750
     websocket_port: int = 9751
     vmc_port: int = 39540
+    foxglove_port: int = 8765
     lsl_network: bool = False  # whether other machines find the LSL outlet
+
+
+STREAMS = ("udp", "websocket", "vmc", "lsl", "foxglove")
+"""Names of the outputs, as fields of `StreamParams` and as words of the command line."""
+
+
+def with_streams(params: StreamParams, words: str, host: str = "") -> StreamParams:
+    """``params`` with the outputs of a comma-separated list on, and with another host.
+
+    ``udp:9000`` takes another port. Raises ConfigError for a word that is no stream.
+    """
+    for word in filter(None, (w.strip().lower() for w in words.split(","))):
+        name, colon, port = word.partition(":")
+        if name not in STREAMS:
+            raise ConfigError(f"There is no stream {name!r}; there are {', '.join(STREAMS)}.")
+        on: dict[str, Any] = {name: True}
+        params = replace(params, **on)
+        if colon:
+            params = _with_port(params, name, port)
+    return replace(params, host=host) if host else params
+
+
+def _with_port(params: StreamParams, name: str, port: str) -> StreamParams:
+    if name == "lsl":
+        raise ConfigError("The LSL stream has no port: clients find it by its name.")
+    if not port.isdecimal() or not 1 <= int(port) <= 65535:
+        raise ConfigError(f"{port!r} is no port for the {name} stream: ports are 1 to 65535.")
+    changed: dict[str, Any] = {f"{name}_port": int(port)}
+    return replace(params, **changed)
 
 
 def open_publishers(params: StreamParams, hand: HandModel, glove: GloveModel) -> list[Publisher]:
@@ -39,6 +75,7 @@ def open_publishers(params: StreamParams, hand: HandModel, glove: GloveModel) ->
         (params.websocket, lambda: _websocket(params, names)),
         (params.vmc, lambda: VmcPublisher(hand, params.host, params.vmc_port)),
         (params.lsl, lambda: _lsl(params, names)),
+        (params.foxglove, lambda: _foxglove(params, names)),
     ]
     out: list[Publisher] = []
     try:
@@ -60,6 +97,12 @@ def _websocket(params: StreamParams, names: Names) -> Publisher:
 
 def _lsl(params: StreamParams, names: Names) -> Publisher:
     publisher: Publisher = _optional("lsl", "LSL").LslPublisher(names, params.lsl_network)
+    return publisher
+
+
+def _foxglove(params: StreamParams, names: Names) -> Publisher:
+    module = _optional("foxglove_live", "Foxglove")
+    publisher: Publisher = module.FoxglovePublisher(names, params.host, params.foxglove_port)
     return publisher
 
 

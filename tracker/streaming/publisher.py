@@ -23,7 +23,10 @@ class StreamError(GlovetrackError):
 
 
 class Publisher(Protocol):
-    """One output. ``send`` and ``close`` are called from the output's own thread."""
+    """One output. ``send`` and ``close`` are called from the output's own thread.
+
+    A server also has ``clients``, how many are connected.
+    """
 
     @property
     def name(self) -> str:

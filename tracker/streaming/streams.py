@@ -26,6 +26,7 @@ class StreamCounts:
     dropped: int  # overtaken by a newer one before the output was ready
     failed: int
     error: str  # of the last failure; empty while the last one went out
+    clients: int | None = None  # connected now; None where the protocol does not know its readers
 
 
 class Streams:
@@ -70,7 +71,12 @@ class _Output:
 
     def counts(self) -> StreamCounts:
         return StreamCounts(
-            self._publisher.name, self._sent, self.slot.dropped, self._failed, self._error
+            self._publisher.name,
+            self._sent,
+            self.slot.dropped,
+            self._failed,
+            self._error,
+            getattr(self._publisher, "clients", None),
         )
 
     def _run(self) -> None:
