@@ -7,9 +7,10 @@ import pytest
 
 from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions
 from tracker.fusion.constraints import Constraints
+from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.layout import ChainLayout
-from tracker.fusion.params import ChainParams, ConstraintParams
-from tracker.fusion.propagate import _transition, body_rates, propagate, root_force
+from tracker.fusion.params import ConstraintParams
+from tracker.fusion.propagate import carry, transition
 from tracker.fusion.state import ChainState, initial_state, inject
 from tracker.fusion.tilt import tilt_rows
 from tracker.geometry import so3
@@ -69,18 +70,14 @@ def test_transition(layout: ChainLayout) -> None:
     """Phi to first order in dt: the error of a step of 1 ms is of the order dt²."""
     state, dt = random_state(layout), 1e-3
     _, sample, _ = packets(len(layout.glove.imus), 1.0)
-    Phi = _transition(
-        state,
-        layout,
-        sample,
-        body_rates(state, layout, sample),
-        root_force(state, layout, sample),
-        dt,
+    Phi = transition(state, layout, sample, dt)
+    way = Intervals(
+        np.zeros(1), np.full(1, dt), sample.accel[None], sample.gyro[None], sample.valid[None]
     )
 
     def moved(s: ChainState) -> ChainState:
         s = s.copy()
-        propagate(s, layout, ChainParams(), sample, dt, covariance=False)
+        carry(s, layout, way)
         return s
 
     base = moved(state)

@@ -12,6 +12,7 @@ import numpy as np
 
 from tracker.fusion.chain_kinematics import marker_positions, point_jacobians, segment_positions
 from tracker.fusion.constraints import Constraints
+from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.kalman import update_with
 from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.layout import ChainLayout
@@ -20,7 +21,7 @@ from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import PixelModel, Prediction, SeenBlobs, seen_blobs
 from tracker.fusion.prior import initial_covariance, reset_pose
 from tracker.fusion.profile import WearerProfile, profile_of, wear
-from tracker.fusion.propagate import propagate
+from tracker.fusion.propagate import carry, propagate
 from tracker.fusion.reports import calibration_of, frame_result
 from tracker.fusion.start import Starter
 from tracker.fusion.state import ChainState, initial_state, inject
@@ -100,9 +101,11 @@ class ChainEngine(LaggedEngine[ChainState]):
             rows = self._layout.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
             self._state.P[rows, rows] += self._params.prior.returned**2
 
-    def _step(self, state: ChainState, sample: ImuSample, dt: float, covariance: bool) -> None:
-        coasting = self._is_coasting()
-        propagate(state, self._layout, self._params, sample, dt, coasting, covariance)
+    def _step(self, sample: ImuSample, dt: float) -> None:
+        propagate(self._state, self._layout, self._params, sample, dt, self._is_coasting())
+
+    def _coast(self, state: ChainState, way: Intervals) -> None:
+        carry(state, self._layout, way, self._is_coasting())
 
     def _stepped(self) -> None:
         self._tilt()

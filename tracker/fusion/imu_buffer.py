@@ -3,23 +3,65 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
 
+import numba
 import numpy as np
+from numpy.typing import NDArray
 
-from tracker.messages import ImuSample
+from tracker.messages import Array, ImuSample
+
+LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
+SHORTEST_STEP = 1e-9  # s
+
+
+@dataclass(frozen=True, eq=False)
+class Intervals:
+    """A way from one instant to another, cut at every packet: mean readings of each piece.
+
+    start, stop (k,) s; accel (k, n, 3) m/s², gyro (k, n, 3) rad/s, valid (k, n). While the glove is
+    silent no IMU is valid.
+    """
+
+    start: Array
+    stop: Array
+    accel: Array
+    gyro: Array
+    valid: NDArray[np.bool_]
+
+    def __iter__(self) -> Iterator[tuple[ImuSample, float]]:
+        """The mean readings as packets at the middle of each interval, and where it ends."""
+        for k, (start, stop) in enumerate(zip(self.start, self.stop, strict=True)):
+            t = float(start + stop) / 2
+            readings = self.accel[k], self.gyro[k], self.valid[k]
+            yield ImuSample(t, t, np.nan, -1, *readings), float(stop)
 
 
 class ImuBuffer:
-    """The packets of the last ``span`` seconds, in order of sampling instant."""
+    """The packets of the last ``span`` seconds of ``imus`` IMUs, in order of sampling instant."""
 
-    def __init__(self, span: float = 1.0) -> None:
-        self._span = span
+    def __init__(self, imus: int, span: float = 1.0) -> None:
+        self._imus, self._span = imus, span
         self._samples: deque[ImuSample] = deque()
+        self._first = self._end = 0  # rows of the table that are in use
+        self._table = self._rows(256)
+
+    def _rows(self, count: int) -> tuple[Array, Array, Array, NDArray[Any]]:
+        """t, accel, gyro, valid of ``count`` packets, for compiled loops."""
+        n = self._imus
+        return (
+            np.empty(count),
+            np.empty((count, n, 3)),
+            np.empty((count, n, 3)),
+            np.empty((count, n), np.bool_),
+        )
 
     def __len__(self) -> int:
         return len(self._samples)
 
-    def __iter__(self):  # type: ignore[no-untyped-def]
+    def __iter__(self) -> Iterator[ImuSample]:
         return iter(self._samples)
 
     @property
@@ -30,42 +72,59 @@ class ImuBuffer:
         """Keep a packet; False (and nothing kept) where it is not later than the newest."""
         if self._samples and sample.t <= self._samples[-1].t:
             return False
+        if self._end == len(self._table[0]):
+            self._make_room()
+        for column, value in zip(
+            self._table, (sample.t, sample.accel, sample.gyro, sample.valid), strict=True
+        ):
+            column[self._end] = value
+        self._end += 1
         self._samples.append(sample)
-        while self._samples[-1].t - self._samples[0].t > self._span:
+        while sample.t - self._samples[0].t > self._span:
             self._samples.popleft()
+            self._first += 1
         return True
+
+    def _make_room(self) -> None:
+        """Move the rows in use to the front of a table with at least as many to spare."""
+        live = self._used()
+        count = len(live[0])
+        self._table = self._rows(max(len(self._table[0]), 2 * count))
+        for column, rows in zip(self._table, live, strict=True):
+            column[:count] = rows
+        self._first, self._end = 0, count
+
+    def _used(self) -> tuple[Array, ...]:
+        return tuple(column[self._first : self._end] for column in self._table)
 
     def covers(self, t: float) -> bool:
         """Whether a packet at or after ``t`` has come."""
         return bool(self._samples) and self._samples[-1].t >= t
 
-    def after(self, t: float) -> list[ImuSample]:
-        """Packets later than ``t``."""
-        out: list[ImuSample] = []
-        for sample in reversed(self._samples):
-            if sample.t <= t:
-                break
-            out.append(sample)
-        return out[::-1]
+    def intervals(self, start: float, end: float) -> Intervals:
+        """The way from ``start`` to ``end``; nothing where they are the same."""
+        return Intervals(*_intervals(*self._used(), start, end))
 
     def at(self, t: float) -> ImuSample | None:
         """The packet interpolated to ``t``; the nearest one outside the memory; None if empty.
 
         An IMU is valid where both neighbours are.
         """
-        later = next((s for s in self._samples if s.t >= t), None)
-        if later is None:
+        k = int(np.searchsorted(self._table[0][self._first : self._end], t))
+        if k == len(self._samples):
             return self.newest
-        earlier = next((s for s in reversed(self._samples) if s.t < t), None)
-        if earlier is None:
-            return later
-        return interpolate(earlier, later, t)
+        if k == 0:
+            return self._samples[0]
+        return interpolate(self._samples[k - 1], self._samples[k], t)
 
     def state(self) -> list[ImuSample]:
         return list(self._samples)
 
     def restore(self, samples: list[ImuSample]) -> None:
-        self._samples = deque(samples)
+        self._samples.clear()
+        self._first = self._end = 0
+        for sample in samples:
+            self.add(sample)
 
 
 def interpolate(a: ImuSample, b: ImuSample, t: float) -> ImuSample:
@@ -80,3 +139,31 @@ def interpolate(a: ImuSample, b: ImuSample, t: float) -> ImuSample:
         gyro=(1 - w) * a.gyro + w * b.gyro,
         valid=np.logical_and(a.valid, b.valid),
     )
+
+
+@numba.njit(cache=True, nogil=True)
+def _intervals(t, accel, gyro, valid, start, end):  # type: ignore[no-untyped-def]
+    """The fields of `Intervals` from the packets t (m,), accel, gyro (m, n, 3), valid (m, n)."""
+    m, n = valid.shape
+    k = np.searchsorted(t, start, side="right")
+    most = np.searchsorted(t, end) - k + 1 if end > start else 0
+    starts, stops = np.empty(most), np.empty(most)
+    mean_accel, mean_gyro = np.zeros((most, n, 3)), np.zeros((most, n, 3))
+    both = np.zeros((most, n), np.bool_)
+    at, count = start, 0
+    while end - at > SHORTEST_STEP:
+        stop = min(t[k], end) if k < m else end
+        starts[count], stops[count] = at, stop
+        if k < m and t[k] - at <= LONGEST_STEP:
+            a, w = max(k - 1, 0), 1.0
+            if k > 0:
+                w = ((at + stop) / 2 - t[a]) / (t[k] - t[a])
+            for j in range(n):
+                both[count, j] = valid[a, j] and valid[k, j]
+                for i in range(3):
+                    mean_accel[count, j, i] = (1 - w) * accel[a, j, i] + w * accel[k, j, i]
+                    mean_gyro[count, j, i] = (1 - w) * gyro[a, j, i] + w * gyro[k, j, i]
+        at = stop
+        count += 1
+        k += 1
+    return starts[:count], stops[:count], mean_accel[:count], mean_gyro[:count], both[:count]

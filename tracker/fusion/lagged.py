@@ -15,10 +15,9 @@ from typing import Any, Generic, Protocol, TypeVar
 import numpy as np
 
 from tracker.fusion.health import ImuHealth
-from tracker.fusion.imu_buffer import ImuBuffer
+from tracker.fusion.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Tracking
 
-LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
 LATE_MARGIN = 0.03  # s beyond the latest picture so far
 LONGEST_LAG = 0.5  # s
 
@@ -45,8 +44,8 @@ class LaggedEngine(ABC, Generic[S]):
     _KEPT: tuple[str, ...] = ("_state", "_head", "_waiting", "_results", "_lag", "_last_frame")
 
     def __init__(self, imu_count: int, state: S, silence: float, lag: float) -> None:
-        self._imu_count, self._silence_limit, self._lag = imu_count, silence, lag
-        self._buffer = ImuBuffer()
+        self._silence_limit, self._lag = silence, lag
+        self._buffer = ImuBuffer(imu_count)
         self._health = ImuHealth(imu_count)
         self._state: S = state
         self._head: S = state.copy_nominal()
@@ -66,8 +65,12 @@ class LaggedEngine(ABC, Generic[S]):
         """A believable packet has come."""
 
     @abstractmethod
-    def _step(self, state: S, sample: ImuSample, dt: float, covariance: bool) -> None:
-        """Move ``state`` by ``dt`` with the mean readings ``sample``."""
+    def _step(self, sample: ImuSample, dt: float) -> None:
+        """Move the filter, with its covariance, by ``dt`` with the mean readings ``sample``."""
+
+    @abstractmethod
+    def _coast(self, state: S, way: Intervals) -> None:
+        """Move a nominal state along ``way``."""
 
     def _stepped(self) -> None:
         """The filter has made one step with covariance."""
@@ -160,34 +163,15 @@ class LaggedEngine(ABC, Generic[S]):
 
     def _advance(self, t: float) -> None:
         """Move the filter, with its covariance, to ``t`` through every packet on the way."""
-        while t - self._state.t > 1e-9:
-            sample, stop = self._next_interval(self._state.t, t)
-            self._step(self._state, sample, stop - self._state.t, covariance=True)
+        for sample, stop in self._buffer.intervals(self._state.t, t):
+            self._step(sample, stop - self._state.t)
             self._state.t = stop
             self._stepped()
         self._state.t = t
 
     def _carry(self, state: S, t: float) -> None:
         """Move a nominal state to ``t``."""
-        while t - state.t > 1e-9:
-            sample, stop = self._next_interval(state.t, t)
-            self._step(state, sample, stop - state.t, covariance=False)
-            state.t = stop
-
-    def _next_interval(self, start: float, end: float) -> tuple[ImuSample, float]:
-        """Mean readings from ``start`` to the next packet or ``end``, and that instant."""
-        later = self._buffer.after(start)
-        stop = min(later[0].t, end) if later else end
-        middle = self._buffer.at((start + stop) / 2)
-        if middle is None or not later or later[0].t - start > LONGEST_STEP:
-            return self._silence(stop), stop
-        return middle, stop
-
-    def _silence(self, t: float) -> ImuSample:
-        """A packet in which no IMU answers."""
-        n = self._imu_count
-        zero = np.zeros((n, 3))
-        return ImuSample(t, t, np.nan, -1, zero, zero, np.zeros(n, bool))
+        self._coast(state, self._buffer.intervals(state.t, t))
 
     def _rebuild_head(self) -> None:
         self._head = self._state.copy_nominal()

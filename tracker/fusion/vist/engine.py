@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.output import HandOutput, Sensed
 from tracker.fusion.params import ChainParams
@@ -86,7 +87,15 @@ class VistEngine(LaggedEngine[VistState]):
     def _heard(self, sample: ImuSample) -> None:
         self._track.felt[sample.valid] = sample.t
 
-    def _step(self, state: VistState, sample: ImuSample, dt: float, covariance: bool) -> None:
+    def _step(self, sample: ImuSample, dt: float) -> None:
+        self._move(self._state, sample, dt, covariance=True)
+
+    def _coast(self, state: VistState, way: Intervals) -> None:
+        for sample, stop in way:
+            self._move(state, sample, stop - state.t, covariance=False)
+            state.t = stop
+
+    def _move(self, state: VistState, sample: ImuSample, dt: float, covariance: bool) -> None:
         coasting = self._track.is_coasting(self._state.t, self._params.tracking)
         noise = self._params.noise
         propagate(state, self._layout, noise, sample, dt, coasting=coasting, covariance=covariance)

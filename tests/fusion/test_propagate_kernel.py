@@ -1,0 +1,138 @@
+"""The compiled motion of the chain beside what its formulas say."""
+
+import numpy as np
+import pytest
+
+from tracker.fusion import propagate_kernel as kernel
+from tracker.fusion.imu_buffer import ImuBuffer
+from tracker.fusion.layout import ChainLayout
+from tracker.fusion.params import ChainParams
+from tracker.fusion.prior import initial_covariance
+from tracker.fusion.propagate import carry, propagate, transition
+from tracker.fusion.state import ChainState, initial_state, inject
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array, ImuSample
+
+
+@pytest.fixture(scope="module")
+def layout(hand: HandModel, glove: GloveModel) -> ChainLayout:
+    return ChainLayout(hand, glove)
+
+
+def a_state(layout: ChainLayout) -> ChainState:
+    state = initial_state(layout)
+    inject(state, layout, 0.1 * np.random.default_rng(1).normal(size=layout.size))
+    state.P = initial_covariance(layout, ChainParams().prior)
+    return state
+
+
+def packet(layout: ChainLayout, t: float, seed: int, silent: tuple[int, ...] = ()) -> ImuSample:
+    rng, n = np.random.default_rng(seed), len(layout.glove.imus)
+    valid = ~np.isin(np.arange(n), silent)
+    accel = rng.normal(size=(n, 3)) + [0, 0, 9.8]
+    return ImuSample(t, t, t, seed, accel, rng.normal(size=(n, 3)), valid)
+
+
+def turn_noise(layout: ChainLayout, R_GB: Array, valid: Array, sd: tuple[float, ...]) -> Array:
+    """L L^T with L as the rule reads: own noise, and the parent's for what has no IMU."""
+    n = len(layout.active)
+    L = np.zeros((3 * n, 3 * n))
+    for i in range(n):
+        rows, a, j = slice(3 * i, 3 * i + 3), layout.parent[i], layout.imu_of[i]
+        felt = j >= 0 and valid[j]
+        L[rows, rows] = np.eye(3) * (sd[0] if felt else sd[1] if a >= 0 else sd[2])
+        if not felt and a >= 0:
+            L[rows] += R_GB[i].T @ R_GB[a] @ L[3 * a : 3 * a + 3]
+    return L @ L.T
+
+
+@pytest.mark.parametrize("silent", [(), (3,), (1, 2), (0,), tuple(range(7))])
+def test_covariance_moves_as_the_dense_product(
+    layout: ChainLayout, silent: tuple[int, ...]
+) -> None:
+    """Phi P Phi^T + Q, with any IMU silent."""
+    rng, dt, n = np.random.default_rng(2), 0.01, layout.size
+    state, sample = a_state(layout), packet(layout, 0.0, 3, silent)
+    A = rng.normal(size=(n, n))
+    state.P = A @ A.T
+    F, R_GB, P = np.eye(n), state.R_GB, state.P.copy()
+    F[: layout.n_dynamic, : layout.scale] = transition(state, layout, sample, dt)
+    expected = F @ P @ F.T
+    noise = ChainParams().noise
+    q = kernel_noise(layout, bool(sample.valid[0]), dt)
+    expected[np.diag_indices(n)] += q
+    block = slice(layout.theta, layout.n_dynamic)
+    sd = noise.gyro, noise.free_rotation, noise.free_root_rotation
+    expected[block, block] += turn_noise(layout, R_GB, sample.valid, sd) * dt
+    propagate(state, layout, ChainParams(), sample, dt)
+    assert np.abs(state.P - expected).max() < 1e-12 * np.abs(expected).max()
+    assert np.array_equal(state.P, state.P.T)
+
+
+def kernel_noise(layout: ChainLayout, felt: bool, dt: float) -> Array:
+    """(N,) variances as the parameters name them, block by block."""
+    noise, imus = ChainParams().noise, 3 * len(layout.glove.imus)
+    accel = noise.accel if felt else noise.free_accel
+    blocks = [
+        (3, accel**2 * dt**3 / 3),
+        (3, accel**2 * dt),
+        (3 * len(layout.active), 0.0),
+        (imus, noise.gyro_bias**2 * dt),
+        (imus, noise.mounting**2 * dt),
+        (imus, noise.accel_bias**2 * dt),
+        (2 * len(layout.active), noise.scale**2 * dt),
+        (layout.size - layout.joint, noise.offset**2 * dt),
+    ]
+    return np.concatenate([np.full(count, value) for count, value in blocks])
+
+
+def test_carrying_is_propagating_without_covariance(layout: ChainLayout) -> None:
+    """Through eight packets, a gap of silence and a piece of an interval."""
+    buffer = ImuBuffer(len(layout.glove.imus), span=10.0)
+    for k, t in enumerate([1.0, 1.01, 1.02, 1.03, 1.5, 1.51, 1.52, 1.53]):
+        buffer.add(packet(layout, t, k, (k % 7,)))
+    way = buffer.intervals(1.004, 1.525)
+    one, other = a_state(layout), a_state(layout)
+    other.t = 1.004
+    carry(one, layout, way)
+    for sample, stop in way:
+        propagate(other, layout, ChainParams(), sample, stop - other.t)
+        other.t = stop
+    for name in ("p", "v", "R_GB"):
+        assert np.allclose(getattr(one, name), getattr(other, name), atol=1e-12), name
+    assert one.t == other.t == 1.525
+
+
+def test_intervals_are_cut_at_packets_with_interpolated_means(layout: ChainLayout) -> None:
+    buffer = ImuBuffer(len(layout.glove.imus), span=10.0)
+    times = [0.0, 0.01, 0.02, 0.4]
+    for k, t in enumerate(times):
+        buffer.add(packet(layout, t, k))
+    way = buffer.intervals(0.004, 0.5)
+    assert np.allclose(way.start, [0.004, 0.01, 0.02, 0.4])
+    assert np.allclose(way.stop, [0.01, 0.02, 0.4, 0.5])
+    for k, (start, stop) in enumerate([(0.004, 0.01), (0.01, 0.02)]):
+        middle = buffer.at((start + stop) / 2)
+        assert middle is not None
+        assert np.allclose(way.gyro[k], middle.gyro) and np.allclose(way.accel[k], middle.accel)
+    assert not way.valid[2:].any()  # a gap too long to interpolate, and beyond the newest packet
+    assert len(buffer.intervals(0.2, 0.2).stop) == 0
+
+
+def test_a_full_table_makes_room(layout: ChainLayout) -> None:
+    """Packets still in the span are not lost when the memory's table is full."""
+    buffer = ImuBuffer(len(layout.glove.imus), span=0.05)
+    for k in range(1500):
+        buffer.add(packet(layout, 0.01 * k, k))
+    way = buffer.intervals(0.01 * 1495, 0.01 * 1499)
+    expected = [buffer.at(t) for t in (14.955, 14.965, 14.975, 14.985)]
+    assert np.allclose(way.gyro, [e.gyro for e in expected if e is not None])
+
+
+def test_a_root_without_imu_slows_down(layout: ChainLayout) -> None:
+    """Its velocity dies away; it does not fall."""
+    v = np.array([1.0, 0.0, 0.0])
+    w, R = np.zeros((1, 3)), np.eye(3)[None]
+    _, slower, _ = kernel.move_nominal(np.zeros(3), v, R, w, np.zeros(3), False, 0.5, False)
+    assert np.allclose(slower, [np.exp(-kernel.COAST_DAMPING * 0.5), 0, 0])

@@ -1,0 +1,200 @@
+"""The arithmetic of `tracker.fusion.propagate`, compiled; shapes are those of `ChainState`.
+
+Phi differs from the identity in a handful of columns a row, so products with it go through a list
+of those columns.
+"""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+
+from tracker import GRAVITY
+from tracker.geometry.kernels import exp3, skew3, turn_all
+
+COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
+
+
+@numba.njit(cache=True, nogil=True)
+def body_rates(  # type: ignore[no-untyped-def]
+    imu_of, parent, source, gain, R_GB, R_IB, bg, gyro, valid
+):  # fmt: skip
+    """(A, 3) rad/s of each active segment in its own B."""
+    w = np.zeros((len(parent), 3))
+    for i in range(len(parent)):
+        j = imu_of[i]
+        if j >= 0 and valid[j]:
+            w[i] = R_IB[j].T @ (gyro[j] - bg[j])
+        elif parent[i] >= 0:
+            w[i] = R_GB[i].T @ (R_GB[parent[i]] @ w[parent[i]])
+            s = source[i]
+            if 0 <= s < i:
+                relative = w[s] - R_GB[s].T @ (R_GB[parent[s]] @ w[parent[s]])
+                w[i, 1] += gain[i, 0] * relative[1]
+    return w
+
+
+@numba.njit(cache=True, nogil=True)
+def root_force(imu_of, R_IB, ba, accel, valid):  # type: ignore[no-untyped-def]
+    """(3,) m/s² specific force of the root's IMU in its B, and whether it answers."""
+    j = imu_of[0]
+    if j < 0 or not valid[j]:
+        return np.zeros(3), False
+    return R_IB[j].T @ (accel[j] - ba[j]), True
+
+
+@numba.njit(cache=True, nogil=True)
+def move_nominal(p, v, R_GB, w, f, felt, dt, coasting):  # type: ignore[no-untyped-def]
+    """p, v and R_GB after ``dt``, in new arrays; ``felt`` says whether f (3,) counts."""
+    p_new, v_new = np.empty(3), np.empty(3)
+    a_G = np.zeros(3)
+    damping = 1.0
+    if felt:
+        a_G = (R_GB[0] @ exp3(w[0] * (dt / 2))) @ f
+        a_G[2] -= GRAVITY
+    else:
+        damping = np.exp(-COAST_DAMPING * dt)
+    if coasting:
+        damping *= np.exp(-COAST_DAMPING * dt)
+    for k in range(3):
+        p_new[k] = p[k] + v[k] * dt + a_G[k] * dt * dt / 2
+        v_new[k] = (v[k] + a_G[k] * dt) * damping
+    return p_new, v_new, turn_all(R_GB, w * dt)
+
+
+@numba.njit(cache=True, nogil=True)
+def transition(  # type: ignore[no-untyped-def]
+    imu_of, parent, R_GB, R_IB, valid, w, f, felt, dt, theta, bg, phi, ba, width
+):  # fmt: skip
+    """(D, width) Phi: the dynamic rows against all columns before the scales."""
+    Phi = np.eye(theta + 3 * len(parent), width)
+    for r in range(3):
+        Phi[r, 3 + r] = dt
+    for i in range(len(parent)):
+        k = theta + 3 * i
+        j = imu_of[i]
+        if j >= 0 and valid[j]:
+            Phi[k : k + 3, k : k + 3] = exp3(w[i] * dt).T
+            Phi[k : k + 3, phi + 3 * j : phi + 3 * j + 3] = skew3(w[i]) * dt
+            Phi[k : k + 3, bg + 3 * j : bg + 3 * j + 3] = -R_IB[j].T * dt
+        elif parent[i] >= 0:
+            # R_rel stays: theta_c moves by R_rel^T times what theta_parent moved by
+            a = theta + 3 * parent[i]
+            R_ca = R_GB[i].T @ R_GB[parent[i]]
+            moved = Phi[a : a + 3].copy()
+            for r in range(3):
+                moved[r, a + r] -= 1.0
+            Phi[k : k + 3] += R_ca @ moved
+    if felt:
+        _root_rows(Phi, R_GB[0], R_IB[imu_of[0]], f, dt, theta, phi + 3 * imu_of[0],
+                   ba + 3 * imu_of[0])  # fmt: skip
+    return Phi
+
+
+@numba.njit(cache=True, nogil=True)
+def _root_rows(Phi, R, R_IB, f, dt, theta, phi, ba):  # type: ignore[no-untyped-def]
+    """p and v against the root's orientation, mounting and accelerometer bias."""
+    J_a_theta = -R @ skew3(f)
+    J_a_ba = -R @ R_IB.T
+    for first, gain in ((3, dt), (0, dt * dt / 2)):
+        for r in range(3):
+            for c in range(3):
+                Phi[first + r, theta + c] = J_a_theta[r, c] * gain
+                # a turn of the mounting turns f the other way
+                Phi[first + r, phi + c] = -J_a_theta[r, c] * gain
+                Phi[first + r, ba + c] = J_a_ba[r, c] * gain
+
+
+@numba.njit(cache=True, nogil=True)
+def move_covariance(P, Phi, q):  # type: ignore[no-untyped-def]
+    """P <- Phi P Phi^T + diag(q) in place, touching only the dynamic rows and columns."""
+    D, n = len(Phi), len(P)
+    count, column = _columns(Phi)
+    rows = np.zeros((D, n))
+    for r in range(D):
+        for k in range(count[r]):
+            c = column[r, k]
+            factor = Phi[r, c]
+            for i in range(n):
+                rows[r, i] += factor * P[c, i]
+    for r in range(D):
+        P[r, D:] = rows[r, D:]
+        P[D:, r] = rows[r, D:]
+        for s in range(r + 1):
+            total = 0.0
+            for k in range(count[s]):
+                total += rows[r, column[s, k]] * Phi[s, column[s, k]]
+            P[r, s] = total
+            P[s, r] = total
+    for i in range(n):
+        P[i, i] += q[i]
+
+
+@numba.njit(cache=True, nogil=True)
+def _columns(Phi):  # type: ignore[no-untyped-def]
+    """How many entries of each row are not zero, and their columns (D, most)."""
+    D, width = Phi.shape
+    count, column = np.zeros(D, np.int64), np.empty((D, width), np.int64)
+    for r in range(D):
+        for c in range(width):
+            if Phi[r, c] != 0.0:
+                column[r, count[r]] = c
+                count[r] += 1
+    return count, column
+
+
+@numba.njit(cache=True, nogil=True)
+def add_turn_noise(P, R_GB, parent, imu_of, valid, theta, var, free, free_root):  # type: ignore[no-untyped-def]
+    """Noise of the orientations, in place: a segment without an IMU takes its parent's along.
+
+    var, free and free_root are the variances (rad²) of a turn that is felt, of one against the
+    parent that is not, and of the root's that is not.
+    """
+    n = len(parent)
+    C = np.zeros((n, n, 3, 3))
+    for i in range(n):
+        a, own = parent[i], var
+        if imu_of[i] < 0 or not valid[imu_of[i]]:
+            own = free if a >= 0 else free_root
+            if a >= 0:
+                R_ca = R_GB[i].T @ R_GB[a]
+                for k in range(i):
+                    C[i, k] = R_ca @ C[a, k]
+                    C[k, i] = C[i, k].T
+                C[i, i] = R_ca @ C[a, a] @ R_ca.T
+        for r in range(3):
+            C[i, i, r, r] += own
+    for i in range(n):
+        for k in range(n):
+            for r in range(3):
+                for c in range(3):
+                    P[theta + 3 * i + r, theta + 3 * k + c] += C[i, k, r, c]
+
+
+@numba.njit(cache=True, nogil=True)
+def step(  # type: ignore[no-untyped-def]
+    imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, P, accel, gyro, valid,
+    dt, coasting, theta, bg_at, phi_at, ba_at, width, q, var, free, free_root,
+):  # fmt: skip
+    """One step with covariance: P in place, and p, v, R_GB after it."""
+    w = body_rates(imu_of, parent, source, gain, R_GB, R_IB, bg, gyro, valid)
+    f, felt = root_force(imu_of, R_IB, ba, accel, valid)
+    Phi = transition(
+        imu_of, parent, R_GB, R_IB, valid, w, f, felt, dt, theta, bg_at, phi_at, ba_at, width
+    )
+    move_covariance(P, Phi, q)
+    add_turn_noise(P, R_GB, parent, imu_of, valid, theta, var, free, free_root)
+    return move_nominal(p, v, R_GB, w, f, felt, dt, coasting)
+
+
+@numba.njit(cache=True, nogil=True)
+def carry(  # type: ignore[no-untyped-def]
+    imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, start, stop, accel, gyro, valid,
+    coasting,
+):  # fmt: skip
+    """p, v, R_GB after the intervals start, stop (k,) with mean readings (k, n, 3)."""
+    for k in range(len(stop)):
+        w = body_rates(imu_of, parent, source, gain, R_GB, R_IB, bg, gyro[k], valid[k])
+        f, felt = root_force(imu_of, R_IB, ba, accel[k], valid[k])
+        p, v, R_GB = move_nominal(p, v, R_GB, w, f, felt, stop[k] - start[k], coasting)
+    return p, v, R_GB
