@@ -6,11 +6,15 @@ import argparse
 import json
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tracker.errors import GlovetrackError
+
+if TYPE_CHECKING:
+    from tracker.offline.batch import Job
+    from tracker.offline.track import TrackOptions
 
 
 def add_commands(commands: Any) -> None:
@@ -32,14 +36,18 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_track(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", type=Path, help="a session, .mcap")
-    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session, .mcap")
+    parser.add_argument("sources", type=Path, nargs="+", metavar="IN", help="sessions or folders")
+    parser.add_argument(
+        "-o", "--out", type=Path, required=True, help="the new session; for several IN a folder"
+    )
     parser.add_argument("--engine", default="", help="chain, vist, switching or madgwick")
     parser.add_argument("--hand", default="", help="name or file")
     parser.add_argument("--glove", default="", help="name or file")
     parser.add_argument("--colours", default="", help="name or file")
     parser.add_argument("--with-sensors", action="store_true", help="copy the sensor topics too")
     parser.add_argument("--json", default="", metavar="FILE", help="report; - is standard output")
+    parser.add_argument("--jobs", type=int, metavar="N", help="processes; one per core if not told")
+    parser.add_argument("--dask", default="", metavar="ADDRESS", help="work on this Dask cluster")
     parser.set_defaults(func=_track)
 
 
@@ -60,14 +68,33 @@ def _simulate(args: argparse.Namespace) -> int:
 
 
 def _track(args: argparse.Namespace) -> int:
+    from tracker.offline.batch import plan
     from tracker.offline.track import TrackOptions, track
 
     options = TrackOptions(args.engine, args.hand, args.glove, args.colours, args.with_sensors)
-    report = track(args.source, args.out, options, progress_line("tracking")).to_json()
+    jobs = plan(args.sources, args.out)
+    if len(jobs) > 1 or args.dask or args.out.is_dir():
+        return _track_many(args, jobs, options)
+    report = track(jobs[0].source, jobs[0].out, options, progress_line("tracking")).to_json()
     if args.json:
         write_json(report, args.json)
     else:
         print(_summary(report))
+    return 0
+
+
+def _track_many(args: argparse.Namespace, jobs: Sequence[Job], options: TrackOptions) -> int:
+    from tracker.offline.batch import table, to_json, track_all
+
+    progress = progress_line(f"tracking {len(jobs)} sessions")
+    outcomes = track_all(jobs, options, progress, args.jobs, args.dask)
+    if args.json:
+        write_json(to_json(jobs, outcomes), args.json)
+    if args.json != "-":
+        print(table(jobs, outcomes))
+    failed = sum(bool(o.error) for o in outcomes)
+    if failed:
+        raise GlovetrackError(f"{failed} of {len(jobs)} sessions could not be tracked.")
     return 0
 
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -17,12 +16,12 @@ from tracker.config import from_toml, to_toml
 from tracker.errors import FileError
 from tracker.messages import (
     BlobFrame,
-    Estimate,
     ImuSample,
     StereoFrame,
     Tracking,
 )
 from tracker.offline.detection import detected
+from tracker.offline.report import Counter, TrackReport, TruthCheck
 from tracker.pipeline import ENGINES, Pipeline
 from tracker.session import topics
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
@@ -32,9 +31,9 @@ from tracker.settings import Settings
 from tracker.toml_reader import read_text
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
+from tracker.workers import usable_cores
 
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
-KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 
 
 @dataclass(frozen=True)
@@ -49,33 +48,16 @@ class TrackOptions:
     settings: str = ""  # path of a TOML file of `tracker.settings.Settings`
 
 
-@dataclass(eq=False)
-class TrackReport:
-    """What came of it; ``error_mm`` is filled where the session holds the truth."""
-
-    duration_s: float = 0.0
-    wall_s: float = 0.0
-    estimates: int = 0
-    frames: int = 0
-    losses: dict[str, int] = field(default_factory=dict)
-    lost_s: float = 0.0
-    error_mm: dict[str, float] = field(default_factory=dict)
-
-    def to_json(self) -> dict[str, object]:
-        out = dict(vars(self))
-        if not self.error_mm:
-            del out["error_mm"]
-        return out
-
-
 def track(
     source: Path,
     out: Path,
     options: TrackOptions | None = None,
     progress: Callable[[float], None] = lambda share: None,
+    threads: int | None = None,
 ) -> TrackReport:
     """Track ``source`` again into the new file ``out``.
 
+    ``threads`` search pictures, as many as there are cores unless told; the result is the same.
     Raises FileError for a session that lacks what tracking needs.
     """
     options = options or TrackOptions()
@@ -83,18 +65,26 @@ def track(
     with SessionReader(source, _replacements(options)) as reader:
         info, settings = replace(reader.info, rig=reader.rig()), _settings(reader, options)
         pipeline = Pipeline(info.hand, info.glove, reader.rig(), settings)
-        messages = _messages(reader, info, options)
+        messages = _messages(reader, info, options, threads or usable_cores())
         with new_session(out, _output_info(info, settings, source)) as recorder:
-            run = _Run(pipeline, recorder, options.with_sensors)
+            check = _truth_check(reader, info)
+            run = _Run(pipeline, recorder, options.with_sensors, check)
             start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
             for message in messages:
                 run.feed(message)
                 progress(min(max((message.t_arrival - start) / span, 0.0), 1.0))
             run.finish()
         report = run.report
-        report.error_mm = _errors(reader, info, run.shown)
+        if check is not None:
+            report.error_mm = check.against(reader.truth())
     report.wall_s = time.perf_counter() - started
     return report
+
+
+def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:
+    """None where the session does not know the truth."""
+    known = topics.truth(info.side, "keypoints") in reader.topic_names
+    return TruthCheck(info.keypoint_names) if known else None
 
 
 @contextmanager
@@ -133,11 +123,6 @@ def _output_info(info: SessionInfo, settings: Settings, source: Path) -> Session
     )
 
 
-def usable_cores() -> int:
-    """Cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
 def _sha256(path: Path) -> str:
     digest = hashlib.sha256()
     with path.open("rb") as file:
@@ -147,7 +132,7 @@ def _sha256(path: Path) -> str:
 
 
 def _messages(
-    reader: SessionReader, info: SessionInfo, options: TrackOptions
+    reader: SessionReader, info: SessionInfo, options: TrackOptions, threads: int
 ) -> Iterator[ImuSample | BlobFrame]:
     """Packets and blobs in the order of the live run.
 
@@ -161,7 +146,7 @@ def _messages(
         what = "no pictures to try other colours on" if has_blobs else "neither blobs nor pictures"
         raise FileError(f"{reader.path} holds {what}.")
     packed = reader.packed_messages((ImuSample, StereoFrame))
-    return detected(packed, make_detector(profile_of(info), info), usable_cores())
+    return detected(packed, make_detector(profile_of(info), info), threads)
 
 
 def profile_of(info: SessionInfo) -> ColourProfile:
@@ -180,13 +165,20 @@ def make_detector(profile: ColourProfile, info: SessionInfo) -> Detector:
 class _Run:
     """Feeds a pipeline and writes what comes out."""
 
-    def __init__(self, pipeline: Pipeline, recorder: SessionRecorder, with_sensors: bool) -> None:
+    def __init__(
+        self,
+        pipeline: Pipeline,
+        recorder: SessionRecorder,
+        with_sensors: bool,
+        check: TruthCheck | None,
+    ) -> None:
         self._pipeline, self._recorder, self._with_sensors = pipeline, recorder, with_sensors
-        self.report = TrackReport()
-        self.shown: list[Estimate] = []
-        self._last_imu: ImuSample | None = None
+        self._check, self._counter = check, Counter()
         self._next_calibration = -np.inf
-        self._first = self._last = np.nan
+
+    @property
+    def report(self) -> TrackReport:
+        return self._counter.report
 
     def feed(self, message: ImuSample | BlobFrame) -> None:
         if self._with_sensors:
@@ -201,53 +193,14 @@ class _Run:
     def _feed_imu(self, sample: ImuSample) -> None:
         estimate = self._pipeline.feed_imu(sample)
         self._recorder.write(estimate)
-        self.shown.append(estimate)
-        self._count(sample, estimate)
+        if self._check is not None:
+            self._check.add(estimate)
+        self._counter.count(sample, estimate.tracking)
         if sample.t >= self._next_calibration:
             self._next_calibration = sample.t + CALIBRATION_PERIOD
             if estimate.tracking != Tracking.SEARCHING:
                 self._recorder.write(self._pipeline.calibration())
 
-    def _count(self, sample: ImuSample, estimate: Estimate) -> None:
-        r, last = self.report, self._last_imu
-        r.estimates += 1
-        if last is None:
-            self._first = sample.t
-        else:
-            gap = sample.t - last.t
-            if estimate.tracking in (Tracking.SEARCHING, Tracking.LOST):
-                r.lost_s += gap
-            if sample.seq >= 0 and last.seq >= 0 and sample.seq > last.seq + 1:
-                missing = sample.seq - last.seq - 1
-                r.losses["imu_packets"] = r.losses.get("imu_packets", 0) + missing
-        silent = int(np.sum(~np.asarray(sample.valid)))
-        if silent:
-            r.losses["imu_readings"] = r.losses.get("imu_readings", 0) + silent
-        self._last_imu, self._last = sample, sample.t
-
     def finish(self) -> None:
         if self.report.estimates:
-            self.report.duration_s = float(self._last - self._first)
             self._recorder.write(self._pipeline.calibration())
-
-
-def _errors(reader: SessionReader, info: SessionInfo, shown: list[Estimate]) -> dict[str, float]:
-    """Mean error in mm of the four keypoints against the session's truth, if it has one."""
-    truth = {round(e.t * 1e6): e.keypoints for e in reader.truth()}
-    names = list(info.keypoint_names)
-    wanted = [k for k in KEYPOINTS if k in names]
-    rows = [names.index(k) for k in wanted]
-    pairs = [
-        (e.keypoints[rows], truth[key][rows]) for e in shown if (key := round(e.t * 1e6)) in truth
-    ]
-    if not pairs:
-        return {}
-    distance_mm = 1e3 * np.array([np.linalg.norm(a - b, axis=1) for a, b in pairs])
-    seen = distance_mm[np.isfinite(distance_mm).all(axis=1)]
-    if len(seen) == 0:
-        return {}
-    out = {k: float(v) for k, v in zip(wanted, seen.mean(axis=0), strict=True)}
-    out["mean"] = float(seen.mean())
-    out["pck20"] = float((seen.max(axis=1) < 20).mean())
-    out["tracked_share"] = len(seen) / len(distance_mm)
-    return out

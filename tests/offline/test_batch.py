@@ -1,0 +1,110 @@
+"""Folders and many files: every session by its own, failures in words, one table."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tracker.cli import main
+from tracker.errors import ConfigError, DeviceError, FileError
+from tracker.messages import Estimate
+from tracker.offline.batch import Job, plan, table, track_all
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import TrackOptions, track
+from tracker.session.compare import compare
+from tracker.session.reader import SessionReader
+from tracker.workers import dask_workers
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two sessions, one of them further down, and one that is no session."""
+    path = tmp_path_factory.mktemp("many")
+    (path / "monday").mkdir()
+    simulate(path / "a.mcap", SimulateOptions(seed=1, duration=2.0, fps=30, pictures=False))
+    simulate(path / "monday" / "b.mcap", SimulateOptions(seed=2, duration=2.0, pictures=False))
+    (path / "c.mcap").write_text("shopping list")
+    return path
+
+
+def names(jobs: list[Job], out: Path) -> list[str]:
+    return [j.out.relative_to(out).as_posix() for j in jobs]
+
+
+def test_one_file_goes_to_a_file_or_into_a_folder(folder: Path, tmp_path: Path) -> None:
+    assert plan([folder / "a.mcap"], tmp_path / "x.mcap")[0].out == tmp_path / "x.mcap"
+    assert plan([folder / "a.mcap"], tmp_path)[0].out == tmp_path / "a.mcap"
+
+
+def test_a_folder_keeps_its_shape(folder: Path, tmp_path: Path) -> None:
+    assert names(plan([folder], tmp_path), tmp_path) == ["a.mcap", "c.mcap", "monday/b.mcap"]
+
+
+def test_equal_names_are_told_apart(folder: Path, tmp_path: Path) -> None:
+    jobs = plan([folder / "a.mcap", folder / "a.mcap"], tmp_path)
+    assert names(jobs, tmp_path) == ["a.mcap", "a_2.mcap"]
+
+
+def test_what_was_tracked_before_is_not_tracked_again(folder: Path, tmp_path: Path) -> None:
+    out = tmp_path / "tracked"
+    out.mkdir()
+    (out / "old.mcap").write_bytes(b"")
+    (tmp_path / "new.mcap").write_bytes(b"")
+    assert names(plan([tmp_path], out), out) == ["new.mcap"]
+
+
+def test_impossible_plans_are_refused_in_words(folder: Path, tmp_path: Path) -> None:
+    with pytest.raises(FileError, match="no session in"):
+        plan([tmp_path], tmp_path / "out")
+    with pytest.raises(ConfigError, match="name a folder"):
+        plan([folder], folder / "a.mcap")
+
+
+def test_processes_give_what_one_run_gives(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, told = tmp_path / "out", tmp_path / "report.json"
+    words = ["track", str(folder), "-o", str(out), "--jobs", "2", "--json", str(told)]
+    assert main(words) == 1, "one of the three is no session"
+    said = capsys.readouterr()
+    assert "1 of 3 sessions could not be tracked" in said.err
+    rows = {line.split()[0]: line for line in said.out.splitlines()[1:]}
+    assert "100.0 %" not in rows[str(folder / "c.mcap")]
+    assert "c.mcap is not an MCAP file" in rows[str(folder / "c.mcap")]
+    assert " mm" in rows[str(folder / "monday" / "b.mcap")]
+    sessions = json.loads(told.read_text())["sessions"]
+    assert ["error" in s for s in sessions] == [False, True, False]
+    track(folder / "monday" / "b.mcap", tmp_path / "alone.mcap")
+    assert compare(out / "monday" / "b.mcap", tmp_path / "alone.mcap")["identical"]
+    assert not (out / "c.mcap").exists()
+
+
+def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
+    precious = tmp_path / "a.mcap"
+    precious.write_text("precious")
+    jobs = [Job(folder / "a.mcap", precious)]
+    (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, processes=1)
+    assert "exists already" in outcome.error
+    assert "exists already" in table(jobs, [outcome])
+    assert precious.read_text() == "precious"
+
+
+def test_a_cluster_does_the_same_work(folder: Path, tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    jobs = plan([folder], tmp_path)
+    shares: list[float] = []
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
+    ) as cluster:
+        outcomes = track_all(jobs, TrackOptions(), shares.append, dask=cluster.scheduler_address)
+    assert [bool(o.error) for o in outcomes] == [False, True, False]
+    assert shares[-1] == 1.0 and shares == sorted(shares)
+    with SessionReader(jobs[0].out) as reader:
+        assert len(list(reader.messages((Estimate,)))) > 150
+
+
+def test_a_cluster_that_is_not_there_is_told_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("distributed")
+    monkeypatch.setattr("tracker.workers.DASK_PATIENCE", 0.5)
+    with pytest.raises(DeviceError, match="No Dask scheduler"), dask_workers("127.0.0.1:9"):
+        pass

@@ -1,0 +1,143 @@
+"""``glovetrack track`` on folders and many files: what becomes of what, and a table of results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from tracker.errors import ConfigError, FileError
+from tracker.offline.track import TrackOptions, TrackReport, track
+from tracker.session.disk import disk_error
+from tracker.workers import (
+    Outcome,
+    Task,
+    Workers,
+    dask_workers,
+    local_workers,
+    run_all,
+    usable_cores,
+)
+
+HEAD = ("session", "duration", "mean error", "tracked", "seconds", "")
+
+
+@dataclass(frozen=True)
+class Job:
+    """One session and the file that its tracking goes into."""
+
+    source: Path
+    out: Path
+
+
+def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:
+    """(session, name for what is made of it) of files and folders; folders with all below them.
+
+    ``leave_out`` is a folder that is not looked into. Raises FileError for a folder without any.
+    """
+    found: list[tuple[Path, Path]] = []
+    for source in sources:
+        if not source.is_dir():
+            found.append((source, Path(source.name)))
+            continue
+        inside = [
+            p for p in sorted(source.rglob("*.mcap")) if leave_out not in p.parents and p.is_file()
+        ]
+        if not inside:
+            raise FileError(f"There is no session in {source}.")
+        found += [(p, p.relative_to(source)) for p in inside]
+    return found
+
+
+def plan(sources: Sequence[Path], out: Path) -> list[Job]:
+    """One file goes to the file ``out``; several, or a folder, into the folder ``out``.
+
+    Sessions of one name are told apart by a number. Raises ConfigError if ``out`` is a file where
+    it must be a folder.
+    """
+    if len(sources) == 1 and not sources[0].is_dir() and not out.is_dir():
+        return [Job(sources[0], out)]
+    if out.exists() and not out.is_dir():
+        raise ConfigError(f"{out} is a file; for several sessions name a folder.")
+    taken: set[Path] = set()
+    jobs = []
+    for source, name in sessions_in(sources, leave_out=out):
+        candidate, n = name, 1
+        while candidate in taken:
+            n += 1
+            candidate = name.with_name(f"{name.stem}_{n}{name.suffix}")
+        taken.add(candidate)
+        jobs.append(Job(source, out / candidate))
+    return jobs
+
+
+def track_all(
+    jobs: Sequence[Job],
+    options: TrackOptions,
+    progress: Callable[[float], None],
+    processes: int | None = None,
+    dask: str = "",
+) -> list[Outcome]:
+    """Track every job, each in a process of its own; an outcome's value is a `TrackReport`."""
+    for job in jobs:
+        _make_folder(job.out.parent)
+    tasks = [
+        Task(_track_one, (j.source.absolute(), j.out.absolute(), options), _size(j.source))
+        for j in jobs
+    ]
+    with _workers(min(processes or usable_cores(), len(jobs)), dask) as workers:
+        return run_all(tasks, workers, progress)
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise disk_error(folder, error) from error
+
+
+def _workers(processes: int, dask: str) -> AbstractContextManager[Workers]:
+    return dask_workers(dask) if dask else local_workers(processes)
+
+
+def _size(path: Path) -> float:
+    return float(path.stat().st_size) if path.is_file() else 1.0
+
+
+def _track_one(
+    source: Path, out: Path, options: TrackOptions, progress: Callable[[float], None]
+) -> TrackReport:
+    # processes share the cores already, so each detects in one thread
+    return track(source, out, options, progress, threads=1)
+
+
+def table(jobs: Sequence[Job], outcomes: Sequence[Outcome]) -> str:
+    """A line per session: length, error where the truth is known, share tracked, time it took."""
+    rows = [HEAD, *(_row(j, o) for j, o in zip(jobs, outcomes, strict=True))]
+    widths = [max(len(row[k]) for row in rows) for k in range(len(HEAD) - 1)]
+    lines = []
+    for row in rows:
+        cells = [row[0].ljust(widths[0])]
+        cells += [cell.rjust(width) for cell, width in zip(row[1:-1], widths[1:], strict=True)]
+        lines.append("  ".join([*cells, row[-1]]).rstrip())
+    return "\n".join(lines)
+
+
+def _row(job: Job, outcome: Outcome) -> tuple[str, ...]:
+    if outcome.error:
+        return str(job.source), "–", "–", "–", "–", outcome.error
+    r: TrackReport = outcome.value
+    error = f"{r.error_mm['mean']:.1f} mm" if r.error_mm else "–"
+    tracked = f"{100 * (1 - r.lost_s / r.duration_s):.1f} %" if r.duration_s else "–"
+    return str(job.source), f"{r.duration_s:.1f} s", error, tracked, f"{r.wall_s:.1f}", ""
+
+
+def to_json(jobs: Sequence[Job], outcomes: Sequence[Outcome]) -> dict[str, Any]:
+    """The same for programs."""
+    rows = []
+    for job, outcome in zip(jobs, outcomes, strict=True):
+        said = {"error": outcome.error} if outcome.error else outcome.value.to_json()
+        rows.append({"source": str(job.source), "out": str(job.out), **said})
+    return {"sessions": rows}

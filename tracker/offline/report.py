@@ -1,0 +1,96 @@
+"""What came of tracking a session, counted while it goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tracker.messages import Array, Estimate, ImuSample, Tracking
+
+KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
+
+
+@dataclass(eq=False)
+class TrackReport:
+    """``error_mm`` is filled where the session holds the truth."""
+
+    duration_s: float = 0.0
+    wall_s: float = 0.0
+    estimates: int = 0
+    frames: int = 0
+    losses: dict[str, int] = field(default_factory=dict)
+    lost_s: float = 0.0
+    error_mm: dict[str, float] = field(default_factory=dict)
+
+    def to_json(self) -> dict[str, object]:
+        out = dict(vars(self))
+        if not self.error_mm:
+            del out["error_mm"]
+        return out
+
+
+class Counter:
+    """Counts packets and what was made of them into a `TrackReport`."""
+
+    def __init__(self) -> None:
+        self.report = TrackReport()
+        self._first = np.nan
+        self._last: ImuSample | None = None
+
+    def count(self, sample: ImuSample, tracking: Tracking) -> None:
+        """One packet, and how tracking stood at its instant."""
+        r, last = self.report, self._last
+        r.estimates += 1
+        if last is None:
+            self._first = sample.t
+        else:
+            if tracking in (Tracking.SEARCHING, Tracking.LOST):
+                r.lost_s += sample.t - last.t
+            if sample.seq >= 0 and last.seq >= 0 and sample.seq > last.seq + 1:
+                self._lost("imu_packets", sample.seq - last.seq - 1)
+        self._lost("imu_readings", int(np.sum(~np.asarray(sample.valid))))
+        self._last = sample
+        r.duration_s = float(sample.t - self._first)
+
+    def _lost(self, what: str, n: int) -> None:
+        if n:
+            self.report.losses[what] = self.report.losses.get(what, 0) + n
+
+
+class TruthCheck:
+    """Errors of four keypoints against the truth; holds little more than their places."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        names = list(names)
+        self._names = [k for k in KEYPOINTS if k in names]
+        self._rows = [names.index(k) for k in self._names]
+        self._shown: dict[int, Array] = {}  # (4, 3) m by instant, µs
+
+    def add(self, estimate: Estimate) -> None:
+        self._shown[_instant(estimate)] = estimate.keypoints[self._rows]
+
+    def against(self, truth: Iterable[Estimate]) -> dict[str, float]:
+        """Mean errors in mm, the share of instants with all four within 20 mm, and of those
+        with all four tracked; empty where nothing can be compared."""
+        pairs = [
+            np.linalg.norm(self._shown[key] - e.keypoints[self._rows], axis=1)
+            for e in truth
+            if (key := _instant(e)) in self._shown
+        ]
+        if not pairs:
+            return {}
+        distance_mm = 1e3 * np.array(pairs)
+        seen = distance_mm[np.isfinite(distance_mm).all(axis=1)]
+        if len(seen) == 0:
+            return {}
+        out = {k: float(v) for k, v in zip(self._names, seen.mean(axis=0), strict=True)}
+        out["mean"] = float(seen.mean())
+        out["pck20"] = float((seen.max(axis=1) < 20).mean())
+        out["tracked_share"] = len(seen) / len(distance_mm)
+        return out
+
+
+def _instant(estimate: Estimate) -> int:
+    return round(estimate.t * 1e6)

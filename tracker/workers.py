@@ -1,0 +1,167 @@
+"""Many tasks at once: on this machine's cores or, by the same code, on a cluster through Dask.
+
+A task is a function at the top level of a module; its last argument is called with the share of
+the work that is done, and may be called as often as it likes.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import queue
+import time
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from tracker.errors import ConfigError, DeviceError, GlovetrackError
+
+TELL_EVERY = 0.25  # s between two words of one task about how far it is
+LOOK_EVERY = 0.2  # s
+DASK_PATIENCE = 10  # s
+
+
+@dataclass(frozen=True)
+class Task:
+    """``function(*arguments, progress)``; ``weight`` is its part of the whole work."""
+
+    function: Callable[..., Any]
+    arguments: tuple[Any, ...]
+    weight: float = 1.0
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a task returned, or why it failed, in a sentence."""
+
+    value: Any = None
+    error: str = ""
+
+
+class Board(Protocol):
+    """Where tasks write (number, share) for the one who waits; travels to the workers."""
+
+    def put(self, note: tuple[int, float]) -> None: ...
+
+    def get(self, timeout: float) -> tuple[int, float]: ...
+
+
+class Workers(Protocol):
+    """Who does the work."""
+
+    @property
+    def board(self) -> Board: ...
+
+    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]: ...
+
+
+def usable_cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@contextmanager
+def local_workers(count: int) -> Iterator[Workers]:
+    """``count`` processes of this machine. On an error what has not begun is given up."""
+    context = multiprocessing.get_context("spawn")  # a fork would copy locks that threads hold
+    with context.Manager() as manager:
+        pool = ProcessPoolExecutor(count, mp_context=context)
+        try:
+            yield _Local(pool, manager.Queue())
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+
+@dataclass(frozen=True)
+class _Local:
+    pool: ProcessPoolExecutor
+    board: Any
+
+    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
+        return self.pool.submit(function, *arguments)
+
+
+@contextmanager
+def dask_workers(address: str) -> Iterator[Workers]:
+    """The workers of the Dask scheduler at ``address``, which must see the same files.
+
+    Raises ConfigError without the extra ``cluster``, DeviceError where no scheduler answers.
+    """
+    try:
+        import distributed
+    except ImportError as error:
+        raise ConfigError("A cluster needs Dask: install glovetrack[cluster].") from error
+    try:
+        client = distributed.Client(address, timeout=DASK_PATIENCE, set_as_default=False)
+    except (OSError, ValueError) as error:  # TimeoutError is an OSError
+        raise DeviceError(f"No Dask scheduler answers at {address}.") from error
+    with client, client.get_executor(pure=False) as executor:
+        yield _Dask(executor, distributed.Queue(client=client))
+
+
+@dataclass(frozen=True)
+class _Dask:
+    executor: Any
+    board: Any
+
+    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
+        future: Future[Any] = self.executor.submit(function, *arguments)
+        return future
+
+
+def run_all(
+    tasks: Sequence[Task], workers: Workers, progress: Callable[[float], None]
+) -> list[Outcome]:
+    """Outcomes in the order of ``tasks``; ``progress`` hears the share of all work that is done."""
+    futures = {workers.submit(_work, task, i, workers.board): i for i, task in enumerate(tasks)}
+    shares = [0.0] * len(tasks)
+    total = sum(t.weight for t in tasks) or 1.0
+    pending = set(futures)
+    try:
+        while pending:
+            done, pending = wait(pending, LOOK_EVERY, FIRST_COMPLETED)
+            for i, share in _notes(workers.board):
+                shares[i] = max(shares[i], share)
+            for future in done:
+                shares[futures[future]] = 1.0
+            progress(sum(t.weight * s for t, s in zip(tasks, shares, strict=True)) / total)
+    finally:
+        for future in pending:
+            future.cancel()
+    return [_outcome(future) for future in futures]
+
+
+def _notes(board: Board) -> Iterator[tuple[int, float]]:
+    """Everything on the board."""
+    try:
+        while True:
+            yield board.get(timeout=0)
+    except (queue.Empty, TimeoutError):
+        return
+
+
+def _outcome(future: Future[Any]) -> Outcome:
+    """A worker that died or could not even start is told like any other failure."""
+    error = future.exception()
+    if error is None:
+        outcome: Outcome = future.result()
+        return outcome
+    return Outcome(error=f"The work on it broke off: {type(error).__name__}: {error}.")
+
+
+def _work(task: Task, number: int, board: Board) -> Outcome:
+    """Runs in the worker."""
+    told = [-TELL_EVERY]
+
+    def tell(share: float) -> None:
+        now = time.monotonic()
+        if now - told[0] >= TELL_EVERY:
+            told[0] = now
+            board.put((number, share))
+
+    try:
+        return Outcome(task.function(*task.arguments, tell))
+    except GlovetrackError as error:
+        return Outcome(error=str(error))
