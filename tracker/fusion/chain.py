@@ -6,11 +6,13 @@ in `tilt`, from anatomy in `constraints`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from tracker.fusion.chain_kinematics import marker_positions, point_jacobians, segment_positions
+from tracker.fusion import calibration_control as control
+from tracker.fusion.chain_kinematics import marker_positions, segment_positions, tip_sd
 from tracker.fusion.constraints import Constraints
 from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.kalman import update_with
@@ -23,6 +25,7 @@ from tracker.fusion.prior import initial_covariance, reset_pose
 from tracker.fusion.profile import WearerProfile, profile_of, wear
 from tracker.fusion.propagate import carry, propagate
 from tracker.fusion.reports import calibration_of, frame_result
+from tracker.fusion.sparse import times
 from tracker.fusion.start import Starter
 from tracker.fusion.state import ChainState, initial_state, inject
 from tracker.fusion.tilt import tilt_rows
@@ -62,12 +65,14 @@ class _Track:
 class ChainEngine(LaggedEngine[ChainState]):
     """Visual-inertial filter on a chain of segments. One instance per hand."""
 
-    _KEPT = (*LaggedEngine._KEPT, "_track")
+    _KEPT = (*LaggedEngine._KEPT, "_track", "_held")
 
     def __init__(
         self, hand: HandModel, glove: GloveModel, rig: StereoRig, params: ChainParams
     ) -> None:
         self._params, self._rig = params, rig
+        self._still = control.without_walks(params)
+        self._held: WearerProfile | None = None  # the calibration while it is frozen
         self._layout = layout = ChainLayout(hand, glove)
         state = initial_state(layout)
         state.P = initial_covariance(layout, params.prior)
@@ -102,7 +107,8 @@ class ChainEngine(LaggedEngine[ChainState]):
             self._state.P[rows, rows] += self._params.prior.returned**2
 
     def _step(self, sample: ImuSample, dt: float) -> None:
-        propagate(self._state, self._layout, self._params, sample, dt, self._is_coasting())
+        params = self._params if self._held is None else self._still
+        propagate(self._state, self._layout, params, sample, dt, self._is_coasting())
 
     def _coast(self, state: ChainState, way: Intervals) -> None:
         carry(state, self._layout, way, self._is_coasting())
@@ -139,8 +145,11 @@ class ChainEngine(LaggedEngine[ChainState]):
         self._update(*self._constraints.rows(self._state))
 
     def _update(self, H: Array, r: Array, variance: Array) -> None:
-        HP = H @ self._state.P
-        dx, self._state.P = update_with(self._state.P, HP, HP @ H.T, r, np.diag(variance))
+        self._learn(H, times(H, self._state.P), r, np.diag(variance))
+
+    def _learn(self, H: Array, HP: Array, r: Array, R: Array) -> None:
+        """One update with H (m, N), H P, innovation r (m,) and its noise R (m, m)."""
+        dx, self._state.P = update_with(self._state.P, HP, HP @ H.T, r, R)
         inject(self._state, self._layout, dx)
 
     def _process(self, frame: BlobFrame) -> None:
@@ -187,6 +196,9 @@ class ChainEngine(LaggedEngine[ChainState]):
         if started is None:
             return
         self._state = started
+        if self._held is not None:
+            wear(self._state, self._layout, self._held)
+            control.hold_calibration(self._state, self._layout)
         self._track.tracking = Tracking.TRACKING
         self._track.last_good = frame.t
         for _ in range(2):  # the second pass matches and linearises at a better place
@@ -205,7 +217,7 @@ class ChainEngine(LaggedEngine[ChainState]):
     ) -> None:
         """One stacked update: pixels and anatomy, linearised at the same place."""
         H, r, variance = self._constraints.rows(self._state)
-        HP, R = H @ self._state.P, np.diag(variance)
+        HP, R = times(H, self._state.P), np.diag(variance)
         if np.any(match >= 0):
             H_px, HP_px, r_px, R_px = self._pixels.rows(prediction, seen, match)
             H, HP, r = (
@@ -218,8 +230,7 @@ class ChainEngine(LaggedEngine[ChainState]):
             both[: len(R), : len(R)] = R
             both[len(R) :, len(R) :] = R_px
             R = both
-        dx, self._state.P = update_with(self._state.P, HP, HP @ H.T, r, R)
-        inject(self._state, self._layout, dx)
+        self._learn(H, HP, r, R)
         self._track.last_constraint = self._state.t
 
     # ---- state of tracking
@@ -258,21 +269,10 @@ class ChainEngine(LaggedEngine[ChainState]):
         match: IntArray,
     ) -> None:
         self._track.seen[np.any(match >= 0, axis=0)] = frame.t
-        self._track.tip_sd = self._tip_sd()
+        self._track.tip_sd = tip_sd(self._state, self._layout)
         self._results.append(
             frame_result(frame, self._rig, self._track.tracking, prediction, seen, match)
         )
-
-    def _tip_sd(self) -> Array:
-        """(A,) m: root of the mean variance of each active segment's end."""
-        lay = self._layout
-        rows = np.arange(len(lay.active))
-        nominal = np.zeros((len(rows), 3))
-        nominal[:, 0] = [lay.hand.segments[h].length for h in lay.active]
-        none = np.full(len(rows), -1, np.int64)
-        H = point_jacobians(self._state, lay, rows, nominal, np.zeros_like(nominal), none)
-        HP = (H.reshape(-1, lay.size) @ self._state.P).reshape(H.shape)
-        return np.sqrt(np.maximum(np.einsum("akn,akn->a", HP, H) / 3, 0))
 
     # ---- messages out
 
@@ -303,16 +303,43 @@ class ChainEngine(LaggedEngine[ChainState]):
         return p_G, sd, np.arange(len(p_G))
 
     def calibration(self) -> Calibration:
+        if self._held is not None:
+            shown = control.with_held(self._state, self._layout, self._held)
+            return calibration_of(self._layout, shown)
         return calibration_of(self._layout, self._state)
 
     def profile(self) -> WearerProfile:
         """What has been learned of the wearer."""
-        return profile_of(self._state, self._layout)
+        return self._held or profile_of(self._state, self._layout)
 
     def put_on(self, profile: WearerProfile) -> None:
         """Take what is known of the wearer, now and at each new start."""
         self._starter.profile = profile
         wear(self._state, self._layout, profile)
+        self._keep_frozen()
+
+    def reset_calibration(self, segments: Sequence[str] | None = None) -> None:
+        """Forget what was learned of some segments, or (None) of all of them."""
+        if self._held is not None:
+            wear(self._state, self._layout, self._held)
+        names = self._layout.names if segments is None else segments
+        control.reset_calibration(self._state, self._layout, self._params.prior, names)
+        known = segments is not None and self._starter.profile is not None
+        self._starter.profile = profile_of(self._state, self._layout) if known else None
+        self._keep_frozen()
+
+    def freeze_calibration(self, on: bool) -> None:
+        """Hold the calibration as it is now, or go on estimating it from there."""
+        if not on and self._held is not None:
+            wear(self._state, self._layout, self._held)
+        self._held = profile_of(self._state, self._layout) if on else None
+        self._keep_frozen()
+
+    def _keep_frozen(self) -> None:
+        """After a change of the calibration: hold the new one if it is frozen."""
+        if self._held is not None:
+            self._held = profile_of(self._state, self._layout)
+            control.hold_calibration(self._state, self._layout)
         self._rebuild_head()
 
     @property

@@ -1,0 +1,149 @@
+"""Resetting, freezing and keeping what the chain filter has learned."""
+
+import numpy as np
+import pytest
+
+from tests.fusion.test_chain_engine import errors, feed, simulation
+from tracker.errors import ConfigError
+from tracker.fusion import calibration_control as control
+from tracker.fusion.chain import ChainEngine
+from tracker.fusion.layout import ChainLayout
+from tracker.fusion.params import ChainParams
+from tracker.fusion.prior import initial_covariance
+from tracker.fusion.state import initial_state
+from tracker.pipeline import Pipeline
+
+FIELDS = ("scale", "mounting", "gyro_bias", "accel_bias")
+
+
+@pytest.fixture(scope="module")
+def tracked(hand, glove):
+    """(simulation, its messages, the state of a pipeline after the first half, messages left)."""
+    sim = simulation(hand, glove, 5, 8.0)
+    messages = list(sim.feed())
+    half = next(i for i, m in enumerate(messages) if m.t > 4.0)
+    pipeline = Pipeline(hand, glove, sim.rig)
+    feed(pipeline, messages[:half])
+    return sim, pipeline.get_state(), messages[half:]
+
+
+@pytest.fixture
+def pipeline(hand, glove, tracked):
+    sim, state, _ = tracked
+    out = Pipeline(hand, glove, sim.rig)
+    out.set_state(state)
+    assert isinstance(out.engine, ChainEngine)
+    return out
+
+
+def test_one_segment_is_forgotten_and_the_others_are_not(pipeline):
+    before = pipeline.calibration()
+    row = before.segments.index("index_proximal")
+    pipeline.engine.reset_calibration(["index_proximal"])
+    after = pipeline.calibration()
+    prior = ChainParams().prior
+    assert after.scale[row] == pytest.approx(np.ones(3))
+    assert after.mounting[row] == pytest.approx(np.zeros(3), abs=1e-9)
+    assert after.mounting_sd[row] == pytest.approx(np.full(3, prior.mounting))
+    assert after.gyro_bias_sd[row] == pytest.approx(np.full(3, prior.gyro_bias))
+    others = np.arange(len(before.segments)) != row
+    for name in FIELDS:
+        for kind in (name, f"{name}_sd"):
+            np.testing.assert_array_equal(
+                getattr(after, kind)[others], getattr(before, kind)[others], kind
+            )
+
+
+def test_a_full_reset_is_the_prior_and_the_covariance_stays_one(pipeline):
+    engine = pipeline.engine
+    engine.reset_calibration()
+    layout, state = engine.layout, engine._state
+    n = layout.n_dynamic
+    P = initial_covariance(layout, ChainParams().prior)
+    np.testing.assert_array_equal(state.P[n:, n:], P[n:, n:])
+    assert not state.P[:n, n:].any()
+    assert np.linalg.eigvalsh(state.P).min() > -1e-12
+
+
+def test_tracking_goes_on_after_a_reset_and_learns_again(hand, glove, tracked, pipeline):
+    sim, _, rest = tracked
+    learned = pipeline.calibration().scale_sd.mean()
+    pipeline.engine.reset_calibration()
+    assert pipeline.calibration().scale_sd.mean() > 2 * learned
+    error = errors(sim, feed(pipeline, rest))
+    assert error.mean() < 0.012
+    assert pipeline.calibration().scale_sd.mean() < 2 * learned
+
+
+def test_frozen_nothing_is_learned_and_the_hand_is_still_tracked(tracked, pipeline):
+    sim, _, rest = tracked
+    before = pipeline.calibration()
+    pipeline.engine.freeze_calibration(True)
+    error = errors(sim, feed(pipeline, rest))
+    after = pipeline.calibration()
+    for name in FIELDS:
+        for kind in (name, f"{name}_sd"):
+            np.testing.assert_array_equal(getattr(after, kind), getattr(before, kind), kind)
+    assert error.mean() < 0.010
+
+
+def test_released_it_goes_on_learning_from_there(tracked, pipeline):
+    _, _, rest = tracked
+    before = pipeline.calibration()
+    pipeline.engine.freeze_calibration(True)
+    third = len(rest) // 3
+    feed(pipeline, rest[:third])
+    pipeline.engine.freeze_calibration(False)
+    np.testing.assert_array_equal(pipeline.calibration().scale_sd, before.scale_sd)
+    feed(pipeline, rest[third:])
+    after = pipeline.calibration()
+    assert after.scale_sd.mean() < before.scale_sd.mean()
+    assert np.abs(after.scale - before.scale).max() > 0
+
+
+def test_a_frozen_state_goes_on_identically(hand, glove, tracked, pipeline):
+    sim, _, rest = tracked
+    pipeline.engine.freeze_calibration(True)
+    twin = Pipeline(hand, glove, sim.rig)
+    twin.set_state(pipeline.get_state())
+    part = rest[: len(rest) // 4]
+    ours, theirs = feed(pipeline, part), feed(twin, part)
+    np.testing.assert_array_equal(ours[-1].keypoints, theirs[-1].keypoints)
+
+
+def test_a_profile_put_on_while_frozen_is_held(hand, glove, tracked, pipeline):
+    sim, _, rest = tracked
+    profile = pipeline.engine.profile()
+    other = Pipeline(hand, glove, sim.rig)
+    other.engine.freeze_calibration(True)
+    other.engine.put_on(profile)
+    feed(other, rest[: len(rest) // 3])
+    np.testing.assert_array_equal(other.engine.profile().scale, profile.scale)
+    np.testing.assert_array_equal(other.calibration().scale, pipeline.calibration().scale)
+
+
+def test_an_earlier_sessions_bones_stay_and_its_sensors_are_doubted(pipeline):
+    engine = pipeline.engine
+    profile = engine.profile()
+    renewed = control.renewed(profile, engine.layout)
+    engine.put_on(renewed)
+    shown, params = pipeline.calibration(), control.RenewParams()
+    assert np.nanmin(shown.mounting_sd) > params.mounting
+    assert np.nanmin(shown.gyro_bias_sd) > params.gyro_bias
+    np.testing.assert_array_equal(renewed.scale, profile.scale)
+    n, layout = engine.layout.n_dynamic, engine.layout
+    bones = slice(layout.scale - n, layout.joint - n)
+    np.testing.assert_array_equal(renewed.P[bones, bones], profile.P[bones, bones])
+
+
+def test_every_calibration_row_belongs_to_one_segment(hand, glove):
+    layout = ChainLayout(hand, glove)
+    each = [control.calibration_rows(layout, [name]) for name in layout.names]
+    together = np.sort(np.concatenate(each))
+    np.testing.assert_array_equal(together, np.arange(layout.n_dynamic, layout.size))
+    assert control.fits(control.profile_of(initial_state(layout), layout), layout)
+
+
+def test_an_unknown_segment_is_said(pipeline):
+    with pytest.raises(ConfigError, match="'tail'"):
+        pipeline.engine.reset_calibration(["tail"])
