@@ -104,12 +104,15 @@ def _rays(lens: Lens) -> NDArray[np.float32]:
 
 def board_poses(spec: BoardSpec, rig: TrueRig, count: int, seed: int) -> list[BoardPose]:
     """Poses that a careful person would show: all over the pictures, tilted, near and far."""
-    rng = rng_for(seed, "board poses")
-    return [_pose(spec, rig, rng, k) for k in range(count)]
+    return [board_pose(spec, rig, k, seed) for k in range(count)]
 
 
-def _pose(spec: BoardSpec, rig: TrueRig, rng: np.random.Generator, k: int) -> BoardPose:
-    """Positions walk through a grid of 3 by 3; the board stays inside both pictures."""
+def board_pose(spec: BoardSpec, rig: TrueRig, k: int, seed: int) -> BoardPose:
+    """The k-th of them. Positions walk through a grid of 3 by 3.
+
+    The board stays inside both pictures as far as it can.
+    """
+    rng = rng_for(seed, "board pose", k)
     lens = rig.left
     tilt_deg = rng.uniform(0, 38) if k % 4 else rng.uniform(0, 8)
     about = rng.uniform(0, 2 * np.pi)

@@ -18,6 +18,7 @@ from tracker.messages import Array
 from tracker.sensors.opencv_yaml import load_opencv_stereo
 from tracker.sensors.stereo_calibration import Lens
 from tracker.sensors.zed_files import load_zed
+from tracker.session.disk import disk_error
 from tracker.toml_reader import read_text
 from tracker.vision.rig import StereoRig
 
@@ -56,7 +57,7 @@ def save_calibration(
         temporary.write_text(text, "utf-8")
         temporary.replace(path)
     except OSError as error:
-        raise FileError(f"{path} cannot be written: {error.strerror}.") from error
+        raise disk_error(path, error) from error
 
 
 def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:

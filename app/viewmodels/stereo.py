@@ -1,0 +1,155 @@
+"""What the stereo calibration's pages say: rows, figures and overlays from the engine's results."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, Look
+from app.widgets.overlay import Cross, Line, Shape
+from tracker.calibration.stereo.checks import Extrinsics, quality_problems, rig_problems
+from tracker.calibration.stereo.collect import Answer
+from tracker.calibration.stereo.coverage import Coverage, CoverageParams, advice, shape_of
+from tracker.calibration.stereo.solve import Solution
+from tracker.calibration.stereo.verify import Verification
+from tracker.calibration.stereo.views import Corners, StereoView
+from tracker.geometry import so3
+from tracker.vision.rig import Camera, StereoRig
+
+ANSWERS = {
+    Answer.TAKEN: "Taken.",
+    Answer.MOVING: "Hold the board still.",
+    Answer.KNOWN: "There is a view like this already: move on.",
+    Answer.FULL: "There are enough views.",
+}
+VERDICTS: dict[str, Look] = {"good": GOOD, "usable": WARN, "refused": BAD, "waiting": IDLE}
+
+
+@dataclass(frozen=True)
+class Meter:
+    """One figure against what is wanted; ``share`` 0..1."""
+
+    name: str
+    text: str
+    share: float
+
+
+def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]:
+    """How far the collection is, in four figures."""
+    p = params or CoverageParams()
+    return [
+        Meter("Views", f"{cover.views} of {p.views}", cover.views / p.views),
+        Meter(
+            "Picture area",
+            f"{100 * cover.area:.0f} of {100 * p.area:.0f} %",
+            cover.area / p.area,
+        ),
+        Meter("Tilted views", f"{cover.tilted} of {p.tilted}", cover.tilted / p.tilted),
+        Meter(
+            "Far over near",
+            f"{cover.distances:.2f} of {p.distances:.2f}",
+            (cover.distances - 1) / (p.distances - 1),
+        ),
+    ]
+
+
+def say(answer: Answer, trouble: str, cover: Coverage) -> str:
+    """The sentence under the pictures."""
+    if answer is Answer.ABSENT:
+        return trouble
+    if answer is Answer.TAKEN:
+        return f"{ANSWERS[answer]} {advice(cover) or 'That is enough: go on.'}"
+    return ANSWERS[answer]
+
+
+def corner_shapes(corners: Corners | None, good: bool) -> list[Shape]:
+    """A cross at each corner found."""
+    if corners is None:
+        return []
+    colour = GOOD.colour if good else WARN.colour
+    return [Cross(u, v, colour) for u, v in corners.uv.tolist()]
+
+
+def row_lines(camera: Camera, corners: Corners | None, width: int) -> list[Shape]:
+    """Rows through a few corners of a rectified picture: the same corner is on the same row."""
+    if corners is None or len(corners) == 0:
+        return []
+    rows = camera.rectify(corners.uv)[:: max(1, len(corners) // 6), 1]
+    return [Line(0.0, v, float(width), v, SKY) for v in rows.tolist()]
+
+
+def view_name(index: int, view: StereoView) -> str:
+    """How a view stands in the list."""
+    tilt_deg = np.rad2deg(shape_of(view).tilt)
+    return f"{index + 1}: {len(view.ids)} corners, tilted {tilt_deg:.0f}°"
+
+
+@dataclass(frozen=True)
+class ViewRow:
+    """Reprojection errors of one view."""
+
+    name: str
+    left: str
+    right: str
+    look: Look
+    state: str
+
+
+def view_rows(solution: Solution) -> list[ViewRow]:
+    """All views, those dropped marked."""
+    used = set(solution.used)
+    return [
+        ViewRow(
+            str(i + 1),
+            f"{left:.2f}",
+            f"{right:.2f}",
+            GOOD if i in used else BAD,
+            "used" if i in used else "dropped: it does not fit the others",
+        )
+        for i, (left, right) in enumerate(solution.error.tolist())
+    ]
+
+
+def problems(solution: Solution, cover: Coverage) -> list[str]:
+    """Why a solution is refused; none where it may go on to the check."""
+    found = rig_problems(Extrinsics(solution.left, solution.right, solution.R, solution.T))
+    return found or quality_problems(solution, cover)
+
+
+def solution_figures(solution: Solution) -> list[tuple[str, str]]:
+    """Name and value of what was found."""
+    turn_deg = np.rad2deg(np.linalg.norm(so3.log(solution.R)))
+    focal = [
+        f"{lens.K[0, 0]:.1f} px ± {100 * sd:.2f} %"
+        for lens, sd in zip((solution.left, solution.right), solution.focal_sd, strict=True)
+    ]
+    return [
+        ("Error of all corners", f"{solution.rms_px:.3f} px"),
+        ("Distance of the lenses", f"{1000 * float(np.linalg.norm(solution.T)):.2f} mm"),
+        ("Turned against each other", f"{turn_deg:.2f}°"),
+        ("Focal length, left", focal[0]),
+        ("Focal length, right", focal[1]),
+        ("Views", f"{len(solution.used)} used, {len(solution.dropped)} dropped"),
+    ]
+
+
+def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
+    """The same of a calibration from a file."""
+    return [
+        ("Picture", f"{rig.left.width} by {rig.left.height} px"),
+        ("Distance of the lenses", f"{1000 * rig.baseline:.2f} mm"),
+        ("Focal length, left", f"{rig.left.K[0, 0]:.1f} px"),
+        ("Focal length, right", f"{rig.right.K[0, 0]:.1f} px"),
+    ]
+
+
+def check_rows(found: Verification) -> list[tuple[str, str]]:
+    """Each fresh view and its epipolar error."""
+    return [(str(i + 1), f"{e:.2f} px") for i, e in enumerate(found.epipolar.tolist())]
+
+
+def split_fresh(views: Sequence[StereoView]) -> tuple[list[StereoView], list[StereoView]]:
+    """Of pictures from a folder every third is held back for the check."""
+    return [v for i, v in enumerate(views) if i % 3 != 2], list(views[2::3])

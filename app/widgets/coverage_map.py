@@ -1,0 +1,64 @@
+"""Two small maps: which parts of the left and right picture the board has covered."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette
+from PySide6.QtWidgets import QWidget
+
+FULL = QColor("#009E73")
+ENOUGH = 3
+"""Views in a cell that paint it full."""
+GAP = 14
+
+
+class CoverageMap(QWidget):
+    """Each cell holds how many views have corners there: a number, and a fill."""
+
+    def __init__(self, titles: tuple[str, str], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._titles = titles
+        self._counts: tuple[NDArray[np.int64], ...] = ()
+        self.setMinimumSize(self.sizeHint())
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 118)
+
+    def show_counts(self, left: NDArray[np.int64], right: NDArray[np.int64]) -> None:
+        """Both (rows, columns)."""
+        self._counts = (left, right)
+        empty = int((left == 0).sum() + (right == 0).sum())
+        self.setAccessibleName(self.tr("{} empty cells").format(empty))
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        width = (self.width() - GAP) / 2
+        head = painter.fontMetrics().height() + 4
+        for k, title in enumerate(self._titles):
+            x = k * (width + GAP)
+            painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
+            where = QRectF(x, 0, width, head)
+            painter.drawText(where, Qt.AlignmentFlag.AlignLeft, title)
+            if self._counts:
+                box = QRectF(x, head, width, self.height() - head)
+                self._paint_cells(painter, box, self._counts[k])
+        painter.end()
+
+    def _paint_cells(self, painter: QPainter, box: QRectF, counts: NDArray[np.int64]) -> None:
+        rows, columns = counts.shape
+        w, h = box.width() / columns, box.height() / rows
+        text = self.palette().color(QPalette.ColorRole.WindowText)
+        for (i, j), count in np.ndenumerate(counts):
+            cell = QRectF(box.x() + j * w, box.y() + i * h, w - 2, h - 2)
+            fill = QColor(FULL)
+            fill.setAlphaF(0.75 * min(1.0, int(count) / ENOUGH))
+            painter.setPen(self.palette().color(QPalette.ColorRole.Mid))
+            painter.setBrush(fill)
+            painter.drawRect(cell)
+            if count:
+                painter.setPen(text)
+                painter.drawText(cell, Qt.AlignmentFlag.AlignCenter, str(int(count)))

@@ -1,0 +1,1 @@
+"""Dialogs that lead through a set-up step by step."""

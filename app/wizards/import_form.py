@@ -1,0 +1,69 @@
+"""Asks what a foreign calibration file does not say."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QSpinBox,
+    QWidget,
+)
+
+from tracker.calibration.stereo.files import ImportForm
+
+UNITS = (("mm", 1e-3), ("m", 1.0), ("cm", 1e-2), ("squares of the board", 0.0))
+
+
+class ImportFormDialog(QDialog):
+    """The picture's size, and the unit of the distance between the lenses."""
+
+    def __init__(self, path: Path, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Import {}").format(path.name))
+        default = ImportForm()
+        self.width_px, self.height_px = _pixels(default.width), _pixels(default.height)
+        self.unit = QComboBox()
+        for name, metres in UNITS:
+            self.unit.addItem(name, metres)
+        self.square_mm = QDoubleSpinBox()
+        self.square_mm.setRange(1.0, 500.0)
+        self.square_mm.setValue(25.0)
+        self.square_mm.setSuffix(self.tr(" mm"))
+        self.unit.currentIndexChanged.connect(self._enable)
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form = QFormLayout(self)
+        form.addRow(self.tr("Picture's &width, px"), self.width_px)
+        form.addRow(self.tr("Picture's &height, px"), self.height_px)
+        form.addRow(self.tr("&Unit of T in the file"), self.unit)
+        form.addRow(self.tr("Side of a &square"), self.square_mm)
+        form.addRow(buttons)
+        self._enable()
+
+    def form(self) -> ImportForm:
+        unit = self.unit.currentData() or self.square_mm.value() / 1000
+        return ImportForm(self.width_px.value(), self.height_px.value(), unit)
+
+    def _enable(self) -> None:
+        self.square_mm.setEnabled(self.unit.currentData() == 0.0)
+
+
+def ask_import_form(path: Path, parent: QWidget) -> ImportForm | None:
+    """None where the user thinks better of it."""
+    dialog = ImportFormDialog(path, parent)
+    return dialog.form() if dialog.exec() == QDialog.DialogCode.Accepted else None
+
+
+def _pixels(value: int) -> QSpinBox:
+    box = QSpinBox()
+    box.setRange(160, 8192)
+    box.setValue(value)
+    return box

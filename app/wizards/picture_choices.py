@@ -1,0 +1,86 @@
+"""Where the stereo calibration may take its pictures from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.hardware import FPS, HEIGHT, WIDTH
+from app.session import Session
+from app.wizards.stereo_board import PictureChoice
+from tracker.errors import DeviceError
+from tracker.sensors.picture_input import (
+    CameraName,
+    CaptureFormat,
+    Pair,
+    PictureInput,
+    SequenceInput,
+    SideBySideInput,
+)
+from tracker.vision.rig import ideal_rig
+
+SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
+
+
+@dataclass(eq=False)
+class SessionPictures:
+    """A `PictureInput` of the pictures that the open session receives."""
+
+    session: Session
+    live: bool = True
+    name: str = "camera in use"
+    fps: float = 0.0
+    _last: int = -1
+
+    def open(self) -> None:
+        """The session has opened it."""
+
+    def read(self) -> Pair | None:
+        setup = self.session.setup
+        if setup is None:
+            raise DeviceError("The camera in use was closed: start glove and camera again.")
+        latest = setup.engine.latest_frame()
+        if latest is None or latest[0].index == self._last:
+            return None
+        frame = latest[0]
+        self._last = frame.index
+        if frame.left is None or frame.right is None:
+            return None
+        return frame.left, frame.right
+
+    def close(self) -> None:
+        """The session closes it."""
+
+
+def picture_choices(session: Session, cameras: list[CameraName]) -> list[PictureChoice]:
+    """All of them, the likeliest first."""
+    from tracker.simulation.board_camera import BoardCamera
+
+    setup = session.setup
+    rig = setup.rig if setup is not None and setup.simulated else ideal_rig()
+    simulated = PictureChoice("Simulated board (demo)", lambda spec: BoardCamera(rig, spec), True)
+    found = [
+        PictureChoice(f"{c.name} ({c.path or c.index})", _side_by_side(c.index)) for c in cameras
+    ]
+    if setup is None or setup.player is not None:
+        return [*found, simulated]
+    if setup.simulated:
+        return [simulated, *found]
+    return [PictureChoice("Camera in use", lambda _spec: SessionPictures(session)), simulated]
+
+
+def folder_choice(folder: Path) -> PictureChoice:
+    """Pictures on disk: names with left and right in them, in the order of their names."""
+    return PictureChoice(f"Folder {folder.name}", lambda _spec: folder_input(folder))
+
+
+def folder_input(folder: Path) -> PictureInput:
+    """Raises DeviceError where there are not as many left as right pictures."""
+    files = sorted(p for p in folder.iterdir() if p.suffix.lower() in SUFFIXES)
+    sides = [[p for p in files if side in p.name.lower()] for side in ("left", "right")]
+    return SequenceInput(sides[0], sides[1], fps=0.0)
+
+
+def _side_by_side(index: int):  # type: ignore[no-untyped-def]
+    want = CaptureFormat(2 * WIDTH, HEIGHT, FPS)
+    return lambda _spec: SideBySideInput(index, want)

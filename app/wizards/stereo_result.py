@@ -1,0 +1,127 @@
+"""The page between views and check: the solution, its figures, the views that did not fit."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.viewmodels.states import BAD, GOOD
+from app.viewmodels.stereo import problems, solution_figures, view_rows
+from tracker.calibration.stereo.coverage import Coverage
+from tracker.calibration.stereo.solve import Solution
+
+
+class ResultPage(QWidget):
+    """Shows progress, then the solution or why there is none."""
+
+    cancelled = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.words = QLabel()
+        self.words.setProperty("role", "figure")
+        self.words.setWordWrap(True)
+        self.reasons = QLabel()
+        self.reasons.setProperty("role", "warning")
+        self.reasons.setWordWrap(True)
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 100)
+        self.cancel = QPushButton(self.tr("Cancel"))
+        self.cancel.clicked.connect(self.cancelled)
+        self.table = QTableWidget(0, 4)
+        self.table.setHorizontalHeaderLabels(
+            [self.tr("View"), self.tr("Left, px"), self.tr("Right, px"), self.tr("State")]
+        )
+        self.table.verticalHeader().hide()
+        self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
+        self.table.horizontalHeader().setStretchLastSection(True)
+        self._grid = QGridLayout()
+        self._grid.setColumnStretch(1, 1)
+        self._grid.setVerticalSpacing(8)
+        self._grid.setHorizontalSpacing(18)
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        working = QHBoxLayout()
+        working.addWidget(self.bar, 1)
+        working.addWidget(self.cancel)
+        left = QVBoxLayout()
+        left.addLayout(self._grid)
+        left.addStretch(1)
+        row = QHBoxLayout()
+        row.setSpacing(24)
+        row.addLayout(left, 1)
+        row.addWidget(self.table, 1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(12)
+        column.addWidget(self.words)
+        column.addLayout(working)
+        column.addWidget(self.reasons)
+        column.addLayout(row, 1)
+
+    def show_working(self, share: float, text: str) -> None:
+        """Progress of the solution; ``share`` 0..1."""
+        self._working(True)
+        self.words.setText(
+            self.tr("Calibrating: {}").format(text) if text else self.tr("Calibrating")
+        )
+        self.bar.setValue(round(100 * share))
+        self.reasons.hide()
+
+    def show_failure(self, why: str) -> None:
+        """There is no solution."""
+        self._working(False)
+        self.words.setText(f"{BAD.sign}  " + self.tr("No calibration"))
+        self._show_reasons([why])
+        self.table.setRowCount(0)
+
+    def show_solution(self, solution: Solution, cover: Coverage) -> bool:
+        """Figures and views; whether it may go on to the check."""
+        self._working(False)
+        found = problems(solution, cover)
+        look = BAD if found else GOOD
+        verdict = (
+            self.tr("Refused") if found else self.tr("Calibrated: now check it on fresh views")
+        )
+        self.words.setText(f"{look.sign}  {verdict}")
+        self._show_reasons(found)
+        self._show_figures(solution)
+        self._show_views(solution)
+        return not found
+
+    def _working(self, on: bool) -> None:
+        self.bar.setVisible(on)
+        self.cancel.setVisible(on)
+
+    def _show_reasons(self, reasons: list[str]) -> None:
+        self.reasons.setVisible(bool(reasons))
+        self.reasons.setText("\n".join(reasons))
+
+    def _show_figures(self, solution: Solution) -> None:
+        while (item := self._grid.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.deleteLater()
+        for i, (name, text) in enumerate(solution_figures(solution)):
+            label = QLabel(name)
+            label.setProperty("role", "faint")
+            self._grid.addWidget(label, i, 0)
+            self._grid.addWidget(QLabel(text), i, 1, Qt.AlignmentFlag.AlignLeft)
+
+    def _show_views(self, solution: Solution) -> None:
+        rows = view_rows(solution)
+        self.table.setRowCount(len(rows))
+        for i, row in enumerate(rows):
+            state = f"{row.look.sign} {row.state}"
+            for j, text in enumerate((row.name, row.left, row.right, state)):
+                self.table.setItem(i, j, QTableWidgetItem(text))

@@ -1,0 +1,72 @@
+"""A stereo camera before which somebody holds a board, one pose after the other: for the demo."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+from tracker.calibration.stereo.board import BoardSpec
+from tracker.calibration.stereo.checks import extrinsics_of
+from tracker.sensors.picture_input import Pair
+from tracker.simulation.board_pictures import BoardRenderer, Picture, TrueRig, board_pose
+from tracker.simulation.smooth import rng_for
+from tracker.vision.rig import StereoRig
+
+HOLD = 3
+"""Pictures of each pose: the board stands still in all but the first."""
+PERIOD = 0.25  # s between pictures
+
+
+class BoardCamera:
+    """A `PictureInput` of the board ``spec`` seen by the lenses of ``rig``."""
+
+    live = True
+    name = "simulated camera"
+    fps = 1 / PERIOD
+
+    def __init__(
+        self,
+        rig: StereoRig,
+        spec: BoardSpec,
+        seed: int = 1,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        self._rig, self._spec, self._seed, self._sleep = true_rig(rig), spec, seed, sleep
+        self._renderer: BoardRenderer | None = None
+        self._clean: Pair | None = None
+        self._next = 0
+
+    def open(self) -> None:
+        """Takes a second: every pixel's ray is found."""
+        self._renderer = BoardRenderer(self._rig, self._spec, noise=0.0)
+
+    def read(self) -> Pair | None:
+        """The next picture pair, at the camera's pace; None while it is not open."""
+        if self._renderer is None:
+            return None
+        pose, again = divmod(self._next, HOLD)
+        rng = rng_for(self._seed, "board noise", self._next)
+        self._next += 1
+        if again == 0 or self._clean is None:
+            drawn = board_pose(self._spec, self._rig, pose, self._seed)
+            self._clean = self._renderer.pair(drawn, rng)
+        else:
+            self._sleep(PERIOD)
+        left, right = (_noisy(picture, rng) for picture in self._clean)
+        return left, right
+
+    def close(self) -> None:
+        self._renderer = None
+
+
+def true_rig(rig: StereoRig) -> TrueRig:
+    """The raw lenses behind a rectified rig."""
+    lenses = extrinsics_of(rig)
+    return TrueRig(lenses.left, lenses.right, lenses.R, lenses.T)
+
+
+def _noisy(picture: Picture, rng: np.random.Generator) -> Picture:
+    grey = picture[..., 0] + rng.normal(0, 2.0, picture.shape[:2])
+    return np.repeat(np.clip(grey, 0, 255).astype(np.uint8)[..., None], 3, axis=2)
