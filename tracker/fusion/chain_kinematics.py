@@ -84,7 +84,15 @@ def marker_jacobians(state: ChainState, layout: ChainLayout, rows: IntArray) -> 
     )
 
 
-@numba.njit(cache=True)
+def tip_sd(state: ChainState, layout: ChainLayout) -> Array:
+    """(A,) m: root of the mean variance of each active segment's end."""
+    rows = np.arange(len(layout.active))
+    none = np.full(len(rows), -1, np.int64)
+    H = point_jacobians(state, layout, rows, layout.tip, np.zeros_like(layout.tip), none)
+    return _spread(H, state.P)
+
+
+@numba.njit(cache=True, nogil=True)
 def _origins(parent, origin, joint, scale, R, p, lever):  # type: ignore[no-untyped-def]
     out = np.empty((len(parent), 3))
     for i in range(len(parent)):
@@ -96,7 +104,7 @@ def _origins(parent, origin, joint, scale, R, p, lever):  # type: ignore[no-unty
     return out
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _add_lever(H, R, x, column, sign):  # type: ignore[no-untyped-def]
     """H[:, column:column+3] += sign * (-R [x]x)."""
     for r in range(3):
@@ -105,14 +113,14 @@ def _add_lever(H, R, x, column, sign):  # type: ignore[no-untyped-def]
         H[r, column + 2] -= sign * (R[r, 0] * x[1] - R[r, 1] * x[0])
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _add_scale(H, R, nominal, column, sign):  # type: ignore[no-untyped-def]
     for r in range(3):
         H[r, column] += sign * R[r, 0] * nominal[0]
         H[r, column + 1] += sign * (R[r, 1] * nominal[1] + R[r, 2] * nominal[2])
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _jacobians(  # type: ignore[no-untyped-def]
     parent, origin, joint, base_of, scale, R, lever, segment, nominal, offset, offset_column,
     theta, scale_column, joint_column, size,
@@ -138,3 +146,25 @@ def _jacobians(  # type: ignore[no-untyped-def]
         _add_lever(h, R[a], scale[a] * lever, theta + 3 * a, -1.0)
         _add_scale(h, R[a], lever, scale_column + 2 * a, -1.0)
     return H
+
+
+@numba.njit(cache=True, nogil=True)
+def _spread(H, P):  # type: ignore[no-untyped-def]
+    """(n,) root of a third of the trace of H P H^T, of H (n, 3, N) with few entries a row."""
+    n, size = len(H), len(P)
+    out, column = np.empty(n), np.empty(size, np.int64)
+    for k in range(n):
+        total = 0.0
+        for r in range(3):
+            h, count = H[k, r], 0
+            for i in range(size):
+                if h[i] != 0.0:
+                    column[count] = i
+                    count += 1
+            for a in range(count):
+                i = column[a]
+                total += h[i] * h[i] * P[i, i]
+                for b in range(a):
+                    total += 2.0 * h[i] * P[i, column[b]] * h[column[b]]
+        out[k] = np.sqrt(max(total / 3.0, 0.0))
+    return out

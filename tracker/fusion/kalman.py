@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import numba
 import numpy as np
-from scipy.linalg.blas import dtrsm
+from scipy.linalg.blas import dsyrk, dtrsm
 from scipy.linalg.lapack import dpotrf
 
 from tracker.messages import Array
@@ -23,9 +24,23 @@ def update_with(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> tuple[Ar
     """As `update`, for a caller that has H P (m, N) and H P H^T (m, m) already."""
     L = _factor(HPH + R)
     # HP's transpose is in the library's own order: solving from the right saves two copies of it
-    W = dtrsm(1.0, L, HP.T, side=1, lower=1, trans_a=1).T
-    dx = W.T @ dtrsm(1.0, L, r[:, None], lower=1)[:, 0]
-    return dx, P - W.T @ W  # numpy multiplies a matrix by its own transpose symmetrically
+    Wt = dtrsm(1.0, L, HP.T, side=1, lower=1, trans_a=1)
+    dx = Wt @ dtrsm(1.0, L, r[:, None], lower=1)[:, 0]
+    out = P.copy()
+    dsyrk(-1.0, Wt, beta=1.0, c=out.T, overwrite_c=1)  # the upper triangle of the transpose
+    _mirror(out)
+    return dx, out
+
+
+@numba.njit(cache=True, nogil=True)
+def _mirror(P):  # type: ignore[no-untyped-def]
+    """Copy the lower triangle to the upper one, in tiles that stay in the cache."""
+    n, tile = len(P), 32
+    for top in range(0, n, tile):
+        for left in range(0, top + 1, tile):
+            for i in range(top, min(top + tile, n)):
+                for j in range(left, min(left + tile, i)):
+                    P[j, i] = P[i, j]
 
 
 def mahalanobis2(HPH: Array, r: Array, R: Array) -> float:

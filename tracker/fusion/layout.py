@@ -60,6 +60,13 @@ class ChainLayout:
         return np.array([self.hand.segments[h].origin for h in self.active])
 
     @cached_property
+    def tip(self) -> Array:
+        """(A, 3) nominal far end of each active segment in its B, m."""
+        out = np.zeros((len(self.active), 3))
+        out[:, 0] = [self.hand.segments[h].length for h in self.active]
+        return out
+
+    @cached_property
     def R_rest(self) -> Array:
         return np.array([self.hand.segments[h].R_rest for h in self.active])
 
