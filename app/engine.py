@@ -25,6 +25,9 @@ from tracker.messages import (
 from tracker.vision.colours import ColourProfile
 from tracker.vision.rig import StereoRig
 
+ENGINES = ("chain", "vist", "switching", "madgwick")
+"""`tracker.pipeline.ENGINES`, whose import takes a second."""
+
 
 class Recorder(Protocol):
     """Takes every message for a file."""
@@ -64,6 +67,9 @@ class LiveEngine(Protocol):
 
 class Player(Protocol):
     """Moves through a recorded session; times are s from its start."""
+
+    @property
+    def path(self) -> Path: ...
 
     @property
     def duration(self) -> float: ...

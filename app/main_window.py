@@ -87,7 +87,7 @@ class MainWindow(QMainWindow):
         self.log = LogPanel(self.session)
         self.checklist = ChecklistPanel(self.session)
         self.calibration = CalibrationPanel(self.session)
-        self.colours = ColoursPanel(self.session, self.store)
+        self.colours = ColoursPanel(self.session, self.store, self.tasks)
         self.recording = RecordingPanel(self.session, self.store)
         self.panels: list[Panel] = [
             self.cameras,
@@ -163,6 +163,7 @@ class MainWindow(QMainWindow):
         self.start_page.connect_devices.connect(self.start_hardware)
         self.start_page.open_session.connect(self.choose_session)
         self.library.replay.connect(self.open_session)
+        self.library.compared.connect(lambda _comparison: self.hand.show_ghost())
         self.checklist.action.connect(self.run_command)
         self._enable()
 

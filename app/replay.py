@@ -149,6 +149,10 @@ class ReplayEngine(Transport):
     # --- Player
 
     @property
+    def path(self) -> Path:
+        return self._reader.path
+
+    @property
     def events(self) -> Sequence[tuple[float, Event]]:
         """What happened, with its place in s."""
         return self._timeline

@@ -14,7 +14,7 @@ from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.engine import RecordingRequest
-from app.export import export_job
+from app.export import ExportRequest, export_job
 from app.main_window import MainWindow
 from app.settings import SettingsStore
 from app.sources import demo_factory
@@ -69,7 +69,7 @@ def _run(app: QApplication, window: MainWindow, duration: float, out: Path, fps:
     rate = (window.refreshes - ticks) / (time.monotonic() - began)
     view = window.session.snapshot()
     window.session.stop()
-    export_job(path, "csv", path.with_suffix(".csv"))(Progress(lambda _f, _t: None))
+    export_job(ExportRequest(path, "csv", path.with_suffix(".csv")))(Progress(lambda _f, _t: None))
     print(_report(figures, view, rate, path))
     return 0
 

@@ -101,10 +101,17 @@ class TaskOwner(QObject):
         job: Job,
         done: Callable[[Any], None] | None = None,
         ended: Callable[[], None] | None = None,
+        progressed: Callable[[float, str], None] | None = None,
+        failed: Callable[[str], None] | None = None,
     ) -> Task:
-        """Run ``job`` in its own thread. In this thread ``done`` is called with its result, and
-        ``ended`` however it ends: both are connected before the job can have ended."""
+        """Run ``job`` in its own thread. In this thread ``progressed`` hears of its progress,
+        ``done`` gets its result or ``failed`` a sentence, and ``ended`` is called however it ends:
+        all are connected before the job begins."""
         task = Task(title, job, self)
+        if progressed is not None:
+            task.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)
+        if failed is not None:
+            task.failed.connect(failed, Qt.ConnectionType.QueuedConnection)
         if ended is not None:
             task.ended.connect(ended, Qt.ConnectionType.QueuedConnection)
         if done is not None:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def add_commands(window: MainWindow, commands: Commands) -> None:
     """Every command, in menu order."""
-    for group in (_file, _tracking, _camera, _view):
+    for group in (_file, _tracking, _replay, _camera, _view):
         for command in group(window):
             commands.add(command)
 
@@ -53,6 +53,21 @@ def _engines(w: MainWindow, menu: str) -> list[Command]:
     return [
         Command(f"engine_{n}", menu, title, partial(w.set_engine, n), separator=n == "chain")
         for n, title in titles.items()
+    ]
+
+
+def _replay(w: MainWindow) -> list[Command]:
+    menu, bar = w.tr("&Replay"), w.library.transport
+    return [
+        Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space"),
+        Command("step_back", menu, w.tr("The picture &before"), lambda: bar.step(-1), ","),
+        Command("step", menu, w.tr("The &next picture"), lambda: bar.step(1), "."),
+        Command("in_point", menu, w.tr("&In point here"), bar.set_in, "I", separator=True),
+        Command("out_point", menu, w.tr("&Out point here"), bar.set_out, "O"),
+        Command("whole", menu, w.tr("&Whole session"), bar.clear_range),
+        Command("loop", menu, w.tr("&Loop on or off"), bar.toggle_loop, "L"),
+        Command("again", menu, w.tr("Track &again…"), w.library.ask_track, separator=True),
+        Command("compare", menu, w.tr("&Compare two sessions"), w.library.compare_selected),
     ]
 
 

@@ -69,13 +69,20 @@ class HandPanel(Panel):
             "markers": QCheckBox(self.tr("Markers")),
             "uncertainty": QCheckBox(self.tr("2σ")),
             "camera": QCheckBox(self.tr("Camera")),
-            "truth": QCheckBox(self.tr("Truth")),
+            "truth": QCheckBox(self.tr("Ghost")),
         }
         for name, box in self._boxes.items():
             box.setChecked(name != "truth")
             row.addSpacing(6)
             row.addWidget(box)
+        self._boxes["truth"].setToolTip(
+            self.tr("The truth of a simulated hand, or the second tracking of a replay")
+        )
         return row
+
+    def show_ghost(self) -> None:
+        """Draw the other hand, now that there is one."""
+        self._boxes["truth"].setChecked(True)
 
     def _legend(self) -> QHBoxLayout:
         row = QHBoxLayout()

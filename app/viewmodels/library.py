@@ -1,16 +1,23 @@
-"""The sessions in a folder."""
+"""The sessions in a folder: at once what their index tells, later what their content looks like."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from app.viewmodels.recording import duration_text, size_text
-from app.viewmodels.states import BAD, GOOD, WARN, Look
+from app.viewmodels.states import BAD, GOOD, SKY, WARN, Look
 from tracker.errors import GlovetrackError
+from tracker.session.glance import Quality, quality, thumbnail
 from tracker.session.reader import SessionReader
+
+THUMBNAIL_WIDTH = 72  # px
+BEING_RECORDED = Look(SKY, "●", "being recorded")
 
 
 @dataclass(frozen=True)
@@ -25,32 +32,96 @@ class SessionRow:
     look: Look
     integrity: str
     problem: str
+    stamp: tuple[int, int] = (
+        0,
+        0,
+    )  # time of change in ns, and size: another content, another stamp
+
+    @property
+    def recoverable(self) -> bool:
+        """Cut off, or not to be read as it is."""
+        return self.look in (BAD, WARN)
 
 
-def session_row(path: Path) -> SessionRow:
+@dataclass(frozen=True, eq=False)
+class Details:
+    """What is inside. ``picture`` (h, w, 3) BGR; None where there are no pictures."""
+
+    quality: str
+    look: Look | None
+    picture: NDArray[np.uint8] | None
+
+
+def session_row(path: Path, recording: Path | None = None) -> SessionRow:
     """Look into a file: its index alone is read, so that an hour takes no longer than a second."""
     stat = path.stat()
     when = datetime.fromtimestamp(stat.st_mtime).strftime("%Y-%m-%d %H:%M")
     duration, look, integrity, problem = "–", BAD, "unreadable", ""
-    try:
-        with SessionReader(path) as reader:
-            duration = duration_text(reader.duration)
-            whole = reader.source.contents.finished
-            look, integrity = (GOOD, "whole") if whole else (WARN, "cut off")
-    except GlovetrackError as error:
-        problem = str(error)
+    if path == recording:
+        look, integrity = BEING_RECORDED, BEING_RECORDED.word
+    else:
+        try:
+            with SessionReader(path) as reader:
+                duration = duration_text(reader.duration)
+                whole = reader.source.contents.finished
+                look, integrity = (GOOD, "whole") if whole else (WARN, "cut off")
+        except GlovetrackError as error:
+            problem = str(error)
     return SessionRow(
-        path, path.stem, when, duration, size_text(stat.st_size), look, integrity, problem
+        path,
+        path.stem,
+        when,
+        duration,
+        size_text(stat.st_size),
+        look,
+        integrity,
+        problem,
+        (stat.st_mtime_ns, stat.st_size),
     )
 
 
-def scan(folder: Path, progress: Callable[[float, str], None]) -> list[SessionRow]:
-    """All sessions of a folder, newest first."""
+def scan(
+    folder: Path, progress: Callable[[float, str], None], recording: Path | None = None
+) -> list[SessionRow]:
+    """All sessions of a folder, newest first; ``recording`` is the one being written."""
     if not folder.is_dir():
         return []
     paths = sorted(folder.glob("*.mcap"), key=lambda p: p.stat().st_mtime, reverse=True)
     rows = []
     for i, path in enumerate(paths):
         progress(i / len(paths), path.name)
-        rows.append(session_row(path))
+        rows.append(session_row(path, recording))
     return rows
+
+
+def look_inside(
+    rows: Collection[SessionRow],
+    found: Callable[[SessionRow, Details], None],
+    progress: Callable[[float, str], None],
+) -> None:
+    """Tell ``found`` the details of each row, one after the other."""
+    for i, row in enumerate(rows):
+        progress(i / len(rows), row.name)
+        if not row.problem and row.look != BEING_RECORDED:
+            found(row, details(row.path))
+
+
+def details(path: Path) -> Details:
+    """Quality and thumbnail; a sentence for the quality where the file does not yield them."""
+    try:
+        with SessionReader(path) as reader:
+            text, look = quality_text(quality(reader))
+            return Details(text, look, thumbnail(reader, THUMBNAIL_WIDTH))
+    except (GlovetrackError, OSError, ValueError) as error:
+        return Details(str(error), BAD, None)
+
+
+def quality_text(q: Quality) -> tuple[str, Look | None]:
+    """``tracked 97 %, 2 packets lost`` and how that is to be seen."""
+    if q.tracked is None:
+        return "not tracked", None
+    text = f"tracked {100 * q.tracked:.0f} %"
+    if q.packets_lost:
+        text += f", {q.packets_lost} packets lost"
+    good = q.tracked >= 0.95 and not q.packets_lost
+    return text, GOOD if good else WARN if q.tracked >= 0.5 else BAD

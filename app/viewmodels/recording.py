@@ -50,6 +50,12 @@ def duration_text(seconds: float) -> str:
     return f"{hours}:{minutes:02d}:{whole % 60:02d}" if hours else f"{minutes}:{whole % 60:02d}"
 
 
+def place_text(seconds: float) -> str:
+    """A place in a session to the hundredth: pictures are 17 ms apart."""
+    hundredths = max(0, round(seconds * 100))
+    return f"{duration_text(hundredths // 100)}.{hundredths % 100:02d}"
+
+
 @dataclass(frozen=True)
 class Disk:
     """Room left and what to say about it."""

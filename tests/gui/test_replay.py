@@ -131,7 +131,7 @@ def test_the_other_tracking_stands_beside_this_one(replay, sessions, qtbot):
     ghost, mine = replay.ghost(), other[round(replay.latest_estimate().t, 6)]
     assert ghost.keypoints == pytest.approx(mine.keypoints, abs=1e-9)
     assert ghost.p_GB == pytest.approx(mine.segment_p, abs=1e-6)
-    assert ghost.R_GB == pytest.approx(mine.segment_R, abs=1e-6)
+    assert np.allclose(ghost.R_GB, mine.segment_R, atol=1e-6)
     replay.set_ghost(None)
     qtbot.waitUntil(lambda: replay.ghost() is None, timeout=10_000)
 

@@ -23,7 +23,7 @@ def compare(a: Path, b: Path, figure: Path | None = None) -> dict[str, Any]:
     with SessionReader(a) as reader_a, SessionReader(b) as reader_b:
         first, second = (load_motion(r, ExportOptions()) for r in (reader_a, reader_b))
         words = _metadata_changes(reader_a, reader_b)
-    rows_a, rows_b = _common_rows(first.stamp_ns, second.stamp_ns)
+    rows_a, rows_b = common_rows(first.stamp_ns, second.stamp_ns)
     if len(rows_a) == 0:
         raise FileError(f"{a} and {b} have no instant in common.")
     points, distance = _keypoint_distance(first, second, rows_a, rows_b)
@@ -43,8 +43,8 @@ def compare(a: Path, b: Path, figure: Path | None = None) -> dict[str, Any]:
     }
 
 
-def _common_rows(a: IntArray, b: IntArray) -> tuple[IntArray, IntArray]:
-    """Rows of both whose stamps agree within a millisecond."""
+def common_rows(a: IntArray, b: IntArray) -> tuple[IntArray, IntArray]:
+    """Rows of both whose stamps (ns, rising) agree within a millisecond."""
     nearest = np.clip(np.searchsorted((b[1:] + b[:-1]) // 2, a), 0, len(b) - 1)
     close = np.abs(b[nearest] - a) <= _ALIGNED_NS
     return np.flatnonzero(close), nearest[close]

@@ -1,0 +1,81 @@
+"""Two trackings of one movement as a table."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """``first`` and ``second`` tell one movement; figures as `tracker.session.compare` gives them.
+
+    ``errors_mm``: mean distance of each keypoint from the truth, of both; empty without truth.
+    """
+
+    first: Path
+    second: Path
+    figures: dict[str, Any]
+    errors_mm: tuple[dict[str, float], dict[str, float]]
+
+
+@dataclass(frozen=True)
+class CompareRow:
+    """``difference`` between both, each one's ``error`` against the truth; with their unit."""
+
+    name: str
+    difference: str
+    first_error: str
+    second_error: str
+
+
+def rows(c: Comparison) -> list[CompareRow]:
+    """All together, then each keypoint (mm), then each joint (degrees)."""
+    f, (first, second) = c.figures, c.errors_mm
+    out = [
+        CompareRow("all keypoints, mean", _mm(f["mean_mm"]), _mm(_mean(first)), _mm(_mean(second))),
+        CompareRow("all keypoints, largest", _mm(f["max_mm"]), "", ""),
+        CompareRow("all joints, rms", _deg(f["rms_deg"]), "", ""),
+    ]
+    for name, value in f["keypoints_mm"].items():
+        errors = _mm(first.get(name, math.nan)), _mm(second.get(name, math.nan))
+        out.append(CompareRow(words(name), _mm(value), *errors))
+    for name, value in f["joints_rms_deg"].items():
+        out.append(CompareRow(words(name), _deg(value), "", ""))
+    return out
+
+
+def summary(c: Comparison) -> str:
+    """One sentence."""
+    f = c.figures
+    if f["identical"]:
+        return f"Both are the same to the last bit ({f['compared']} instants)."
+    text = (
+        f"{f['compared']} instants in common; keypoints differ by {_mm(f['mean_mm'])} on average, "
+        f"joints by {_deg(f['rms_deg'])} (rms)."
+    )
+    first, second = (_mean(e) for e in c.errors_mm)
+    if math.isfinite(first) and math.isfinite(second):
+        better = c.second.stem if second < first else c.first.stem
+        text += f" {better} is nearer to the truth: {_mm(min(first, second))} on average."
+    return text
+
+
+def words(name: str) -> str:
+    """``index_mcp_flexion`` as ``index mcp flexion``."""
+    return name.replace("_", " ")
+
+
+def _mean(errors: dict[str, float]) -> float:
+    known = [e for e in errors.values() if math.isfinite(e)]
+    return sum(known) / len(known) if known else math.nan
+
+
+def _mm(value: float) -> str:
+    return f"{value:.2f} mm" if math.isfinite(value) else "–"
+
+
+def _deg(value: float) -> str:
+    return f"{value:.2f}°" if math.isfinite(value) else "–"

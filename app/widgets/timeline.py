@@ -1,0 +1,176 @@
+"""A line of time with a playhead, an in and an out point, and signs where something happened."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+MARGIN = 9  # px left and right, so that a handle at the end is whole
+REACH = 6  # px within which the mouse takes a handle or finds a mark
+TRACK = QColor(128, 128, 128, 90)
+PLAYHEAD, HANDLE = "head", ("in", "out")
+
+
+@dataclass(frozen=True)
+class Mark:
+    """Something at ``place`` s; ``sign`` says its kind beside the colour."""
+
+    place: float
+    text: str
+    colour: str
+    sign: str
+
+
+class Timeline(QWidget):
+    """Mouse: press and drag. Keys: arrows step pictures, Page goes by seconds, Home and End."""
+
+    sought = Signal(float)
+    stepped = Signal(int)
+    range_changed = Signal(float, float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._duration, self._position = 0.0, 0.0
+        self._range = (0.0, 0.0)
+        self._marks: tuple[Mark, ...] = ()
+        self._held = ""
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setMouseTracking(True)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 38)
+
+    def show_session(self, duration: float, marks: Sequence[Mark]) -> None:
+        self._duration, self._marks = duration, tuple(marks)
+        self._position, self._range = 0.0, (0.0, duration)
+        self.update()
+
+    def show_place(self, position: float, in_out: tuple[float, float]) -> None:
+        if (position, in_out) != (self._position, self._range):
+            self._position, self._range = position, in_out
+            self.update()
+
+    def show_range(self, in_out: tuple[float, float]) -> None:
+        """The range alone, while the mouse holds the playhead."""
+        self.show_place(self._position, in_out)
+
+    @property
+    def held(self) -> bool:
+        """Whether the mouse holds something."""
+        return bool(self._held)
+
+    # --- places and pixels
+
+    def x_of(self, place: float) -> float:
+        """Where a place (s) stands, px."""
+        share = place / self._duration if self._duration > 0 else 0.0
+        return MARGIN + share * (self.width() - 2 * MARGIN)
+
+    def place_at(self, x: float) -> float:
+        share = (x - MARGIN) / max(1, self.width() - 2 * MARGIN)
+        return min(max(share, 0.0), 1.0) * self._duration
+
+    def _handle_at(self, at: QPointF) -> str:
+        """A handle of the range in the lower half, else the playhead."""
+        if at.y() > self.height() * 0.6:
+            for name, place in zip(HANDLE, self._range, strict=True):
+                if abs(self.x_of(place) - at.x()) <= REACH:
+                    return name
+        return PLAYHEAD
+
+    def mark_at(self, x: float) -> Mark | None:
+        near = [m for m in self._marks if abs(self.x_of(m.place) - x) <= REACH]
+        return min(near, key=lambda m: abs(self.x_of(m.place) - x), default=None)
+
+    # --- events
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._held = self._handle_at(event.position())
+        self.mouseMoveEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not self._held:
+            return
+        place = self.place_at(event.position().x())
+        start, stop = self._range
+        if self._held == PLAYHEAD:
+            self._position = place
+            self.sought.emit(place)
+        elif self._held == "in":
+            self.range_changed.emit(min(place, stop), stop)
+        else:
+            self.range_changed.emit(start, max(place, start))
+        self.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._held = ""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        key = Qt.Key(event.key())
+        steps = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+        jumps = {Qt.Key.Key_PageUp: -1.0, Qt.Key.Key_PageDown: 1.0}
+        ends = {Qt.Key.Key_Home: 0.0, Qt.Key.Key_End: self._duration}
+        if key in steps:
+            self.stepped.emit(steps[key])
+        elif key in jumps:
+            self.sought.emit(min(max(self._position + jumps[key], 0.0), self._duration))
+        elif key in ends:
+            self.sought.emit(ends[key])
+        else:
+            super().keyPressEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            mark = self.mark_at(event.pos().x())
+            QToolTip.showText(event.globalPos(), f"{mark.sign} {mark.text}" if mark else "", self)
+            return True
+        return super().event(event)
+
+    # --- painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        accent = self.palette().highlight().color()
+        middle = self.height() * 0.6
+        line = QRectF(MARGIN, middle - 2, self.width() - 2 * MARGIN, 4)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(TRACK)
+        painter.drawRoundedRect(line, 2, 2)
+        if self.isEnabled() and self._duration > 0:
+            self._paint_range(painter, middle, accent)
+            self._paint_marks(painter)
+            self._paint_head(painter, middle, accent)
+        if self.hasFocus():
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(accent)
+            painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3)
+        painter.end()
+
+    def _paint_range(self, painter: QPainter, middle: float, accent: QColor) -> None:
+        a, b = (self.x_of(p) for p in self._range)
+        painter.setBrush(accent)
+        painter.drawRect(QRectF(a, middle - 2, b - a, 4))
+        painter.setBrush(self.palette().text())
+        for x, side in ((a, 1), (b, -1)):  # brackets that open towards each other
+            painter.drawRect(QRectF(x - 1, middle, 2, 12))
+            painter.drawRect(QRectF(min(x, x + 6 * side), middle + 10, 6, 2))
+
+    def _paint_marks(self, painter: QPainter) -> None:
+        for mark in self._marks:
+            painter.setPen(QColor(mark.colour))
+            box = QRectF(self.x_of(mark.place) - 8, 0, 16, self.height() * 0.45)
+            painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), mark.sign)
+        painter.setPen(Qt.PenStyle.NoPen)
+
+    def _paint_head(self, painter: QPainter, middle: float, accent: QColor) -> None:
+        x = self.x_of(self._position)
+        painter.setBrush(accent)
+        painter.drawEllipse(QPointF(x, middle), 6, 6)
+        painter.setBrush(self.palette().base())
+        painter.drawEllipse(QPointF(x, middle), 2.5, 2.5)

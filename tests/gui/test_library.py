@@ -1,0 +1,242 @@
+"""The library by clicks: replay, range, export queue, tracking again, comparison, recovery."""
+
+import csv
+import shutil
+import threading
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QDialogButtonBox
+
+from app.engine import ENGINES
+from app.export import CANCELLED, DONE, FAILED, WAITING, ExportQueue, ExportRequest
+from app.panels.compare_dialog import CompareDialog
+from app.panels.export_dialog import ExportDialog
+from app.panels.track_dialog import TrackDialog
+from app.tasks import TaskOwner
+from app.viewmodels.library import session_row
+from tracker.messages import Estimate
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import TrackOptions, track
+from tracker.pipeline import ENGINES as PIPELINE_ENGINES
+from tracker.session.reader import SessionReader
+from tracker.session.writer import RecorderParams, SessionRecorder
+
+SECONDS = 3.0
+
+
+@pytest.fixture(scope="session")
+def recorded(tmp_path_factory):
+    """A session like one of the demo: sensors, `chain`'s estimates, the truth."""
+    folder = tmp_path_factory.mktemp("library")
+    simulated, tracked = folder / "simulated.mcap", folder / "tracked.mcap"
+    simulate(simulated, SimulateOptions(seed=3, duration=SECONDS, fps=30, pictures=False))
+    track(simulated, tracked, TrackOptions("chain", with_sensors=True))
+    whole = folder / "whole.mcap"
+    with SessionReader(tracked) as reader:
+        info = replace(reader.info, rig=reader.rig(), participant="P01")
+        with SessionRecorder(whole, info, RecorderParams(sync=False)) as recorder:
+            for message in reader.messages():
+                recorder.write(message)
+            with SessionReader(simulated) as source:
+                for true in source.truth():
+                    recorder.write_truth(true)
+    return whole
+
+
+@pytest.fixture
+def library(window, store, recorded, qtbot, tmp_path):
+    """The library with one session, selected."""
+    folder = tmp_path / "sessions"
+    folder.mkdir()
+    shutil.copy(recorded, folder / "P01_pinch.mcap")
+    window.recording.set_folder(folder)
+    window.library.rescan()
+    qtbot.waitUntil(lambda: window.library.selected() is not None, timeout=20_000)
+    return window.library
+
+
+@pytest.fixture
+def replayed(library, window, qtbot):
+    """The session opened by its button, paused where the hand has been found."""
+    qtbot.mouseClick(library.buttons["replay"], Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: window.session.running, timeout=20_000)
+    window.docks["library"].raise_()
+    player = window.session.setup.player
+    window.run_command("play")
+    player.seek(1.5)
+    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=20_000)
+    return library
+
+
+def press(qtbot, dialog, role=QDialogButtonBox.ButtonRole.AcceptRole) -> None:
+    """Press the dialog's button of that role."""
+    box = dialog.findChild(QDialogButtonBox)
+    [button] = [b for b in box.buttons() if box.buttonRole(b) == role]
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def ended(library) -> bool:
+    return not any(i.open for i in library.exports.items)
+
+
+def test_a_row_tells_length_integrity_and_quality(library, qtbot):
+    quality = library.table.item(0, 5)
+    qtbot.waitUntil(lambda: "tracked" in quality.text(), timeout=20_000)
+    share = int(quality.text().split("tracked ")[1].split(" ")[0])
+    with SessionReader(library.selected().path) as reader:
+        states = [m.tracking == 1 for m in reader.messages((Estimate,))]
+    assert share == pytest.approx(100 * sum(states) / len(states), abs=6)
+    assert library.table.item(0, 2).text() == "0:03"
+    assert "whole" in library.table.item(0, 4).text()
+    assert not library.buttons["recover"].isEnabled()
+
+
+def test_the_timeline_is_dragged_and_stepped(replayed, window, qtbot):
+    line, player = replayed.transport.timeline, window.session.setup.player
+    y = int(line.height() * 0.3)
+    qtbot.mousePress(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
+    qtbot.mouseRelease(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
+    qtbot.waitUntil(lambda: player.position == pytest.approx(1.0, abs=0.08), timeout=10_000)
+    qtbot.waitUntil(lambda: player._pictures_due == 0, timeout=10_000)
+    before = window.session.snapshot().frame.index
+    line.setFocus()
+    qtbot.keyClick(line, Qt.Key.Key_Right)
+    qtbot.waitUntil(lambda: window.session.snapshot().frame.index == before + 1, timeout=10_000)
+    qtbot.keyClick(line, Qt.Key.Key_Left)
+    qtbot.waitUntil(lambda: window.session.snapshot().frame.index == before, timeout=10_000)
+
+
+def test_in_and_out_point_limit_replay_and_export(replayed, window, qtbot, tmp_path):
+    player = window.session.setup.player
+    for place, key in ((0.8, "in_point"), (1.8, "out_point")):
+        player.seek(place)
+        qtbot.waitUntil(lambda p=place: player.position == pytest.approx(p, abs=0.08))
+        window.run_command(key)
+    start, stop = player.range
+    assert (start, stop) == (pytest.approx(0.8, abs=0.08), pytest.approx(1.8, abs=0.08))
+    window.run_command("export")
+    dialog = replayed.findChild(ExportDialog)
+    assert dialog.range.isChecked()
+    dialog.folder.setText(str(tmp_path))
+    press(qtbot, dialog)
+    qtbot.waitUntil(lambda: ended(replayed), timeout=30_000)
+    [item] = replayed.exports.items
+    assert item.look == DONE, item.problem
+    with item.request.target.open() as file:
+        rows = list(csv.DictReader(file))
+    with SessionReader(item.request.source) as reader:
+        begin = reader.anchor.wall(reader.anchor.monotonic(reader.span_ns[0])) / 1e9
+    assert float(rows[0]["t"]) - begin == pytest.approx(start, abs=0.011)
+    assert float(rows[-1]["t"]) - begin == pytest.approx(stop, abs=0.011)
+
+
+def test_exports_wait_for_each_other_and_can_be_cancelled(qtbot, tmp_path, monkeypatch, no_leaks):
+    go = threading.Event()
+
+    def job_of(request):
+        def job(progress):
+            if request.form == "bad":
+                raise OSError("the disk is away")
+            while not go.wait(0.01):
+                progress(0.5, "")
+
+        return job
+
+    monkeypatch.setattr("app.export.export_job", job_of)
+    tasks = TaskOwner()
+    queue = ExportQueue(tasks)
+    names = ("csv", "bvh", "bad", "h5")
+    first, second, bad, last = (
+        queue.add(ExportRequest(tmp_path / "a.mcap", form, tmp_path / f"a.{form}"))
+        for form in names
+    )
+    qtbot.waitUntil(lambda: first.share == 0.5, timeout=10_000)
+    assert [i.look for i in (second, bad, last)] == [WAITING] * 3
+    queue.cancel(last)
+    queue.cancel(first)
+    qtbot.waitUntil(lambda: second.share == 0.5, timeout=10_000)
+    assert first.look == CANCELLED
+    go.set()
+    qtbot.waitUntil(lambda: not any(i.open for i in queue.items), timeout=10_000)
+    assert [i.look for i in queue.items] == [CANCELLED, DONE, FAILED, CANCELLED]
+    assert "the disk is away" in bad.problem
+    queue.forget_ended()
+    assert queue.items == []
+
+
+def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
+    from app.export import export_job
+    from app.tasks import Cancelled, Progress
+
+    told = []
+    progress = Progress(lambda share, _text: told.append(share))
+    job = export_job(ExportRequest(recorded, "csv", tmp_path / "out.csv"))
+
+    class Impatient(Progress):
+        def __call__(self, fraction: float, text: str = "") -> None:
+            super().__call__(fraction, text)
+            if fraction > 0.3:
+                self.cancel()
+
+    with pytest.raises(Cancelled):
+        job(Impatient(lambda *_: None))
+    assert list(tmp_path.iterdir()) == []
+    job(progress)
+    assert (tmp_path / "out.csv").is_file()
+    assert max(told) > 0.8
+
+
+@pytest.mark.timeout(120)
+def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
+    window.run_command("again")
+    dialog = replayed.findChild(TrackDialog)
+    dialog.engine.setCurrentText("vist")
+    press(qtbot, dialog)
+    qtbot.waitUntil(lambda: replayed.findChild(CompareDialog) is not None, timeout=90_000)
+    table = replayed.findChild(CompareDialog)
+    assert "nearer to the truth" in table.summary.text()
+    first = [table.table.item(0, j).text() for j in range(4)]
+    assert all(text.endswith("mm") for text in first[1:])
+    table.close()
+    source = replayed._replayed()
+    with SessionReader(source.with_name("P01_pinch_vist.mcap")) as reader:
+        other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
+    player = window.session.setup.player
+    player.seek(2.0)
+    qtbot.waitUntil(lambda: player.ghost() is not None, timeout=10_000)
+    qtbot.wait(150)
+    view = window.session.snapshot()
+    wanted = other[round(view.estimate.t, 6)]
+    assert view.ghost().p_GB == pytest.approx(wanted.segment_p, abs=1e-6)
+    assert window.hand.show_options().truth
+    qtbot.waitUntil(lambda: replayed.table.rowCount() == 2, timeout=10_000)
+
+
+def test_a_cut_off_session_is_recovered_by_its_button(library, window, qtbot):
+    path = library.selected().path
+    data = path.read_bytes()
+    path.write_bytes(data[: len(data) * 2 // 3])
+    library.rescan()
+    recover = library.buttons["recover"]
+    qtbot.waitUntil(recover.isEnabled, timeout=10_000)
+    assert "cut off" in library.table.item(0, 4).text()
+    qtbot.mouseClick(recover, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: library.table.rowCount() == 2, timeout=20_000)
+    made = path.with_name("P01_pinch_recovered.mcap")
+    with SessionReader(made) as reader:
+        assert reader.source.contents.finished
+        assert reader.duration > 1.0
+    assert path.read_bytes() == data[: len(data) * 2 // 3]
+
+
+def test_the_file_being_recorded_is_not_called_broken(recorded):
+    row = session_row(recorded, recording=recorded)
+    assert row.integrity == "being recorded"
+    assert not row.recoverable
+
+
+def test_the_dialog_offers_the_engines_that_there_are():
+    assert set(ENGINES) == set(PIPELINE_ENGINES)
