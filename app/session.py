@@ -6,6 +6,7 @@ events by signal.
 
 from __future__ import annotations
 
+import dataclasses
 import logging
 from collections import deque
 from collections.abc import Callable
@@ -170,8 +171,10 @@ class Session(QObject):
     # --- what panels ask
 
     def set_profile(self, profile: ColourProfile) -> None:
+        """Look for these colours from now on."""
         if self._setup is not None:
             self._setup.engine.set_profile(profile)
+            self._setup = dataclasses.replace(self._setup, profile=profile)
         self.profile_changed.emit(profile)
 
     def set_engine(self, name: str) -> None:

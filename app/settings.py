@@ -35,7 +35,6 @@ class Settings:
     sessions_folder: str = ""
     participant: str = ""
     task: str = ""
-    profile: str = ""  # path of the colour profile; empty: the shipped one
     engine: str = "chain"  # what tracks
     hand: str = "reference-right"
     glove: str = "vist-small"

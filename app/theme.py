@@ -110,6 +110,11 @@ def _style_sheet(c: Colours) -> str:
     QToolButton {{ padding: 4px 10px; border: 1px solid transparent; border-radius: 4px; }}
     QToolButton:hover {{ background: {c.raised}; border-color: {c.border}; }}
     QToolButton:checked {{ background: {c.accent}; color: {c.on_accent}; }}
+    QDockWidget QToolButton {{ background: {c.raised}; border-color: {c.border}; }}
+    QDockWidget QToolButton:hover {{ border-color: {c.accent}; }}
+    QDockWidget QToolButton:checked {{ background: {c.accent}; }}
+    QToolButton[popupMode="2"] {{ padding-right: 18px; }}
+    QToolButton::menu-indicator {{ subcontrol-position: right center; right: 4px; }}
     QStatusBar {{ border-top: 1px solid {c.border}; }}
     QStatusBar::item {{ border: none; }}
     QLabel[role="faint"] {{ color: {c.faint}; }}
@@ -125,6 +130,8 @@ def _style_sheet(c: Colours) -> str:
         background: {c.base}; border: 1px solid {c.faint}; }}
     QCheckBox::indicator:unchecked {{ border-radius: 2px; }}
     QRadioButton::indicator:unchecked {{ border-radius: 6px; }}
+    QRadioButton::indicator:checked {{ width: 5px; height: 5px; border-radius: 6px;
+        background: {c.base}; border: 4px solid {c.accent}; }}
     QPushButton {{ padding: 5px 14px; }}
     QPushButton[role="primary"] {{ background: {c.accent}; color: {c.on_accent}; border: none;
         border-radius: 4px; font-weight: 600; padding: 6px 16px; }}

@@ -1,49 +1,65 @@
-"""Tuning the colour profile on the live or a held picture."""
+"""Tuning the colours that markers are found by."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QButtonGroup,
-    QCheckBox,
     QFileDialog,
     QGridLayout,
-    QHBoxLayout,
-    QPushButton,
+    QLabel,
     QRadioButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
+from app.colour_store import ColourStore, write_text_safely
 from app.engine import EngineSetup
+from app.kept_pictures import Picture, PictureFolder
+from app.panels.colours_fitting import ColoursFitting
+from app.panels.colours_source import ColoursSource
+from app.panels.colours_tools import ColoursTools
 from app.panels.panel import Panel
+from app.profile_keeper import ProfileKeeper
 from app.session import Session
 from app.settings import SettingsStore
-from app.viewmodels.colours import (
-    ProfileHistory,
+from app.tasks import TaskOwner
+from app.viewmodels.colour_pictures import (
     hue_histogram,
-    hue_rows,
     mask_picture,
     pixel_hsv,
-    stretched,
+    room_picture,
+    room_shares,
+)
+from app.viewmodels.colours import (
+    HueRow,
+    ProfileHistory,
+    blob_counts,
+    hue_rows,
+    seen_rows,
     with_channel,
     with_range,
-    without_pixel,
 )
 from app.viewmodels.snapshot import Snapshot
 from app.widgets.chip import Chip
 from app.widgets.hue_strip import HueStrip
+from app.widgets.overlay import Ring
 from app.widgets.picture_view import PictureView
 from app.widgets.range_row import RangeRow
+from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.errors import GlovetrackError
+from tracker.messages import Blobs
 from tracker.vision.colours import ColourProfile, HueRange, load_profile, profile_to_toml
+from tracker.vision.detector import Detector
 
 MASK_STEP = 2
+ROOM_EVERY = 8  # refreshes
+SETTINGS_PICTURES = "pictures"
 CHANNELS = ("hue", "saturation", "value")
 
 
@@ -52,22 +68,52 @@ class ColoursPanel(Panel):
     period = 1 / 8
 
     def __init__(
-        self, session: Session, store: SettingsStore, parent: QWidget | None = None
+        self,
+        session: Session,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(session, parent)
-        self._store = store
+        self._folder = store.path.parent
+        self.keeper = ProfileKeeper(ColourStore(self._folder / "colours"), self)
+        self.keeper.failed.connect(session.error)
+        self._setup: EngineSetup | None = None
         self._history: ProfileHistory | None = None
-        self._picture: NDArray[np.uint8] | None = None
         self._hue = 0
         self._holding = False
+        self._blobs: Blobs | None = None  # found in a kept picture
+        self._room: dict[str, float] = {}
+        self._room_age = 0
+        self._told = ""
+        self.source = ColoursSource(tasks)
+        self.source.changed.connect(self._picture_changed)
+        self.source.failed.connect(session.error)
+        self.fitting = ColoursFitting(tasks)
+        self.fitting.fitted.connect(self._take_fit)
+        self.fitting.failed.connect(session.error)
+        self.tools = ColoursTools()
+        self._connect_tools()
+        self._make_widgets()
+        self._lay_out()
+        session.opened.connect(self._open)
+
+    def title(self) -> str:
+        return self.tr("Colours")
+
+    # --- widgets
+
+    def _make_widgets(self) -> None:
         self._hues = QGridLayout()
-        self._hues.setHorizontalSpacing(8)
+        self._hues.setHorizontalSpacing(4)
         self._group = QButtonGroup(self)
         self._group.idClicked.connect(self.choose_hue)
         self._chips: list[Chip] = []
         self.strip = HueStrip()
         self.mask_view = PictureView(self.tr("Mask"), self.tr("No picture yet"))
         self.mask_view.picked.connect(self._picked)
+        self.words = QLabel()
+        self.words.setWordWrap(True)
         self.rows = {
             "hue": RangeRow(self.tr("Hue"), 179, wraps=True),
             "saturation": RangeRow(self.tr("Saturation"), 255),
@@ -75,41 +121,47 @@ class ColoursPanel(Panel):
         }
         for key, row in self.rows.items():
             row.changed.connect(lambda a, b, held, key=key: self._set(key, a, b, held))
+
+    def _lay_out(self) -> None:
+        """Ranges beside the picture where the panel is wide, above it where it is narrow."""
+        ranges, picture = QVBoxLayout(), QVBoxLayout()
+        ranges.setSpacing(4)
+        ranges.addLayout(self._hues)
+        for row in self.rows.values():
+            ranges.addWidget(row)
+        ranges.addWidget(self.strip)
+        ranges.addWidget(self.words)
+        ranges.addStretch(1)
+        picture.setSpacing(4)
+        picture.addWidget(self.source)
+        picture.addWidget(self.mask_view, 1)
+        self._halves = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._halves.setSpacing(8)
+        self._halves.addLayout(ranges, 5)
+        self._halves.addLayout(picture, 4)
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 8, 8, 8)
         column.setSpacing(6)
-        column.addLayout(self._hues)
-        for row in self.rows.values():
-            column.addWidget(row)
-        column.addWidget(self.strip)
-        column.addWidget(self.mask_view, 1)
-        column.addLayout(self._buttons())
-        session.opened.connect(self._open)
+        column.addLayout(self._halves, 1)
+        column.addWidget(self.tools)
 
-    def title(self) -> str:
-        return self.tr("Colours")
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        wide = event.size().width() > 1.25 * event.size().height()
+        direction = QBoxLayout.Direction
+        self._halves.setDirection(direction.LeftToRight if wide else direction.TopToBottom)
 
-    def _buttons(self) -> QHBoxLayout:
-        self.pick = QToolButton()
-        self.pick.setText(self.tr("Eyedropper"))
-        self.pick.setCheckable(True)
-        self.pick.setToolTip(self.tr("Click takes a pixel in, Ctrl+click leaves it out"))
-        self.pick.toggled.connect(self.mask_view.set_picking)
-        self.hold = QCheckBox(self.tr("Hold picture"))
-        row = QHBoxLayout()
-        row.addWidget(self.pick)
-        row.addWidget(self.hold)
-        row.addStretch(1)
-        for text, slot in (
-            (self.tr("Undo"), self.undo),
-            (self.tr("Redo"), self.redo),
-            (self.tr("Load…"), self.load),
-            (self.tr("Save…"), self.save),
-        ):
-            button = QPushButton(text)
-            button.clicked.connect(slot)
-            row.addWidget(button)
-        return row
+    def _connect_tools(self) -> None:
+        tools = self.tools
+        tools.picking.connect(lambda on: self.mask_view.set_picking(on))
+        tools.undo.connect(self.undo)
+        tools.redo.connect(self.redo)
+        tools.fit_picture.connect(self.fit_picture)
+        tools.fit_markers.connect(self.fit_markers)
+        tools.load.connect(self.load)
+        tools.save.connect(self.save)
+        tools.shipped.connect(self.start_again)
+        tools.room.connect(self.check_room)
+        tools.take_over.connect(lambda camera: self.load_file(self.keeper.store.path(camera)))
 
     # --- the profile
 
@@ -118,27 +170,40 @@ class ColoursPanel(Panel):
         return self._history.profile if self._history is not None else None
 
     def _open(self, setup: EngineSetup) -> None:
-        self._history = ProfileHistory(setup.profile)
+        self._setup, self._blobs, self._room = setup, None, {}
+        kept = self.keeper.open(setup.camera, setup.profile)
+        self._history = ProfileHistory(kept or setup.profile)
         self._hue = 0
+        self._fill_hues(setup.profile)
+        camera = self.keeper.camera or "replays"
+        self.source.set_folder(PictureFolder(self._folder / SETTINGS_PICTURES / camera))
+        self.tools.set_cameras(self.keeper.others())
+        self._say(self.tr("Colours of {}").format(setup.camera) if kept is not None else "")
+        self.choose_hue(0)
+        if kept is not None:
+            self.session.set_profile(kept)
+
+    def _fill_hues(self, profile: ColourProfile) -> None:
+        """A button and a chip for each hue."""
         for button in self._group.buttons():
             self._group.removeButton(button)
             button.deleteLater()
         for chip in self._chips:
             chip.deleteLater()
         self._chips = []
-        for i, hue in enumerate(setup.profile.hues):
+        for i, hue in enumerate(profile.hues):
             button = QRadioButton(hue.name)
             self._group.addButton(button, i)
             chip = Chip()
             self._chips.append(chip)
             self._hues.addWidget(button, i // 2, 2 * (i % 2))
             self._hues.addWidget(chip, i // 2, 2 * (i % 2) + 1)
-        self.choose_hue(0)
 
     def choose_hue(self, index: int) -> None:
         self._hue = index
         self._group.button(index).setChecked(True)
         self._show_ranges()
+        self._draw()
 
     def _range(self) -> HueRange | None:
         return self.profile.hues[self._hue] if self.profile is not None else None
@@ -165,8 +230,10 @@ class ColoursPanel(Panel):
         """Give the profile to the engine: the next picture is searched with it."""
         if self._history is not None:
             self.session.set_profile(self._history.profile)
+            self.keeper.changed(self._history.profile)
             self._show_ranges()
-            self._draw(None)
+            self._search_kept()
+            self._draw()
 
     def undo(self) -> None:
         if self._history is not None and self._history.undo():
@@ -176,13 +243,52 @@ class ColoursPanel(Panel):
         if self._history is not None and self._history.redo():
             self._apply()
 
+    def _take(self, profile: ColourProfile, words: str) -> None:
+        """Another profile as one step that can be undone."""
+        if self._history is not None:
+            self._history.change(profile)
+            self._apply()
+            self._say(words)
+
+    def start_again(self) -> None:
+        """The colours that the program came with."""
+        if self._setup is not None:
+            self._take(self._setup.profile, self.tr("These are the colours from the start."))
+
     def _picked(self, u: float, v: float, modifiers: Qt.KeyboardModifier) -> None:
-        current = self._range()
-        if current is None or self._picture is None:
+        current, picture = self._range(), self.source.picture()
+        if current is None or picture is None:
             return
-        hsv = pixel_hsv(self._picture, u * MASK_STEP, v * MASK_STEP)
-        leave_out = bool(modifiers & Qt.KeyboardModifier.ControlModifier)
-        self._change(without_pixel(current, hsv) if leave_out else stretched(current, hsv))
+        pixel = np.array(pixel_hsv(picture, u * MASK_STEP, v * MASK_STEP))
+        leave_out = bool(modifiers & Qt.KeyboardModifier.ControlModifier) or self.tools.leaving_out
+        self._change(remove_pixel(current, pixel) if leave_out else add_pixel(current, pixel))
+
+    # --- fits
+
+    def fit_picture(self) -> None:
+        """Fit to the picture shown now, whatever is known of the hand."""
+        if self.profile is not None:
+            self.fitting.from_picture(self.source.picture(), self.profile)
+
+    def fit_markers(self) -> None:
+        """Fit to the markers that are tracked now."""
+        if self.profile is not None:
+            self.fitting.from_markers(self.source.view, self.profile)
+
+    def _take_fit(self, profile: ColourProfile, words: str) -> None:
+        self._take(profile, words)
+
+    def check_room(self) -> None:
+        """Take the picture shown now for the room without the glove."""
+        picture = self.source.picture()
+        if picture is None or self.profile is None:
+            return
+        self._room, self._room_age = room_shares(picture, self.profile), -10 * ROOM_EVERY
+        free = self.tr("The room has none of the colours.")
+        self._say("" if self._room else free)
+        self._draw()
+
+    # --- files
 
     def load(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, self.tr("Colour profile"), "", "*.toml")
@@ -203,13 +309,11 @@ class ColoursPanel(Panel):
                 self.tr("{} must have the hues {} for this glove.").format(path.name, names)
             )
             return
-        self._history.change(loaded)
-        self._apply()
-        self._store.update(profile=str(path))
+        self._take(loaded, self.tr("Colours of {}").format(path.name))
 
     def save(self) -> None:
         path, _ = QFileDialog.getSaveFileName(
-            self, self.tr("Save the profile"), "colours.toml", "*.toml"
+            self, self.tr("Export the colours"), "colours.toml", "*.toml"
         )
         if path:
             self.save_file(Path(path))
@@ -218,34 +322,94 @@ class ColoursPanel(Panel):
         if self.profile is None:
             return
         try:
-            path.write_text(profile_to_toml(self.profile), "utf-8")
-        except OSError as error:
-            reason = error.strerror or str(error)
-            self.session.error.emit(
-                self.tr("The profile was not saved to {}: {}.").format(path, reason)
-            )
+            write_text_safely(path, profile_to_toml(self.profile))
+        except GlovetrackError as error:
+            self.session.error.emit(str(error))
             return
-        self._store.update(profile=str(path))
+        self._say(self.tr("Exported to {}").format(path.name))
 
     # --- what it shows
+
+    def _say(self, text: str) -> None:
+        self._told = text
+        self.words.setText(text)
+
+    def _picture_changed(self) -> None:
+        self._search_kept()
+        self._draw()
+
+    def _search_kept(self) -> None:
+        """What the profile finds in a kept picture; the live one is searched by the engine."""
+        self._blobs = None
+        picture = self.source.picture()
+        if self._holding or self.source.is_live or picture is None or self._setup is None:
+            return
+        assert self._history is not None
+        size = float(self._setup.glove.marker_size.mean())
+        detector = Detector(self._history.profile, size, self._setup.rig.fx)
+        self._blobs = detector.detect(picture)[0]
 
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or self._history is None:
             return
-        if view.frame is not None and not self.hold.isChecked():
-            self._picture = view.frame.left
-        self._draw(view)
+        self.source.take(view)
+        self._room_age += 1
+        if self._room_age >= ROOM_EVERY:
+            self._watch_room()
+        self._draw()
 
-    def _draw(self, view: Snapshot | None) -> None:
+    def _watch_room(self) -> None:
+        """The colours beside the tracked hand, now and then."""
+        self._room_age = 0
+        view = self.source.view
+        picture = room_picture(view) if view is not None else None
+        if picture is not None and self.profile is not None:
+            self._room = room_shares(picture, self.profile)
+
+    def _side_blobs(self) -> Blobs | None:
+        """The blobs in the picture shown."""
+        view = self.source.view
+        if view is None or view.blobs is None:
+            return self._blobs
+        return view.blobs.right if self.source.right else view.blobs.left
+
+    def _rows(self) -> list[HueRow]:
+        assert self.profile is not None
+        view, profile = self.source.view, self.profile
+        if view is not None:
+            return seen_rows(view, profile, self._room)
+        found = blob_counts([self._blobs], profile.hue_names, profile)
+        return hue_rows(profile, found, None, self._room)
+
+    def _draw(self) -> None:
         current, profile = self._range(), self.profile
         if current is None or profile is None:
             return
-        rows = hue_rows(view, profile)
-        if view is not None:
-            for chip, row in zip(self._chips, rows, strict=True):
-                look, text = row.look, row.count
-                chip.show_state(look.colour, look.sign, row.clash or text, text)
-        if self._picture is not None:
-            self.mask_view.show_picture(mask_picture(self._picture, current, MASK_STEP))
-            intervals = [(*h.hue, row.colour) for h, row in zip(profile.hues, rows, strict=True)]
-            self.strip.show_hues(hue_histogram(self._picture), intervals)
+        rows = self._rows()
+        for chip, row in zip(self._chips, rows, strict=True):
+            chip.show_state(row.look.colour, row.look.sign, row.count, row.clash or row.tip)
+        self._show_warnings(rows)
+        picture = self.source.picture()
+        if picture is None:
+            self.mask_view.show_picture(None)
+            return
+        self._show_mask(picture, current, rows[self._hue].colour)
+        intervals = [(*h.hue, row.colour) for h, row in zip(profile.hues, rows, strict=True)]
+        self.strip.show_hues(hue_histogram(picture), intervals)
+
+    def _show_warnings(self, rows: list[HueRow]) -> None:
+        """What stands in the way of a hue, else what was done last."""
+        clashing = [f"▲ {row.name}: {row.clash}" for row in rows if row.clash]
+        self.words.setText("\n".join(clashing) if clashing else self._told)
+
+    def _show_mask(self, picture: Picture, current: HueRange, colour: str) -> None:
+        blobs, rings = self._side_blobs(), []
+        if blobs is not None:
+            for i in np.flatnonzero(blobs.hue == self._hue):
+                u, v = blobs.uv[i] / MASK_STEP
+                radius = float(max(blobs.size[i])) / 2 / MASK_STEP + 2
+                rings.append(Ring(float(u), float(v), radius, colour))
+        self.mask_view.show_picture(mask_picture(picture, current, MASK_STEP), rings)
+
+    def shut_down(self) -> None:
+        self.keeper.write()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.viewmodels.calibration import SETTLED, calibration_view
-from app.viewmodels.colours import hue_rows
+from app.viewmodels.colours import seen_rows
 from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import GOOD, IDLE, WARN, Look
 from tracker.messages import Tracking
@@ -90,7 +90,7 @@ def _colours(view: Snapshot | None) -> Step:
     name = "Colours tuned"
     if view is None or view.blobs is None:
         return Step(name, False, "Waits for pictures.")
-    rows = hue_rows(view, view.setup.profile)
+    rows = seen_rows(view, view.setup.profile)
     clashing = [r.name for r in rows if r.clash]
     if clashing:
         reason = f"The intervals of {' and '.join(clashing)} overlap."

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import colorsys
 import dataclasses
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import GOOD, IDLE, WARN, Look
-from tracker.messages import Array, Tracking
+from tracker.calibration.colours_fit import FoundHue, clashes
+from tracker.messages import Blobs, Tracking
 from tracker.vision.colours import HUES, ColourProfile, HueRange
 
 
@@ -76,133 +76,103 @@ def with_channel(hue_range: HueRange, channel: str, interval: tuple[int, int]) -
     return dataclasses.replace(hue_range, value=interval)
 
 
-def stretched(hue_range: HueRange, hsv: tuple[int, int, int], margin: int = 2) -> HueRange:
-    """The smallest growth of a range that takes in the pixel, and ``margin`` beyond it.
-
-    The hue interval grows at whichever end is nearer round the circle.
-    """
-    h, s, v = hsv
-    first, last = hue_range.hue
-    if (h - first) % HUES > hue_range.width:
-        before, after = (first - h) % HUES, (h - last) % HUES
-        if before <= after:
-            first = (h - margin) % HUES
-        else:
-            last = (h + margin) % HUES
-    return dataclasses.replace(
-        hue_range,
-        hue=(first, last),
-        saturation=_grown(hue_range.saturation, s, margin),
-        value=_grown(hue_range.value, v, margin),
-    )
-
-
-def _grown(interval: tuple[int, int], x: int, margin: int) -> tuple[int, int]:
-    low, high = interval
-    low = max(0, x - margin) if x < low else low
-    high = min(255, x + margin) if x > high else high
-    return low, high
-
-
-def without_pixel(hue_range: HueRange, hsv: tuple[int, int, int]) -> HueRange:
-    """The range that just leaves the pixel out, cut where the cut costs the smallest share."""
-    if not bool(hue_range.contains(np.array(hsv))):
-        return hue_range
-    cuts = [*_hue_cuts(hue_range, hsv[0]), *_level_cuts(hue_range, hsv[1], hsv[2])]
-    return min(cuts, key=lambda c: c[0])[1] if cuts else hue_range
-
-
-def _hue_cuts(r: HueRange, h: int) -> list[tuple[float, HueRange]]:
-    """(share lost, range) of moving either end of the hue interval past ``h``."""
-    below = (h - r.hue[0]) % HUES + 1
-    above = (r.hue[1] - h) % HUES + 1
-    total = r.width + 1
-    cuts = []
-    if below < total:
-        cuts.append((below / total, dataclasses.replace(r, hue=((h + 1) % HUES, r.hue[1]))))
-    if above < total:
-        cuts.append((above / total, dataclasses.replace(r, hue=(r.hue[0], (h - 1) % HUES))))
-    return cuts
-
-
-def _level_cuts(r: HueRange, s: int, v: int) -> list[tuple[float, HueRange]]:
-    """The same for the lower ends of saturation and value."""
-    cuts = []
-    for key, x in (("saturation", s), ("value", v)):
-        low, high = getattr(r, key)
-        if x < high:
-            share = (x - low + 1) / (high - low + 1)
-            cuts.append((share, with_channel(r, key, (x + 1, high))))
-    return cuts
-
-
 @dataclass(frozen=True)
 class HueRow:
-    """One hue on screen."""
+    """One hue on screen: how many blobs there are, how many should be, what stands in its way."""
 
     name: str
     colour: str
     count: str
+    tip: str
     look: Look
     clash: str
 
 
-def hue_rows(view: Snapshot | None, profile: ColourProfile) -> list[HueRow]:
-    """Blobs found (left + right) against markers expected, and clashes, per hue."""
-    colours = hue_colours(profile)
-    return [
-        HueRow(h.name, colours[h.name], *_count(view, h.name), _clash(h, profile))
+def hue_rows(
+    profile: ColourProfile,
+    found: Mapping[str, float] | None = None,
+    expected: Mapping[str, float] | None = None,
+    room: Mapping[str, float] | None = None,
+) -> list[HueRow]:
+    """One row per hue. ``found`` and ``expected`` are blobs in one picture, by hue; ``room`` is the
+    share of the picture beside the hand that has the hue."""
+    colours, overlaps = hue_colours(profile), _overlaps(profile)
+    rows = []
+    for h in profile.hues:
+        count, tip, look = _count(h.name, found, expected)
+        clash = "; ".join(filter(None, (overlaps.get(h.name, ""), _room(h.name, room or {}))))
+        rows.append(HueRow(h.name, colours[h.name], count, tip, WARN if clash else look, clash))
+    return rows
+
+
+def seen_rows(
+    view: Snapshot, profile: ColourProfile, room: Mapping[str, float] | None = None
+) -> list[HueRow]:
+    """The rows of a live picture."""
+    found = {}
+    if view.blobs is not None:
+        sides = (view.blobs.left, view.blobs.right)
+        found = blob_counts(sides, view.blobs.hue_names, profile)
+    return hue_rows(profile, found, expected_counts(view), room)
+
+
+def blob_counts(
+    sides: Sequence[Blobs | None], names: Sequence[str], profile: ColourProfile
+) -> dict[str, float]:
+    """Hue name to blobs of it in one picture: the mean over the sides. Empty without a picture."""
+    there = [b for b in sides if b is not None]
+    if not there:
+        return {}
+    return {
+        h.name: sum(int((b.hue == names.index(h.name)).sum()) for b in there) / len(there)
         for h in profile.hues
-    ]
+        if h.name in names
+    }
 
 
-def _count(view: Snapshot | None, name: str) -> tuple[str, Look]:
-    if view is None or view.blobs is None or name not in view.blobs.hue_names:
-        return "–", IDLE
-    index = view.blobs.hue_names.index(name)
-    sides = [b for b in (view.blobs.left, view.blobs.right) if b is not None]
-    found = sum(int((b.hue == index).sum()) for b in sides) / max(1, len(sides))
-    expected = _expected(view, name)
-    if expected is None:
-        return f"{found:g} found", IDLE
-    few = found < 0.5 * expected
-    many = found > 2 * expected + 2
-    return f"{found:g} found, {expected:.0f} expected", WARN if few or many else GOOD
-
-
-def _expected(view: Snapshot, name: str) -> float | None:
-    """Markers of the hue that should be seen in one picture; None while searching."""
+def expected_counts(view: Snapshot) -> dict[str, float]:
+    """Hue name to markers that should be seen in one picture; empty while searching."""
     if view.result is None or view.result.tracking != Tracking.TRACKING:
-        return None
-    mine = [m.id for m in view.setup.glove.markers if m.hue == name]
-    return float(np.nansum(view.result.visible[mine]))
+        return {}
+    out: dict[str, float] = {}
+    for marker in view.setup.glove.markers:
+        seen = float(np.nan_to_num(view.result.visible[marker.id]))
+        out[marker.hue] = out.get(marker.hue, 0.0) + seen
+    return out
 
 
-def _clash(hue: HueRange, profile: ColourProfile) -> str:
-    others = [o.name for o in profile.hues if o.name != hue.name and hue.overlaps(o)]
-    return f"overlaps {', '.join(others)}" if others else ""
+def _count(
+    name: str, found: Mapping[str, float] | None, expected: Mapping[str, float] | None
+) -> tuple[str, str, Look]:
+    """Short text, long text and state."""
+    if not found or name not in found:
+        return "–", "no picture", IDLE
+    n = found[name]
+    if not expected or name not in expected:
+        return f"{n:g}", f"{n:g} found", IDLE
+    m = expected[name]
+    wrong = n < 0.5 * m or n > 2 * m + 2
+    return f"{n:g} of {m:.0f}", f"{n:g} found, {m:.0f} expected", WARN if wrong else GOOD
 
 
-def hue_histogram(picture: NDArray[np.uint8], step: int = 4) -> Array:
-    """(180,) share of each hue among the saturated, bright pixels, the largest being 1."""
-    hsv = cv2.cvtColor(np.ascontiguousarray(picture[::step, ::step]), cv2.COLOR_BGR2HSV)
-    vivid = (hsv[..., 1] >= 80) & (hsv[..., 2] >= 40)
-    counts = np.bincount(hsv[..., 0][vivid], minlength=HUES).astype(float)
-    return counts / max(1.0, counts.max())
+def _overlaps(profile: ColourProfile) -> dict[str, str]:
+    """Hue name to the others that take the same pixels."""
+    out: dict[str, list[str]] = {}
+    for clash in clashes(profile):
+        for mine, other in ((clash.hue, clash.other), (clash.other, clash.hue)):
+            out.setdefault(mine, []).append(f"{other} ({100 * clash.share:.0f} %)")
+    return {name: f"overlaps {', '.join(others)}" for name, others in out.items()}
 
 
-def mask_picture(picture: NDArray[np.uint8], hue: HueRange, step: int = 2) -> NDArray[np.uint8]:
-    """The picture with everything outside the range dimmed to grey, ``step`` times smaller."""
-    small = np.ascontiguousarray(picture[::step, ::step])
-    inside = hue.contains(cv2.cvtColor(small, cv2.COLOR_BGR2HSV))
-    grey = small.mean(axis=2, keepdims=True) * 0.35
-    return np.where(inside[..., None], small, grey).astype(np.uint8)
+def _room(name: str, room: Mapping[str, float]) -> str:
+    share = room.get(name)
+    return "" if share is None else f"the room has this colour too ({100 * share:.2g} % of it)"
 
 
-def pixel_hsv(picture: NDArray[np.uint8], u: float, v: float) -> tuple[int, int, int]:
-    """HSV of the median colour of the 3 by 3 pixels around (u, v)."""
-    row, column = round(v), round(u)
-    patch = picture[max(0, row - 1) : row + 2, max(0, column - 1) : column + 2]
-    middle = np.median(patch.reshape(-1, 3), axis=0).astype(np.uint8)
-    h, s, value = cv2.cvtColor(middle.reshape(1, 1, 3), cv2.COLOR_BGR2HSV)[0, 0]
-    return int(h), int(s), int(value)
+def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
+    """What a fit has done, hue by hue."""
+    if not found:
+        return "Nothing was fitted: no patches of these colours were found."
+    fitted = ", ".join(f"{f.range.name} ({f.patches} patches)" for f in found)
+    kept = [h.name for h in profile.hues if h.name not in {f.range.name for f in found}]
+    return f"Fitted {fitted}." + (f" Kept {', '.join(kept)}: too few are seen." if kept else "")

@@ -6,71 +6,83 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QSpinBox, QWidget
 from superqt import QRangeSlider
 
+from app.widgets.hue_range import HueRangeSlider
+
 
 class RangeRow(QWidget):
     """``changed`` says the new pair and whether a handle is still held.
 
-    With ``wraps`` the first number may be the larger one: the interval runs through 0, and the
-    slider then shows its complement's ends.
+    With ``wraps`` the first number may be the larger one: the interval runs through 0.
     """
 
     changed = Signal(int, int, bool)
 
     def __init__(self, name: str, top: int, wraps: bool = False) -> None:
         super().__init__()
-        self._top, self._wraps = top, wraps
-        self._shifted = False
-        self.slider = QRangeSlider(Qt.Orientation.Horizontal)
-        self.slider.setRange(0, top)
+        self._wraps = wraps
+        self.slider = HueRangeSlider(top) if wraps else self._plain(top)
         self.slider.setAccessibleName(name)
         self.low, self.high = self._spin(top), self._spin(top)
+        self.low.setAccessibleName(self.tr("{}, first").format(name))
+        self.high.setAccessibleName(self.tr("{}, last").format(name))
         label = QLabel(name)
-        label.setMinimumWidth(72)
+        label.setMinimumWidth(64)
         row = QGridLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(label, 0, 0)
-        row.addWidget(self.low, 0, 1)
-        row.addWidget(self.slider, 0, 2)
-        row.addWidget(self.high, 0, 3)
+        row.setHorizontalSpacing(4)
+        for column, widget in enumerate((label, self.low, self.slider, self.high)):
+            row.addWidget(widget, 0, column)
         row.setColumnStretch(2, 1)
-        self.slider.valueChanged.connect(self._slid)
-        self.slider.sliderReleased.connect(lambda: self._emit(False))
-        self.low.valueChanged.connect(self._typed)
-        self.high.valueChanged.connect(self._typed)
+        self._connect()
 
     @staticmethod
-    def _spin(top: int) -> QSpinBox:
+    def _plain(top: int) -> QRangeSlider:
+        slider = QRangeSlider(Qt.Orientation.Horizontal)
+        slider.setRange(0, top)
+        slider.setMinimumWidth(80)
+        return slider
+
+    def _spin(self, top: int) -> QSpinBox:
         box = QSpinBox()
         box.setRange(0, top)
-        box.setMinimumWidth(58)
+        box.setWrapping(self._wraps)
+        box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # the arrow keys count
+        box.setFixedWidth(42)
         return box
+
+    def _connect(self) -> None:
+        if isinstance(self.slider, HueRangeSlider):
+            self.slider.changed.connect(self._slid)
+            self.slider.released.connect(lambda: self._emit(False))
+        else:
+            self.slider.valueChanged.connect(lambda pair: self._slid(*pair))
+            self.slider.sliderReleased.connect(lambda: self._emit(False))
+        self.low.valueChanged.connect(self._typed)
+        self.high.valueChanged.connect(self._typed)
 
     def values(self) -> tuple[int, int]:
         return self.low.value(), self.high.value()
 
     def set_values(self, low: int, high: int) -> None:
         """Show a pair without a signal."""
-        self._shifted = self._wraps and low > high
-        for widget in (self.slider, self.low, self.high):
-            widget.blockSignals(True)
-        self.low.setValue(low)
-        self.high.setValue(high)
-        self.slider.setValue(tuple(sorted((low, high))))
-        self.slider.setToolTip(
-            self.tr("The interval runs through 0: it is outside the bar") if self._shifted else ""
-        )
-        for widget in (self.slider, self.low, self.high):
-            widget.blockSignals(False)
-
-    def _slid(self, pair: tuple[int, int]) -> None:
-        low, high = (int(x) for x in pair)
-        if self._shifted:
-            low, high = high, low
         for box, value in ((self.low, low), (self.high, high)):
             box.blockSignals(True)
             box.setValue(value)
             box.blockSignals(False)
-        self._emit(self.slider.isSliderDown())
+        self.slider.blockSignals(True)
+        if isinstance(self.slider, HueRangeSlider):
+            self.slider.set_values(low, high)
+        else:
+            self.slider.setValue((low, high))
+        self.slider.blockSignals(False)
+
+    def _held(self) -> bool:
+        slider = self.slider
+        return slider.held if isinstance(slider, HueRangeSlider) else slider.isSliderDown()
+
+    def _slid(self, low: int, high: int) -> None:
+        self.set_values(int(low), int(high))
+        self._emit(self._held())
 
     def _typed(self) -> None:
         low, high = self.values()

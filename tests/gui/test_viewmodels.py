@@ -6,21 +6,12 @@ import cv2
 import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
-from hypothesis import given
-from hypothesis import strategies as st
 
 from app.session import Session
 from app.tasks import TaskOwner
 from app.viewmodels.calibration import RANGES, calibration_view, convergence
-from app.viewmodels.colours import (
-    ProfileHistory,
-    hue_histogram,
-    hue_rows,
-    pixel_hsv,
-    stretched,
-    with_range,
-    without_pixel,
-)
+from app.viewmodels.colour_pictures import hue_histogram, pixel_hsv
+from app.viewmodels.colours import ProfileHistory, hue_rows, seen_rows, with_range
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
 from app.viewmodels.overlay import Layers, bones, overlay
 from app.viewmodels.sensors import curves, imu_states
@@ -28,7 +19,6 @@ from app.viewmodels.status import fields
 from app.widgets.orbit import Orbit
 from app.widgets.overlay import Cross, Ellipse, Line, Ring
 from tracker.messages import Status, Tracking, Validity
-from tracker.vision.colours import HueRange
 
 
 @pytest.fixture
@@ -124,36 +114,6 @@ def test_no_hand_is_drawn_before_there_is_one(view):
     assert HandSceneModel(view.setup).scene(dataclasses.replace(view, estimate=unknown)) is None
 
 
-hues = st.integers(0, 179)
-levels = st.integers(0, 255)
-
-
-@st.composite
-def ranges(draw):
-    first, width = draw(hues), draw(st.integers(0, 120))
-    low, high = sorted((draw(levels), draw(levels)))
-    value = sorted((draw(levels), draw(levels)))
-    return HueRange("red", (first, (first + width) % 180), (low, high), tuple(value))
-
-
-@given(ranges(), hues, levels, levels)
-def test_eyedropper_takes_the_pixel_in_and_keeps_what_was_in(r, h, s, v):
-    grown = stretched(r, (h, s, v))
-    assert grown.contains(np.array([h, s, v]))
-    corners = [(x, y, z) for x in r.hue for y in r.saturation for z in r.value]
-    assert grown.contains(np.array(corners)).all()
-
-
-@given(ranges(), hues, levels, levels)
-def test_eyedropper_leaves_the_pixel_out_and_takes_nothing_new_in(r, h, s, v):
-    cut = without_pixel(r, (h, s, v))
-    pixel = np.array([h, s, v])
-    single = r.hue[0] == r.hue[1] and s >= r.saturation[1] and v >= r.value[1]
-    assert not cut.contains(pixel) or single
-    sample = np.stack(np.meshgrid(range(0, 180, 7), range(0, 256, 51), range(0, 256, 51)), -1)
-    assert not (cut.contains(sample) & ~r.contains(sample)).any()
-
-
 def test_undo_and_redo_walk_the_same_steps():
     profile = models()[2]
     history = ProfileHistory(profile)
@@ -180,20 +140,23 @@ def test_a_dragged_slider_is_one_step_back():
     assert history.profile == profile
 
 
-def test_overlapping_hues_are_named():
+def test_overlapping_hues_are_named_with_how_much():
     profile = models()[2]
     wide = with_range(profile, dataclasses.replace(profile.hues[1], hue=(5, 39)))
-    rows = {r.name: r.clash for r in hue_rows(None, wide)}
-    assert rows["red"] == "overlaps yellow" and rows["yellow"] == "overlaps red"
+    rows = {r.name: r.clash for r in hue_rows(wide)}
+    assert rows["red"] == "overlaps yellow (30 %)"  # 5..11 of the 23 hues 169..11
+    assert rows["yellow"] == "overlaps red (30 %)"
     assert rows["blue"] == ""
-    assert not any(r.clash for r in hue_rows(None, profile))
+    assert not any(r.clash for r in hue_rows(profile))
 
 
 def test_blob_counts_per_hue_are_means_over_both_pictures(view):
-    rows = {r.name: r.count for r in hue_rows(view, view.setup.profile)}
+    rows = {r.name: r for r in seen_rows(view, view.setup.profile)}
     index = view.blobs.hue_names.index("red")
     both = (view.blobs.left.hue == index).sum() + (view.blobs.right.hue == index).sum()
-    assert rows["red"].startswith(f"{both / 2:g} found")
+    assert rows["red"].count.startswith(f"{both / 2:g} of ")
+    red = [m.id for m in view.setup.glove.markers if m.hue == "red"]
+    assert rows["red"].tip.endswith(f"{view.result.visible[red].sum():.0f} expected")
 
 
 def test_histogram_peaks_at_the_hue_that_is_there():

@@ -25,8 +25,9 @@ class FitParams:
     least_saturation: int = 90  # for a pixel to count as cloth at all, where nothing is labelled
     least_value: int = 45
     tail: float = 0.01  # share of samples left out at either end
-    hue_margin: int = 4  # around the samples, for other light
-    level_margin: int = 30  # below the least saturation and value
+    hue_margin: int = 6  # around the samples, for other light
+    level_margin: int = 45  # below the least saturation and value
+    dimmest: float = 0.45  # of the least value: how dark the same cloth is when it turns away
     half_width: int = 11  # of a fitted hue, at most
     least_area_px: float = 20.0
     largest_share: float = 0.02  # of the picture, for a patch
@@ -51,7 +52,8 @@ def fit_samples(name: str, hsv: NDArray[Any], params: FitParams | None = None) -
             f"The pixels marked for {name!r} have every hue: mark one cloth only."
         )
     hue = ((low - params.hue_margin) % HUES, (high + params.hue_margin) % HUES)
-    floor = np.quantile(pixels[:, 1:], params.tail, axis=0) - params.level_margin
+    least = np.quantile(pixels[:, 1:], params.tail, axis=0)
+    floor = np.minimum(least - params.level_margin, least * [1.0, params.dimmest])
     s, v = (int(x) for x in np.clip(np.floor(floor), 0, 255))
     return HueRange(name, hue, (s, 255), (v, 255))
 

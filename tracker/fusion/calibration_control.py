@@ -1,4 +1,4 @@
-"""What a user may do to a chain filter's calibration: reset it, freeze it, take it to another day."""
+"""What a user may do to a chain filter's calibration: reset, freeze, take along to another day."""
 
 from __future__ import annotations
 

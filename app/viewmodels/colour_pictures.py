@@ -1,0 +1,106 @@
+"""Pictures and pixels for tuning colours: masks, histograms, the room behind the hand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from app.viewmodels.overlay import project
+from app.viewmodels.snapshot import Snapshot
+from tracker.messages import Array, Tracking
+from tracker.vision.colours import HUES, ColourProfile, HueRange
+
+Picture = NDArray[np.uint8]
+DIMMED = 0.35
+ROOM_STEP = 4
+HAND_MARGIN_PX = 60
+ROOM_SHARE = 2e-4
+"""Of a picture: a patch of 12 mm at 0.6 m is 0.02 %."""
+
+
+def to_hsv(picture: Picture) -> Picture:
+    """A BGR picture in OpenCV's HSV."""
+    return np.asarray(cv2.cvtColor(np.ascontiguousarray(picture), cv2.COLOR_BGR2HSV), np.uint8)
+
+
+def in_range(hsv: Picture, hue: HueRange) -> Picture:
+    """(h, w) 255 where a pixel belongs to the hue, as `HueRange.contains`, ten times faster."""
+    (s0, s1), (v0, v1) = hue.saturation, hue.value
+    first, last = hue.hue
+    parts = [(first, last)] if first <= last else [(first, HUES - 1), (0, last)]
+    masks = [cv2.inRange(hsv, (a, s0, v0), (b, s1, v1)) for a, b in parts]
+    return np.asarray(masks[0] if len(masks) == 1 else cv2.bitwise_or(masks[0], masks[1]), np.uint8)
+
+
+def hue_histogram(picture: Picture, step: int = 4) -> Array:
+    """(180,) share of each hue among the saturated, bright pixels, the largest being 1."""
+    hsv = to_hsv(picture[::step, ::step])
+    vivid = (hsv[..., 1] >= 80) & (hsv[..., 2] >= 40)
+    counts = np.bincount(hsv[..., 0][vivid], minlength=HUES).astype(float)
+    return counts / max(1.0, counts.max())
+
+
+def mask_picture(picture: Picture, hue: HueRange, step: int = 2) -> Picture:
+    """The picture with everything outside the range dimmed to grey, ``step`` times smaller."""
+    small = np.ascontiguousarray(picture[::step, ::step])
+    return _over_grey(small, small, in_range(to_hsv(small), hue))
+
+
+def masks_picture(picture: Picture, hues: Mapping[HueRange, str]) -> Picture:
+    """Each hue's pixels in its colour (``#RRGGBB``), the rest of the picture dimmed to grey.
+
+    A pixel of two hues shows the first, as the detector counts it.
+    """
+    hsv, painted = to_hsv(picture), np.zeros_like(picture)
+    taken = np.zeros(picture.shape[:2], np.uint8)
+    for hue, colour in reversed(list(hues.items())):
+        mask = in_range(hsv, hue)
+        painted[mask > 0] = [int(colour[i : i + 2], 16) for i in (5, 3, 1)]
+        taken |= mask
+    return _over_grey(picture, painted, taken)
+
+
+def _over_grey(picture: Picture, shown: Picture, mask: Picture) -> Picture:
+    """``shown`` where ``mask``, else ``picture`` in dim grey."""
+    grey = cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY)
+    out = cv2.cvtColor(cv2.convertScaleAbs(grey, alpha=DIMMED), cv2.COLOR_GRAY2BGR)
+    cv2.copyTo(shown, mask, out)
+    return np.asarray(out, np.uint8)
+
+
+def pixel_hsv(picture: Picture, u: float, v: float) -> tuple[int, int, int]:
+    """HSV of the median colour of the 3 by 3 pixels around (u, v)."""
+    row, column = round(v), round(u)
+    patch = picture[max(0, row - 1) : row + 2, max(0, column - 1) : column + 2]
+    middle = np.median(patch.reshape(-1, 3), axis=0).astype(np.uint8)
+    h, s, value = to_hsv(middle.reshape(1, 1, 3))[0, 0]
+    return int(h), int(s), int(value)
+
+
+def room_shares(picture: Picture, profile: ColourProfile) -> dict[str, float]:
+    """Hue name to its share of a BGR picture of the room without the glove, where it matters."""
+    hsv = to_hsv(picture[::ROOM_STEP, ::ROOM_STEP])
+    shares = {h.name: float((in_range(hsv, h) > 0).mean()) for h in profile.hues}
+    return {name: share for name, share in shares.items() if share >= ROOM_SHARE}
+
+
+def room_picture(view: Snapshot) -> Picture | None:
+    """The left picture with the tracked hand blackened; None where the hand's place is unknown."""
+    frame, estimate = view.frame, view.estimate_at_frame
+    if frame is None or frame.left is None or estimate is None:
+        return None
+    if estimate.tracking != Tracking.TRACKING or not np.isfinite(estimate.keypoints).all():
+        return None
+    uv = project(view, estimate.keypoints, right=False)
+    if not np.isfinite(uv).all():
+        return None
+    picture = frame.left.copy()
+    (u0, v0), (u1, v1) = (
+        np.maximum(uv.min(axis=0) - HAND_MARGIN_PX, 0).astype(int),
+        np.maximum(uv.max(axis=0) + HAND_MARGIN_PX, 0).astype(int),
+    )
+    picture[v0:v1, u0:u1] = 0
+    return picture

@@ -1,0 +1,287 @@
+"""Tuning colours in the real window: what a click, a fit, a kept picture and a restart do."""
+
+import dataclasses
+
+import cv2
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QFileDialog
+
+from app.colour_store import ColourStore
+from app.kept_pictures import MOST, KeptPicture, PictureFolder, read_picture
+from app.main_window import MainWindow
+from app.panels.colours import MASK_STEP
+from app.viewmodels.colour_pictures import in_range, masks_picture, room_shares, to_hsv
+from app.viewmodels.colours import hue_colours
+from app.widgets.hue_range import HueRangeSlider
+from tracker.messages import Tracking
+from tracker.vision.colours import HueRange
+from tracker.vision.detector import Detector
+
+CAMERA = "Test Cam SN 0815"
+
+
+def setup_of(engine: ScriptedEngine):
+    return dataclasses.replace(scripted_setup(engine), camera=CAMERA)
+
+
+@pytest.fixture
+def colours(window, engine, qtbot):
+    """The panel in sight, on a camera with a name."""
+    window.session.adopt(setup_of(engine))
+    window.run_command("show_colours")
+    qtbot.waitUntil(lambda: window.colours.source.picture() is not None, timeout=30_000)
+    return window.colours
+
+
+def idle(colours, qtbot):
+    tasks = colours.window().tasks
+    qtbot.waitUntil(lambda: not tasks.tasks, timeout=30_000)
+
+
+def widget_point(view, u: float, v: float) -> QPoint:
+    """Where a pixel of the camera's picture is on the mask view."""
+    at = view._origin() + QPointF(u / MASK_STEP + 0.5, v / MASK_STEP + 0.5) * view._scale()
+    return at.toPoint()
+
+
+def narrow(colours, name: str) -> HueRange:
+    """Choose a hue and make it so narrow that none of its patches is in it."""
+    index = colours.profile.hue_names.index(name)
+    colours.choose_hue(index)
+    first = colours.profile.hues[index].hue[0]
+    colours.rows["hue"].high.setValue(first)
+    return colours.profile.hues[index]
+
+
+def test_clicking_a_patch_takes_it_in_and_the_detector_finds_it(colours, engine, qtbot):
+    picture, blobs = frame_and_blobs(engine.frame)
+    index = colours.profile.hue_names.index("green")
+    green = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("green")]
+    before = narrow(colours, "green")
+    missed = Detector(colours.profile).detect(picture.left)[0]
+    assert not (missed.hue == index).any()
+    colours.tools.pick.click()
+    for uv in green:
+        qtbot.mouseClick(
+            colours.mask_view, Qt.MouseButton.LeftButton, pos=widget_point(colours.mask_view, *uv)
+        )
+    tuned = engine.profiles[-1]
+    assert tuned.hues[index].width > before.width
+    found = Detector(tuned).detect(picture.left)[0]
+    assert (found.hue == index).sum() >= len(green) - 1
+
+
+def test_the_other_eyedropper_leaves_a_pixel_out(colours, engine, qtbot):
+    picture, blobs = frame_and_blobs(engine.frame)
+    colours.choose_hue(colours.profile.hue_names.index("red"))
+    uv = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("red")][0]
+    colours.tools.pick.click()
+    colours.tools.drop.click()
+    assert not colours.tools.pick.isChecked()
+    at = widget_point(colours.mask_view, *uv)
+    qtbot.mouseClick(colours.mask_view, Qt.MouseButton.LeftButton, pos=at)
+    v, u = round(float(uv[1])), round(float(uv[0]))
+    pixel = cv2.cvtColor(picture.left[v : v + 1, u : u + 1], cv2.COLOR_BGR2HSV)[0, 0]
+    assert models()[2].hues[0].contains(pixel)
+    assert not colours.profile.hues[0].contains(pixel)
+
+
+@pytest.mark.parametrize("signal", ["fit_markers", "fit_picture"])
+def test_a_fit_repairs_a_hue_that_is_off_and_is_one_step_back(colours, engine, qtbot, signal):
+    if signal == "fit_markers":  # the tracker still sees markers of the other hues
+        narrow(colours, "blue")
+    spoilt = colours.profile
+    getattr(colours.tools, signal).emit()
+    idle(colours, qtbot)
+    qtbot.waitUntil(lambda: colours.words.text().startswith("Fitted"), timeout=30_000)
+    assert engine.profiles[-1] == colours.profile != spoilt
+    default, fitted = Detector(models()[2]), Detector(colours.profile)
+    for frame in (5, 60, 120):
+        picture = frame_and_blobs(frame)[0].left
+        assert len(fitted.detect(picture)[0]) >= 0.9 * len(default.detect(picture)[0])
+    colours.undo()
+    assert colours.profile == spoilt
+
+
+def test_a_fit_without_a_tracked_hand_says_what_to_do(colours, engine, qtbot):
+    engine.tracking = Tracking.SEARCHING
+    qtbot.waitUntil(
+        lambda: colours.source.view.result.tracking == Tracking.SEARCHING, timeout=30_000
+    )
+    colours.fit_markers()
+    assert "Fit from the picture" in colours.window().banner.text()
+
+
+def test_tuned_colours_come_back_for_the_same_camera_only(window, engine, store, qtbot, no_leaks):
+    window.session.adopt(setup_of(engine))
+    window.colours.rows["saturation"].low.setValue(77)
+    tuned = window.colours.profile
+    window.close()
+    again, other = ScriptedEngine(), ScriptedEngine()
+    reopened = MainWindow(store)
+    qtbot.addWidget(reopened)
+    reopened.session.adopt(setup_of(again))
+    assert again.profiles[-1] == reopened.colours.profile == tuned
+    assert reopened.session.setup.profile == tuned  # a checklist and colours on screen follow
+    reopened.session.adopt(dataclasses.replace(scripted_setup(other), camera="Another"))
+    assert reopened.colours.profile == models()[2] and other.profiles == []
+    reopened.colours.tools.take_over.emit(reopened.colours.keeper.others()[0])
+    assert other.profiles[-1] == tuned
+    reopened.close()
+
+
+def test_a_damaged_profile_is_left_alone_and_the_shipped_one_serves(tmp_path):
+    store, shipped = ColourStore(tmp_path), models()[2]
+    store.path(CAMERA).write_text("schema = 1\nname = 3\n")
+    assert store.load(CAMERA, shipped) is None
+    assert store.path(CAMERA).read_text() == "schema = 1\nname = 3\n"
+
+
+def test_a_replay_keeps_no_colours(window, engine):
+    window.session.adopt(scripted_setup(engine))
+    window.colours.rows["value"].low.setValue(60)
+    window.colours.keeper.write()
+    assert not (window.store.path.parent / "colours").exists()
+
+
+def test_a_kept_picture_is_tuned_on_while_the_live_one_moves(colours, engine, qtbot):
+    picture = frame_and_blobs(engine.frame)[0]
+    colours.source.keep_button.click()
+    qtbot.waitUntil(lambda: not colours.source.is_live, timeout=30_000)
+    engine.frame = 60
+    qtbot.wait(300)
+    assert np.array_equal(colours.source.picture(), picture.left)
+    colours.source.side.setCurrentIndex(1)
+    assert np.array_equal(colours.source.picture(), picture.right)
+    size = float(models()[1].marker_size.mean())
+    fx = colours.session.setup.rig.fx
+    found = Detector(colours.profile, size, fx).detect(picture.right)[0]
+    assert colours._chips[0].text() == f"{int((found.hue == 0).sum())}"
+    colours.source.choice.setCurrentIndex(0)
+    qtbot.waitUntil(
+        lambda: colours.source.picture() is frame_and_blobs(60)[0].right, timeout=30_000
+    )
+
+
+def test_kept_pictures_are_png_files_that_others_read(colours, engine, qtbot, tmp_path):
+    picture = frame_and_blobs(engine.frame)[0]
+    colours.source.save_file(tmp_path / "glove.png")
+    idle(colours, qtbot)
+    read = cv2.imread(str(tmp_path / "glove.png"))
+    assert np.array_equal(read, np.hstack([picture.left, picture.right]))
+    colours.source.open_file(tmp_path / "glove.png")
+    qtbot.waitUntil(lambda: not colours.source.is_live, timeout=30_000)
+    assert np.array_equal(colours.source.picture(), picture.left)
+    colours.source.remove()
+    assert colours.source.is_live and (tmp_path / "glove.png").exists()
+
+
+def test_the_oldest_kept_picture_goes_first(tmp_path):
+    folder = PictureFolder(tmp_path)
+    tiny = np.zeros((4, 4, 3), np.uint8)
+    for i in range(MOST + 2):
+        folder.keep(KeptPicture(f"{i:03d}", tiny))
+    assert folder.names() == [f"{i:03d}" for i in range(2, MOST + 2)]
+    assert read_picture(folder.path("002")).right is None
+
+
+def test_a_frozen_picture_stays(colours, engine, qtbot):
+    colours.source.freeze.setChecked(True)
+    engine.frame = 60
+    qtbot.wait(300)
+    assert colours.source.picture() is frame_and_blobs(30)[0].left
+
+
+def test_red_runs_through_zero_on_the_slider(colours, qtbot):
+    colours.choose_hue(0)
+    slider = colours.rows["hue"].slider
+    assert isinstance(slider, HueRangeSlider) and slider.values() == (169, 11)
+    (a, b), (c, d) = slider.bars()
+    assert a == slider._x(169) and b > slider._x(179) and c < slider._x(0) and d == slider._x(11)
+
+
+def test_dragging_a_handle_through_the_end_wraps_and_is_one_step(colours, engine, qtbot):
+    colours.choose_hue(0)
+    slider, before = colours.rows["hue"].slider, colours.profile
+
+    def at(hue: int) -> QPoint:
+        return QPoint(round(slider._x(hue)), slider.height() // 2)
+
+    qtbot.mousePress(slider, Qt.MouseButton.LeftButton, pos=at(11))
+    for hue in (8, 3, 176):
+        slider.mouseMoveEvent(_move(slider, at(hue)))
+    qtbot.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=at(176))
+    low, high = colours.profile.hues[0].hue
+    assert low == 169 and abs(high - 176) <= 2
+    assert engine.profiles[-1].hues[0].hue == (low, high)
+    colours.undo()
+    assert colours.profile == before
+
+
+def _move(widget, at: QPoint) -> QMouseEvent:
+    left, none = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
+    on_screen = QPointF(widget.mapToGlobal(at))
+    kind, keys = QEvent.Type.MouseMove, Qt.KeyboardModifier.NoModifier
+    return QMouseEvent(kind, QPointF(at), on_screen, none, left, keys)
+
+
+def test_arrow_keys_move_the_marked_end_round_the_circle(colours, qtbot):
+    slider = colours.rows["hue"].slider
+    slider.set_values(0, 20)
+    qtbot.keyClick(slider, Qt.Key.Key_Left)
+    assert slider.values() == (179, 20)
+    qtbot.keyClick(slider, Qt.Key.Key_Up)
+    qtbot.keyClick(slider, Qt.Key.Key_Right)
+    assert slider.values() == (179, 21)
+
+
+def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monkeypatch):
+    colours._watch_room()
+    assert colours._room == {}  # the grey table and the hand itself are no clash
+    room = np.full((720, 1280, 3), 120, np.uint8)
+    room[100:200, 100:300] = (30, 180, 30)
+    monkeypatch.setattr(colours.source, "picture", lambda: room)
+    colours.check_room()
+    assert "green: the room has this colour" in colours.words.text()
+    assert room_shares(room, models()[2])["green"] == pytest.approx(
+        100 * 200 / (720 * 1280), rel=0.1
+    )
+
+
+def test_fast_masks_are_those_of_the_profile():
+    picture = frame_and_blobs(30)[0].left
+    hsv, profile = to_hsv(picture), models()[2]
+    for hue in profile.hues:
+        assert np.array_equal(in_range(hsv, hue) > 0, hue.contains(hsv))
+    colours = hue_colours(profile)
+    shown = masks_picture(picture, {h: colours[h.name] for h in profile.hues})
+    taken = np.any([h.contains(hsv) for h in profile.hues], axis=0)
+    red = profile.hues[0]
+    bgr = [int(colours["red"][i : i + 2], 16) for i in (5, 3, 1)]
+    assert (shown[red.contains(hsv)] == bgr).all()
+    assert np.ptp(shown[~taken], axis=1).max() == 0  # grey
+
+
+def test_closing_in_the_middle_of_a_drag_keeps_the_last_values(window, engine, store):
+    window.session.adopt(setup_of(engine))
+    window.colours.rows["value"].low.setValue(61)
+    window.close()
+    kept = ColourStore(store.path.parent / "colours").load(CAMERA, models()[2])
+    assert kept.hues[0].value[0] == 61
+
+
+def test_import_and_export_ask_for_a_file(colours, monkeypatch, tmp_path):
+    path = tmp_path / "mine.toml"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    colours.rows["value"].low.setValue(33)
+    tuned = colours.profile
+    colours.tools.save.emit()
+    colours.start_again()
+    assert colours.profile == models()[2]
+    colours.tools.load.emit()
+    assert colours.profile == tuned
