@@ -1,0 +1,200 @@
+"""The glove's set-up on simulated wearers whose mounting, biases and mistakes are known."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tracker.calibration.still import StillParams, still_pose
+from tracker.calibration.wiggle import WiggleTest, imu_motion, moving, wiggle_steps
+from tracker.geometry import so3
+from tracker.simulation.imu import ImuSimulator
+from tracker.simulation.motion import Motion
+from tracker.simulation.wiggles import PlayAlong, Wiggle, wiggling_wearer
+
+DEGREE = np.pi / 180
+SECONDS = 4.0
+
+
+def samples(hand, glove, part: str, seed: int = 3, seconds: float = SECONDS):
+    motion: Motion = Wiggle(hand, part)
+    simulator = ImuSimulator(wiggling_wearer(hand, glove, part, seed), motion, seed)
+    return list(simulator.samples(0.0, seconds)), simulator
+
+
+def with_imus(packets, change):
+    """Packets whose accel and gyro (n, 3) are ``change``d together with valid."""
+    return [
+        replace(s, accel=change(s.accel), gyro=change(s.gyro), valid=s.valid.copy())
+        for s in packets
+    ]
+
+
+def run(hand, glove, change=lambda rows: rows.copy(), seed: int = 3):
+    test = WiggleTest(hand, glove)
+    for k, step in enumerate(test.steps):
+        packets, _ = samples(hand, glove, step.part, seed)
+        assert test.add(k, with_imus(packets, change)) == ""
+    return test.result()
+
+
+def swapped(i: int, j: int):
+    def change(rows: np.ndarray) -> np.ndarray:
+        out = rows.copy()
+        out[[i, j]] = rows[[j, i]]
+        return out
+
+    return change
+
+
+def turned(i: int, R: np.ndarray):
+    def change(rows: np.ndarray) -> np.ndarray:
+        out = rows.copy()
+        out[i] = R @ rows[i]
+        return out
+
+    return change
+
+
+def silent(packets, i: int):
+    out = []
+    for s in packets:
+        valid, accel, gyro = s.valid.copy(), s.accel.copy(), s.gyro.copy()
+        valid[i], accel[i], gyro[i] = False, np.nan, np.nan
+        out.append(replace(s, valid=valid, accel=accel, gyro=gyro))
+    return out
+
+
+# --- the wiggle test
+
+
+def test_steps_are_the_fingers_with_imus_and_the_hand(hand, glove):
+    steps = wiggle_steps(hand, glove)
+    assert [s.part for s in steps] == ["thumb", "index", "middle", "hand"]
+    names = [[glove.imu_names[i] for i in s.imus] for s in steps]
+    assert names[1] == ["index_proximal", "index_intermediate"]
+    assert names[3] == ["dorsum"]
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3, 4, 5, 6])
+def test_a_glove_as_its_file_says_is_right(hand, glove, seed):
+    result = run(hand, glove, seed=seed)
+    assert result.ok, result
+    assert result.summary == "Every IMU is where the glove file says."
+
+
+def test_which_imu_moves_is_said_at_once(hand, glove):
+    packets, _ = samples(hand, glove, "index", seconds=1.0)
+    names = [glove.imu_names[i] for i in moving(imu_motion(packets))]
+    assert names[0] == "index_intermediate" and "middle_proximal" not in names
+    rest, _ = samples(hand, glove, "rest", seconds=1.0)
+    assert moving(imu_motion(rest)) == []
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("index_proximal", "middle_proximal"),
+        ("index_proximal", "index_intermediate"),
+        ("thumb_proximal", "middle_intermediate"),
+        ("dorsum", "index_intermediate"),
+    ],
+)
+def test_two_exchanged_imus_are_named(hand, glove, first, second):
+    i, j = glove.imu_names.index(first), glove.imu_names.index(second)
+    result = run(hand, glove, swapped(i, j))
+    assert {r.name for r in result.rows if r.state == "elsewhere"} == {first, second}
+    assert {r.name: r.segment for r in result.rows}[first] == second
+    assert "are exchanged" in result.summary
+    assert "plugs" in result.summary
+
+
+def test_an_imu_mounted_across_is_told(hand, glove):
+    i = glove.imu_names.index("middle_proximal")
+    result = run(hand, glove, turned(i, so3.rz(np.pi / 2)))
+    assert [r.state for r in result.rows].count("turned") == 1
+    assert result.rows[i].state == "turned"
+    assert "remount" in result.rows[i].words
+
+
+def test_a_silent_and_a_loose_imu_are_told_apart(hand, glove):
+    i, j = glove.imu_names.index("index_proximal"), glove.imu_names.index("thumb_proximal")
+    test = WiggleTest(hand, glove)
+    rest, _ = samples(hand, glove, "rest")
+    for k, step in enumerate(test.steps):
+        packets, _ = samples(hand, glove, step.part)
+        loose = []
+        for s, r in zip(silent(packets, i), rest, strict=True):
+            gyro = s.gyro.copy()
+            gyro[j] = r.gyro[j]
+            loose.append(replace(s, gyro=gyro))
+        assert test.add(k, loose) == ""
+    states = {r.name: r.state for r in test.result().rows}
+    assert states["index_proximal"] == "silent" and states["thumb_proximal"] == "still"
+    assert states["dorsum"] == "right"
+
+
+def test_a_step_without_motion_is_asked_for_again(hand, glove):
+    test = WiggleTest(hand, glove)
+    rest, _ = samples(hand, glove, "rest")
+    assert "Nothing moved" in test.add(1, rest)
+    assert not test.result().ok
+
+
+# --- the still pose
+
+
+@pytest.mark.parametrize("seed", [1, 5])
+def test_biases_and_noise_of_a_resting_hand_are_the_simulated_ones(hand, glove, seed):
+    packets, simulator = samples(hand, glove, "rest", seed, StillParams().duration)
+    pose = still_pose(packets, glove.imu_names)
+    assert pose.ok, pose.trouble
+    noise = np.deg2rad(simulator.params.gyro_noise_deg)
+    for i, imu in enumerate(pose.imus):
+        # the walk of the bias, 0.05 °/s, is part of it
+        assert imu.gyro_bias == pytest.approx(simulator.gyro_bias[i], abs=0.2 * DEGREE)
+        assert imu.gyro_bias_sd < 0.05 * DEGREE
+        assert imu.gyro_noise == pytest.approx(noise, rel=0.5)
+        assert np.linalg.norm(imu.accel) == pytest.approx(9.81, abs=0.6)
+
+
+def test_a_moving_finger_is_refused_and_named(hand, glove):
+    rest, _ = samples(hand, glove, "rest", seconds=2.0)
+    bending, _ = samples(hand, glove, "index", seconds=2.0)
+    i = glove.imu_names.index("index_intermediate")
+    packets = []
+    for still, moved in zip(rest, bending, strict=True):
+        gyro = still.gyro.copy()
+        gyro[i] = moved.gyro[i]
+        packets.append(replace(still, gyro=gyro))
+    pose = still_pose(packets, glove.imu_names)
+    assert "(index_intermediate): lay it flat" in pose.trouble
+
+
+def test_too_short_a_rest_and_a_silent_imu_are_told(hand, glove):
+    packets, _ = samples(hand, glove, "rest", seconds=2.0)
+    assert "2 s are needed" in still_pose(packets[:100], glove.imu_names).trouble
+    assert "2 s are needed" in still_pose([], glove.imu_names).trouble
+    assert (
+        "thumb_metacarpal does not answer"
+        in still_pose(silent(packets, 1), glove.imu_names).trouble
+    )
+
+
+def test_an_accelerometer_that_is_off_is_told(hand, glove):
+    packets, _ = samples(hand, glove, "rest", seconds=2.0)
+    off = [replace(s, accel=1.15 * s.accel) for s in packets]
+    assert "m/s² of gravity" in still_pose(off, glove.imu_names).trouble
+
+
+def test_the_wearer_who_plays_along_does_what_is_asked(hand, glove):
+    wearer = PlayAlong(hand, glove)
+    stream = wearer.samples()
+    first = [next(stream) for _ in range(200)]
+    wearer.part = "middle"
+    second = [next(stream) for _ in range(200)]
+    assert moving(imu_motion(first)) == []
+    assert glove.imu_names[moving(imu_motion(second))[0]] == "middle_intermediate"
+    assert [s.seq for s in first + second] == list(range(400))

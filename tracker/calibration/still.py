@@ -1,0 +1,113 @@
+"""Gyro biases and noise of every IMU while the hand lies still; a moving hand is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker import GRAVITY
+from tracker.messages import Array, ImuSample
+
+DEGREE = np.pi / 180
+
+
+@dataclass(frozen=True)
+class StillParams:
+    """Limits that a hand laid on a table keeps, and one held in the air does not."""
+
+    duration: float = 2.0  # s
+    gyro_sd: float = 1.0 * DEGREE  # rad/s, of one axis
+    drift: float = 0.5 * DEGREE  # rad/s, between the first and the second half
+    accel_sd: float = 0.25  # m/s²
+    gyro_bias: float = 10.0 * DEGREE  # rad/s, twice the data sheet's
+    gravity: float = 0.8  # m/s², twice what an offset of ±60 mg may add
+    answered: float = 0.8  # share of packets that must hold the IMU
+
+
+@dataclass(frozen=True, eq=False)
+class StillImu:
+    """One IMU: gyro_bias (3,) rad/s with its sd, gyro_noise rad/s/√Hz, accel (3,) mean m/s² in I.
+
+    ``trouble`` is empty where the figures may be used.
+    """
+
+    name: str
+    gyro_bias: Array
+    gyro_bias_sd: float
+    gyro_noise: float
+    accel: Array
+    trouble: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class StillPose:
+    """All IMUs in the glove's order; ``trouble`` says why the whole is refused."""
+
+    imus: tuple[StillImu, ...]
+    trouble: str = ""
+
+    @property
+    def ok(self) -> bool:
+        return not self.trouble
+
+
+def still_pose(
+    samples: Sequence[ImuSample], names: Sequence[str], params: StillParams | None = None
+) -> StillPose:
+    """What ``samples`` of a resting hand say of each of the IMUs ``names``."""
+    p = params or StillParams()
+    span = samples[-1].t - samples[0].t if samples else 0.0
+    if span < 0.9 * p.duration:
+        return StillPose((), f"Only {span:.1f} s of samples came; {p.duration:g} s are needed.")
+    gyro, accel = (np.array([getattr(s, k) for s in samples]) for k in ("gyro", "accel"))
+    valid = np.array([s.valid for s in samples])
+    rate_hz = (len(samples) - 1) / span
+    imus = tuple(
+        _one(name, gyro[valid[:, i], i], accel[valid[:, i], i], valid[:, i].mean(), rate_hz, p)
+        for i, name in enumerate(names)
+    )
+    return StillPose(imus, _verdict(imus))
+
+
+def _one(
+    name: str, gyro: Array, accel: Array, answered: float, rate_hz: float, p: StillParams
+) -> StillImu:
+    if answered < p.answered or len(gyro) < 2:
+        nan = np.full(3, np.nan)
+        return StillImu(name, nan, np.nan, np.nan, nan, "does not answer")
+    sd = gyro.std(axis=0, ddof=1)
+    half = len(gyro) // 2
+    drift = float(np.abs(gyro[:half].mean(axis=0) - gyro[half:].mean(axis=0)).max())
+    return StillImu(
+        name=name,
+        gyro_bias=gyro.mean(axis=0),
+        # a slow drift is not averaged away: half of it is left in the mean
+        gyro_bias_sd=float(np.hypot(sd.max() / np.sqrt(len(gyro)), drift / 2)),
+        gyro_noise=float(np.sqrt(np.mean(sd**2) / (rate_hz / 2))),
+        accel=accel.mean(axis=0),
+        trouble=_trouble(gyro, accel, drift, p),
+    )
+
+
+def _trouble(gyro: Array, accel: Array, drift: float, p: StillParams) -> str:
+    sd, bias = float(gyro.std(axis=0).max()), float(np.abs(gyro.mean(axis=0)).max())
+    if sd > p.gyro_sd or drift > p.drift or float(accel.std(axis=0).max()) > p.accel_sd:
+        return f"moves ({max(sd, drift) / DEGREE:.1f} °/s)"
+    if bias > p.gyro_bias:
+        return f"turns, or its gyro is off by {bias / DEGREE:.0f} °/s"
+    weight = float(np.linalg.norm(accel.mean(axis=0)))
+    if abs(weight - GRAVITY) > p.gravity:
+        return f"measures {weight:.1f} m/s² of gravity: its accelerometer is off"
+    return ""
+
+
+def _verdict(imus: Sequence[StillImu]) -> str:
+    moving = [i.name for i in imus if i.trouble.startswith(("moves", "turns"))]
+    if moving:
+        return (
+            f"The hand moved ({', '.join(moving)}): lay it flat on the table, palm down, and wait."
+        )
+    broken = [f"{i.name} {i.trouble}" for i in imus if i.trouble]
+    return f"{'; '.join(broken)}." if broken else ""
