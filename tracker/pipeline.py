@@ -21,10 +21,12 @@ from tracker.messages import (
     Estimate,
     FrameResult,
     ImuSample,
+    Tracking,
 )
 from tracker.settings import Settings
 from tracker.vision.detector import DetectionHints
 from tracker.vision.rig import StereoRig
+from tracker.vision.rig_watch import RigState, RigWatch
 
 Builder = Callable[[HandModel, GloveModel, StereoRig, Settings], Engine]
 
@@ -63,6 +65,8 @@ class Pipeline:
                 f"There is no engine {self.settings.engine!r}; there are {', '.join(ENGINES)}."
             )
         self._engine = build(hand, glove, rig, self.settings)
+        self._watch = RigWatch(rig)
+        self._refused: list[FrameResult] = []
 
     @property
     def engine(self) -> Engine:
@@ -79,12 +83,31 @@ class Pipeline:
         return self._engine.feed_imu(sample)
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen in a picture; see `take_results`."""
-        self._engine.feed_frame(frame)
+        """Take what was seen in a picture; see `take_results`. Swapped pictures are not used."""
+        if self._watch.usable(frame):
+            self._engine.feed_frame(frame)
+        else:
+            nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
+            self._refused.append(nothing)
 
     def take_results(self) -> list[FrameResult]:
         """What was made of pictures since the last call, oldest first."""
-        return self._engine.take_results()
+        results = self._engine.take_results()
+        for result in results:
+            self._watch.check(result)
+        if self._refused:
+            results = sorted([*results, *self._refused], key=lambda r: r.t)
+            self._refused.clear()
+        return results
+
+    @property
+    def rig_state(self) -> RigState:
+        """Whether the camera is still the one that was calibrated."""
+        return self._watch.state
+
+    def take_words(self) -> list[str]:
+        """Sentences about the camera since the last call, for the log."""
+        return self._watch.take_words()
 
     def predict(self, t: float) -> Estimate:
         """The hand at any instant near now. Moves nothing."""

@@ -10,6 +10,7 @@ session read back in that order gives the same states bit for bit.
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections import deque
@@ -20,6 +21,7 @@ from typing import Protocol
 from tracker.channels import Closed, Fifo, Latest
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import GlovetrackError
+from tracker.fusion.engine import Engine
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -95,6 +97,13 @@ class _Found:
     blobs: BlobFrame
 
 
+@dataclass(frozen=True, eq=False)
+class _Command:
+    """Something to be done to the engine between two messages."""
+
+    work: Callable[[Engine], None]
+
+
 class _Order:
     """Makes stamps of arrival tell the order of feeding: IMU first where two are equal."""
 
@@ -131,7 +140,7 @@ class LiveTracker:
         self._glove, self._camera, self._clock = glove, camera, clock
         self._stopping = threading.Event()
         self._threads: list[threading.Thread] = []
-        self._inbox: Fifo[ImuSample | _Found] = Fifo(4096)
+        self._inbox: Fifo[ImuSample | _Found | _Command] = Fifo(4096)
         self._pictures: Latest[StereoFrame] = Latest()
         self._events: Fifo[Event] = Fifo(2000)
         self._telemetry = Telemetry()
@@ -204,6 +213,13 @@ class LiveTracker:
             self._pipeline = pipeline
         self._say("tracking", f"The engine is now {name}.")
 
+    def command(self, work: Callable[[Engine], None]) -> None:
+        """Have ``work`` done to the engine, in its own thread, between two messages.
+
+        A GlovetrackError that it raises is told as an event.
+        """
+        self._inbox.put(_Command(work))
+
     def set_recorder(self, recorder: Recorder | None) -> None:
         """Record into ``recorder`` from now on; the last one is finished and closed."""
         with self._whole:
@@ -243,6 +259,13 @@ class LiveTracker:
         t.set("frames_dropped", self._pictures.dropped + self._skipped)
         t.set("imu_lost", self._lost_packets)
         t.set("imu_overflow", self._inbox.overflowed)
+        rig = self._pipeline.rig_state
+        t.set("stereo_swapped", float(rig.swapped))
+        t.set("camera_moved", float(rig.moved))
+        t.set("camera_jumps", rig.jumps)
+        t.set("stereo_refused", rig.refused)
+        if math.isfinite(rig.row_shift_px):
+            t.set("stereo_row_shift_px", rig.row_shift_px)
         if self._disk is not None:
             t.set("pictures_thinned", self._disk.thinned)
         tracking = self._estimate.tracking if self._estimate else Tracking.SEARCHING
@@ -304,6 +327,8 @@ class LiveTracker:
             started = self._clock()
             if isinstance(item, ImuSample):
                 self._feed_imu(item)
+            elif isinstance(item, _Command):
+                self._obey(item)
             else:
                 with self._counting:
                     self._behind -= 1
@@ -313,6 +338,13 @@ class LiveTracker:
             self._now_and_then()
 
     # ---- the engine thread's work
+
+    def _obey(self, command: _Command) -> None:
+        try:
+            command.work(self._pipeline.engine)
+        except GlovetrackError as error:
+            self._say("error", str(error))
+        self._next_slow = 0.0  # what it changed is shown at once
 
     def _feed_imu(self, sample: ImuSample) -> None:
         sample = self._order.imu(sample)
@@ -341,6 +373,8 @@ class LiveTracker:
             self._show(self._pipeline.predict(blobs.t), record=False)
 
     def _take_results(self) -> None:
+        for text in self._pipeline.take_words():
+            self._say("device", text)
         for result in self._pipeline.take_results():
             while self._waiting and self._waiting[0].blobs.t < result.t:
                 self._waiting.popleft()

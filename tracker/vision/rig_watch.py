@@ -1,0 +1,212 @@
+"""Notices a stereo camera that is not the one of its calibration: swapped pictures, moved lenses.
+
+Three signs, none of which needs to know where the hand is:
+
+- **Swapped**: partners of one hue lie on one row, the right one to the left. If many lie the other
+  way round and few the right way, left is right. Such a picture is not to be used.
+- **Row shift**: the row difference that most pairs agree on. It is 0 for a calibrated pair;
+  a lens that moved up or down, turned or was knocked shows here for good.
+- **Jump**: all markers stand elsewhere than the filter expected, by one and the same vector, from
+  one picture to the next, where the picture before agreed. No hand does that. Along the baseline a
+  moved lens shows only so: afterwards it looks like a hand of another size farther away.
+
+What cannot be seen: a lens that was already moved along the baseline when tracking began.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numba
+import numpy as np
+
+from tracker.messages import Array, BlobFrame, Blobs, FrameResult, IntArray, Tracking
+from tracker.vision.rig import StereoRig
+
+SHIFTS = 24  # rows, either way, among which the commonest shift is looked for
+RIGHT_WAY, WRONG_WAY = 0, 1
+
+
+@dataclass(frozen=True)
+class RigWatchParams:
+    """Limits. Pixels are for a focal length of 640 and grow with it."""
+
+    nearest: float = 0.15  # m, of markers
+    farthest: float = 0.9  # m
+    row_px: float = 1.5  # half the width of a row
+    votes: int = 4  # pairs that a verdict needs
+    clear: float = 2.0  # times as many as for anything else
+    shift_px: float = 1.5  # row shift of a camera that has moved
+    shift_pictures: int = 15  # over which the median is taken
+    swapped_pictures: int = 3  # in a row, before it is said
+    jump_px: float = 5.0
+    jump_markers: int = 5
+    jump_gap: float = 0.15  # s since the last picture that agreed
+
+
+@dataclass(frozen=True)
+class RigState:
+    """``row_shift_px`` is NaN until enough pictures showed pairs; ``jumps`` counts."""
+
+    swapped: bool = False
+    moved: bool = False
+    row_shift_px: float = float("nan")
+    jumps: int = 0
+    refused: int = 0
+
+
+class RigWatch:
+    """Takes every picture before the filter and every result after it."""
+
+    def __init__(self, rig: StereoRig, params: RigWatchParams | None = None) -> None:
+        self._rig, self._params = rig, params or RigWatchParams()
+        self._scale = rig.fx / 640.0
+        self._shifts: deque[float] = deque(maxlen=self._params.shift_pictures)
+        self._wrong_way = self._right_way = 0
+        self._agreed = -np.inf  # when markers last stood where they were expected
+        self._words: list[str] = []
+        self.state = RigState()
+
+    def usable(self, frame: BlobFrame) -> bool:
+        """Whether left is left in this picture, as far as it shows. Depends on it alone."""
+        if frame.left is None or frame.right is None:
+            return True
+        counts, means = self._votes(frame.left, frame.right)
+        right, wrong = int(counts[RIGHT_WAY].max()), int(counts[WRONG_WAY].max())
+        p = self._params
+        swapped = wrong >= p.votes and wrong > p.clear * right
+        self._note_order(swapped, right >= p.votes and right > wrong)
+        if not swapped:
+            self._note_shift(counts[RIGHT_WAY], means[RIGHT_WAY])
+        return not swapped
+
+    def check(self, result: FrameResult) -> None:
+        """Compare a picture with what the filter expected of it."""
+        both = np.isfinite(result.residual).all(axis=1)
+        p = self._params
+        if result.tracking != Tracking.TRACKING or both.sum() < p.jump_markers:
+            return
+        left_u, left_v, right_u, right_v = np.median(result.residual[both], axis=0)
+        apart = float(np.hypot(right_u - left_u, right_v - left_v)) / self._scale
+        together = float(np.hypot(right_u + left_u, right_v + left_v)) / 2 / self._scale
+        if max(apart, together) < p.jump_px:
+            self._agreed = result.t
+        elif result.t - self._agreed <= p.jump_gap:
+            self._agreed = -np.inf  # one jump is told once
+            self._note_jump(apart, together)
+
+    def take_words(self) -> list[str]:
+        """Sentences for the log since the last call."""
+        words, self._words = self._words, []
+        return words
+
+    # ---- verdicts
+
+    def _note_order(self, swapped: bool, in_order: bool) -> None:
+        """Swapped and back are told after some pictures in a row."""
+        self._wrong_way = self._wrong_way + 1 if swapped else 0
+        self._right_way = self._right_way + 1 if in_order else 0
+        state, enough = self.state, self._params.swapped_pictures
+        if swapped:
+            self._set(refused=state.refused + 1)
+        if self._wrong_way >= enough and not state.swapped:
+            self._set(swapped=True)
+            self._words.append(
+                "The left and the right picture are swapped; they are not used. "
+                "Exchange the two cameras."
+            )
+        elif self._right_way >= enough and state.swapped:
+            self._set(swapped=False)
+            self._words.append("The left and the right picture are in order again.")
+
+    def _note_shift(self, counts: IntArray, means: Array) -> None:
+        """The median over pictures that show one row shift clearly."""
+        best = int(np.argmax(counts))
+        others = np.delete(counts, range(max(best - 3, 0), best + 4))
+        p = self._params
+        if counts[best] < p.votes or counts[best] <= p.clear * others.max():
+            return
+        self._shifts.append(float(means[best]))
+        if len(self._shifts) < p.shift_pictures:
+            return
+        shift = float(np.median(self._shifts))
+        limit = p.shift_px * self._scale * (0.6 if self.state.moved else 1.0)
+        self._say_moved(abs(shift) > limit, shift)
+        self._set(row_shift_px=shift, moved=abs(shift) > limit)
+
+    def _say_moved(self, moved: bool, shift: float) -> None:
+        if moved and not self.state.moved:
+            self._words.append(
+                f"The two pictures are {abs(shift):.1f} pixels apart in height: a lens has moved "
+                "since the stereo calibration. Calibrate the camera again."
+            )
+        elif self.state.moved and not moved:
+            self._words.append("The two pictures fit the stereo calibration again.")
+
+    def _note_jump(self, apart: float, together: float) -> None:
+        self._set(jumps=self.state.jumps + 1)
+        if apart > together:
+            text = (
+                f"The pictures have moved against each other by {apart:.0f} pixels at once: a lens "
+                "was knocked. Calibrate the camera again if this stays."
+            )
+        else:
+            text = (
+                f"All markers have jumped by {together:.0f} pixels at once: the camera was moved. "
+                "Places are measured from where it stands now."
+            )
+        self._words.append(text)
+
+    def _set(self, **changes: Any) -> None:
+        self.state = replace(self.state, **changes)
+
+    def _votes(self, left: Blobs, right: Blobs) -> tuple[IntArray, Array]:
+        focal, p = self._rig.fx * self._rig.baseline, self._params
+        return row_votes(
+            np.ascontiguousarray(self._rig.left.rectify(left.uv)),
+            left.hue,
+            np.ascontiguousarray(self._rig.right.rectify(right.uv)),
+            right.hue,
+            (focal / p.farthest, focal / p.nearest),
+            p.row_px * self._scale,
+        )
+
+
+@numba.njit(cache=True, nogil=True)
+def row_votes(
+    left: Array,
+    left_hue: IntArray,
+    right: Array,
+    right_hue: IntArray,
+    disparity: tuple[float, float],
+    row_px: float,
+) -> tuple[IntArray, Array]:
+    """How many left blobs have a partner at each row shift: counts (2, 49), mean shift (2, 49) px.
+
+    Columns are shifts (left minus right row) of -24 to 24 px. Row 0 counts partners with a
+    ``disparity`` (least, most; px) that a hand can have, row 1 with the same one the wrong way
+    round. A blob with several partners at one shift counts once.
+    """
+    n = 2 * SHIFTS + 1
+    counts, total = np.zeros((2, n), np.int64), np.zeros((2, n))
+    nearest = np.empty((2, n))
+    for i in range(len(left)):
+        nearest[:] = np.inf
+        for j in range(len(right)):
+            du, dv = left[i, 0] - right[j, 0], left[i, 1] - right[j, 1]
+            way = RIGHT_WAY if du > 0 else WRONG_WAY
+            if left_hue[i] != right_hue[j] or not disparity[0] <= abs(du) <= disparity[1]:
+                continue
+            first = int(np.ceil(dv - row_px)) + SHIFTS
+            last = int(np.floor(dv + row_px)) + SHIFTS
+            for k in range(max(first, 0), min(last, n - 1) + 1):
+                if abs(dv - (k - SHIFTS)) < abs(nearest[way, k] - (k - SHIFTS)):
+                    nearest[way, k] = dv
+        for way in range(2):
+            for k in range(n):
+                if nearest[way, k] < np.inf:
+                    counts[way, k] += 1
+                    total[way, k] += nearest[way, k]
+    return counts, total / np.maximum(counts, 1)
