@@ -3,14 +3,17 @@
 import numpy as np
 import pytest
 
+from tracker.fusion.chain_kinematics import point_jacobians, tip_sd
 from tracker.fusion.kalman import update
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.output import INFERRED_SD, HandOutput, Sensed
-from tracker.fusion.pixels_kernel import stack_rows
+from tracker.fusion.pixels_kernel import innovation_covariance, pixel_jacobians, stack_rows
+from tracker.fusion.sparse import times
 from tracker.fusion.state import initial_state
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Tracking, Validity
+from tracker.vision.rig import ideal_rig
 
 SD_MARKER, SD_PIXEL, HUBER = 0.002, 0.7, 3.0
 
@@ -108,3 +111,51 @@ def test_update_refuses_an_impossible_innovation() -> None:
     """A covariance that is none must not pass for an update."""
     with pytest.raises(np.linalg.LinAlgError, match="not positive definite"):
         update(np.eye(3), np.eye(3), np.ones(3), np.diag([1.0, 1.0, -2.0]))
+
+
+def test_rows_of_few_entries_are_multiplied_like_any_others() -> None:
+    rng = np.random.default_rng(9)
+    H = np.where(rng.random((12, 40)) < 0.2, rng.normal(size=(12, 40)), 0.0)
+    P = rng.normal(size=(40, 33))
+    assert np.allclose(times(H, P), H @ P, atol=1e-12)
+
+
+def test_innovation_covariance_is_the_plain_product() -> None:
+    rng = np.random.default_rng(10)
+    n, size = 5, 30
+    H = np.where(rng.random((n, 3, size)) < 0.3, rng.normal(size=(n, 3, size)), 0.0)
+    root = rng.normal(size=(size, size))
+    HP = (H.reshape(-1, size) @ root @ root.T).reshape(H.shape)
+    A = rng.normal(size=(2, n, 2, 3))
+    got = innovation_covariance(H, HP, A, SD_MARKER, SD_PIXEL)
+    for c in range(2):
+        for k in range(n):
+            cov = HP[k] @ H[k].T + np.eye(3) * SD_MARKER**2
+            plain = A[c, k] @ cov @ A[c, k].T + np.eye(2) * SD_PIXEL**2
+            assert np.allclose(got[c, k], plain, atol=1e-10)
+
+
+def test_pixel_jacobians_are_the_projections_slopes() -> None:
+    """Against central differences of the rig's own projection, both cameras."""
+    rig, rng = ideal_rig(), np.random.default_rng(11)
+    p_G, step = rng.normal(0, 0.03, (6, 3)), 1e-7
+    R, p = rig.pose.R_GC, rig.pose.p_GC
+    A = pixel_jacobians((p_G - p) @ R, R, rig.fx, rig.fy, rig.baseline)
+    for c in range(2):
+        for i in range(3):
+            ahead, behind = (
+                rig.project((p_G + s * step * np.eye(3)[i] - p) @ R, right=bool(c)) for s in (1, -1)
+            )
+            assert np.allclose(A[c, :, :, i], (ahead - behind) / (2 * step), atol=1e-3)
+
+
+def test_spread_of_the_tips_is_the_trace(hand: HandModel, glove: GloveModel) -> None:
+    layout, rng = ChainLayout(hand, glove), np.random.default_rng(12)
+    state = initial_state(layout)
+    root = rng.normal(size=state.P.shape)
+    state.P = root @ root.T
+    rows = np.arange(len(layout.active))
+    none = np.full(len(rows), -1, np.int64)
+    H = point_jacobians(state, layout, rows, layout.tip, np.zeros_like(layout.tip), none)
+    plain = [np.sqrt(np.trace(h @ state.P @ h.T) / 3) for h in H]
+    assert np.allclose(tip_sd(state, layout), plain)

@@ -33,8 +33,7 @@ def point_positions(
 ) -> Array:
     """(n, 3) in G of points given in their active segment's B (m)."""
     p_GB = segment_positions(state, layout)
-    local = state.scale3()[segment] * nominal + offset
-    return p_GB[segment] + np.einsum("nij,nj->ni", state.R_GB[segment], local)
+    return _points(p_GB, state.R_GB, state.scale3(), segment, nominal, offset)
 
 
 def marker_positions(state: ChainState, layout: ChainLayout) -> Array:
@@ -90,6 +89,25 @@ def tip_sd(state: ChainState, layout: ChainLayout) -> Array:
     none = np.full(len(rows), -1, np.int64)
     H = point_jacobians(state, layout, rows, layout.tip, np.zeros_like(layout.tip), none)
     return _spread(H, state.P)
+
+
+@numba.njit(cache=True, nogil=True)
+def turned(R, segment, v):  # type: ignore[no-untyped-def]
+    """(n, 3) v in G, of v (n, 3) given in the B of ``segment`` (n,), with R_GB (A, 3, 3)."""
+    out = np.empty((len(v), 3))
+    for k in range(len(v)):
+        a = segment[k]
+        for i in range(3):
+            out[k, i] = R[a, i, 0] * v[k, 0] + R[a, i, 1] * v[k, 1] + R[a, i, 2] * v[k, 2]
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
+def _points(p_GB, R, scale, segment, nominal, offset):  # type: ignore[no-untyped-def]
+    out = turned(R, segment, scale[segment] * nominal + offset)
+    for k in range(len(out)):
+        out[k] += p_GB[segment[k]]
+    return out
 
 
 @numba.njit(cache=True, nogil=True)

@@ -12,10 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions
+from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions, turned
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import NoiseParams
-from tracker.fusion.pixels_kernel import stack_rows
+from tracker.fusion.pixels_kernel import innovation_covariance, pixel_jacobians, stack_rows
+from tracker.fusion.sparse import times
 from tracker.fusion.state import ChainState
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.vision.correspondence import GateParams, HandShape, assign_gated, visibility
@@ -82,6 +83,7 @@ class PixelModel:
     def __init__(self, layout: ChainLayout, rig: StereoRig, noise: NoiseParams) -> None:
         self._layout, self._rig, self._noise = layout, rig, noise
         self._shape = HandShape.of(layout.hand)
+        self._segment = layout.glove.marker_segment(layout.hand)
 
     def predict(
         self,
@@ -93,39 +95,18 @@ class PixelModel:
         """Where markers should be. R_all, p_all: poses of all hand segments, for occlusion."""
         lay, glove = self._layout, self._layout.glove
         p_G = marker_positions(state, lay)
-        normal_G = np.einsum("mij,mj->mi", state.R_GB[lay.marker_segment], glove.marker_normal)
+        normal_G = turned(state.R_GB, lay.marker_segment, glove.marker_normal)
         p_C = (p_G - pose.p_GC) @ pose.R_GC
         uv = np.stack([self._rig.project(p_C), self._rig.project(p_C, right=True)])
-        prior = visibility(
-            self._shape,
-            self._rig,
-            pose,
-            p_G,
-            normal_G,
-            glove.marker_segment(lay.hand),
-            R_all,
-            p_all,
-        )
-        prior = np.where(np.isfinite(uv[..., 0]), prior, 0.0)
+        prior = visibility(self._shape, self._rig, pose, p_G, normal_G, self._segment, R_all, p_all)
+        prior[np.isnan(uv[..., 0])] = 0.0
         rows = np.flatnonzero(prior.max(axis=0) > MIN_PRIOR)
         H = marker_jacobians(state, lay, rows)
-        HP = (H.reshape(-1, lay.size) @ state.P).reshape(H.shape)
-        A = self._pixel_jacobians(p_C[rows], pose)
-        cov = np.einsum("kin,kjn->kij", HP, H) + np.eye(3) * self._noise.marker**2
-        S = np.einsum("ckai,kij,ckbj->ckab", A, cov, A) + np.eye(2) * self._noise.pixel_px**2
+        HP = times(H.reshape(-1, lay.size), state.P).reshape(H.shape)
+        rig, noise = self._rig, self._noise
+        A = pixel_jacobians(p_C[rows], pose.R_GC, rig.fx, rig.fy, rig.baseline)
+        S = innovation_covariance(H, HP, A, noise.marker, noise.pixel_px)
         return Prediction(rows, uv, prior, H, HP, A, S)
-
-    def _pixel_jacobians(self, p_C: Array, pose: CameraPose) -> Array:
-        """(2, n, 2, 3) d uv / d p_G of both cameras."""
-        rig = self._rig
-        z = np.maximum(p_C[:, 2], 0.01)
-        out = np.zeros((2, len(p_C), 2, 3))
-        for c, shift in enumerate((0.0, rig.baseline)):
-            out[c, :, 0, 0] = rig.fx / z
-            out[c, :, 0, 2] = -rig.fx * (p_C[:, 0] - shift) / z**2
-            out[c, :, 1, 1] = rig.fy / z
-            out[c, :, 1, 2] = -rig.fy * p_C[:, 1] / z**2
-        return out @ pose.R_GC.T
 
     def match(self, prediction: Prediction, seen: tuple[SeenBlobs, ...]) -> IntArray:
         """(2, M) row of `seen` for each marker, -1 for none."""

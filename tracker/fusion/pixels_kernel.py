@@ -1,4 +1,4 @@
-"""Stacking the pixel rows of all matched markers, compiled: the dearest loop of a picture."""
+"""The arithmetic of `tracker.fusion.pixels`, compiled: the dearest loops of a picture."""
 
 from __future__ import annotations
 
@@ -6,7 +6,47 @@ import numba
 import numpy as np
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
+def pixel_jacobians(p_C, R_GC, fx, fy, baseline):  # type: ignore[no-untyped-def]
+    """(2, n, 2, 3) d uv / d p_G of both cameras, of points p_C (n, 3)."""
+    n = len(p_C)
+    out = np.empty((2, n, 2, 3))
+    for c in range(2):
+        shift = baseline if c else 0.0
+        for k in range(n):
+            z = max(p_C[k, 2], 0.01)
+            u_z = -fx * (p_C[k, 0] - shift) / z**2
+            v_z = -fy * p_C[k, 1] / z**2
+            for i in range(3):
+                out[c, k, 0, i] = fx / z * R_GC[i, 0] + u_z * R_GC[i, 2]
+                out[c, k, 1, i] = fy / z * R_GC[i, 1] + v_z * R_GC[i, 2]
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
+def innovation_covariance(H, HP, A, sd_marker, sd_pixel):  # type: ignore[no-untyped-def]
+    """(2, n, 2, 2) px² of n markers in both cameras; shapes as in `stack_rows`."""
+    n, size = len(H), H.shape[2]
+    out = np.empty((2, n, 2, 2))
+    cov = np.empty((3, 3))
+    for k in range(n):
+        cov[:] = 0.0
+        for j in range(size):
+            for b in range(3):
+                h = H[k, b, j]
+                if h != 0.0:
+                    for a in range(3):
+                        cov[a, b] += HP[k, a, j] * h
+        for a in range(3):
+            cov[a, a] += sd_marker**2
+        for c in range(2):
+            out[c, k] = A[c, k] @ cov @ A[c, k].T
+            for a in range(2):
+                out[c, k, a, a] += sd_pixel**2
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
 def stack_rows(H, HP, A, residual, sd_marker, sd_pixel, threshold):  # type: ignore[no-untyped-def]
     """H, HP (m, N), r (m,) and noise (m, m) of the markers that are matched.
 
@@ -45,7 +85,7 @@ def stack_rows(H, HP, A, residual, sd_marker, sd_pixel, threshold):  # type: ign
     return rows_H, rows_HP, r, R
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _huber(r, S, threshold):  # type: ignore[no-untyped-def]
     """Factor on the noise: 1 up to the threshold, then growing with the distance."""
     distance = np.sqrt(r @ np.linalg.solve(S, r) / len(r))

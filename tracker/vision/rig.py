@@ -10,10 +10,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import cv2
+import numba
 import numpy as np
 
 from tracker.errors import ConfigError
 from tracker.messages import Array, CameraPose
+
+NEAREST = 0.01  # m in front of the lens, below which nothing is projected
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,35 +73,34 @@ class StereoRig:
         if not np.allclose(self.left.P[:, :3], self.right.P[:, :3], rtol=1e-6, atol=1e-6):
             raise ConfigError("The two rectified cameras must share one matrix P[:, :3].")
 
-    @property
+    @cached_property
     def fx(self) -> float:
         return float(self.left.P[0, 0])
 
-    @property
+    @cached_property
     def fy(self) -> float:
         return float(self.left.P[1, 1])
 
-    @property
+    @cached_property
     def cx(self) -> float:
         return float(self.left.P[0, 2])
 
-    @property
+    @cached_property
     def cy(self) -> float:
         return float(self.left.P[1, 2])
 
-    @property
+    @cached_property
     def baseline(self) -> float:
         """Distance of the two lenses, m."""
         return float(-self.right.P[0, 3] / self.right.P[0, 0])
 
     def project(self, p_C: Array, right: bool = False) -> Array:
         """Points (…, 3) of C to rectified pixels (…, 2). NaN for points not in front (z < 1 cm)."""
-        p = np.asarray(p_C, float)
-        z = np.where(p[..., 2] < 0.01, np.nan, p[..., 2])
-        shift = self.baseline if right else 0.0
-        u = self.fx * (p[..., 0] - shift) / z + self.cx
-        v = self.fy * p[..., 1] / z + self.cy
-        return np.stack([u, v], axis=-1)
+        p = np.ascontiguousarray(p_C, float)
+        uv = _project(
+            p.reshape(-1, 3), self.baseline if right else 0.0, self.fx, self.fy, self.cx, self.cy
+        )
+        return uv.reshape(*p.shape[:-1], 2)
 
     def triangulate(self, left: Array, right: Array) -> Array:
         """Rectified pixel pairs (n, 2), (n, 2) to points (n, 3) of C; NaN where disparity ≤ 0."""
@@ -108,6 +110,19 @@ class StereoRig:
         x = (left[:, 0] - self.cx) * z / self.fx
         y = ((left[:, 1] + right[:, 1]) / 2 - self.cy) * z / self.fy
         return np.column_stack([x, y, z])
+
+
+@numba.njit(cache=True, nogil=True)
+def _project(p_C, shift, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
+    """(n, 2) rectified pixels of p_C (n, 3), seen from ``shift`` m to the right."""
+    out = np.empty((len(p_C), 2))
+    for k in range(len(p_C)):
+        x, y, z = p_C[k]
+        if z < NEAREST:
+            z = np.nan
+        out[k, 0] = fx * (x - shift) / z + cx
+        out[k, 1] = fy * y / z + cy
+    return out
 
 
 def ideal_rig(

@@ -12,13 +12,11 @@ from dataclasses import dataclass
 
 import numba
 import numpy as np
-from numpy.typing import NDArray
 
 from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose, IntArray
 from tracker.vision.rig import Camera, StereoRig
 
-MIN_DEPTH = 0.01  # m in front of the lens, below which nothing is projected
 FAR_OUTSIDE = 0.5  # of the picture's size; beyond it a lens polynomial means nothing
 
 
@@ -78,12 +76,14 @@ def visibility(
     params = params or VisibilityParams()
     p_C = (p_G - pose.p_GC) @ pose.R_GC
     out = np.empty((2, len(p_G)))
+    start = p_G + params.lift * normal_G
+    radius, width = shape.radius * params.radius_factor, shape.width * params.radius_factor
+    solids = R_GB, p_GB, shape.length, radius, width
     for c in range(2):
         centre_G = pose.p_GC + (pose.R_GC[:, 0] * rig.baseline if c else 0.0)
         out[c] = facing(p_G, normal_G, centre_G, params)
         out[c] *= in_view(rig, p_C, bool(c), None if cov_px is None else cov_px[c], params)
-        hidden = occluded(shape, centre_G, p_G, normal_G, segment, R_GB, p_GB, out[c] > 0, params)
-        out[c] *= np.where(hidden, params.occluded, 1.0)
+        _weaken_hidden(out[c], params.occluded, centre_G, start, segment, *solids)
     return out
 
 
@@ -94,11 +94,22 @@ def both_cameras(prior: Array) -> Array:
 
 def facing(p_G: Array, normal_G: Array, centre_G: Array, params: VisibilityParams) -> Array:
     """Eq. 4, (M,): 1 up to alpha_min between normal and way to the camera, 0 from alpha_max."""
-    to_camera = centre_G - p_G
-    cosine = np.einsum("mi,mi->m", normal_G, to_camera) / np.linalg.norm(to_camera, axis=1)
-    alpha_deg = np.rad2deg(np.arccos(np.clip(cosine, -1.0, 1.0)))
-    span = params.facing_none_deg - params.facing_full_deg
-    return np.clip((params.facing_none_deg - alpha_deg) / span, 0.0, 1.0)
+    return _facing(p_G, normal_G, centre_G, params.facing_full_deg, params.facing_none_deg)
+
+
+@numba.njit(cache=True, nogil=True)
+def _facing(p: Array, normal: Array, centre: Array, full_deg: float, none_deg: float) -> Array:
+    out = np.empty(len(p))
+    for j in range(len(p)):
+        along, length2 = 0.0, 0.0
+        for k in range(3):
+            d = centre[k] - p[j, k]
+            along += normal[j, k] * d
+            length2 += d * d
+        cosine = min(max(along / math.sqrt(length2), -1.0), 1.0)
+        alpha_deg = math.degrees(math.acos(cosine))
+        out[j] = min(max((none_deg - alpha_deg) / (none_deg - full_deg), 0.0), 1.0)
+    return out
 
 
 def in_view(
@@ -108,10 +119,10 @@ def in_view(
     camera = rig.right if right else rig.left
     uv = _recorded(camera, rig.project(p_C, right))
     if cov_px is None:
-        var = np.full(uv.shape, params.pixel_sd_px**2)
+        sd = np.full(uv.shape, params.pixel_sd_px)
     else:
-        var = np.stack([cov_px[:, 0, 0], cov_px[:, 1, 1]], axis=1)
-    return _inside(uv, np.sqrt(var), camera.width - 1.0, camera.height - 1.0)
+        sd = np.sqrt(np.stack([cov_px[:, 0, 0], cov_px[:, 1, 1]], axis=1))
+    return _inside(uv, sd, camera.width - 1.0, camera.height - 1.0)
 
 
 def _recorded(camera: Camera, uv: Array) -> Array:
@@ -139,28 +150,10 @@ def _inside(uv: Array, sd: Array, right: float, bottom: float) -> Array:
     return out
 
 
-def occluded(
-    shape: HandShape,
-    centre_G: Array,
-    p_G: Array,
-    normal_G: Array,
-    segment: IntArray,
-    R_GB: Array,
-    p_GB: Array,
-    wanted: Array,
-    params: VisibilityParams,
-) -> NDArray[np.bool_]:
-    """(M,) bool: another segment than its own cuts the line from the camera to the marker."""
-    start = p_G + params.lift * normal_G
-    radius = shape.radius * params.radius_factor
-    width = shape.width * params.radius_factor
-    return _occluded(
-        centre_G, start, segment, R_GB, p_GB, shape.length, radius, width, np.asarray(wanted)
-    )
-
-
 @numba.njit(cache=True, nogil=True)
-def _occluded(
+def _weaken_hidden(
+    prior: Array,
+    factor: float,
     centre: Array,
     p: Array,
     segment: IntArray,
@@ -169,21 +162,23 @@ def _occluded(
     length: Array,
     radius: Array,
     width: Array,
-    wanted: Array,
-) -> NDArray[np.bool_]:
-    out = np.zeros(len(p), np.bool_)
+) -> None:
+    """prior (M,) *= factor where another segment than its own cuts the line camera to marker."""
+    hidden = np.zeros(len(p), np.bool_)
     a, b = np.empty(3), np.empty(3)
     for s in range(len(length)):
         _into(R[s], origin[s], centre, a)
         for j in range(len(p)):
-            if not wanted[j] or segment[j] == s or out[j]:
+            if prior[j] <= 0.0 or segment[j] == s or hidden[j]:
                 continue
             _into(R[s], origin[s], p[j], b)
             if width[s] > 0:
-                out[j] = _cuts_slab(a, b, length[s], width[s] / 2, radius[s])
+                hidden[j] = _cuts_slab(a, b, length[s], width[s] / 2, radius[s])
             else:
-                out[j] = _cuts_capsule(a, b, length[s], radius[s])
-    return out
+                hidden[j] = _cuts_capsule(a, b, length[s], radius[s])
+    for j in range(len(p)):
+        if hidden[j]:
+            prior[j] *= factor
 
 
 @numba.njit(cache=True, nogil=True)
