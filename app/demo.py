@@ -104,6 +104,8 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
         truth=truth,
         simulated=True,
         vibrate=link.vibrate,
+        command=tracker.command,
+        camera=CAMERA,
     )
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Protocol
 
 from tracker.clock import ClockAnchor
+from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -140,5 +141,6 @@ class EngineSetup:
     truth: Callable[[float], Truth | None] | None = None
     simulated: bool = False
     player: Player | None = None  # of a recorded session
+    command: Callable[[Callable[[Engine], None]], None] | None = None  # in the engine's own thread
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms

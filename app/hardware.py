@@ -85,6 +85,8 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
         close=lambda: None,
         make_recorder=make_recorder,
         vibrate=link.vibrate,
+        command=tracker.command,
+        camera=camera_title(source, settings.calibration),
     )
 
 

@@ -18,6 +18,7 @@ from app.recorder import PausableRecorder
 from app.tasks import Progress, TaskOwner
 from app.viewmodels.snapshot import Snapshot, nearest
 from tracker.errors import GlovetrackError
+from tracker.fusion.engine import Engine
 from tracker.messages import Estimate
 from tracker.vision.colours import ColourProfile
 
@@ -35,6 +36,7 @@ class Session(QObject):
     running_changed = Signal(bool)
     recording_changed = Signal(bool)
     profile_changed = Signal(object)  # ColourProfile
+    engine_changed = Signal(str)
     happened = Signal(object)  # Event
     error = Signal(str)
 
@@ -181,6 +183,14 @@ class Session(QObject):
         """Track with another engine from now on."""
         if self._setup is not None:
             self._setup.engine.set_engine(name)
+            self.engine_changed.emit(name)
+
+    def command(self, work: Callable[[Engine], None]) -> bool:
+        """Do something to the engine in its own thread; False where there is none to take it."""
+        if self._setup is None or self._setup.command is None:
+            return False
+        self._setup.command(work)
+        return True
 
     def snapshot(self) -> Snapshot | None:
         """The latest of everything, and the events since the last call by signal."""
