@@ -44,6 +44,7 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--hand", default="", help="name or file")
     parser.add_argument("--glove", default="", help="name or file")
     parser.add_argument("--colours", default="", help="name or file")
+    parser.add_argument("--smooth", action="store_true", help="use what comes later, too")
     parser.add_argument("--with-sensors", action="store_true", help="copy the sensor topics too")
     parser.add_argument("--json", default="", metavar="FILE", help="report; - is standard output")
     parser.add_argument("--jobs", type=int, metavar="N", help="processes; one per core if not told")
@@ -71,7 +72,14 @@ def _track(args: argparse.Namespace) -> int:
     from tracker.offline.batch import plan
     from tracker.offline.track import TrackOptions, track
 
-    options = TrackOptions(args.engine, args.hand, args.glove, args.colours, args.with_sensors)
+    options = TrackOptions(
+        args.engine,
+        args.hand,
+        args.glove,
+        args.colours,
+        args.with_sensors,
+        smooth=args.smooth,
+    )
     jobs = plan(args.sources, args.out)
     if len(jobs) > 1 or args.dask or args.out.is_dir():
         return _track_many(args, jobs, options)

@@ -18,10 +18,11 @@ from tracker.messages import (
     BlobFrame,
     ImuSample,
     StereoFrame,
-    Tracking,
 )
 from tracker.offline.detection import detected
-from tracker.offline.report import Counter, TrackReport, TruthCheck
+from tracker.offline.report import TrackReport, TruthCheck
+from tracker.offline.runs import LiveRun, Output, Run, SmoothRun
+from tracker.offline.smooth import Smoother
 from tracker.pipeline import ENGINES, Pipeline
 from tracker.session import topics
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
@@ -32,8 +33,6 @@ from tracker.toml_reader import read_text
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
 from tracker.workers import usable_cores
-
-CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
 
 @dataclass(frozen=True)
@@ -46,6 +45,7 @@ class TrackOptions:
     colours: str = ""
     with_sensors: bool = False
     settings: str = ""  # path of a TOML file of `tracker.settings.Settings`
+    smooth: bool = False  # estimates that know the whole session
 
 
 def track(
@@ -64,21 +64,29 @@ def track(
     started = time.perf_counter()
     with SessionReader(source, _replacements(options)) as reader:
         info, settings = replace(reader.info, rig=reader.rig()), _settings(reader, options)
-        pipeline = Pipeline(info.hand, info.glove, reader.rig(), settings)
         messages = _messages(reader, info, options, threads or usable_cores())
-        with new_session(out, _output_info(info, settings, source)) as recorder:
-            check = _truth_check(reader, info)
-            run = _Run(pipeline, recorder, options.with_sensors, check)
+        check = _truth_check(reader, info)
+        with new_session(out, _output_info(info, settings, source, options)) as recorder:
+            output = Output(recorder, options.with_sensors, check)
+            run = _run(info, settings, output, options)
+            forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
             start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
             for message in messages:
                 run.feed(message)
-                progress(min(max((message.t_arrival - start) / span, 0.0), 1.0))
-            run.finish()
-        report = run.report
+                progress(forward * min(max((message.t_arrival - start) / span, 0.0), 1.0))
+            run.finish(lambda share: progress(forward + (1 - forward) * share))
+        report = output.report
         if check is not None:
             report.error_mm = check.against(reader.truth())
     report.wall_s = time.perf_counter() - started
     return report
+
+
+def _run(info: SessionInfo, settings: Settings, output: Output, options: TrackOptions) -> Run:
+    if options.smooth:
+        return SmoothRun(Smoother(info, settings), output)
+    assert info.rig is not None
+    return LiveRun(Pipeline(info.hand, info.glove, info.rig, settings), output)
 
 
 def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:
@@ -116,11 +124,14 @@ def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
     return replace(settings, engine=options.engine) if options.engine else settings
 
 
-def _output_info(info: SessionInfo, settings: Settings, source: Path) -> SessionInfo:
-    extra = {"source": source.name, "source_sha256": _sha256(source)}
-    return replace(
-        info, engine=settings.engine, settings_text=to_toml(settings), extra={**info.extra, **extra}
-    )
+def _output_info(
+    info: SessionInfo, settings: Settings, source: Path, options: TrackOptions
+) -> SessionInfo:
+    extra = {k: v for k, v in info.extra.items() if k != "smoothed"}
+    extra |= {"source": source.name, "source_sha256": _sha256(source)}
+    if options.smooth:
+        extra["smoothed"] = "true"
+    return replace(info, engine=settings.engine, settings_text=to_toml(settings), extra=extra)
 
 
 def _sha256(path: Path) -> str:
@@ -160,47 +171,3 @@ def make_detector(profile: ColourProfile, info: SessionInfo) -> Detector:
     assert info.rig is not None
     size = float(np.median(info.glove.marker_size)) if info.glove.markers else 0.012
     return Detector(profile, marker_size=size, fx=info.rig.fx, params=DetectorParams())
-
-
-class _Run:
-    """Feeds a pipeline and writes what comes out."""
-
-    def __init__(
-        self,
-        pipeline: Pipeline,
-        recorder: SessionRecorder,
-        with_sensors: bool,
-        check: TruthCheck | None,
-    ) -> None:
-        self._pipeline, self._recorder, self._with_sensors = pipeline, recorder, with_sensors
-        self._check, self._counter = check, Counter()
-        self._next_calibration = -np.inf
-
-    @property
-    def report(self) -> TrackReport:
-        return self._counter.report
-
-    def feed(self, message: ImuSample | BlobFrame) -> None:
-        if self._with_sensors:
-            self._recorder.write(message)
-        if isinstance(message, BlobFrame):
-            self._pipeline.feed_frame(message)
-            self.report.frames += 1
-        else:
-            self._feed_imu(message)
-        self._pipeline.take_results()
-
-    def _feed_imu(self, sample: ImuSample) -> None:
-        estimate = self._pipeline.feed_imu(sample)
-        self._recorder.write(estimate)
-        if self._check is not None:
-            self._check.add(estimate)
-        self._counter.count(sample, estimate.tracking)
-        if sample.t >= self._next_calibration:
-            self._next_calibration = sample.t + CALIBRATION_PERIOD
-            if estimate.tracking != Tracking.SEARCHING:
-                self._recorder.write(self._pipeline.calibration())
-
-    def finish(self) -> None:
-        if self.report.estimates:
-            self._recorder.write(self._pipeline.calibration())

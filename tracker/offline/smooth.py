@@ -1,0 +1,120 @@
+"""Fixed-interval smoothing of a whole session, in memory that does not grow with it.
+
+The filter runs forward once and leaves its state behind every few seconds. From the end, each block
+is then run again from its first state, this time with a tape (`smooth_chain`), and gone back over.
+Messages and results wait in temporary files.
+"""
+
+from __future__ import annotations
+
+import pickle
+import tempfile
+from collections.abc import Callable, Iterator
+from typing import IO, Any
+
+import numpy as np
+
+from tracker.errors import ConfigError
+from tracker.messages import BlobFrame, Calibration, Estimate, ImuSample
+from tracker.offline.smooth_chain import TapedChain
+from tracker.session.description import SessionInfo
+from tracker.settings import Settings
+
+BLOCK_S = 4.0  # s; a tape takes some 25 MB a second
+
+Fed = tuple[ImuSample | BlobFrame, Estimate | None]
+"""A message and, for a packet, an estimate."""
+
+
+class Smoother:
+    """Feed a session, then take its `results`.
+
+    Raises ConfigError for an engine other than the chain.
+    """
+
+    def __init__(self, info: SessionInfo, settings: Settings) -> None:
+        if settings.engine != "chain":
+            raise ConfigError(f"Smoothing is for the engine chain, not for {settings.engine}.")
+        assert info.rig is not None
+        self._engine = TapedChain(info.hand, info.glove, info.rig, settings.chain)
+        self._blocks = _Shelf()  # (state at the start, messages)
+        self._state = self._engine.get_state()
+        self._fed: list[Fed] = []
+        self._until = -np.inf
+
+    def feed(self, message: ImuSample | BlobFrame) -> None:
+        """The next message of the session, in feed order."""
+        if message.t_arrival > self._until and self._fed:
+            self._close_block()
+        if not self._fed:
+            self._until = message.t_arrival + BLOCK_S
+        self._fed.append((message, _run(self._engine, message)))
+
+    def _close_block(self) -> None:
+        self._blocks.put((self._state, self._fed))
+        self._state, self._fed = self._engine.get_state(), []
+
+    def calibration(self) -> Calibration:
+        """What the filter has learned by now."""
+        return self._engine.calibration()
+
+    def results(self, progress: Callable[[float], None]) -> Iterator[Fed]:
+        """All messages again, each packet with its smoothed estimate."""
+        self._close_block()
+        smoothed = _Shelf()
+        adjoint = np.zeros(self._engine.layout.size)
+        n = len(self._blocks)
+        for i in reversed(range(n)):
+            state, fed = self._blocks.get(i)
+            self._engine.set_state(state)
+            self._engine.taping = True
+            for message, _ in fed:
+                _run(self._engine, message)
+            if i == n - 1:
+                self._engine.come_to_the_end()
+            estimates, adjoint = self._engine.back(adjoint)
+            smoothed.put(estimates)
+            progress((n - i) / n)
+        yield from self._merged(smoothed)
+
+    def _merged(self, smoothed: _Shelf) -> Iterator[Fed]:
+        """The filter lags, so a packet's estimate is in its own block or in the next one."""
+        n, loaded = len(self._blocks), 0
+        ready: dict[float, Estimate] = {}
+        for i in range(n):
+            while loaded < min(i + 2, n):
+                ready.update((e.t, e) for e in smoothed.get(n - 1 - loaded))
+                loaded += 1
+            for message, estimate in self._blocks.get(i)[1]:
+                if isinstance(message, ImuSample):
+                    estimate = ready.pop(message.t, estimate)
+                yield message, estimate
+
+
+def _run(engine: TapedChain, message: ImuSample | BlobFrame) -> Estimate | None:
+    """Feed the engine; what it shows of a packet for which nothing better will come."""
+    if isinstance(message, BlobFrame):
+        engine.feed_frame(message)
+        engine.take_results()
+        return None
+    estimate = engine.feed_imu(message)
+    return None if engine.will_show(message) else estimate
+
+
+class _Shelf:
+    """Objects in a temporary file, by number."""
+
+    def __init__(self) -> None:
+        self._file: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115 - lives with the shelf
+        self._at: list[int] = []
+
+    def __len__(self) -> int:
+        return len(self._at)
+
+    def put(self, value: Any) -> None:
+        self._at.append(self._file.seek(0, 2))
+        pickle.dump(value, self._file, pickle.HIGHEST_PROTOCOL)
+
+    def get(self, number: int) -> Any:
+        self._file.seek(self._at[number])
+        return pickle.load(self._file)
