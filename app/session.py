@@ -19,7 +19,7 @@ from app.tasks import Progress, TaskOwner
 from app.viewmodels.snapshot import Snapshot, nearest
 from tracker.errors import GlovetrackError
 from tracker.fusion.engine import Engine
-from tracker.messages import Estimate
+from tracker.messages import Estimate, Message
 from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
@@ -191,6 +191,13 @@ class Session(QObject):
             return False
         self._setup.command(work)
         return True
+
+    def recent(self) -> list[Message]:
+        """Samples and estimates of the last seconds, in the order of their arrival."""
+        if self._setup is None:
+            return []
+        found: list[Message] = [*self._setup.engine.recent_imu(), *self._recent]
+        return sorted(found, key=lambda m: getattr(m, "t_arrival", m.t))
 
     def snapshot(self) -> Snapshot | None:
         """The latest of everything, and the events since the last call by signal."""

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import logging
+
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QComboBox,
@@ -19,10 +22,13 @@ from app.session import Session
 from app.viewmodels.log import KINDS, Log
 from tracker.messages import Event
 
+_log = logging.getLogger(__name__)
+
 
 class LogPanel(Panel):
     name = "log"
     period = 1.0
+    report = Signal()  # the user wants a bug report
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(session, parent)
@@ -38,6 +44,8 @@ class LogPanel(Panel):
         self.search.textChanged.connect(self._rebuild)
         copy = QPushButton(self.tr("Copy"))
         copy.clicked.connect(self.copy)
+        report = QPushButton(self.tr("Bug report…"))
+        report.clicked.connect(self.report)
         self.list = QListWidget()
         self.list.setUniformItemSizes(True)
         self.list.setAlternatingRowColors(True)
@@ -45,6 +53,7 @@ class LogPanel(Panel):
         row.addWidget(self.kind)
         row.addWidget(self.search, 1)
         row.addWidget(copy)
+        row.addWidget(report)
         column = QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         column.addLayout(row)
@@ -56,6 +65,7 @@ class LogPanel(Panel):
         return self.tr("Log")
 
     def add(self, event: Event) -> None:
+        _log.info("%s: %s", event.kind, event.text)
         entry = self.model.add(event)
         if self.model.shows(entry, self._kind(), self.search.text()):
             self._append(entry.line, entry.colour)

@@ -1,0 +1,131 @@
+"""What ends the program against its will leaves a log, and the next start knows of it.
+
+While the program runs there is ``running-PID.log``, into which Python's fault handler writes where
+a hard crash happened, and this module each exception that nobody caught. A run that ends as it
+should takes its file away (or keeps it as ``crash-….log`` where something is in it); a file whose
+process is gone tells of a crash.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import logging
+import os
+import sys
+import threading
+import time
+import traceback
+from logging.handlers import RotatingFileHandler
+from pathlib import Path
+from types import TracebackType
+from typing import TextIO
+
+import platformdirs
+import psutil
+from PySide6.QtCore import QObject, Signal
+
+from tracker import __version__
+
+_log = logging.getLogger(__name__)
+LOG_BYTES, LOG_FILES = 1_000_000, 3
+KEPT = 10  # crash logs
+MOST_DIFFERENT = 100  # exceptions written down in one run
+
+
+def log_folder() -> Path:
+    """Where the program's own logs are."""
+    return Path(platformdirs.user_log_dir("glovetrack", appauthor=False))
+
+
+def log_to_file(folder: Path) -> None:
+    """Let Python's loggers write to ``glovetrack.log``, a megabyte thrice at most."""
+    folder.mkdir(parents=True, exist_ok=True)
+    handler = RotatingFileHandler(
+        folder / "glovetrack.log", maxBytes=LOG_BYTES, backupCount=LOG_FILES - 1, encoding="utf-8"
+    )
+    handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
+    root = logging.getLogger()
+    root.addHandler(handler)
+    root.setLevel(logging.INFO)
+
+
+class CrashWatch(QObject):
+    """Begins to watch when made. ``found``: the log of a run that crashed, or None."""
+
+    happened = Signal(str)  # a sentence about an exception that nobody caught
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__()
+        folder.mkdir(parents=True, exist_ok=True)
+        self.folder = folder
+        self.found = self._look_back()
+        self._path = folder / f"running-{os.getpid()}.log"
+        self._file: TextIO = self._path.open("w", encoding="utf-8")
+        self._file.write(_heading())
+        self._file.flush()
+        self._start_size = self._path.stat().st_size
+        self._seen: set[str] = set()
+        self._hooks = sys.excepthook, threading.excepthook
+        faulthandler.enable(self._file)
+        sys.excepthook = self._caught
+        threading.excepthook = lambda e: self._caught(
+            e.exc_type, e.exc_value or e.exc_type(), e.exc_traceback
+        )
+
+    def _look_back(self) -> Path | None:
+        """Logs of runs that are gone, by another name; the newest of them."""
+        gone = [p for p in self.folder.glob("running-*.log") if not _is_running(p)]
+        found = [_keep(p) for p in sorted(gone, key=lambda p: p.stat().st_mtime)]
+        for old in sorted(self.folder.glob("crash-*.log"))[:-KEPT]:
+            old.unlink(missing_ok=True)
+        return found[-1] if found else None
+
+    def _caught(
+        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        """An exception that nobody caught: into the log, to the screen, on with the program."""
+        if issubclass(kind, KeyboardInterrupt):
+            self._hooks[0](kind, error, trace)
+            return
+        text = "".join(traceback.format_exception(kind, error, trace))
+        if text in self._seen or len(self._seen) >= MOST_DIFFERENT:
+            return  # what fails in a timer fails sixty times a second
+        self._seen.add(text)
+        _log.error("Not caught:\n%s", text)
+        sys.stderr.write(text)
+        self._file.write(f"{time.strftime('%Y-%m-%d %H:%M:%S')}\n{text}")
+        self._file.flush()
+        self.happened.emit(f"Something went wrong inside Glovetrack ({kind.__name__}: {error}).")
+
+    def end(self) -> None:
+        """The program ends as it should."""
+        if self._file.closed:
+            return
+        sys.excepthook, threading.excepthook = self._hooks
+        faulthandler.disable()
+        self._file.close()
+        if self._path.stat().st_size > self._start_size:
+            _keep(self._path)
+        else:
+            self._path.unlink()
+
+
+def _heading() -> str:
+    born = psutil.Process().create_time()
+    return f"{born}\nGlovetrack {__version__}, Python {sys.version.split()[0]}, {sys.platform}\n"
+
+
+def _is_running(path: Path) -> bool:
+    """Whether the process that wrote the file still lives; numbers of processes are used again."""
+    try:
+        born = float(path.read_text("utf-8", "replace").partition("\n")[0])
+        return abs(psutil.Process(int(path.stem.rpartition("-")[2])).create_time() - born) < 1.0
+    except (ValueError, OSError, psutil.Error):
+        return False
+
+
+def _keep(path: Path) -> Path:
+    """The log as ``crash-….log``, named by when it was written last."""
+    when = time.strftime("%Y-%m-%d_%H-%M-%S", time.localtime(path.stat().st_mtime))
+    kept = path.with_name(f"crash-{when}-{path.stem.rpartition('-')[2]}.log")
+    return path.replace(kept)

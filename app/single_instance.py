@@ -1,0 +1,86 @@
+"""One window per user: a second start hands its session file to the first one and ends.
+
+The name of the local socket is made from the folder of the settings: who has other settings has
+another window.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+import platformdirs
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtNetwork import QLocalServer, QLocalSocket
+
+WAIT_MS = 2000
+MOST_BYTES = 65536
+ANSWER = b"taken\n"
+
+
+def server_name() -> str:
+    """The socket's name; the same for every start with the same settings."""
+    folder = platformdirs.user_config_dir("glovetrack", appauthor=False)
+    return "glovetrack-" + hashlib.sha256(folder.encode()).hexdigest()[:16]
+
+
+def hand_over(session: Path | None, name: str | None = None) -> bool:
+    """Give ``session`` (None: only show yourself) to the window that is open; False if none is."""
+    socket = QLocalSocket()
+    socket.connectToServer(name or server_name())
+    if not socket.waitForConnected(WAIT_MS):
+        return False
+    said = {"open": str(session.resolve()) if session is not None else ""}
+    socket.write(json.dumps(said).encode() + b"\n")
+    answered = socket.waitForBytesWritten(WAIT_MS) and socket.waitForReadyRead(WAIT_MS)
+    taken = answered and bytes(socket.readAll().data()) == ANSWER
+    socket.disconnectFromServer()
+    return bool(taken)
+
+
+class Instance(QObject):
+    """Listens for later starts; ``asked`` has the session's path, or "" for the window alone."""
+
+    asked = Signal(str)
+
+    def __init__(self, name: str | None = None, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._server = QLocalServer(self)
+        self._server.setSocketOptions(QLocalServer.SocketOption.UserAccessOption)
+        self._server.newConnection.connect(self._connected)
+        name = name or server_name()
+        if not self._server.listen(name):
+            QLocalServer.removeServer(name)  # left by a crash: nobody has answered on it
+            self._server.listen(name)
+
+    @property
+    def listening(self) -> bool:
+        return self._server.isListening()
+
+    def _connected(self) -> None:
+        socket = self._server.nextPendingConnection()
+        socket.readyRead.connect(lambda: self._read(socket))
+        socket.disconnected.connect(socket.deleteLater)
+        if socket.canReadLine():
+            self._read(socket)
+
+    def _read(self, socket: QLocalSocket) -> None:
+        if socket.bytesAvailable() > MOST_BYTES:
+            socket.abort()
+            return
+        if not socket.canReadLine():
+            return
+        try:
+            said = json.loads(bytes(socket.readLine().data()))
+            path = said["open"]
+        except (ValueError, KeyError, TypeError):
+            socket.abort()
+            return
+        socket.write(ANSWER)
+        socket.flush()
+        if isinstance(path, str):
+            self.asked.emit(path)
+
+    def close(self) -> None:
+        self._server.close()
