@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, Qt, QTimer
@@ -18,7 +19,9 @@ from PySide6.QtWidgets import (
 
 from app import theme
 from app.commands import Commands
+from app.crash import CrashWatch
 from app.engine import EngineSetup
+from app.housekeeping import Housekeeping
 from app.layout import arrange
 from app.panels.calibration import CalibrationPanel
 from app.panels.cameras import CamerasPanel
@@ -31,7 +34,9 @@ from app.panels.panel import Panel
 from app.panels.recording import RecordingPanel
 from app.panels.sensors import SensorsPanel
 from app.panels.start_page import StartPage
+from app.refresher import Refresher
 from app.session import Session, SetupFactory
+from app.set_up_desk import SetUpDesk
 from app.settings import SettingsStore
 from app.sources import demo_factory, hardware_factory, replay_factory
 from app.status_bar import StatusBar
@@ -41,33 +46,36 @@ from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import BAD, WARN
 from app.widgets.banner import Banner
 from app.widgets.command_palette import CommandPalette
-from app.window_commands import add_commands
-from tracker.errors import GlovetrackError
+from app.window_commands import add_commands, add_help
+from tracker.messages import Event
 
 TICK_MS = 16
 STATUS_PERIOD = 0.25
-SPARE = 4.0
-"""A panel rests this many times as long as its last refresh took: on a busy machine the picture
-slows down, not the tracking."""
 SMALLEST = (1024, 640)
 
 
 class MainWindow(QMainWindow):
     """Everything the user sees. Panels are refreshed only while in sight."""
 
-    def __init__(self, store: SettingsStore | None = None) -> None:
+    def __init__(
+        self, store: SettingsStore | None = None, crashes: CrashWatch | None = None
+    ) -> None:
         super().__init__()
         self.store = store or SettingsStore()
         self.tasks = TaskOwner(self)
         self.session = Session(self.tasks, self)
-        self._due: dict[str, float] = {}
+        self.set_up = SetUpDesk(self.session, self.store, self.tasks, self)
+        self._status_due = 0.0
         self._refreshes = 0
         self._make_panels()
+        self._refresher = Refresher(self.panels, TICK_MS / 1000, self.session.error.emit)
         self._make_frame()
+        self.housekeeping = Housekeeping(self, crashes)
         self._make_docks()
         self.commands = Commands(self)
         add_commands(self, self.commands)
         self._add_dock_commands()
+        add_help(self, self.commands)
         self._make_tool_bar()
         self._connect()
         self._restore()
@@ -86,7 +94,7 @@ class MainWindow(QMainWindow):
         self.library = LibraryPanel(self.session, self.store, self.tasks)
         self.log = LogPanel(self.session)
         self.checklist = ChecklistPanel(self.session)
-        self.calibration = CalibrationPanel(self.session)
+        self.calibration = CalibrationPanel(self.session, self.store)
         self.colours = ColoursPanel(self.session, self.store, self.tasks)
         self.recording = RecordingPanel(self.session, self.store)
         self.panels: list[Panel] = [
@@ -157,12 +165,16 @@ class MainWindow(QMainWindow):
         s.closed.connect(self._closed)
         s.running_changed.connect(lambda _on: self._enable())
         s.recording_changed.connect(lambda _on: self._enable())
-        s.error.connect(self.show_error)
-        self.tasks.failed.connect(self.show_error)
+        s.error.connect(lambda text: self.show_error(text))
+        s.happened.connect(self._heard)
+        self.tasks.failed.connect(lambda text: self.show_error(text))
+        self.set_up.error.connect(lambda text: self.show_error(text))
+        self.set_up.restart.connect(self.start_hardware)
         self.start_page.demo.connect(self.start_demo)
         self.start_page.connect_devices.connect(self.start_hardware)
         self.start_page.open_session.connect(self.choose_session)
         self.library.replay.connect(self.open_session)
+        self.log.report.connect(self.housekeeping.ask_report)
         self.library.compared.connect(lambda _comparison: self.hand.show_ghost())
         self.checklist.action.connect(self.run_command)
         self._enable()
@@ -206,24 +218,6 @@ class MainWindow(QMainWindow):
         self.store.update(engine=name)
         self.session.set_engine(name)
 
-    def choose_calibration(self) -> None:
-        """Remember the camera's calibration file; it is checked before it is taken."""
-        path, _ = QFileDialog.getOpenFileName(
-            self, self.tr("Stereo calibration"), "", "*.conf *.yml *.yaml"
-        )
-        if path:
-            self.set_calibration(Path(path))
-
-    def set_calibration(self, path: Path) -> None:
-        from app.hardware import load_rig
-
-        try:
-            load_rig(str(path))
-        except GlovetrackError as error:
-            self.show_error(str(error))
-            return
-        self.store.update(calibration=str(path))
-
     def choose_session(self) -> None:
         path, _ = QFileDialog.getOpenFileName(
             self, self.tr("Open a session"), self.recording.folder.text(), "*.mcap"
@@ -234,6 +228,17 @@ class MainWindow(QMainWindow):
     def open_session(self, path: Path) -> None:
         """Replay a file through the same panels."""
         self._open(self.tr("Opening {}").format(path.name), replay_factory(path))
+
+    def take_over(self, path: str) -> None:
+        """What a second start of the program was given: a session, or "" to be seen."""
+        self.setWindowState(self.windowState() & ~Qt.WindowState.WindowMinimized)
+        self.raise_()
+        self.activateWindow()
+        if path and self.session.recording is not None:
+            text = self.tr("{} waits: a recording is under way.").format(Path(path).name)
+            self.show_error(text, (self.tr("Open it now"), lambda: self.open_session(Path(path))))
+        elif path:
+            self.open_session(Path(path))
 
     def _open(self, title: str, factory: SetupFactory) -> None:
         self._banner_bar.hide()
@@ -307,9 +312,15 @@ class MainWindow(QMainWindow):
             return
         self.commands.actions[key].trigger()
 
-    def show_error(self, text: str) -> None:
-        self.banner.show_text(text)
+    def show_error(self, text: str, action: tuple[str, Callable[[], object]] | None = None) -> None:
+        """Say it in the one place for it, with a button where something can be done."""
+        self.banner.show_text(text, action)
         self._banner_bar.show()
+
+    def _heard(self, event: Event) -> None:
+        """What went wrong in the engine stands in the banner too; the log has everything."""
+        if event.kind == "error":
+            self.housekeeping.offer_report(event.text)
 
     def _enable(self) -> None:
         s = self.session
@@ -340,19 +351,10 @@ class MainWindow(QMainWindow):
         now = time.monotonic()
         view = self.session.snapshot()
         if view is not None:
-            self._refresh_panels(view, now)
-        if now >= self._due.get("status", 0.0):
-            self._due["status"] = now + STATUS_PERIOD
+            self._refresher.refresh(view)
+        if now >= self._status_due:
+            self._status_due = now + STATUS_PERIOD
             self._refresh_status(view)
-
-    def _refresh_panels(self, view: Snapshot, now: float) -> None:
-        for panel in self.panels:
-            if now < self._due.get(panel.name, 0.0) or panel.visibleRegion().isEmpty():
-                continue
-            began = time.monotonic()
-            panel.refresh(view)
-            cost = time.monotonic() - began
-            self._due[panel.name] = now + max(panel.period - TICK_MS / 2000, SPARE * cost)
 
     def _refresh_status(self, view: Snapshot | None) -> None:
         self.bar.show_status(view.status if view else None, self.session.running)
@@ -366,6 +368,7 @@ class MainWindow(QMainWindow):
         """End everything in order: timer, jobs, engine and file, GL."""
         self._timer.stop()
         self._remember()
+        self.set_up.shut_down()
         self.session.end()
         self.tasks.shut_down()  # last: a recording that ends has the library read again
         for panel in self.panels:

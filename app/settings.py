@@ -35,12 +35,14 @@ class Settings:
     sessions_folder: str = ""
     participant: str = ""
     task: str = ""
+    wearer: str = ""  # whose calibration is put on at the start
     engine: str = "chain"  # what tracks
     hand: str = "reference-right"
     glove: str = "vist-small"
     port: str = ""
     camera: str = ""  # index, file or address of a side-by-side picture; empty: the first one
     calibration: str = ""  # path of the stereo calibration
+    board: str = ""  # of the stereo calibration: kind, squares across and down, side in m
 
 
 Migration = Callable[[dict[str, Any]], dict[str, Any]]

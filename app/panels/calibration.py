@@ -15,19 +15,49 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.calibration_link import CalibrationLink
+from app.engine import EngineSetup
 from app.panels.panel import Panel
+from app.panels.wearer_row import WearerRow
 from app.session import Session
+from app.settings import SettingsStore
 from app.viewmodels.calibration import CalibrationView, Cell, calibration_view
 from app.viewmodels.snapshot import Snapshot
+from app.wearers import WearerStore
 from app.widgets.meter import SHARE_ROLE, MeterDelegate
+from tracker.errors import GlovetrackError
+from tracker.fusion.profile_file import WearerFile
+from tracker.messages import Calibration
+
+PROFILE_ENGINE = "chain"
 
 
 class CalibrationPanel(Panel):
     name = "calibration"
     period = 0.5
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, session: Session, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
         super().__init__(session, parent)
+        self._store = store
+        self._wearers = WearerStore(store.path.parent / "wearers")
+        self._link = CalibrationLink(session, self)
+        self._link.learned.connect(self._learned)
+        self._saving = ""  # the name that an answer of the engine is to be saved under
+        self._worn: WearerFile | None = None
+        self._last_fit: Calibration | None = None
+        self._latest: Calibration | None = None
+        self._make_widgets()
+        self._lay_out()
+        self._connect()
+
+    def title(self) -> str:
+        return self.tr("Calibration")
+
+    # --- widgets
+
+    def _make_widgets(self) -> None:
         self.length = QLabel("–")
         self.length.setProperty("role", "figure")
         self.overall = QProgressBar()
@@ -35,7 +65,10 @@ class CalibrationPanel(Panel):
         self.overall.setFormat(self.tr("settled: %p %"))
         self.advice = QLabel(self.tr("Start tracking to see what is estimated."))
         self.advice.setWordWrap(True)
+        self.wearer = WearerRow()
         self.table = self._table()
+
+    def _lay_out(self) -> None:
         head = QHBoxLayout()
         head.setSpacing(12)
         head.addWidget(QLabel(self.tr("Hand length")))
@@ -44,13 +77,28 @@ class CalibrationPanel(Panel):
         head.addWidget(self.overall)
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 8, 8, 8)
-        column.setSpacing(8)
+        column.setSpacing(6)
         column.addLayout(head)
+        column.addWidget(self.wearer)
         column.addWidget(self.advice)
         column.addWidget(self.table, 1)
 
-    def title(self) -> str:
-        return self.tr("Calibration")
+    def _connect(self) -> None:
+        row = self.wearer
+        row.chosen.connect(self.wear)
+        row.save.connect(self.save)
+        row.remove.connect(self.remove)
+        row.reset.connect(self.reset)
+        row.freeze.connect(self._link.freeze)
+        row.compare.connect(lambda _on: self._draw())
+        self.session.opened.connect(self._open)
+        self.session.engine_changed.connect(self._engine_changed)
+        self.session.running_changed.connect(lambda _on: self._enable())
+        self.session.closed.connect(self._enable)
+        self._enable()
+
+    def _enable(self) -> None:
+        self.wearer.set_available(self._link.available)
 
     def _table(self) -> QTableWidget:
         table = QTableWidget(0, 5)
@@ -64,7 +112,7 @@ class CalibrationPanel(Panel):
             ]
         )
         table.verticalHeader().hide()
-        table.verticalHeader().setDefaultSectionSize(30)
+        table.verticalHeader().setDefaultSectionSize(27)
         table.setShowGrid(False)
         table.setAlternatingRowColors(True)
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -77,15 +125,106 @@ class CalibrationPanel(Panel):
             table.setItemDelegateForColumn(column, delegate)
         return table
 
+    # --- the wearer
+
+    def _open(self, setup: EngineSetup) -> None:
+        """Put on what was worn last, before the engine starts."""
+        self._worn = self._latest = self._last_fit = None
+        self.wearer.frozen.setChecked(False)
+        last = self._store.value.wearer
+        self.wearer.set_names(self._wearers.names(), last)
+        if self.wearer.name and setup.command is not None:
+            self._put_on(last)
+
+    def _put_on(self, name: str) -> None:
+        layout = self._link.layout()
+        if layout is None:
+            return
+        try:
+            self._worn = self._wearers.load(name, layout)
+        except GlovetrackError as error:
+            self.session.error.emit(str(error))
+            self.wearer.set_names(self._wearers.names(), "")
+            return
+        self._last_fit = self._worn.calibration
+        if self._store.value.engine == PROFILE_ENGINE:
+            self._link.put_on(self._worn.profile)
+
+    def _engine_changed(self, name: str) -> None:
+        """A new engine knows nobody."""
+        self.wearer.frozen.setChecked(False)
+        if name == PROFILE_ENGINE and self._worn is not None:
+            self._link.put_on(self._worn.profile)
+
+    def wear(self, name: str) -> None:
+        """Put on a kept profile; without a name somebody new wears the glove."""
+        self._store.update(wearer=name)
+        self._worn = None
+        if name:
+            self._put_on(name)
+        else:
+            self.reset(None)
+        self.wearer.set_names(self._wearers.names(), self.wearer.name)
+
+    def save(self, name: str) -> None:
+        """Keep what has been learned under a name; the engine is asked for it first."""
+        self._saving = name
+        self._link.ask()
+
+    def _learned(self, wearer: WearerFile) -> None:
+        name, self._saving = self._saving, ""
+        if not name:
+            return
+        try:
+            kept = self._wearers.save(name, wearer)
+        except GlovetrackError as error:
+            self.session.error.emit(str(error))
+            return
+        self._worn, self._last_fit = wearer, wearer.calibration
+        self._store.update(wearer=kept)
+        self.wearer.set_names(self._wearers.names(), kept)
+        self._draw()
+
+    def remove(self, name: str) -> None:
+        """Remove a profile; what the engine has learned stays."""
+        try:
+            self._wearers.remove(name)
+        except GlovetrackError as error:
+            self.session.error.emit(str(error))
+        self._store.update(wearer="")
+        self.wearer.set_names(self._wearers.names(), "")
+
+    def reset(self, segments: list[str] | None) -> None:
+        """Forget; what was there can be compared with."""
+        if self._link.reset(segments):
+            self._last_fit = self._latest or self._last_fit
+
+    # --- what it shows
+
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or view.calibration is None:
             return
-        shown = calibration_view(view.calibration)
+        self._latest = view.calibration
+        self.wearer.set_segments(view.calibration.segments)
+        self._draw()
+
+    def _draw(self) -> None:
+        if self._latest is None:
+            return
+        comparing = self.wearer.comparing.isChecked()
+        shown = calibration_view(self._latest, self._last_fit if comparing else None)
         self.length.setText(shown.hand_length)
         share = shown.convergence
         self.overall.setValue(0 if share != share else round(100 * share))
-        self.advice.setText(shown.advice)
+        self.advice.setText(self._advice(shown, comparing))
         self._fill(shown)
+
+    def _advice(self, shown: CalibrationView, comparing: bool) -> str:
+        if comparing and self._last_fit is None:
+            return self.tr("There is nothing to compare with yet: save a profile, or reset.")
+        if self.wearer.frozen.isChecked():
+            return self.tr("Frozen: nothing is learned until you unfreeze it.")
+        return shown.advice
 
     def _fill(self, shown: CalibrationView) -> None:
         self.table.setRowCount(len(shown.rows))

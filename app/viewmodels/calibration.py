@@ -58,54 +58,110 @@ def convergence(sd: Array, kind: str) -> float:
     return float(np.clip(share, 0.0, 1.0))
 
 
-def _figures(values: Array, sd: Array, factor: float, pattern: str) -> str:
+@dataclass(frozen=True)
+class _Kind:
+    """How a parameter is written: ``factor`` brings SI into the unit of people."""
+
+    factor: float
+    pattern: str
+    unit: str
+
+
+_KINDS = {
+    "scale": _Kind(1.0, "{:.3f}", ""),
+    "mounting": _Kind(float(np.rad2deg(1.0)), "{:.1f}", "°"),
+    "gyro_bias": _Kind(float(np.rad2deg(1.0)), "{:.2f}", "°/s"),
+    "accel_bias": _Kind(1000 / 9.80665, "{:.0f}", "mg"),
+}
+
+
+def _figures(values: Array, sd: Array, kind: _Kind) -> str:
+    """All known components with their 2σ."""
     parts = [
-        f"{pattern.format(v * factor)} ± {2 * s * factor:.2g}"
+        f"{kind.pattern.format(v * kind.factor)} ± {2 * s * kind.factor:.2g}"
         for v, s in zip(values, sd, strict=True)
         if np.isfinite(v) and np.isfinite(s)
     ]
-    return ", ".join(parts)
+    return f"{', '.join(parts)} {kind.unit}".strip()
 
 
-def _cell(values: Array, sd: Array, kind: str) -> Cell:
-    """The norm (scale: the component along the bone) in the cell, all components in the tip."""
-    known = np.isfinite(values)
-    if not known.any():
+def _one(values: Array, name: str) -> float:
+    """One figure for the components (3,): along the bone of a scale, else the norm."""
+    known = values[np.isfinite(values)]
+    return float(known[0]) if name == "scale" else float(np.linalg.norm(known))
+
+
+def _cell(c: Calibration, i: int, name: str, reference: Calibration | None) -> Cell:
+    """One figure in the cell, all components in the tip; with ``reference`` the change since."""
+    values, sd = getattr(c, name)[i], getattr(c, f"{name}_sd")[i]
+    if not np.isfinite(values).any():
         return Cell("", "", float("nan"))
-    deg = np.rad2deg(1.0)
-    factor, pattern, unit = {
-        "scale": (1.0, "{:.3f}", ""),
-        "mounting": (deg, "{:.1f}", "°"),
-        "gyro_bias": (deg, "{:.2f}", "°/s"),
-        "accel_bias": (1000 / 9.80665, "{:.0f}", "mg"),
-    }[kind]
-    if kind == "scale":
-        value, spread = float(values[known][0]), float(sd[known][0])
-    else:
-        value, spread = float(np.linalg.norm(values[known])), float(np.nanmax(sd))
-    text = f"{pattern.format(value * factor)} ± {2 * spread * factor:.2g} {unit}".strip()
-    return Cell(text, _figures(values, sd, factor, pattern), convergence(sd, kind))
+    kind, spread = _KINDS[name], float(np.nanmax(sd))
+    if name == "scale":
+        spread = float(sd[0])
+    settled = convergence(sd, name)
+    figures = _figures(values, sd, kind)
+    before = _row_of(reference, c.segments[i], name) if reference is not None else None
+    if before is not None:
+        old, old_sd = before
+        return _change(values - old, np.hypot(sd, old_sd), name, figures, settled)
+    text = (
+        f"{kind.pattern.format(_one(values, name) * kind.factor)} ± {2 * spread * kind.factor:.2g}"
+    )
+    return Cell(f"{text} {kind.unit}".strip(), figures, settled)
 
 
-def calibration_view(c: Calibration) -> CalibrationView:
+def _row_of(c: Calibration, segment: str, name: str) -> tuple[Array, Array] | None:
+    """Values and standard deviations (3,) of a segment, if they are known."""
+    if segment not in c.segments:
+        return None
+    i = c.segments.index(segment)
+    values = getattr(c, name)[i]
+    return (values, getattr(c, f"{name}_sd")[i]) if np.isfinite(values).any() else None
+
+
+def _change(difference: Array, sd: Array, name: str, figures: str, settled: float) -> Cell:
+    """What has changed; a sign where that is more than both uncertainties together explain."""
+    kind = _KINDS[name]
+    clear = bool(np.any(np.abs(difference) > 2 * sd))
+    one = _one(difference, name) * kind.factor
+    sign = "+" if name == "scale" and one >= 0 else ""
+    text = f"{'▲ ' if clear else ''}Δ {sign}{kind.pattern.format(one)} {kind.unit}".strip()
+    word = "more than 2σ of both" if clear else "within 2σ of both"
+    tip = f"now {figures}\nchange {_figures(difference, sd, kind)}: {word}"
+    return Cell(text, tip, settled)
+
+
+def calibration_view(c: Calibration, reference: Calibration | None = None) -> CalibrationView:
+    """``reference``: an earlier fit that this one is compared with."""
     kinds = tuple(RANGES)
     rows = tuple(
-        Row(
-            segment.replace("_", " "),
-            tuple(_cell(getattr(c, k)[i], getattr(c, f"{k}_sd")[i], k) for k in kinds),
-        )
+        Row(segment.replace("_", " "), tuple(_cell(c, i, k, reference) for k in kinds))
         for i, segment in enumerate(c.segments)
     )
-    means = {k: _mean([r.cells[j].convergence for r in rows]) for j, k in enumerate(kinds)}
+    shares = {k: [r.cells[j].convergence for r in rows] for j, k in enumerate(kinds)}
+    means = {k: _mean(v) for k, v in shares.items()}
+    overall = _mean(list(means.values()))
+    return CalibrationView(rows, _length(c, reference), overall, _advice(rows, means, shares))
+
+
+def _advice(rows: tuple[Row, ...], means: dict[str, float], shares: dict[str, list[float]]) -> str:
+    """Which motion helps what is farthest from settled, and whose it is."""
     known = {k: m for k, m in means.items() if np.isfinite(m)}
-    overall = _mean(list(known.values()))
     worst = min(known, key=lambda k: known[k], default=None)
-    settled = worst is None or known[worst] >= SETTLED
-    advice = "Everything has settled." if settled or worst is None else ADVICE[worst]
-    length = "–"
-    if np.isfinite(c.hand_length):
-        length = f"{c.hand_length * 1000:.1f} ± {2 * c.hand_length_sd * 1000:.1f} mm"
-    return CalibrationView(rows, length, overall, advice)
+    if worst is None or known[worst] >= SETTLED:
+        return "Everything has settled."
+    least = int(np.nanargmin(shares[worst]))
+    return f"{ADVICE[worst]} Least so far: {rows[least].segment}."
+
+
+def _length(c: Calibration, reference: Calibration | None) -> str:
+    if not np.isfinite(c.hand_length):
+        return "–"
+    text = f"{c.hand_length * 1000:.1f} ± {2 * c.hand_length_sd * 1000:.1f} mm"
+    if reference is None or not np.isfinite(reference.hand_length):
+        return text
+    return f"{text}, Δ {(c.hand_length - reference.hand_length) * 1000:+.1f}"
 
 
 def _mean(values: list[float]) -> float:

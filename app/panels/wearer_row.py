@@ -1,0 +1,113 @@
+"""Who wears the glove: the profile that is put on, and what may be done with the calibration."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QInputDialog,
+    QLabel,
+    QMenu,
+    QToolButton,
+    QWidget,
+)
+
+NEW = 0  # row of "somebody new"
+
+
+class WearerRow(QWidget):
+    """Says what the user wants; `CalibrationPanel` does it."""
+
+    chosen = Signal(str)  # a profile's name; empty for somebody new
+    save = Signal(str)  # the name to save under
+    remove = Signal(str)
+    reset = Signal(object)  # a list of one segment, or None for all
+    freeze = Signal(bool)
+    compare = Signal(bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.choice = QComboBox()
+        self.choice.setAccessibleName(self.tr("Who wears the glove"))
+        self.choice.setMinimumContentsLength(9)
+        self.choice.activated.connect(lambda _index: self.chosen.emit(self.name))
+        self.frozen = QCheckBox(self.tr("Freeze"))
+        self.frozen.setToolTip(self.tr("Hold the calibration as it is; tracking goes on"))
+        self.frozen.clicked.connect(self.freeze)
+        self.comparing = QCheckBox(self.tr("Compare"))
+        self.comparing.setToolTip(self.tr("Show what has changed since the last fit"))
+        self.comparing.toggled.connect(self.compare)
+        self.save_button = self._button(self.tr("Save"), self.tr("Keep what has been learned"))
+        self._fill_save_menu()
+        self.reset_button = self._button(self.tr("Reset"), self.tr("Forget what has been learned"))
+        self._segments: tuple[str, ...] = ()
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(6)
+        row.addWidget(QLabel(self.tr("Wearer")))
+        row.addWidget(self.choice, 1)
+        for widget in (self.save_button, self.reset_button, self.frozen, self.comparing):
+            row.addWidget(widget)
+        self.set_names((), "")
+
+    def _button(self, text: str, tip: str) -> QToolButton:
+        button = QToolButton()
+        button.setText(text)
+        button.setToolTip(tip)
+        button.setMenu(QMenu(button))
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        return button
+
+    def _fill_save_menu(self) -> None:
+        menu = self.save_button.menu()
+        self.again = menu.addAction(self.tr("Save"), lambda: self.save.emit(self.name))
+        menu.addAction(self.tr("Save as…"), self.ask_name)
+        menu.addSeparator()
+        self.gone = menu.addAction(self.tr("Remove this profile"), self._remove)
+
+    def _remove(self) -> None:
+        self.remove.emit(self.name)
+
+    def ask_name(self) -> None:
+        """A name for what has been learned."""
+        text, ok = QInputDialog.getText(
+            self, self.tr("Save the calibration"), self.tr("Who wears the glove?"), text=self.name
+        )
+        if ok and text.strip():
+            self.save.emit(text.strip())
+
+    @property
+    def name(self) -> str:
+        """The profile chosen; empty for somebody new."""
+        return self.choice.currentText() if self.choice.currentIndex() > NEW else ""
+
+    def set_names(self, names: Sequence[str], chosen: str) -> None:
+        """Offer these profiles; ``chosen`` is worn."""
+        self.choice.clear()
+        self.choice.addItem(self.tr("Somebody new"))
+        self.choice.addItems(list(names))
+        self.choice.setCurrentIndex(1 + list(names).index(chosen) if chosen in names else NEW)
+        self.again.setEnabled(bool(self.name))
+        self.gone.setEnabled(bool(self.name))
+
+    def set_segments(self, segments: tuple[str, ...]) -> None:
+        """Offer to reset each of these."""
+        if segments == self._segments:
+            return
+        self._segments = segments
+        menu = self.reset_button.menu()
+        menu.clear()
+        menu.addAction(self.tr("Everything"), partial(self.reset.emit, None))
+        menu.addSeparator()
+        for name in segments:
+            menu.addAction(name.replace("_", " "), partial(self.reset.emit, [name]))
+
+    def set_available(self, on: bool) -> None:
+        """Off where no engine takes commands."""
+        for widget in (self.choice, self.save_button, self.reset_button, self.frozen):
+            widget.setEnabled(on)

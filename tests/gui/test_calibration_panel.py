@@ -1,0 +1,190 @@
+"""The calibration panel on a real filter: reset, freeze, wearers that come back, comparison."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+from PySide6.QtWidgets import QInputDialog
+
+from app.main_window import MainWindow
+from app.viewmodels.calibration import calibration_view
+from app.wearers import WearerStore, kept_name
+from tracker.errors import GlovetrackError
+from tracker.fusion.chain import ChainEngine
+from tracker.fusion.params import ChainParams
+from tracker.messages import Event
+from tracker.pipeline import Pipeline
+from tracker.settings import Settings
+
+
+def chain() -> ChainEngine:
+    hand, glove, _ = models()
+    return ChainEngine(hand, glove, simulation().rig, ChainParams())
+
+
+class Commanded(ScriptedEngine):
+    """A scripted engine whose calibration is a filter's own."""
+
+    def __init__(self, inner=None) -> None:
+        super().__init__()
+        self.inner = inner or chain()
+
+    def calibration(self):
+        return self.inner.calibration()
+
+    def command(self, work) -> None:
+        try:
+            work(self.inner)
+        except GlovetrackError as error:
+            self.events.append(Event(0.0, "error", str(error)))
+
+
+def setup_of(engine: Commanded):
+    return dataclasses.replace(scripted_setup(engine), command=engine.command)
+
+
+def teach(engine: ChainEngine, length: float) -> None:
+    """Let the filter have learned that the hand is ``length`` times the file's."""
+    profile = engine.profile()
+    engine.put_on(
+        dataclasses.replace(profile, scale=np.full_like(profile.scale, length), P=profile.P / 16)
+    )
+
+
+@pytest.fixture
+def engine() -> Commanded:
+    return Commanded()
+
+
+@pytest.fixture
+def panel(window, engine, qtbot):
+    teach(engine.inner, 1.04)
+    window.session.adopt(setup_of(engine))
+    window.run_command("show_calibration")
+    qtbot.waitUntil(lambda: window.calibration._latest is not None, timeout=30_000)
+    return window.calibration
+
+
+def action(menu, text: str):
+    return next(a for a in menu.actions() if a.text() == text)
+
+
+def shown(panel, row: int, column: int) -> str:
+    panel.refresh(panel.session.snapshot())
+    return panel.table.item(row, column).text()
+
+
+def test_one_segment_is_reset_by_its_menu(panel, engine):
+    assert shown(panel, 0, 1).startswith("1.040 ± ")
+    action(panel.wearer.reset_button.menu(), "dorsum").trigger()
+    assert shown(panel, 0, 1).startswith("1.000 ± ")
+    assert shown(panel, 1, 1).startswith("1.040 ± ")
+    action(panel.wearer.reset_button.menu(), "Everything").trigger()
+    assert engine.inner.calibration().scale == pytest.approx(np.ones((7, 3)))
+
+
+def test_what_was_reset_can_be_compared_with(panel):
+    action(panel.wearer.reset_button.menu(), "Everything").trigger()
+    panel.wearer.comparing.click()
+    assert shown(panel, 0, 1) == "Δ -0.040"
+    assert "within 2σ of both" in panel.table.item(0, 1).toolTip()
+    length = panel.length.text()
+    assert length.endswith(f"Δ {-0.04 * 1000 * _nominal_length():+.1f}")
+
+
+def _nominal_length() -> float:
+    return chain().calibration().hand_length
+
+
+def test_a_change_beyond_both_uncertainties_is_marked():
+    engine = chain()
+    before = engine.calibration()
+    sure = dataclasses.replace(before, scale_sd=before.scale_sd / 50)
+    moved = dataclasses.replace(sure, scale=before.scale + 0.04)
+    cell = calibration_view(moved, sure).rows[0].cells[0]
+    assert cell.text == "▲ Δ +0.040"
+    assert "more than 2σ of both" in cell.tip
+
+
+def test_comparing_with_nothing_is_said(panel):
+    panel.wearer.comparing.click()
+    assert "nothing to compare with" in panel.advice.text()
+
+
+def test_freezing_is_said_and_reaches_the_filter(panel, engine):
+    panel.wearer.frozen.click()
+    panel.refresh(panel.session.snapshot())
+    assert panel.advice.text().startswith("Frozen")
+    assert not engine.inner._state.P[engine.inner.layout.n_dynamic :].any()
+    panel.wearer.frozen.click()
+    panel.refresh(panel.session.snapshot())
+    assert engine.inner._state.P[engine.inner.layout.n_dynamic :].any()
+
+
+def test_a_wearer_comes_back_after_a_restart(panel, store, qtbot, monkeypatch):
+    monkeypatch.setattr(QInputDialog, "getText", lambda *_, **__: ("Anna B.", True))
+    action(panel.wearer.save_button.menu(), "Save as…").trigger()
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna B", timeout=30_000)
+    panel.window().close()
+    again, fresh = MainWindow(store), Commanded()
+    qtbot.addWidget(again)
+    again.session.adopt(setup_of(fresh))
+    assert again.calibration.wearer.name == "Anna B"
+    assert fresh.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
+    again.calibration.wearer.choice.setCurrentIndex(0)
+    again.calibration.wearer.choice.activated.emit(0)
+    assert fresh.inner.calibration().scale == pytest.approx(np.ones((7, 3)))
+    assert store.value.wearer == ""
+    again.close()
+
+
+def test_a_wearer_is_put_on_again_when_the_engine_changes(panel, engine, store, qtbot):
+    panel.save("Anna")
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
+    engine.inner = chain()  # as a change of the engine makes it
+    panel.window().set_engine("chain")
+    assert engine.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
+
+
+def test_a_wearer_of_another_glove_is_refused_in_words(panel, store, qtbot):
+    panel.save("Anna")
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
+    path = WearerStore(store.path.parent / "wearers").path("Anna")
+    path.write_bytes(b"damaged")
+    panel.wear("Anna")
+    assert "Anna.npz is no profile of a wearer" in panel.window().banner.text()
+    assert panel.wearer.name == ""
+
+
+def test_an_engine_without_profiles_says_so(panel, engine, qtbot):
+    hand, glove, _ = models()
+    engine.inner = Pipeline(hand, glove, simulation().rig, Settings(engine="vist")).engine
+    panel.reset(None)
+    window = panel.window()
+    qtbot.waitUntil(
+        lambda: window.log.model.entries("error", "Only the engine chain") != [], timeout=30_000
+    )
+
+
+def test_removing_a_wearer_removes_the_file(panel, store, qtbot):
+    panel.save("Anna")
+    qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
+    action(panel.wearer.save_button.menu(), "Remove this profile").trigger()
+    assert WearerStore(store.path.parent / "wearers").names() == []
+    assert store.value.wearer == ""
+
+
+def test_without_an_engine_that_listens_nothing_can_be_changed(window):
+    window.session.adopt(scripted_setup(ScriptedEngine()))  # as a replay
+    row = window.calibration.wearer
+    assert not any(w.isEnabled() for w in (row.choice, row.reset_button, row.frozen))
+    assert row.comparing.isEnabled()
+
+
+@pytest.mark.parametrize(
+    ("name", "kept"),
+    [("Anna B.", "Anna B"), ("../x/y", "x_y"), ("Jürgen", "Jürgen"), ("//", "unnamed")],
+)
+def test_every_name_is_a_file_name(name, kept):
+    assert kept_name(name) == kept
