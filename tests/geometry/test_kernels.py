@@ -16,3 +16,12 @@ def test_rotations() -> None:
         assert np.allclose(kernels.zyx3(M), so3.zyx_from_matrix(M), atol=1e-12)
         assert np.array_equal(kernels.skew3(v), so3.skew(v))
         assert np.allclose(kernels.cross3(v, M[0]), np.cross(v, M[0]), atol=1e-15)
+
+
+def test_small_products() -> None:
+    rng = np.random.default_rng(1)
+    A, B, v = rng.normal(size=(3, 3)), rng.normal(size=(3, 3)), rng.normal(size=3)
+    assert np.allclose(kernels.mul3(A, B), A @ B, atol=1e-14)
+    assert np.allclose(kernels.tmul3(A, B), A.T @ B, atol=1e-14)
+    assert np.allclose(kernels.act3(A, v), A @ v, atol=1e-14)
+    assert np.allclose(kernels.tact3(A, v), A.T @ v, atol=1e-14)

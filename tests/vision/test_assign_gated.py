@@ -4,7 +4,9 @@ from itertools import permutations
 
 import numpy as np
 import pytest
+from scipy.optimize import linear_sum_assignment
 
+from tracker.vision.assignment import assign
 from tracker.vision.correspondence import GateParams, assign_gated
 
 S4 = np.diag([4.0, 4.0])
@@ -106,3 +108,18 @@ def test_nothing_to_assign(n: int, m: int) -> None:
         np.ones(m),
     )
     assert got.tolist() == [-1] * m
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_compiled_assignment_costs_what_scipys_costs(seed: int) -> None:
+    """With as many lone places added as there are rows; forbidden pairs and negative costs too."""
+    rng = np.random.default_rng(seed)
+    n, m = rng.integers(0, 9, 2)
+    cost, alone = rng.normal(0, 10, (n, m)), float(rng.normal(5, 5))
+    cost[rng.random((n, m)) < 0.4] = 1e6
+    got = assign(cost, alone)
+    rows = got[got >= 0]
+    assert len(set(rows)) == len(rows)
+    total = cost[rows, np.flatnonzero(got >= 0)].sum() + alone * (n - len(rows))
+    padded = np.concatenate([cost, np.full((n, n), alone)], axis=1)
+    assert total == pytest.approx(padded[linear_sum_assignment(padded)].sum(), abs=1e-9)

@@ -12,6 +12,7 @@ import numpy as np
 
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.state import ChainState
+from tracker.geometry.kernels import act3
 from tracker.messages import Array, IntArray
 
 
@@ -116,9 +117,9 @@ def _origins(parent, origin, joint, scale, R, p, lever):  # type: ignore[no-unty
     for i in range(len(parent)):
         a = parent[i]
         if a < 0:
-            out[i] = p - R[i] @ (scale[i] * lever)
+            out[i] = p - act3(R[i], scale[i] * lever)
         else:
-            out[i] = out[a] + R[a] @ (scale[a] * origin[i] + joint[i])
+            out[i] = out[a] + act3(R[a], scale[a] * origin[i] + joint[i])
     return out
 
 

@@ -9,7 +9,7 @@ import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
-from tracker.geometry.kernels import zyx3
+from tracker.geometry.kernels import act3, mul3, tmul3, zyx3
 from tracker.messages import Array
 
 
@@ -53,7 +53,7 @@ class Completion:
         )
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _rotation(a, b, c):  # type: ignore[no-untyped-def]
     """Rz(a) Ry(b) Rx(c)."""
     ca, sa, cb, sb, cc, sc = np.cos(a), np.sin(a), np.cos(b), np.sin(b), np.cos(c), np.sin(c)
@@ -66,7 +66,7 @@ def _rotation(a, b, c):  # type: ignore[no-untyped-def]
     )
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _complete(  # type: ignore[no-untyped-def]
     parent, origin, R_rest, columns, limits, links, gains, row, R, p, scale3
 ):  # fmt: skip
@@ -78,7 +78,7 @@ def _complete(  # type: ignore[no-untyped-def]
             continue
         R_all[i], p_all[i], scale[i] = R[row[i]], p[row[i]], scale3[row[i]]
         if parent[i] >= 0:
-            relative = R_rest[i].T @ R_all[parent[i]].T @ R_all[i]
+            relative = tmul3(R_rest[i], tmul3(R_all[parent[i]], R_all[i]))
             values = zyx3(relative)
             for k in range(3):
                 if columns[i, k] >= 0:
@@ -102,8 +102,8 @@ def _complete(  # type: ignore[no-untyped-def]
         for k in range(3):
             if columns[i, k] >= 0:
                 joint[k] = angles[columns[i, k]]
-        R_all[i] = R_all[a] @ R_rest[i] @ _rotation(joint[0], joint[1], joint[2])
-        p_all[i] = p_all[a] + R_all[a] @ (scale[a] * origin[i])
+        R_all[i] = mul3(mul3(R_all[a], R_rest[i]), _rotation(joint[0], joint[1], joint[2]))
+        p_all[i] = p_all[a] + act3(R_all[a], scale[a] * origin[i])
         total, count = np.zeros(3), 0
         while a > 0:  # a finger's own scale where it has one, else the hand's
             total += scale[a]

@@ -15,7 +15,7 @@ import numpy as np
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ConstraintParams
 from tracker.fusion.state import ChainState
-from tracker.geometry.kernels import cross3, zyx3
+from tracker.geometry.kernels import act3, cross3, tact3, tmul3, zyx3
 from tracker.messages import Array
 
 E_X, E_Y, E_Z = np.eye(3)
@@ -84,12 +84,12 @@ class Constraints:
         )
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _relative(parent, R_rest, R_GB, child):  # type: ignore[no-untyped-def]
-    return R_rest[child].T @ R_GB[parent[child]].T @ R_GB[child]
+    return tmul3(R_rest[child], tmul3(R_GB[parent[child]], R_GB[child]))
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _put(h, parent, theta, child, J_a, J_c, gain):  # type: ignore[no-untyped-def]
     """Add a row's derivatives by the parent's and the child's orientation."""
     for r in range(3):
@@ -97,15 +97,15 @@ def _put(h, parent, theta, child, J_a, J_c, gain):  # type: ignore[no-untyped-de
         h[theta + 3 * child + r] += gain * J_c[r]
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _put_flexion(h, parent, R_rest, R_GB, theta, child, gain):  # type: ignore[no-untyped-def]
     """Flexion turns about the child's own y (its twist being small)."""
     y = np.array([0.0, 1.0, 0.0])
     R = _relative(parent, R_rest, R_GB, child)
-    _put(h, parent, theta, child, -(R_rest[child] @ (R @ y)), y, gain)
+    _put(h, parent, theta, child, -act3(R_rest[child], act3(R, y)), y, gain)
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _rows(  # type: ignore[no-untyped-def]
     parent, R_rest, R_GB, axis_child, axis_e, axis_f, axis_var,
     flexion_child, flexion_source, flexion_numbers, limit_var, synergy_var, theta, size,
@@ -117,8 +117,16 @@ def _rows(  # type: ignore[no-untyped-def]
         c, e, f = axis_child[k], axis_e[k], axis_f[k]
         R = _relative(parent, R_rest, R_GB, c)
         # e^T R_rest^T Exp(-beta_a) R_a^T R_c Exp(beta_c) f
-        _put(H[k], parent, theta, c, R_rest[c] @ cross3(e, R @ f), cross3(f, R.T @ e), 1.0)
-        r[k] = -(e @ (R @ f))
+        _put(
+            H[k],
+            parent,
+            theta,
+            c,
+            act3(R_rest[c], cross3(e, act3(R, f))),
+            cross3(f, tact3(R, e)),
+            1.0,
+        )
+        r[k] = -np.dot(e, act3(R, f))
         var[k] = axis_var[k]
     m = n
     for k in range(len(flexion_child)):

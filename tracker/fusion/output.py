@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker.fusion import output_kernel as kernel
 from tracker.fusion.completion import Completion
 from tracker.fusion.layout import ChainLayout
-from tracker.geometry.kernels import quats
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
 INFERRED_SD = 0.004  # m that each segment beyond the last estimated one adds
@@ -35,7 +35,11 @@ class HandOutput:
         self._angle_segment, axis = np.nonzero(columns >= 0)
         self._angle_column = columns[self._angle_segment, axis]
         self._angle_parent = np.maximum(parent[self._angle_segment], 0)
-        self._base, self._base_parent = self._bases()
+        self._keypoint_offset = np.concatenate(
+            [hand.keypoint_offset, *(k.position[None] for k in layout.glove.keypoints)]
+        )
+        self._end_of = self._far_ends()
+        self._row = np.array([layout.row_of.get(s, -1) for s in range(len(parent))], np.int64)
         self._sensed_ancestor, self._steps = self._ancestors()
 
     def estimate(
@@ -45,52 +49,43 @@ class HandOutput:
 
         active_sd (A,) m is the standard deviation of each active segment's tip.
         """
-        lay, hand = self._layout, self._layout.hand
         if sensed.tracking == Tracking.SEARCHING:
             return self._nothing(t)
+        segment = self._keypoint_segments
         R_all, p_all, scale_all, angles, known = self.complete(R, p, scale3)
-        points = lay.glove.keypoint_positions(hand, R_all, p_all, scale_all)
-        segment_state = self._segment_state(sensed)
-        angle_state = self._angle_state(segment_state, known)
-        keypoint_state = self._keypoint_state(segment_state, sensed.tracking)
-        lost = keypoint_state == Validity.LOST
-        points[lost] = np.nan
-        q = quats(R_all)[self._keypoint_segments]
-        q[lost] = np.nan
-        angles = np.where(angle_state == Validity.LOST, np.nan, angles)
+        points, q = kernel.keypoint_places(segment, self._keypoint_offset, R_all, p_all, scale_all)
+        state = kernel.segment_states(self._row, sensed.segments)
+        coasting = sensed.tracking == Tracking.COASTING
+        keypoint_state = kernel.keypoint_states(state, segment, self._end_of, coasting)
+        if sensed.tracking == Tracking.LOST:  # a keypoint's place needs the hand's place
+            keypoint_state[:] = Validity.LOST
+            points[:] = np.nan
+            q[:] = np.nan
         return Estimate(
             t=t,
             tracking=sensed.tracking,
             keypoints=points,
             keypoint_q=q,
             keypoint_state=keypoint_state,
-            keypoint_sd=self._keypoint_sd(active_sd),
+            keypoint_sd=kernel.keypoint_spread(
+                segment, self._sensed_ancestor, self._steps, active_sd, INFERRED_SD
+            ),
             angles=angles,
-            angle_state=angle_state,
+            angle_state=kernel.angle_states(
+                state, self._angle_segment, self._angle_parent, self._angle_column, known
+            ),
             segment_R=R_all,
             segment_p=p_all,
         )
 
-    def _segment_state(self, sensed: Sensed) -> IntArray:
-        """(S,) measured where an IMU or marker saw it; inferred otherwise."""
-        out = np.full(len(self._layout.hand.segments), int(Validity.INFERRED), np.int64)
-        out[self._layout.active[sensed.segments != 0]] = Validity.MEASURED
-        return out
-
-    def _angle_state(self, segment: IntArray, known: Array) -> IntArray:
-        """(J,) measured where the segment and its parent are."""
-        measured = segment == Validity.MEASURED
-        both = measured[self._angle_segment] & measured[self._angle_parent]
-        out = np.full(len(self._layout.hand.joint_names), int(Validity.INFERRED), np.int64)
-        out[self._angle_column[both & known[self._angle_column].astype(bool)]] = Validity.MEASURED
-        return out
-
-    def _bases(self) -> tuple[IntArray, IntArray]:
-        """Keypoints at the base of a segment, and that segment's parent."""
+    def _far_ends(self) -> IntArray:
+        """(K,) parent of the segment whose base a keypoint is: measured if either is. -1: none."""
         hand = self._layout.hand
-        parent = np.array(hand.parent)[list(hand.keypoint_segment)]
-        base = np.flatnonzero(~np.any(hand.keypoint_offset, axis=1) & (parent >= 0))
-        return base, parent[base]
+        out = np.full(self._keypoint_count, -1, np.int64)
+        for k, s in enumerate(hand.keypoint_segment):
+            if not np.any(hand.keypoint_offset[k]):
+                out[k] = hand.parent[s]
+        return out
 
     def _ancestors(self) -> tuple[IntArray, IntArray]:
         """Per segment: active row of itself or its nearest active ancestor, and steps to it."""
@@ -102,21 +97,6 @@ class HandOutput:
             else:
                 row[i], steps[i] = row[hand.parent[i]], steps[hand.parent[i]] + 1
         return row, steps
-
-    def _keypoint_state(self, segment: IntArray, tracking: Tracking) -> IntArray:
-        """A keypoint's place needs the hand's place: lost with it, inferred while coasting."""
-        out = segment[self._keypoint_segments].copy()
-        # the base of a segment is the end of its parent: measured if the parent is
-        out[self._base] = np.maximum(out[self._base], segment[self._base_parent])
-        if tracking == Tracking.LOST:
-            out[:] = Validity.LOST
-        elif tracking == Tracking.COASTING:
-            out[out == Validity.MEASURED] = Validity.INFERRED
-        return out
-
-    def _keypoint_sd(self, active_sd: Array) -> Array:
-        own = active_sd[self._sensed_ancestor] ** 2
-        return np.sqrt(own + self._steps * INFERRED_SD**2)[self._keypoint_segments]
 
     def _nothing(self, t: float) -> Estimate:
         hand, k = self._layout.hand, self._keypoint_count

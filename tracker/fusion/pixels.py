@@ -15,7 +15,7 @@ import numpy as np
 from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions, turned
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import NoiseParams
-from tracker.fusion.pixels_kernel import innovation_covariance, pixel_jacobians, stack_rows
+from tracker.fusion.pixels_kernel import innovation_covariance, pixel_jacobians, spread, stack_rows
 from tracker.fusion.sparse import times
 from tracker.fusion.state import ChainState
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
@@ -142,7 +142,5 @@ class PixelModel:
 def _gate(S: Array) -> GateParams:
     """The cost of no match grows with the spread, or an unsure filter would match nothing."""
     if len(S) == 0:
-        return GateParams()
-    det = S[:, 0, 0] * S[:, 1, 1] - S[:, 0, 1] * S[:, 1, 0]
-    spread = float(np.median(np.log(det)))
-    return GateParams(dummy_cost=GATE.dummy_cost + max(0.0, spread - USUAL_SPREAD))
+        return GATE
+    return GateParams(dummy_cost=GATE.dummy_cost + max(0.0, spread(S) - USUAL_SPREAD))

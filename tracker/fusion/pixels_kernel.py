@@ -47,6 +47,15 @@ def innovation_covariance(H, HP, A, sd_marker, sd_pixel):  # type: ignore[no-unt
 
 
 @numba.njit(cache=True, nogil=True)
+def spread(S):  # type: ignore[no-untyped-def]
+    """Median of ln det of S (n, 2, 2)."""
+    out = np.empty(len(S))
+    for k in range(len(S)):
+        out[k] = np.log(S[k, 0, 0] * S[k, 1, 1] - S[k, 0, 1] * S[k, 1, 0])
+    return np.median(out)
+
+
+@numba.njit(cache=True, nogil=True)
 def stack_rows(H, HP, A, residual, sd_marker, sd_pixel, threshold):  # type: ignore[no-untyped-def]
     """H, HP (m, N), r (m,) and noise (m, m) of the markers that are matched.
 
@@ -88,5 +97,24 @@ def stack_rows(H, HP, A, residual, sd_marker, sd_pixel, threshold):  # type: ign
 @numba.njit(cache=True, nogil=True)
 def _huber(r, S, threshold):  # type: ignore[no-untyped-def]
     """Factor on the noise: 1 up to the threshold, then growing with the distance."""
-    distance = np.sqrt(r @ np.linalg.solve(S, r) / len(r))
+    distance = np.sqrt(_mahalanobis2(S, r) / len(r))
     return max(1.0, distance / threshold) ** 2
+
+
+@numba.njit(cache=True, nogil=True)
+def _mahalanobis2(S, r):  # type: ignore[no-untyped-def]
+    """r^T S^-1 r of a small positive definite S, by its Cholesky factor."""
+    n, total = len(r), 0.0
+    L, y = np.zeros((n, n)), np.empty(n)
+    for i in range(n):
+        for j in range(i + 1):
+            x = S[i, j]
+            for k in range(j):
+                x -= L[i, k] * L[j, k]
+            L[i, j] = np.sqrt(x) if i == j else x / L[j, j]
+        y[i] = r[i]
+        for k in range(i):
+            y[i] -= L[i, k] * y[k]
+        y[i] /= L[i, i]
+        total += y[i] * y[i]
+    return total

@@ -10,7 +10,7 @@ import numba
 import numpy as np
 
 from tracker import GRAVITY
-from tracker.geometry.kernels import exp3, skew3, turn_all
+from tracker.geometry.kernels import act3, exp3, mul3, skew3, tact3, tmul3, turn_all
 
 COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
 
@@ -24,12 +24,12 @@ def body_rates(  # type: ignore[no-untyped-def]
     for i in range(len(parent)):
         j = imu_of[i]
         if j >= 0 and valid[j]:
-            w[i] = R_IB[j].T @ (gyro[j] - bg[j])
+            w[i] = tact3(R_IB[j], gyro[j] - bg[j])
         elif parent[i] >= 0:
-            w[i] = R_GB[i].T @ (R_GB[parent[i]] @ w[parent[i]])
+            w[i] = tact3(R_GB[i], act3(R_GB[parent[i]], w[parent[i]]))
             s = source[i]
             if 0 <= s < i:
-                relative = w[s] - R_GB[s].T @ (R_GB[parent[s]] @ w[parent[s]])
+                relative = w[s] - tact3(R_GB[s], act3(R_GB[parent[s]], w[parent[s]]))
                 w[i, 1] += gain[i, 0] * relative[1]
     return w
 
@@ -40,7 +40,7 @@ def root_force(imu_of, R_IB, ba, accel, valid):  # type: ignore[no-untyped-def]
     j = imu_of[0]
     if j < 0 or not valid[j]:
         return np.zeros(3), False
-    return R_IB[j].T @ (accel[j] - ba[j]), True
+    return tact3(R_IB[j], accel[j] - ba[j]), True
 
 
 @numba.njit(cache=True, nogil=True)
@@ -50,7 +50,7 @@ def move_nominal(p, v, R_GB, w, f, felt, dt, coasting):  # type: ignore[no-untyp
     a_G = np.zeros(3)
     damping = 1.0
     if felt:
-        a_G = (R_GB[0] @ exp3(w[0] * (dt / 2))) @ f
+        a_G = act3(R_GB[0], act3(exp3(w[0] * (dt / 2)), f))
         a_G[2] -= GRAVITY
     else:
         damping = np.exp(-COAST_DAMPING * dt)
@@ -80,7 +80,7 @@ def transition(  # type: ignore[no-untyped-def]
         elif parent[i] >= 0:
             # R_rel stays: theta_c moves by R_rel^T times what theta_parent moved by
             a = theta + 3 * parent[i]
-            R_ca = R_GB[i].T @ R_GB[parent[i]]
+            R_ca = tmul3(R_GB[i], R_GB[parent[i]])
             moved = Phi[a : a + 3].copy()
             for r in range(3):
                 moved[r, a + r] -= 1.0
@@ -94,8 +94,8 @@ def transition(  # type: ignore[no-untyped-def]
 @numba.njit(cache=True, nogil=True)
 def _root_rows(Phi, R, R_IB, f, dt, theta, phi, ba):  # type: ignore[no-untyped-def]
     """p and v against the root's orientation, mounting and accelerometer bias."""
-    J_a_theta = -R @ skew3(f)
-    J_a_ba = -R @ R_IB.T
+    J_a_theta = -mul3(R, skew3(f))
+    J_a_ba = -mul3(R, R_IB.T)
     for first, gain in ((3, dt), (0, dt * dt / 2)):
         for r in range(3):
             for c in range(3):
@@ -157,11 +157,11 @@ def add_turn_noise(P, R_GB, parent, imu_of, valid, theta, var, free, free_root):
         if imu_of[i] < 0 or not valid[imu_of[i]]:
             own = free if a >= 0 else free_root
             if a >= 0:
-                R_ca = R_GB[i].T @ R_GB[a]
+                R_ca = tmul3(R_GB[i], R_GB[a])
                 for k in range(i):
-                    C[i, k] = R_ca @ C[a, k]
+                    C[i, k] = mul3(R_ca, C[a, k])
                     C[k, i] = C[i, k].T
-                C[i, i] = R_ca @ C[a, a] @ R_ca.T
+                C[i, i] = mul3(mul3(R_ca, C[a, a]), R_ca.T)
         for r in range(3):
             C[i, i, r, r] += own
     for i in range(n):

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numba
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from tracker.messages import Array, IntArray
+from tracker.vision.assignment import assign
 from tracker.vision.cpd import translation_em
 from tracker.vision.visibility import HandShape, VisibilityParams, both_cameras, visibility
 
@@ -57,10 +57,9 @@ def assign_gated(
     Mahalanobis² + ln det S - 2 ln p is least, and a blob may stay alone at ``dummy_cost``.
     """
     params = params or GateParams()
-    out = np.full(len(predicted_uv), -1, np.int64)
     if len(uv) == 0 or len(predicted_uv) == 0:
-        return out
-    cost = _gated_costs(
+        return np.full(len(predicted_uv), -1, np.int64)
+    return _assigned(
         np.ascontiguousarray(uv, float),
         hue,
         np.ascontiguousarray(predicted_uv, float),
@@ -69,23 +68,29 @@ def assign_gated(
         np.maximum(prior, params.min_prior),
         params.gate,
         params.gate_px,
+        params.dummy_cost,
     )
-    _assign(cost, params.dummy_cost, out)
+
+
+@numba.njit(cache=True, nogil=True)
+def _assigned(
+    uv: Array,
+    hue: IntArray,
+    predicted: Array,
+    S: Array,
+    marker_hue: IntArray,
+    prior: Array,
+    gate: float,
+    gate_px: float,
+    dummy_cost: float,
+) -> IntArray:
+    """The optimal assignment among the pairs that are cheaper than two lone ones."""
+    cost = _gated_costs(uv, hue, predicted, S, marker_hue, prior, gate, gate_px)
+    out = assign(cost, dummy_cost)
+    for j in range(len(out)):
+        if out[j] >= 0 and cost[out[j], j] >= dummy_cost:
+            out[j] = -1
     return out
-
-
-def _assign(cost: Array, dummy_cost: float, out: IntArray) -> None:
-    """Fills out (M,) with the row of cost (n, M) chosen for each column."""
-    useful = cost < dummy_cost  # a dearer pair is never better than two lone ones
-    rows = np.flatnonzero(useful.any(axis=1))
-    columns = np.flatnonzero(useful.any(axis=0))
-    if len(rows) == 0:
-        return
-    small = cost[np.ix_(rows, columns)]
-    padded = np.concatenate([small, np.full((len(rows), len(rows)), dummy_cost)], axis=1)
-    chosen_rows, chosen = linear_sum_assignment(padded)
-    real = chosen < len(columns)
-    out[columns[chosen[real]]] = rows[chosen_rows[real]]
 
 
 @numba.njit(cache=True, nogil=True)

@@ -1,0 +1,76 @@
+"""The arithmetic of `tracker.fusion.output`, compiled: it runs at the glove's rate."""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+
+from tracker.geometry.kernels import quats
+from tracker.messages import Validity
+
+LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Validity.MEASURED)
+
+
+@numba.njit(cache=True, nogil=True)
+def keypoint_places(segment, offset, R, p, scale):  # type: ignore[no-untyped-def]
+    """Keypoints (K, 3) m in G and their quaternions (K, 4).
+
+    segment (K,) the row each moves with, offset (K, 3) m in its nominal B; R (S, 3, 3), p (S, 3)
+    and scale (S, 3) of all segments.
+    """
+    q_all = quats(R)
+    points, q = np.empty((len(segment), 3)), np.empty((len(segment), 4))
+    for k in range(len(segment)):
+        s = segment[k]
+        q[k] = q_all[s]
+        for i in range(3):
+            points[k, i] = p[s, i]
+            for j in range(3):
+                points[k, i] += R[s, i, j] * scale[s, j] * offset[k, j]
+    return points, q
+
+
+@numba.njit(cache=True, nogil=True)
+def segment_states(row, sensed):  # type: ignore[no-untyped-def]
+    """(S,) measured where the active segment of ``row`` (S,), -1 for none, is sensed (A,)."""
+    out = np.full(len(row), INFERRED)
+    for s in range(len(row)):
+        if row[s] >= 0 and sensed[row[s]] != 0:
+            out[s] = MEASURED
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
+def angle_states(segment_state, child, parent, column, known):  # type: ignore[no-untyped-def]
+    """(J,) measured where an angle is known and both its segments (J,) are."""
+    out = np.full(len(known), INFERRED)
+    for k in range(len(column)):
+        both = segment_state[child[k]] == MEASURED and segment_state[parent[k]] == MEASURED
+        if both and known[column[k]]:
+            out[column[k]] = MEASURED
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
+def keypoint_states(segment_state, segment, end_of, coasting):  # type: ignore[no-untyped-def]
+    """(K,) as the segment (K,) it moves with, or the one it is the far end of, -1 for none.
+
+    While coasting nothing of a hand's place is measured.
+    """
+    out = np.empty(len(segment), np.int64)
+    for k in range(len(segment)):
+        state = segment_state[segment[k]]
+        if end_of[k] >= 0:
+            state = max(state, segment_state[end_of[k]])
+        out[k] = min(state, INFERRED) if coasting else state
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
+def keypoint_spread(segment, ancestor, steps, active_sd, inferred_sd):  # type: ignore[no-untyped-def]
+    """(K,) m: of the nearest estimated ancestor's (S,), and of the steps (S,) from it."""
+    out = np.empty(len(segment))
+    for k in range(len(segment)):
+        s = segment[k]
+        out[k] = np.sqrt(active_sd[ancestor[s]] ** 2 + steps[s] * inferred_sd**2)
+    return out

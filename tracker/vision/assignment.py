@@ -1,0 +1,87 @@
+"""Optimal assignment where staying alone has a price (the Hungarian method, compiled)."""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+
+from tracker.messages import Array, IntArray
+
+
+@numba.njit(cache=True, nogil=True)
+def assign(cost: Array, alone: float) -> IntArray:
+    """(m,) row of cost (n, m) for each column, -1 for none, with the least total cost.
+
+    A row without a column costs ``alone``, as if it had a column of its own: rows are brought in
+    one by one along shortest augmenting paths in reduced costs (Jonker and Volgenant 1987,
+    doi:10.1007/BF02278710). Column m + i stands for row i being alone.
+    """
+    n, m = cost.shape
+    row_of = np.full(m + n, -1, np.int64)
+    u, v = np.zeros(n), np.zeros(m + n)
+    distance, previous = np.empty(m + n), np.empty(m + n, np.int64)
+    done = np.empty(m + n, np.bool_)
+    for first in range(n):
+        distance[:] = np.inf
+        done[:] = False
+        row, reached, at = first, 0.0, -1
+        while True:
+            at = _relax(cost, alone, row, reached, at, u, v, distance, previous, done)
+            reached = distance[at]
+            done[at] = True
+            if row_of[at] < 0:
+                break
+            row = row_of[at]
+        _reprice(first, reached, row_of, u, v, distance, done)
+        while at >= 0:  # hand the columns on along the path
+            before = previous[at]
+            row_of[at] = first if before < 0 else row_of[before]
+            at = before
+    return row_of[:m]
+
+
+@numba.njit(cache=True, nogil=True)
+def _relax(
+    cost: Array,
+    alone: float,
+    row: int,
+    reached: float,
+    came_by: int,
+    u: Array,
+    v: Array,
+    distance: Array,
+    previous: IntArray,
+    done: Array,
+) -> int:
+    """Shorten the ways to all columns through ``row``; the nearest column not done yet."""
+    m = cost.shape[1]
+    nearest, least = -1, np.inf
+    for j in range(len(distance)):
+        if done[j]:
+            continue
+        if j < m or j == m + row:
+            way = reached + (cost[row, j] if j < m else alone) - u[row] - v[j]
+            if way < distance[j]:
+                distance[j], previous[j] = way, came_by
+        if distance[j] < least:
+            nearest, least = j, distance[j]
+    return nearest
+
+
+@numba.njit(cache=True, nogil=True)
+def _reprice(
+    first: int,
+    reached: float,
+    row_of: IntArray,
+    u: Array,
+    v: Array,
+    distance: Array,
+    done: Array,
+) -> None:
+    """Prices under which the shortest path costs nothing and no pair less."""
+    u[first] += reached
+    for j in range(len(v)):
+        if done[j]:
+            v[j] += distance[j] - reached
+            if row_of[j] >= 0:
+                u[row_of[j]] += reached - distance[j]
