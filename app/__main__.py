@@ -7,12 +7,17 @@ import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
 from resources import folder
 from tracker import __version__
+
+if TYPE_CHECKING:
+    from app.crash import CrashWatch
+    from app.single_instance import Instance
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -33,9 +38,27 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _run(app: QApplication, args: argparse.Namespace) -> int:
+    from app.crash import CrashWatch, log_folder, log_to_file
+    from app.single_instance import Instance, hand_over
+
+    if not args.demo and hand_over(args.session):
+        return 0  # the window that is open has it now
+    log_to_file(log_folder())
+    crashes, instance = CrashWatch(log_folder()), Instance()
+    try:
+        return _show(app, args, crashes, instance)
+    finally:
+        instance.close()
+        crashes.end()
+
+
+def _show(
+    app: QApplication, args: argparse.Namespace, crashes: CrashWatch, instance: Instance
+) -> int:
     from app.main_window import MainWindow
 
-    window = MainWindow()
+    window = MainWindow(crashes=crashes)
+    instance.asked.connect(window.take_over)
     # Ctrl+C closes the window as a click does: the file is finished, the devices are freed. The
     # window's own timer gives Python the chance to see the signal.
     signal.signal(signal.SIGINT, lambda *_: window.close())

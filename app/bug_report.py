@@ -20,6 +20,7 @@ import psutil
 from app.licences import parts
 from app.settings import Settings
 from tracker import __version__
+from tracker.clock import NS, ClockAnchor, nanoseconds, seconds
 from tracker.errors import GlovetrackError
 from tracker.messages import Event, StereoFrame
 from tracker.session.disk import disk_error
@@ -202,10 +203,13 @@ def cut_tail(source: Path, out: Path, duration: float, pictures: bool, personal:
         info = reader.info
         if not personal:
             info = replace(info, participant="", notes="", extra={})
-        end = reader.anchor.monotonic(reader.span_ns[1])
+        start = max(reader.span_ns[1] - round(duration * NS), reader.span_ns[0])
+        # The same clock, told at the excerpt's own start: there the file begins.
+        begin = nanoseconds(reader.anchor.monotonic(start))
+        info = replace(info, anchor=ClockAnchor(reader.anchor.wall(seconds(begin)), begin))
         params = RecorderParams(pictures="jpeg" if pictures else "none", sync=False)
         with SessionRecorder(out, info, params) as recorder:
-            for message in reader.messages(_kinds(pictures), start=end - duration):
+            for message in reader.messages(_kinds(pictures), start=seconds(begin)):
                 recorder.write(message)
 
 

@@ -256,8 +256,7 @@ class MainWindow(QMainWindow):
 
     def _closed(self) -> None:
         self.setWindowTitle(self.tr("Glovetrack"))
-        for panel in self.panels:
-            panel.refresh(None)
+        self._refresher.clear()
         self.bar.show_status(None, False)
         self._enable()
 

@@ -30,6 +30,11 @@ class Refresher:
         self._due: dict[str, float] = {}
         self._told: set[str] = set()
 
+    def clear(self) -> None:
+        """Let every panel show that there is no engine."""
+        for panel in self._panels:
+            self._refresh(panel, None)
+
     def refresh(self, view: Snapshot) -> None:
         """Those that are due. ``tick`` is the s between two calls."""
         now = self._clock()
@@ -37,13 +42,18 @@ class Refresher:
             if now < self._due.get(panel.name, 0.0) or panel.visibleRegion().isEmpty():
                 continue
             began = self._clock()
-            rest = panel.period - self._tick / 2
-            try:
-                panel.refresh(view)
-            except Exception as error:  # noqa: BLE001  one panel's fault must not stop the others
-                rest = REST_S
-                self._tell(panel, error)
+            fine = self._refresh(panel, view)
+            rest = panel.period - self._tick / 2 if fine else REST_S
             self._due[panel.name] = now + max(rest, SPARE * (self._clock() - began))
+
+    def _refresh(self, panel: Panel, view: Snapshot | None) -> bool:
+        """Whether that went well."""
+        try:
+            panel.refresh(view)
+        except Exception as error:  # noqa: BLE001  one panel's fault must not stop the others
+            self._tell(panel, error)
+            return False
+        return True
 
     def _tell(self, panel: Panel, error: Exception) -> None:
         if panel.name not in self._told:

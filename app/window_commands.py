@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def add_commands(window: MainWindow, commands: Commands) -> None:
     """Every command, in menu order."""
-    for group in (_file, _tracking, _replay, _camera, _view):
+    for group in (_file, _set_up, _tracking, _replay, _camera, _view):
         for command in group(window):
             commands.add(command)
 
@@ -23,11 +23,18 @@ def _file(w: MainWindow) -> list[Command]:
     return [
         Command("demo", menu, w.tr("Start the &demo"), w.start_demo, "Ctrl+D"),
         Command("hardware", menu, w.tr("&Glove and camera"), w.start_hardware, "Ctrl+G"),
-        Command("calibration", menu, w.tr("Stereo &calibration…"), w.choose_calibration),
         Command("open", menu, w.tr("&Open a session…"), w.choose_session, "Ctrl+O"),
         Command("export", menu, w.tr("&Export…"), w.export_session, "Ctrl+E"),
         Command("close", menu, w.tr("&Close the session"), w.session.shut_down, "Ctrl+W"),
         Command("quit", menu, w.tr("&Quit"), lambda: w.close(), "Ctrl+Q", separator=True),
+    ]
+
+
+def _set_up(w: MainWindow) -> list[Command]:
+    menu = w.tr("&Set-up")
+    return [
+        Command("glove_setup", menu, w.tr("&Glove…"), w.set_up.open_glove, "Ctrl+Shift+G"),
+        Command("stereo", menu, w.tr("&Stereo calibration…"), w.set_up.open_stereo),
     ]
 
 
@@ -95,3 +102,14 @@ def _view(w: MainWindow) -> list[Command]:
         Command("theme_dark", menu, w.tr("&Dark"), lambda: w.set_theme("dark")),
         Command("theme_system", menu, w.tr("As the &system"), lambda: w.set_theme("system")),
     ]
+
+
+def add_help(window: MainWindow, commands: Commands) -> None:
+    """The last menu; it comes after the docks have been listed under View."""
+    menu = window.tr("&Help")
+    keeper = window.housekeeping
+    for command in (
+        Command("report", menu, window.tr("Save a &bug report…"), keeper.ask_report),
+        Command("about", menu, window.tr("&About Glovetrack"), keeper.show_about),
+    ):
+        commands.add(command)

@@ -151,7 +151,7 @@ def test_a_machine_without_opengl_still_has_its_window(store, qtbot, no_leaks, m
     def dead(*_args, **_options):
         raise RuntimeError("no GL context")
 
-    monkeypatch.setattr("pyvista.Plotter", dead)
+    monkeypatch.setattr("app.widgets.vtk_scene.VtkScene", dead)
     window = MainWindow(store)
     qtbot.addWidget(window)
     window.show()
@@ -181,9 +181,7 @@ def session_file(tmp_path_factory):
     simulate(plain, options)
     path = folder / "Mustermann_pinch.mcap"
     with SessionReader(plain) as reader:
-        info = replace(
-            reader.info, rig=reader.rig(), participant="Mustermann", notes="left-handed"
-        )
+        info = replace(reader.info, rig=reader.rig(), participant="Mustermann", notes="left-handed")
         with SessionRecorder(path, info, RecorderParams(sync=False)) as recorder:
             for message in reader.messages():
                 recorder.write(message)
