@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from functools import partial
 from pathlib import Path
 
 import platformdirs
@@ -46,6 +47,7 @@ class Instance(QObject):
 
     def __init__(self, name: str | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._sockets: set[QLocalSocket] = set()
         self._server = QLocalServer(self)
         self._server.setSocketOptions(QLocalServer.SocketOption.UserAccessOption)
         self._server.newConnection.connect(self._connected)
@@ -60,10 +62,15 @@ class Instance(QObject):
 
     def _connected(self) -> None:
         socket = self._server.nextPendingConnection()
-        socket.readyRead.connect(lambda: self._read(socket))
-        socket.disconnected.connect(socket.deleteLater)
+        self._sockets.add(socket)
+        socket.readyRead.connect(partial(self._read, socket))
+        socket.disconnected.connect(partial(self._forget, socket))
         if socket.canReadLine():
             self._read(socket)
+
+    def _forget(self, socket: QLocalSocket) -> None:
+        self._sockets.discard(socket)
+        socket.deleteLater()
 
     def _read(self, socket: QLocalSocket) -> None:
         if socket.bytesAvailable() > MOST_BYTES:
@@ -83,4 +90,8 @@ class Instance(QObject):
             self.asked.emit(path)
 
     def close(self) -> None:
+        for socket in self._sockets:
+            socket.blockSignals(True)
+            socket.abort()
+        self._sockets.clear()
         self._server.close()

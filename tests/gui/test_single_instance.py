@@ -1,0 +1,111 @@
+"""A second start hands its session to the first window: two processes, as a file manager does it."""
+
+import os
+import subprocess
+import sys
+import time
+import uuid
+from pathlib import Path
+
+import pytest
+from PySide6.QtNetwork import QLocalSocket
+
+from app.single_instance import Instance, hand_over
+from tracker.offline.simulate import SimulateOptions, simulate
+
+ROOT = Path(__file__).resolve().parents[2]
+START_S, END_S = 60.0, 20.0
+
+FIRST = """
+import sys
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+from app.main_window import MainWindow
+
+opened = MainWindow._opened
+
+def tell(window, setup):
+    opened(window, setup)
+    print("opened", setup.name, flush=True)
+    QTimer.singleShot(200, window.close)
+
+MainWindow._opened = tell
+from app.__main__ import main
+sys.exit(main([]))
+"""
+
+
+@pytest.fixture
+def home(tmp_path, monkeypatch):
+    """Folders of settings and logs that nobody else uses."""
+    environment = {
+        **os.environ,
+        "QT_QPA_PLATFORM": "offscreen",
+        "PYTHONPATH": str(ROOT),
+        **{f"XDG_{k}_HOME": str(tmp_path / k) for k in ("CONFIG", "STATE", "DATA", "CACHE")},
+    }
+    for key in ("XDG_CONFIG_HOME", "XDG_STATE_HOME"):
+        monkeypatch.setenv(key, environment[key])
+    return environment
+
+
+@pytest.fixture
+def session_file(tmp_path):
+    path = tmp_path / "P01.mcap"
+    simulate(path, SimulateOptions(seed=1, duration=1.0, fps=10, pictures=False))
+    return path
+
+
+def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, qapp):
+    command = [sys.executable, "-c", FIRST]
+    with subprocess.Popen(command, env=home, stdout=subprocess.PIPE, text=True) as first:
+        try:
+            deadline = time.monotonic() + START_S
+            while not hand_over(None):  # until the first one listens
+                assert first.poll() is None and time.monotonic() < deadline
+                time.sleep(0.1)
+            words = [sys.executable, "-m", "app.command", str(session_file)]
+            second = subprocess.run(words, env=home, timeout=START_S, check=False)
+            assert second.returncode == 0
+            said, _ = first.communicate(timeout=END_S)
+        finally:
+            first.kill()
+    assert "opened P01.mcap" in said
+    assert first.returncode == 0
+    logs = Path(home["XDG_STATE_HOME"]) / "glovetrack" / "log"
+    assert [p.name for p in logs.glob("*-*.log")] == []  # neither running nor crashed
+
+
+def test_what_a_crashed_window_left_behind_does_not_stop_the_next(qtbot):
+    name = f"glovetrack-test-{uuid.uuid4().hex}"
+    stale = Path(f"/tmp/{name}")
+    if sys.platform != "win32":
+        stale.write_bytes(b"")
+    assert not hand_over(None, name)
+    instance = Instance(name)
+    try:
+        assert instance.listening
+    finally:
+        instance.close()
+
+
+def test_nonsense_on_the_socket_is_turned_away(qtbot):
+    name = f"glovetrack-test-{uuid.uuid4().hex}"
+    instance, asked = Instance(name), []
+    instance.asked.connect(asked.append)
+    try:
+        for nonsense in (b"[]\n", b"{}\n", b"\xff\n", b'{"open": 3}\n'):
+            socket = QLocalSocket()
+            socket.connectToServer(name)
+            assert socket.waitForConnected(2000)
+            socket.write(nonsense)
+            qtbot.waitUntil(
+                lambda s=socket: (
+                    s.state() == QLocalSocket.LocalSocketState.UnconnectedState
+                    or s.bytesAvailable() > 0
+                ),
+                timeout=5_000,
+            )
+        assert asked == []
+    finally:
+        instance.close()
