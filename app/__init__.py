@@ -2,6 +2,6 @@
 
 import os
 
-# pyqtgraph, pyvistaqt and superqt must all pick the one binding that is installed.
+# pyqtgraph and superqt must both pick the one binding that is installed.
 os.environ.setdefault("QT_API", "pyside6")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")

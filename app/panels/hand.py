@@ -127,13 +127,13 @@ class HandPanel(Panel):
         self._clear()
         self._model = HandSceneModel(setup)
         self.view.orbit.look_from(FIRST_LOOK)
-        if self.view.plotter is not None:
-            self._actors = HandActors(self.view.plotter, setup, hue_colours(setup.profile))
+        if self.view.scene is not None:
+            self._actors = HandActors(self.view.scene, setup, hue_colours(setup.profile))
 
     def _clear(self) -> None:
         self._actors = self._model = self._scene = None
-        if self.view.plotter is not None:
-            self.view.plotter.clear_actors()
+        if self.view.scene is not None:
+            self.view.scene.clear()
 
     def show_options(self) -> Show:
         return Show(**{name: box.isChecked() for name, box in self._boxes.items()})

@@ -8,8 +8,7 @@ there: it costs four times the rendering.
 from __future__ import annotations
 
 import logging
-import os
-import sys
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
@@ -18,16 +17,16 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.widgets.orbit import Orbit
 
+if TYPE_CHECKING:
+    from app.widgets.vtk_scene import VtkScene
+
 _log = logging.getLogger(__name__)
 MAX_PIXELS = 900 * 700
 """Software GL fills about 10⁸ pixels a second with this scene; a larger view is scaled up."""
 
-if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-    os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
-
 
 class View3D(QWidget):
-    """Owns a pyvista plotter; ``plotter`` is None where no OpenGL can be had."""
+    """Owns the scene; ``scene`` is None where no OpenGL can be had."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -37,7 +36,7 @@ class View3D(QWidget):
         self._image: QImage | None = None
         self._pixels: np.ndarray | None = None
         self._drag: QPointF | None = None
-        self.plotter = self._make_plotter()
+        self.scene = self._make_scene()
         self.setMinimumSize(200, 160)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -45,44 +44,31 @@ class View3D(QWidget):
     def sizeHint(self) -> QSize:
         return QSize(480, 400)
 
-    def _make_plotter(self):  # type: ignore[no-untyped-def]
+    def _make_scene(self) -> VtkScene | None:
         try:
-            import pyvista as pv
+            from app.widgets.vtk_scene import VtkScene
 
-            plotter = pv.Plotter(off_screen=True, window_size=(480, 400), lighting="light kit")
-            plotter.render_window.SetMultiSamples(0)
+            return VtkScene()
         except Exception as error:  # noqa: BLE001  a dead driver fails in its own ways
             _log.warning("No 3D view: %s", error)
             self.problem = self.tr("This machine offers no OpenGL, so the 3D view is off.")
             return None
-        return plotter
 
     def set_background(self, colour: str) -> None:
-        if self.plotter is not None:
-            self.plotter.set_background(colour)
+        if self.scene is not None:
+            self.scene.set_background(colour)
 
     def render_scene(self) -> None:
-        """Render what the plotter holds from the orbit's eye and show it."""
-        if self.plotter is None or self.width() < 2 or self.height() < 2:
+        """Render the scene from the orbit's eye and show it."""
+        if self.scene is None or self.width() < 2 or self.height() < 2:
             return
-        self._fit_window()
-        camera = self.plotter.camera
-        camera.position = self.orbit.eye.tolist()
-        camera.focal_point = self.orbit.target.tolist()
-        camera.up = self.orbit.up.tolist()
-        camera.view_angle = 32.0
-        self.plotter.renderer.ResetCameraClippingRange()
-        self.plotter.render()
-        pixels = np.ascontiguousarray(self.plotter.screenshot(None, return_img=True))
-        self._show(pixels)
+        self._show(self.scene.render(self.orbit, *self._size_px()))
 
-    def _fit_window(self) -> None:
+    def _size_px(self) -> tuple[int, int]:
         ratio = self.devicePixelRatioF()
         w, h = self.width() * ratio, self.height() * ratio
         shrink = min(1.0, (MAX_PIXELS / (w * h)) ** 0.5)
-        size = [max(2, int(w * shrink)), max(2, int(h * shrink))]
-        if list(self.plotter.window_size) != size:
-            self.plotter.window_size = size
+        return max(2, int(w * shrink)), max(2, int(h * shrink))
 
     def _show(self, pixels: np.ndarray) -> None:
         height, width = pixels.shape[:2]
@@ -134,6 +120,6 @@ class View3D(QWidget):
 
     def shut_down(self) -> None:
         """Free the GL context while it can still be made current."""
-        if self.plotter is not None:
-            self.plotter.close()
-            self.plotter = None
+        if self.scene is not None:
+            self.scene.close()
+            self.scene = None

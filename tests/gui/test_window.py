@@ -77,7 +77,7 @@ def test_the_skeleton_is_projected_onto_the_hand(live):
 
 
 def test_the_hand_view_draws_the_hand(live, qtbot):
-    if live.hand.view.plotter is None:
+    if live.hand.view.scene is None:
         pytest.skip("no OpenGL here")
     before = pixels(live.hand.view)
     greenish = (before[..., 1] > before[..., 0] + 25).mean()
@@ -204,7 +204,7 @@ def test_without_devices_the_window_says_what_is_missing(window, qtbot, monkeypa
 
 def test_a_calibration_that_is_none_is_refused_and_not_remembered(window, store, tmp_path):
     (tmp_path / "mine.conf").write_text("[LEFT_CAM_HD]\nfx=700\n")
-    window.set_calibration(tmp_path / "mine.conf")
+    window.set_up.set_calibration(tmp_path / "mine.conf")
     assert "mine.conf" in window.banner.text()
     assert store.value.calibration == ""
 
