@@ -80,6 +80,7 @@ class Pipeline:
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Take a packet; the hand at the packet's instant."""
+        self._watch.packet(sample.t)
         return self._engine.feed_imu(sample)
 
     def feed_frame(self, frame: BlobFrame) -> None:

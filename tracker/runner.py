@@ -35,6 +35,7 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.pipeline import Pipeline
+from tracker.sensors.picture_watch import SilenceWatch
 from tracker.settings import Settings
 from tracker.telemetry import Telemetry
 from tracker.vision.colours import ColourProfile
@@ -144,6 +145,7 @@ class LiveTracker:
         self._pictures: Latest[StereoFrame] = Latest()
         self._events: Fifo[Event] = Fifo(2000)
         self._telemetry = Telemetry()
+        self._silence = SilenceWatch("camera")
         self._order = _Order()
         self._disk: _Disk | None = None
         self._history: deque[ImuSample] = deque()
@@ -305,6 +307,7 @@ class LiveTracker:
     def _run_vision(self) -> None:
         while not self._stopping.is_set():
             frame = self._pictures.get(WAIT)
+            self._notice_silence(frame)
             if frame is None:
                 continue
             if self._detector.profile is not self._profile:
@@ -318,6 +321,13 @@ class LiveTracker:
             with self._counting:
                 self._behind += 1
             self._inbox.put(_Found(frame, blobs))
+
+    def _notice_silence(self, frame: StereoFrame | None) -> None:
+        """A device may hang in a call that never returns: here it is noticed all the same."""
+        watch, now = self._silence, self._clock()
+        text = watch.look(now) if frame is None else watch.heard(now)
+        if text:
+            self._say("device", text)
 
     def _run_engine(self) -> None:
         while not self._stopping.is_set():

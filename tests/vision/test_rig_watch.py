@@ -107,6 +107,7 @@ def run(sim: Simulation, left: Shift, right: Shift) -> Iterator[RigWatch]:
     for message in sim.feed():
         if isinstance(message, ImuSample):
             pipeline.feed_imu(message)
+            watch.packet(message.t)
         else:
             assert isinstance(message, BlobFrame)
             if message.t >= 4.0:
@@ -137,10 +138,28 @@ def test_a_jump_is_told_once(hand, glove, left: Shift, right: Shift, words: str)
     assert len(said) == 1 and said[0].startswith(words)
 
 
+def result(t: float, off_px: float) -> FrameResult:
+    nothing = FrameResult.nothing(t, Tracking.TRACKING, MARKERS)
+    return replace(nothing, residual=np.full((MARKERS, 4), off_px))
+
+
+@pytest.mark.parametrize(("silence", "jumps"), [(0.0, 1), (0.1, 0)])
+def test_a_silent_glove_explains_a_jump(silence: float, jumps: int) -> None:
+    watch = RigWatch(ideal_rig())
+    for k in range(100):
+        watch.packet(k / 100)
+    watch.check(result(0.95, 0.1))
+    for t in np.arange(1.0 + silence, 1.2 + silence, 0.01):
+        watch.packet(t)
+    watch.check(result(1.05 + silence, 9.0))
+    assert watch.state.jumps == jumps
+
+
 def test_no_jump_where_nothing_agreed_before() -> None:
     watch = RigWatch(ideal_rig())
-    result = FrameResult.nothing(1.0, Tracking.TRACKING, MARKERS)
-    watch.check(replace(result, residual=np.full((MARKERS, 4), 9.0)))
+    for k in range(200):
+        watch.packet(k / 100)
+    watch.check(result(1.0, 9.0))
     assert watch.state.jumps == 0
 
 

@@ -1,16 +1,18 @@
-"""`glovetrack evaluate`: the papers' protocols."""
+"""`glovetrack evaluate`: the papers' protocols, and devices that fail."""
 
 from __future__ import annotations
 
 import argparse
 
+from tracker.evaluation.fault_command import add_evaluate_faults
 from tracker.evaluation.inertial_commands import add_evaluate_inertial
 from tracker.evaluation.vist_command import add_evaluate_vist
 
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Adds ``evaluate`` with ``vist`` and ``inertial``."""
-    evaluate = subparsers.add_parser("evaluate", help="the papers' protocols, tables and figures")
+    """Adds ``evaluate`` with ``vist``, ``inertial`` and ``faults``."""
+    evaluate = subparsers.add_parser("evaluate", help="the papers' protocols, and device faults")
     protocols = evaluate.add_subparsers(title="protocols", metavar="PROTOCOL", required=True)
     add_evaluate_vist(protocols)
     add_evaluate_inertial(protocols)
+    add_evaluate_faults(protocols)

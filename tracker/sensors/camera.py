@@ -57,6 +57,8 @@ class StereoCamera:
         self._index = 0
         self.repeated = 0
         """Pictures left out because they were the one before again."""
+        self.missed = 0
+        """Pictures that should have come between two that came, at the rate asked for."""
 
     def _restart_watch(self) -> None:
         self._watch = (PictureWatch(self._params.watch), PictureWatch(self._params.watch))
@@ -152,6 +154,7 @@ class StereoCamera:
 
     def _frame(self, pair: Pair) -> StereoFrame | None:
         arrival = self._clock()
+        self._count_missed(arrival)
         self._arrivals.append(arrival)
         self._watch_rate()
         sides = [self._judge(k, pair[k], arrival) for k in range(2)]
@@ -165,6 +168,12 @@ class StereoCamera:
         t = seconds(nanoseconds(arrival - self._params.delay))
         return StereoFrame(t, arrival, left, right, index=self._index - 1)
 
+    def _count_missed(self, arrival: float) -> None:
+        """A gap of less than two and a half intervals may be the system's own unrest."""
+        if self._arrivals and self._source.live and self._source.fps > 0:
+            intervals = (arrival - self._arrivals[-1]) * self._source.fps
+            self.missed += round(intervals) - 1 if intervals > 2.5 else 0
+
     def _judge(self, k: int, image: Image, t: float) -> Image | None:
         """The picture, or None where it is black."""
         watch = self._watch[k]
@@ -173,6 +182,9 @@ class StereoCamera:
             self._say(SIDES[k], f"The {SIDES[k]} camera's picture is black: is the lens covered?")
         elif watch.frozen and self._source.live:
             self._say(SIDES[k], f"The {SIDES[k]} camera's picture is frozen; it is not used.")
+        elif watch.torn:
+            text = f"The {SIDES[k]} camera's picture is torn: a part of it did not arrive."
+            self._say(SIDES[k], text)
         elif SIDES[k] in self._said and not watch.repeated:
             del self._said[SIDES[k]]
             self._tell(f"The {SIDES[k]} camera's picture is back.")

@@ -37,6 +37,7 @@ from tracker.sensors.protocol import (
 
 DEGREE = np.pi / 180
 BITS_PER_BYTE = 10  # 8N1
+CLOCK_JUMP, CLOCK_RATE = 0.005, 0.02  # s and share by which t_us may differ from what seq says
 LONG_SILENCE = 60.0  # s, after which seq may have wrapped unseen
 
 
@@ -83,6 +84,7 @@ class LinkFigures:
     packets: int = 0
     lost: int = 0
     resets: int = 0
+    clock_jumps: int = 0
     reopened: int = 0
     battery_mV: int | None = None
     temperature_cC: int | None = None
@@ -118,6 +120,7 @@ class GloveLink:
     def _restart_counting(self) -> None:
         self._seq, self._device = Unwrapper(16), Unwrapper(32)
         self._last_seq: int | None = None
+        self._last_device = 0.0
         self._map = ClockMap()
 
     # ---- outside
@@ -248,10 +251,20 @@ class GloveLink:
             if seq <= self._last_seq:
                 return []
             self.figures.lost += seq - self._last_seq - 1
-        self._last_seq = seq
+            self._check_clock(seq - self._last_seq, t_device - self._last_device)
+        self._last_seq, self._last_device = seq, t_device
         self.figures.packets += 1
         self._map.add(t_device, now - self._wire_time)
         return [self._sample(frame, seq, t_device, now)]
+
+    def _check_clock(self, packets: int, passed: float) -> None:
+        """The glove's clock has to agree with its packet numbers; else it is mapped anew."""
+        expected = packets / self.params.rate_hz
+        if abs(passed - expected) > CLOCK_JUMP + CLOCK_RATE * expected:
+            self.figures.clock_jumps += 1
+            self._map = ClockMap()
+            by = passed - expected
+            self._say(f"The glove's clock jumped by {by:+.3f} s; its packets are timed anew.")
 
     def _sample(self, frame: Samples, seq: int, t_device: float, now: float) -> ImuSample:
         hello = self.hello or Hello(0, self._imu_count)

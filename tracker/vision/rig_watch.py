@@ -44,6 +44,8 @@ class RigWatchParams:
     jump_px: float = 5.0
     jump_markers: int = 5
     jump_gap: float = 0.15  # s since the last picture that agreed
+    packet_gap: float = 0.035  # s without a packet: then it is the hand that was not followed
+    settle: float = 0.3  # s after such a gap
 
 
 @dataclass(frozen=True)
@@ -66,6 +68,7 @@ class RigWatch:
         self._shifts: deque[float] = deque(maxlen=self._params.shift_pictures)
         self._wrong_way = self._right_way = 0
         self._agreed = -np.inf  # when markers last stood where they were expected
+        self._packet = self._gap_end = -np.inf
         self._words: list[str] = []
         self.state = RigState()
 
@@ -82,10 +85,19 @@ class RigWatch:
             self._note_shift(counts[RIGHT_WAY], means[RIGHT_WAY])
         return not swapped
 
+    def packet(self, t: float) -> None:
+        """A packet of the glove, sampled at ``t`` (s): without them a jump means nothing."""
+        if t - self._packet > self._params.packet_gap:
+            self._gap_end = t
+        self._packet = max(t, self._packet)
+
     def check(self, result: FrameResult) -> None:
         """Compare a picture with what the filter expected of it."""
         both = np.isfinite(result.residual).all(axis=1)
         p = self._params
+        if result.t > self._packet + p.packet_gap or result.t < self._gap_end + p.settle:
+            self._agreed = -np.inf
+            return
         if result.tracking != Tracking.TRACKING or both.sum() < p.jump_markers:
             return
         left_u, left_v, right_u, right_v = np.median(result.residual[both], axis=0)

@@ -1,0 +1,58 @@
+"""Every fault of the glove and of the camera, against both at once; `evaluate faults` does 1000."""
+
+from __future__ import annotations
+
+import pytest
+
+from tracker.cli import main
+from tracker.evaluation.fault_drill import FAULTS, DrillParams, DrillReport, drill
+
+QUICK = DrillParams(fps=15.0, shortest=0.1, longest=0.7, rest_longest=0.3)
+
+
+@pytest.fixture(scope="module")
+def report() -> DrillReport:
+    return drill(2 * len(FAULTS), seed=4, params=QUICK)
+
+
+def test_tracking_is_back_within_a_second(report: DrillReport) -> None:
+    assert set(report.faults) == set(FAULTS)
+    assert report.worst_recovery() < 1.0, report.to_json()
+
+
+def test_nothing_wrong_is_shown_in_silence(report: DrillReport) -> None:
+    assert not report.silent_wrong
+    assert not report.unsaid
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "The left and the right picture are swapped",
+        "pixels apart in height: a lens has moved",
+        "The pictures have moved against each other",
+        "All markers have jumped",
+        "picture is black",
+        "The camera has given no usable picture",
+        "The glove was unplugged",
+        "The glove has restarted",
+        "The glove's clock jumped",
+    ],
+)
+def test_the_log_says_what_happened(report: DrillReport, words: str) -> None:
+    assert any(words in said for said in report.words)
+
+
+def test_a_liar_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the watch a swapped or moved camera goes unnoticed, and the drill says so."""
+    monkeypatch.setattr("tracker.vision.rig_watch.RigWatch.usable", lambda self, frame: True)
+    monkeypatch.setattr("tracker.vision.rig_watch.RigWatch.check", lambda self, result: None)
+    lasting = DrillParams(fps=15.0, shortest=0.7, longest=0.8)
+    report = drill(2, seed=1, params=lasting, kinds=("lens up", "swapped"))
+    assert report.unsaid == {"lens up": 1, "swapped": 1}
+
+
+def test_the_command(tmp_path) -> None:
+    out = tmp_path / "drill.json"
+    assert main(["evaluate", "faults", "--count", "1", "--json", str(out)]) == 0
+    assert '"silent_wrong": {}' in out.read_text()

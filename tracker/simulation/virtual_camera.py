@@ -1,0 +1,121 @@
+"""A stereo camera on a clock of the caller's own, with every fault of a camera.
+
+Its pictures are drawn in a millisecond: an ellipse for each marker that the scene shows, on sensor
+noise. They go through the ordinary camera code and detector; `render` draws what is to look real.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from tracker.errors import DeviceError
+from tracker.messages import Blobs
+from tracker.sensors.picture_input import Image, Pair
+from tracker.simulation.backgrounds import fabric_bgr
+from tracker.simulation.scene import Scene
+
+FAULTS = (
+    "drop pictures", "torn", "unplug camera", "stall camera", "frozen", "black", "black left",
+    "swapped", "lens up", "lens aside", "knocked",
+)  # fmt: skip
+MOVED = 0.005  # m
+NOISE_PICTURES = 4
+GREY, NOISE = 60, 12  # levels of the background and of its noise
+SUBPIXEL = 4  # bits that OpenCV draws with
+
+
+class VirtualCamera:
+    """A `PictureInput` that shows ``scene`` at the instant set last."""
+
+    name, live = "virtual camera", True
+
+    def __init__(self, scene: Scene, fps: float, seed: int = 0) -> None:
+        self._scene, self.fps = scene, fps
+        self._rng = np.random.default_rng(seed)
+        rig = scene.rig
+        shape = (rig.left.height, rig.left.width, 3)
+        self._noise = [
+            self._rng.integers(GREY - NOISE, GREY + NOISE, shape, np.uint8)
+            for _ in range(NOISE_PICTURES)
+        ]
+        self._bgr = [fabric_bgr(hue) for hue in scene.wearer.glove.hues]
+        self._fault = ""
+        self._last: Pair | None = None
+        self.t = 0.0
+        """Exposure of the next picture, s."""
+
+    def fail(self, kind: str) -> None:
+        """Begin one of `FAULTS`."""
+        self._fault = kind
+
+    def heal(self) -> None:
+        """End the fault: what was moved stands where it stood."""
+        self._fault = ""
+
+    @property
+    def gives(self) -> bool:
+        """Whether a read of this exposure would come back at all."""
+        if self._fault == "drop pictures":
+            return bool(self._rng.random() < 0.5)
+        return self._fault != "stall camera"
+
+    # ---- a picture input
+
+    def open(self) -> None:
+        if self._fault == "unplug camera":
+            raise DeviceError(f"The {self.name} cannot be opened: it is not there.")
+
+    def read(self) -> Pair | None:
+        if self._fault == "unplug camera":
+            return None
+        if self._fault == "frozen" and self._last is not None:
+            return self._last
+        self._last = self._pair()
+        return self._last
+
+    def close(self) -> None:
+        self._last = None
+
+    # ---- drawing
+
+    def _pair(self) -> Pair:
+        frame = self._scene.blobs(self.t)
+        assert frame.left is not None and frame.right is not None
+        left, right = (
+            self._draw(blobs, shift)
+            for blobs, shift in zip((frame.left, frame.right), self._shifts(), strict=True)
+        )
+        if self._fault in ("black", "black left"):
+            left = np.zeros_like(left)
+        if self._fault == "black":
+            right = np.zeros_like(right)
+        if self._fault == "torn":
+            self._tear(left)
+        return (right, left) if self._fault == "swapped" else (left, right)
+
+    def _shifts(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Where a lens that has moved by 5 mm sees the hand: (u, v) px of left and right."""
+        if self._fault not in ("lens up", "lens aside", "knocked"):
+            return (0.0, 0.0), (0.0, 0.0)
+        wrist_C = self._scene.instant(self.t).p_CB[0]
+        px = self._scene.rig.fx * MOVED / float(wrist_C[2])
+        if self._fault == "lens up":
+            return (0.0, 0.0), (0.0, px)
+        if self._fault == "lens aside":
+            return (0.0, 0.0), (-px, 0.0)
+        return (px, 0.0), (px, 0.0)
+
+    def _draw(self, blobs: Blobs, shift: tuple[float, float]) -> Image:
+        image = self._noise[int(self._rng.integers(NOISE_PICTURES))].copy()
+        one = 1 << SUBPIXEL
+        for uv, size, hue in zip(blobs.uv + np.array(shift), blobs.size, blobs.hue, strict=True):
+            centre = (round(uv[0] * one), round(uv[1] * one))
+            axes = (round(size[0] * one / 2), round(size[1] * one / 2))
+            cv2.ellipse(image, centre, axes, 0, 0, 360, self._bgr[hue], -1, cv2.LINE_8, SUBPIXEL)
+        return image
+
+    def _tear(self, image: Image) -> None:
+        """From some row on the decoder had no data."""
+        row = int(self._rng.integers(image.shape[0] // 4, image.shape[0]))
+        image[row:] = 128
