@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numba
 import numpy as np
 
 from tracker.messages import Array, ImuSample, IntArray
@@ -18,13 +19,10 @@ class ImuHealth:
 
     def check(self, sample: ImuSample) -> ImuSample:
         """The packet with ``valid`` cleared where an IMU is not to be believed."""
-        reading = np.concatenate([sample.accel, sample.gyro], axis=1)
-        finite = np.all(np.isfinite(reading), axis=1)
-        same = np.all(reading == self._last, axis=1)
-        self._same = np.where(same, self._same + 1, 0)
-        self._last = reading
-        valid = np.asarray(sample.valid) & finite & (self._same < STUCK_AFTER)
-        if np.array_equal(valid, sample.valid) and finite.all():
+        valid, clean = _judge(
+            sample.accel, sample.gyro, sample.valid, self._last, self._same, STUCK_AFTER
+        )
+        if clean:
             return sample
         return ImuSample(
             sample.t,
@@ -41,3 +39,24 @@ class ImuHealth:
 
     def restore(self, state: tuple[Array, IntArray]) -> None:
         self._last, self._same = state[0].copy(), state[1].copy()
+
+
+@numba.njit(cache=True, nogil=True)
+def _judge(accel, gyro, valid, last, same, stuck_after):  # type: ignore[no-untyped-def]
+    """Which IMUs (n,) can be believed, and whether these are all that say so and are finite.
+
+    ``last`` (n, 6), the readings before, and ``same`` (n,), how often they came again, move on.
+    """
+    n = len(valid)
+    out, clean = np.empty(n, np.bool_), True
+    for j in range(n):
+        finite, again = True, True
+        for k in range(6):
+            x = accel[j, k] if k < 3 else gyro[j, k - 3]
+            finite = finite and np.isfinite(x)
+            again = again and x == last[j, k]
+            last[j, k] = x
+        same[j] = same[j] + 1 if again else 0
+        out[j] = valid[j] and finite and same[j] < stuck_after
+        clean = clean and finite and out[j] == valid[j]
+    return out, clean

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -46,10 +47,15 @@ class SeenBlobs:
         """Those of hues that the glove wears."""
         if blobs is None or len(blobs) == 0:
             return SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))
-        number = np.array([hues.index(h) if h in hues else -1 for h in hue_names])
-        hue = number[blobs.hue]
-        keep = np.flatnonzero((hue >= 0) & np.all(np.isfinite(blobs.uv), axis=1))
+        hue = _numbers(hue_names, hues)[blobs.hue]
+        keep = np.flatnonzero((hue >= 0) & np.isfinite(blobs.uv.sum(axis=1)))
         return SeenBlobs(rectify(blobs.uv[keep]), hue[keep], keep)
+
+
+@lru_cache(maxsize=16)
+def _numbers(hue_names: tuple[str, ...], hues: tuple[str, ...]) -> IntArray:
+    """Row of each of ``hue_names`` in ``hues``, -1 where it is not there."""
+    return np.array([hues.index(h) if h in hues else -1 for h in hue_names], np.int64)
 
 
 def seen_blobs(frame: BlobFrame, rig: StereoRig, hues: tuple[str, ...]) -> tuple[SeenBlobs, ...]:
@@ -100,7 +106,7 @@ class PixelModel:
         uv = np.stack([self._rig.project(p_C), self._rig.project(p_C, right=True)])
         prior = visibility(self._shape, self._rig, pose, p_G, normal_G, self._segment, R_all, p_all)
         prior[np.isnan(uv[..., 0])] = 0.0
-        rows = np.flatnonzero(prior.max(axis=0) > MIN_PRIOR)
+        rows = np.flatnonzero(np.maximum(*prior) > MIN_PRIOR)
         H = marker_jacobians(state, lay, rows)
         HP = times(H.reshape(-1, lay.size), state.P).reshape(H.shape)
         rig, noise = self._rig, self._noise

@@ -9,7 +9,7 @@ from tracker.fusion.pixels import Prediction, SeenBlobs
 from tracker.fusion.state import ChainState
 from tracker.geometry import so3
 from tracker.messages import Array, BlobFrame, Calibration, FrameResult, IntArray, Tracking
-from tracker.vision.rig import StereoRig
+from tracker.vision.rig import Camera, StereoRig
 
 
 def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
@@ -72,8 +72,9 @@ def frame_result(
     source = np.full((2, m), -1, np.int64)
     for c in range(2):
         hit = np.flatnonzero(match[c] >= 0)
-        residual[hit, 2 * c : 2 * c + 2] = seen[c].uv[match[c, hit]] - prediction.uv[c, hit]
-        source[c, hit] = seen[c].source[match[c, hit]]
+        blob = match[c, hit]
+        residual[hit, 2 * c : 2 * c + 2] = seen[c].uv[blob] - prediction.uv[c, hit]
+        source[c, hit] = seen[c].source[blob]
     cov = np.full((m, 2, 2), np.nan)
     cov[prediction.rows] = prediction.S[0]
     return FrameResult(
@@ -82,15 +83,17 @@ def frame_result(
         predicted_left=_raw(rig.left, prediction.uv[0]),
         predicted_right=_raw(rig.right, prediction.uv[1]),
         predicted_cov=cov,
-        visible=prediction.prior.max(axis=0),
+        visible=np.maximum(*prediction.prior),
         match_left=source[0],
         match_right=source[1],
         residual=residual,
-        stereo_points=int(np.sum(np.all(match >= 0, axis=0))),
+        stereo_points=int(np.count_nonzero((match[0] >= 0) & (match[1] >= 0))),
     )
 
 
-def _raw(camera, uv: Array) -> Array:  # type: ignore[no-untyped-def]
+def _raw(camera: Camera, uv: Array) -> Array:
+    if camera.is_rectified:
+        return uv.copy()  # a message's arrays are its own
     out = np.full_like(uv, np.nan)
     ok = np.isfinite(uv[:, 0])
     out[ok] = camera.unrectify(uv[ok])

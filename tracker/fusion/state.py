@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
@@ -82,14 +83,29 @@ def initial_state(layout: ChainLayout) -> ChainState:
 
 def inject(state: ChainState, layout: ChainLayout, dx: Array) -> None:
     """Add an error vector (N,) to the nominal state in place; rotations by local perturbation."""
-    state.p += dx[0:3]
-    state.v += dx[3:6]
-    state.R_GB = turn_all(state.R_GB, dx[layout.theta : layout.n_dynamic].reshape(-1, 3))
-    state.bg += dx[layout.bg : layout.phi].reshape(-1, 3)
-    state.R_IB = turn_all(state.R_IB, dx[layout.phi : layout.ba].reshape(-1, 3))
-    state.ba += dx[layout.ba : layout.scale].reshape(-1, 3)
-    state.scale = np.clip(
-        state.scale + dx[layout.scale : layout.joint].reshape(-1, 2), *SCALE_LIMITS
-    )
-    state.joint += dx[layout.joint : layout.marker].reshape(-1, 3)
-    state.marker += dx[layout.marker :].reshape(-1, 3)
+    state.R_GB, state.R_IB, state.scale = _inject(
+        state.p, state.v, state.R_GB, state.bg, state.R_IB, state.ba, state.scale, state.joint,
+        state.marker, np.ascontiguousarray(dx), layout.theta, layout.bg, layout.phi, layout.ba,
+        layout.scale, layout.joint, layout.marker,
+    )  # fmt: skip
+
+
+@numba.njit(cache=True, nogil=True)
+def _inject(  # type: ignore[no-untyped-def]
+    p, v, R_GB, bg, R_IB, ba, scale, joint, marker, dx,
+    theta_at, bg_at, phi_at, ba_at, scale_at, joint_at, marker_at,
+):  # fmt: skip
+    """Adds to the vectors in place; what other states share comes back anew."""
+    p += dx[0:3]
+    v += dx[3:6]
+    bg += dx[bg_at:phi_at].reshape(bg.shape)
+    ba += dx[ba_at:scale_at].reshape(ba.shape)
+    joint += dx[joint_at:marker_at].reshape(joint.shape)
+    marker += dx[marker_at:].reshape(marker.shape)
+    scale = scale + dx[scale_at:joint_at].reshape(scale.shape)
+    low, high = SCALE_LIMITS
+    for i in range(scale.shape[0]):
+        for k in range(scale.shape[1]):
+            scale[i, k] = min(max(scale[i, k], low), high)
+    turned = turn_all(R_GB, dx[theta_at:bg_at].reshape(-1, 3))
+    return turned, turn_all(R_IB, dx[phi_at:ba_at].reshape(-1, 3)), scale

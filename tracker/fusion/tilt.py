@@ -9,15 +9,11 @@ is the compensation of Lemak et al. 2020 (eq. 4) carried to three dimensions.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-import numpy as np
-
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ConstraintParams
 from tracker.fusion.propagate import body_rates, root_force
 from tracker.fusion.state import ChainState
-from tracker.fusion.tilt_kernel import tilt_row
+from tracker.fusion.tilt_kernel import stacked_rows
 from tracker.messages import Array, ImuSample
 
 
@@ -40,35 +36,10 @@ def tilt_rows(
     w = body_rates(state, layout, sample)
     span = after.t - before.t
     alpha = (body_rates(state, layout, after) - body_rates(state, layout, before)) / span
-    row = _rower(state, layout, w, alpha, f_0)
-    H: list[Array] = []
-    r: list[Array] = []
-    var: list[Array] = []
-    for j, segment in enumerate(layout.imu_segment):
-        if segment == 0 or not sample.valid[j]:
-            continue
-        h, predicted, kinematic = row(j, int(segment))
-        H.append(h)
-        r.append(sample.accel[j] - predicted)
-        sd2 = params.tilt**2 + (params.tilt_kinematic * kinematic) ** 2
-        var.append(np.full(3, sd2))
-    if not H:
-        return None
-    return np.concatenate(H), np.concatenate(r), np.concatenate(var)
-
-
-def _rower(
-    state: ChainState, layout: ChainLayout, w: Array, alpha: Array, f_0: Array
-) -> Callable[[int, int], tuple[Array, Array, float]]:
-    """`tilt_row` of this state, for an IMU and its segment."""
-    scale, joint = state.scale3(), state.joint_offsets(layout)
-    root = int(layout.imu_of[0])
-
-    def row(j: int, segment: int) -> tuple[Array, Array, float]:
-        return tilt_row(
-            j, segment, layout.imu_position[j], layout.parent, layout.origin, joint,
-            layout.root_lever, scale, state.R_GB, state.R_IB, state.ba, w, alpha, f_0,
-            root, layout.theta, layout.phi, layout.ba, layout.size,
-        )  # fmt: skip
-
-    return row
+    H, r, var = stacked_rows(
+        layout.imu_segment, layout.imu_position, layout.parent, layout.origin,
+        state.joint_offsets(layout), layout.root_lever, state.scale3(), state.R_GB, state.R_IB,
+        state.ba, sample.accel, sample.valid, w, alpha, f_0, int(layout.imu_of[0]),
+        layout.theta, layout.phi, layout.ba, layout.size, params.tilt, params.tilt_kinematic,
+    )  # fmt: skip
+    return (H, r, var) if len(r) else None
