@@ -13,7 +13,16 @@ from tests.conftest import RESOURCES
 from tracker.errors import FileError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import BlobFrame, Estimate, Event, ImuSample, Message, StereoFrame, Tracking
+from tracker.messages import (
+    BlobFrame,
+    EngineState,
+    Estimate,
+    Event,
+    ImuSample,
+    Message,
+    StereoFrame,
+    Tracking,
+)
 from tracker.pipeline import Pipeline
 from tracker.runner import LiveTracker
 from tracker.simulation.random_postures import RandomPostures
@@ -191,3 +200,32 @@ def test_the_engine_can_be_changed_while_it_runs(sim: Simulation, profile: Colou
     assert tracker.settings.engine == "madgwick"
     assert any("The engine is now madgwick." in e.text for e in events)
     assert estimate is not None and estimate.t > 1.5
+
+
+def test_a_recording_begun_while_tracking_holds_what_the_engine_knew(
+    sim: Simulation, profile: ColourProfile
+) -> None:
+    tape = Tape()
+    tracker, stream = live(sim, profile, None)
+    tracker.start()
+    while not tracker.latest_estimate() or tracker.latest_estimate().t < 1.0:  # type: ignore[union-attr]
+        time.sleep(0.01)
+    tracker.set_recorder(tape)
+    while not stream.done:
+        time.sleep(0.01)
+    tracker.stop()
+    began = tape.messages[0]
+    assert isinstance(began, EngineState) and began.engine == "chain"
+    again, estimates = Pipeline(sim.hand, sim.glove, sim.rig), []
+    again.set_state(began.state)
+    for m in tape.messages:
+        if isinstance(m, ImuSample | BlobFrame):
+            assert m.t_arrival >= began.t
+        if isinstance(m, ImuSample):
+            estimates.append(again.feed_imu(m))
+        elif isinstance(m, BlobFrame):
+            again.feed_frame(m)
+    recorded = [m for m in tape.messages if isinstance(m, Estimate)]
+    assert len(recorded) == len(estimates) > 20
+    for a, b in zip(recorded, estimates, strict=True):
+        assert np.array_equal(a.keypoints, b.keypoints, equal_nan=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntEnum
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -231,6 +232,26 @@ class Status:
     values: dict[str, float]
 
 
+@dataclass(frozen=True, eq=False)
+class EngineState:
+    """All that an engine knows between two messages; recorded, tracking can go on from there.
+
+    ``t`` comes after the arrival of every message fed before, and is not later than any fed after.
+    """
+
+    t: float
+    engine: str
+    state: Any
+
+
 Message = (
-    ImuSample | StereoFrame | BlobFrame | FrameResult | Estimate | Calibration | Event | Status
+    ImuSample
+    | StereoFrame
+    | BlobFrame
+    | FrameResult
+    | Estimate
+    | Calibration
+    | Event
+    | Status
+    | EngineState
 )

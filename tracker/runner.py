@@ -25,6 +25,7 @@ from tracker.fusion.engine import Engine
 from tracker.messages import (
     BlobFrame,
     Calibration,
+    EngineState,
     Estimate,
     Event,
     FrameResult,
@@ -121,6 +122,11 @@ class _Order:
         self._last = max(nanoseconds(frame.t_arrival), self._last)
         return replace(frame, t_arrival=seconds(self._last))
 
+    def mark(self) -> float:
+        """An instant between what was fed and what will be."""
+        self._last += 1
+        return seconds(self._last)
+
 
 class LiveTracker:
     """Runs one pipeline on live devices until `stop`. Methods may be called from any thread."""
@@ -213,6 +219,7 @@ class LiveTracker:
         pipeline = Pipeline(p.hand, p.glove, p.rig, replace(p.settings, engine=name))
         with self._whole:
             self._pipeline = pipeline
+            self._record_state()
         self._say("tracking", f"The engine is now {name}.")
 
     def command(self, work: Callable[[Engine], None]) -> None:
@@ -230,7 +237,9 @@ class LiveTracker:
             before.finish()
             self._say("recording", "The recording is finished.")
         if recorder is not None:
-            self._disk = _Disk(recorder, self._say)
+            with self._whole:
+                self._disk = _Disk(recorder, self._say)
+                self._record_state()
             self._say("recording", "Recording.")
 
     # ---- what there is to see
@@ -351,7 +360,9 @@ class LiveTracker:
 
     def _obey(self, command: _Command) -> None:
         try:
-            command.work(self._pipeline.engine)
+            with self._whole:
+                command.work(self._pipeline.engine)
+                self._record_state()
         except GlovetrackError as error:
             self._say("error", str(error))
         self._next_slow = 0.0  # what it changed is shown at once
@@ -375,9 +386,10 @@ class LiveTracker:
 
     def _feed_frame(self, found: _Found) -> None:
         blobs = self._order.blobs(found.blobs)
-        self._record(blobs)
         self._waiting.append(_Found(found.frame, blobs))
-        self._pipeline.feed_frame(blobs)
+        with self._whole:
+            self._record(blobs)
+            self._pipeline.feed_frame(blobs)
         silent = not self._history or blobs.t_arrival - self._history[-1].t_arrival > SILENCE
         if silent:
             self._show(self._pipeline.predict(blobs.t), record=False)
@@ -435,6 +447,13 @@ class LiveTracker:
     def note(self, text: str) -> None:
         """A timestamped note of the user's."""
         self._say("note", text)
+
+    def _record_state(self) -> None:
+        """What no message tells: tracked again, the session goes on from here as it did live."""
+        if self._disk is not None:
+            pipeline = self._pipeline
+            state = EngineState(self._order.mark(), pipeline.settings.engine, pipeline.get_state())
+            self._record(state)
 
     def _record(self, message: Message) -> None:
         disk = self._disk

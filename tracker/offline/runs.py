@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import deque
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import numpy as np
 
-from tracker.messages import BlobFrame, Calibration, Estimate, ImuSample, Tracking
+from tracker.errors import FileError
+from tracker.messages import BlobFrame, Calibration, EngineState, Estimate, ImuSample, Tracking
 from tracker.offline.report import Counter, TrackReport, TruthCheck
 from tracker.offline.smooth import Smoother
 from tracker.pipeline import Pipeline
+from tracker.session import engine_state
 from tracker.session.writer import SessionRecorder
 
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
@@ -43,6 +46,11 @@ class Output:
             self._recorder.write(message)
         self.report.frames += isinstance(message, BlobFrame)
 
+    def state(self, state: EngineState) -> None:
+        """What the engine went on from: part of what it takes to track again."""
+        if self._with_sensors:
+            self._recorder.write(state)
+
     def estimate(self, sample: ImuSample, estimate: Estimate) -> None:
         self._recorder.write(estimate)
         if self._check is not None:
@@ -54,19 +62,40 @@ class Output:
 
 
 class LiveRun:
-    """The estimates of a live run, bit for bit."""
+    """The estimates of a live run, bit for bit.
 
-    def __init__(self, pipeline: Pipeline, output: Output) -> None:
-        self._pipeline, self._output = pipeline, output
+    ``states``, in order of time, are what the engine knew at some instants; it goes on from each.
+    """
+
+    def __init__(
+        self,
+        make_pipeline: Callable[[str], Pipeline],
+        engine: str,
+        output: Output,
+        states: Sequence[EngineState] = (),
+    ) -> None:
+        """``make_pipeline`` builds one with the engine of that name."""
+        self._make_pipeline, self._pipeline = make_pipeline, make_pipeline(engine)
+        self._output, self._states = output, deque(states)
         self._next_calibration = -np.inf
 
     def feed(self, message: ImuSample | BlobFrame) -> None:
+        while self._states and self._states[0].t <= message.t_arrival:
+            self._go_on_from(self._states.popleft())
         self._output.message(message)
         if isinstance(message, BlobFrame):
             self._pipeline.feed_frame(message)
         else:
             self._feed_imu(message)
         self._pipeline.take_results()
+
+    def _go_on_from(self, known: EngineState) -> None:
+        pipeline = self._make_pipeline(known.engine)
+        if not engine_state.fits(known.state, pipeline.get_state()):
+            raise FileError("The state of tracking in the recording is not that of its engine.")
+        pipeline.set_state(known.state)
+        self._pipeline = pipeline
+        self._output.state(known)
 
     def _feed_imu(self, sample: ImuSample) -> None:
         estimate = self._pipeline.feed_imu(sample)

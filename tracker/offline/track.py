@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker import library
+from tracker import __version__, library
 from tracker.config import from_toml, to_toml
 from tracker.errors import FileError
 from tracker.messages import (
@@ -68,7 +68,7 @@ def track(
         check = _truth_check(reader, info)
         with new_session(out, _output_info(info, settings, source, options)) as recorder:
             output = Output(recorder, options.with_sensors, check)
-            run = _run(info, settings, output, options)
+            run = _run(reader, info, settings, output, options)
             forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
             start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
             for message in messages:
@@ -82,11 +82,23 @@ def track(
     return report
 
 
-def _run(info: SessionInfo, settings: Settings, output: Output, options: TrackOptions) -> Run:
+def _run(
+    reader: SessionReader,
+    info: SessionInfo,
+    settings: Settings,
+    output: Output,
+    options: TrackOptions,
+) -> Run:
     if options.smooth:
         return SmoothRun(Smoother(info, settings), output)
-    assert info.rig is not None
-    return LiveRun(Pipeline(info.hand, info.glove, info.rig, settings), output)
+
+    def make(engine: str) -> Pipeline:
+        return Pipeline(info.hand, info.glove, reader.rig(), replace(settings, engine=engine))
+
+    same = settings == _settings(reader, TrackOptions()) and info.version == __version__
+    if not same or options.hand or options.glove or options.colours:
+        return LiveRun(make, settings.engine, output)
+    return LiveRun(make, settings.engine, output, reader.engine_states())
 
 
 def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:

@@ -13,8 +13,8 @@ from tracker.clock import NS, ClockAnchor
 from tracker.errors import ConfigError, FileError
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
-from tracker.messages import CameraPose, Estimate, Message, StereoFrame
-from tracker.session import description, topics
+from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
+from tracker.session import description, engine_state, topics
 from tracker.session import ros_motion as motion
 from tracker.session import ros_sensors as sensors
 from tracker.session.cdr import CdrReader, in_words
@@ -89,13 +89,25 @@ class SessionReader:
         """Text attachments by file name; names with a path in them are left out."""
         out: dict[str, str] = {}
         for a in self.source.attachments():
-            if "/" in a.name or "\\" in a.name:
+            if "/" in a.name or "\\" in a.name or a.name == engine_state.NAME:
                 continue
             try:
                 out[a.name] = a.data.decode()
             except UnicodeDecodeError:
                 continue  # not one of ours: ours are TOML
         return {**out, **self._replace}
+
+    def engine_states(self) -> list[EngineState]:
+        """What the engine knew when the recording began, and after each change from outside.
+
+        Raises FileError where one is damaged or of another version.
+        """
+        found = [
+            EngineState(self.anchor.monotonic(a.log_time), *engine_state.unpack(a.data))
+            for a in self.source.attachments()
+            if a.name == engine_state.NAME
+        ]
+        return sorted(found, key=lambda state: state.t)
 
     def attachment(self, name: str) -> str:
         """An attached text. Raises FileError if there is none of that name."""

@@ -16,6 +16,7 @@ from tracker.errors import ConfigError, FileError
 from tracker.messages import (
     BlobFrame,
     Calibration,
+    EngineState,
     Estimate,
     Event,
     FrameResult,
@@ -24,6 +25,7 @@ from tracker.messages import (
     Status,
     StereoFrame,
 )
+from tracker.session import engine_state
 from tracker.session.container import COMPRESSION, McapOutput
 from tracker.session.description import METADATA, SessionInfo
 from tracker.session.disk import DiskError, automatic_path, free_bytes
@@ -133,6 +135,11 @@ class SessionRecorder:
         self._guarded(lambda out: self._write(out, message, overloaded))
 
     def _write(self, out: McapOutput, message: Message, overloaded: bool) -> None:
+        if isinstance(message, EngineState):
+            data = engine_state.pack(message.engine, message.state)
+            when = self.info.anchor.wall(message.t)
+            out.attach_bytes(engine_state.NAME, engine_state.MEDIA_TYPE, data, when)
+            return
         if isinstance(message, StereoFrame):
             if overloaded:
                 self._thinned += 1
@@ -156,7 +163,7 @@ class SessionRecorder:
                 return self._encoder.status(message)
             case Event():
                 return self._encoder.event(message)
-            case FrameResult():
+            case FrameResult() | EngineState():
                 return iter(())
 
     def write_truth(self, truth: Estimate) -> None:

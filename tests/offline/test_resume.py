@@ -1,0 +1,99 @@
+"""A recording that begins in the middle of tracking is tracked again bit for bit."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker.config import to_toml
+from tracker.errors import FileError
+from tracker.messages import BlobFrame, EngineState, Estimate, ImuSample
+from tracker.offline.simulate import SimulateOptions, build
+from tracker.offline.track import TrackOptions, track
+from tracker.pipeline import Pipeline
+from tracker.session.compare import compare
+from tracker.session.container import McapOutput
+from tracker.session.description import SessionInfo
+from tracker.session.engine_state import MEDIA_TYPE, NAME
+from tracker.session.reader import SessionReader
+from tracker.session.recover import recover
+from tracker.session.writer import SessionRecorder
+from tracker.settings import Settings
+
+BEGIN, CHANGE = 1.5, 2.5  # s
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Tracked since 0 s, recorded since 1.5 s, with another engine from 2.5 s on."""
+    path = tmp_path_factory.mktemp("middle") / "in.mcap"
+    sim, info = build(SimulateOptions(seed=5, duration=4.0, fps=30, pictures=False))
+    info = replace(info, settings_text=to_toml(Settings()))
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
+    messages = [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
+    with SessionRecorder(path, info) as recorder:
+        began = changed = False
+        for m in messages:
+            if m.t_arrival >= BEGIN and not began:
+                recorder.write(EngineState(m.t_arrival, "chain", pipeline.get_state()))
+                began = True
+            if m.t_arrival >= CHANGE and not changed:
+                settings = replace(Settings(), engine="vist")
+                pipeline = Pipeline(sim.hand, sim.glove, sim.rig, settings)
+                recorder.write(EngineState(m.t_arrival, "vist", pipeline.get_state()))
+                changed = True
+            if began:
+                recorder.write(m)
+            if isinstance(m, BlobFrame):
+                pipeline.feed_frame(m)
+            else:
+                estimate = pipeline.feed_imu(m)
+                if began:
+                    recorder.write(estimate)
+    return path
+
+
+def test_the_same_bits_from_the_first_packet_on(recorded: Path, tmp_path: Path) -> None:
+    track(recorded, tmp_path / "a.mcap", TrackOptions(with_sensors=True))
+    found = compare(recorded, tmp_path / "a.mcap")
+    assert found["identical"] and found["compared"] > 240
+    with SessionReader(recorded) as reader:
+        first = next(m for m in reader.messages((Estimate,)) if isinstance(m, Estimate))
+    assert np.isfinite(first.keypoints).all(), "tracked from its first instant"
+    track(tmp_path / "a.mcap", tmp_path / "b.mcap")  # what is copied is enough again
+    assert compare(recorded, tmp_path / "b.mcap")["identical"]
+
+
+def test_a_recovered_recording_has_its_state(recorded: Path, tmp_path: Path) -> None:
+    data = recorded.read_bytes()
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(data[: len(data) * 2 // 3])
+    saved = recover(cut)
+    track(saved.path, tmp_path / "a.mcap")
+    found = compare(saved.path, tmp_path / "a.mcap")
+    assert found["mean_mm"] == 0 and found["compared"] > 50
+
+
+def test_with_other_settings_it_begins_anew(recorded: Path, tmp_path: Path) -> None:
+    report = track(recorded, tmp_path / "a.mcap", TrackOptions(engine="madgwick"))
+    assert report.estimates > 240
+    assert not compare(recorded, tmp_path / "a.mcap")["identical"]
+
+
+def with_state(info: SessionInfo, path: Path, data: bytes) -> Path:
+    out = McapOutput(path, sync=False)
+    out.metadata("glovetrack", info.metadata())
+    for name, text in info.attachments().items():
+        out.attach(name, text, 0)
+    out.attach_bytes(NAME, MEDIA_TYPE, data, 0)
+    out.finish()
+    return path
+
+
+def test_a_damaged_state_is_told_in_words(recorded: Path, tmp_path: Path) -> None:
+    with SessionReader(recorded) as reader:
+        assert NAME not in reader.attachments
+        path = with_state(reader.info, tmp_path / "bad.mcap", b"GTES and nothing more")
+    with SessionReader(path) as reader, pytest.raises(FileError, match="state of tracking"):
+        reader.engine_states()
