@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBoxLayout, QWidget
 
+from app.engine import EngineSetup
+from app.kept_pictures import Picture
 from app.panels.panel import Panel
 from app.session import Session
+from app.viewmodels.colour_pictures import masks_picture
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.overlay import Layers, hand_box, overlay
 from app.viewmodels.snapshot import Snapshot
+from app.widgets.flow_layout import FlowLayout
 from app.widgets.picture_view import PictureView
 from tracker.messages import StereoFrame
+
+BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
 
 
 class CamerasPanel(Panel):
@@ -24,50 +30,107 @@ class CamerasPanel(Panel):
         waiting = self.tr("No picture yet")
         self.left = PictureView(self.tr("Left"), waiting)
         self.right = PictureView(self.tr("Right"), waiting)
-        self._shown: tuple[StereoFrame | None, Layers, int] | None = None
+        self._shown: object = None
+        self._view: Snapshot | None = None  # what is shown, or held while frozen
+        self.hue_boxes: dict[str, QToolButton] = {}
         column = QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         column.setSpacing(6)
-        column.addLayout(self._controls())
+        self._controls = FlowLayout(spacing=10)
+        self._add_layers()
+        self._add_views()
+        column.addLayout(self._controls)
         splitter = QSplitter(Qt.Orientation.Horizontal)
         splitter.setChildrenCollapsible(False)
-        splitter.addWidget(self.left)
-        splitter.addWidget(self.right)
+        for picture in (self.left, self.right):
+            picture.handled.connect(self._stop_following)
+            splitter.addWidget(picture)
         column.addWidget(splitter, 1)
+        session.opened.connect(self._open)
 
     def title(self) -> str:
         return self.tr("Cameras")
 
-    def _controls(self) -> QHBoxLayout:
-        self._layer_boxes = {
-            "blobs": QCheckBox(self.tr("Blobs")),
-            "rejected": QCheckBox(self.tr("Rejected")),
-            "predicted": QCheckBox(self.tr("Expected")),
-            "residuals": QCheckBox(self.tr("Residuals")),
-            "skeleton": QCheckBox(self.tr("Skeleton")),
-        }
-        self.freeze = QCheckBox(self.tr("Freeze"))
+    # --- controls
+
+    def _add_layers(self) -> None:
+        """A box for each layer of the overlay."""
+        names = (
+            ("blobs", self.tr("Blobs"), self.tr("A ring round each blob; dashed: of no marker")),
+            (
+                "pairs",
+                self.tr("Pairs"),
+                self.tr("Filled rings: the marker is seen by both cameras"),
+            ),
+            ("rejected", self.tr("Rejected"), self.tr("Right colour, wrong shape, and why")),
+            ("predicted", self.tr("Expected"), self.tr("Markers where they should be, ids and 2σ")),
+            ("residuals", self.tr("Residuals"), self.tr("From the expected place to the blob")),
+            ("skeleton", self.tr("Skeleton"), self.tr("The hand as it is tracked")),
+        )
+        self._layer_boxes: dict[str, QCheckBox] = {}
+        for name, text, tip in names:
+            box = self._layer_boxes[name] = QCheckBox(text)
+            box.setToolTip(tip)
+            box.setChecked(True)
+            box.toggled.connect(self._redraw)
+            self._controls.addWidget(box)
+
+    def _add_views(self) -> None:
+        """What is shown of the pictures."""
+        self.masks = QCheckBox(self.tr("Masks"))
+        self.masks.setToolTip(
+            self.tr("Show what has the colours of the markers, each switched alone")
+        )
+        self.masks.toggled.connect(self._toggle_masks)
         self.follow = QCheckBox(self.tr("Follow hand"))
         self.follow.setChecked(True)
         self.follow.setToolTip(self.tr("Keep the hand large in both pictures"))
         self.follow.toggled.connect(self._fit_unless)
+        self.freeze = QCheckBox(self.tr("Freeze"))
         self.freeze.setToolTip(self.tr("Hold the pictures; tracking goes on"))
         self.sides = QComboBox()
+        self.sides.setAccessibleName(self.tr("Which cameras"))
         self.sides.addItems([self.tr("Both cameras"), self.tr("Left only"), self.tr("Right only")])
         self.sides.currentIndexChanged.connect(self._choose_sides)
-        row = QHBoxLayout()
-        row.setSpacing(12)
-        for box in self._layer_boxes.values():
+        for widget in (self.follow, self.freeze, self.sides, self.masks):
+            self._controls.addWidget(widget)
+
+    def _open(self, setup: EngineSetup) -> None:
+        """A switch for each hue of the profile."""
+        self._view = None
+        self.freeze.setChecked(False)
+        for box in self.hue_boxes.values():
+            self._controls.removeWidget(box)
+            box.deleteLater()
+        self.hue_boxes = {}
+        for name in setup.profile.hue_names:
+            box = self.hue_boxes[name] = QToolButton()
+            box.setText(name)
+            box.setCheckable(True)
             box.setChecked(True)
-            row.addWidget(box)
-        row.addStretch(1)
-        row.addWidget(self.follow)
-        row.addWidget(self.freeze)
-        row.addWidget(self.sides)
-        return row
+            box.setToolTip(self.tr("Show the mask of {}").format(name))
+            box.toggled.connect(self._redraw)
+            self._controls.addWidget(box)
+        self._toggle_masks(self.masks.isChecked())
+
+    def _toggle_masks(self, on: bool) -> None:
+        for box in self.hue_boxes.values():
+            box.setVisible(on)
+        self._redraw()
 
     def layers(self) -> Layers:
         return Layers(**{name: box.isChecked() for name, box in self._layer_boxes.items()})
+
+    def _shown_hues(self) -> tuple[str, ...] | None:
+        """Names of the hues whose masks are wanted; None for the picture itself."""
+        if not self.masks.isChecked():
+            return None
+        return tuple(name for name, box in self.hue_boxes.items() if box.isChecked())
+
+    def _stop_following(self) -> None:
+        """Who moves a picture does not want it moved."""
+        with QSignalBlocker(self.follow):
+            self.follow.setChecked(False)
 
     def _fit_unless(self, following: bool) -> None:
         if not following:
@@ -75,22 +138,31 @@ class CamerasPanel(Panel):
             self.right.fit()
 
     def _choose_sides(self, choice: int) -> None:
-        self.left.setVisible(choice != 2)
-        self.right.setVisible(choice != 1)
-        self._shown = None
+        self.left.setVisible(choice != RIGHT_ONLY)
+        self.right.setVisible(choice != LEFT_ONLY)
+        self._redraw()
+
+    # --- what it shows
 
     def refresh(self, view: Snapshot | None) -> None:
-        if self.freeze.isChecked():
-            return
         if view is None or view.frame is None:
+            self._view = self._shown = None
             self.left.show_picture(None)
             self.right.show_picture(None)
             return
-        key = (view.frame, self.layers(), self.sides.currentIndex())
-        if key == self._shown:
-            return  # the same picture again costs nothing
-        self._shown = key
-        self._show(view, view.frame)
+        if not self.freeze.isChecked() or self._view is None:
+            self._view = view
+        self._redraw()
+
+    def _redraw(self) -> None:
+        """Show the latest or the held picture, unless just this stands there already."""
+        view = self._view
+        if view is None or view.frame is None:
+            return
+        key = (view.frame, self.layers(), self._shown_hues(), self.sides.currentIndex())
+        if key != self._shown:
+            self._shown = key
+            self._show(view, view.frame)
 
     def _show(self, view: Snapshot, frame: StereoFrame) -> None:
         layers, colours = self.layers(), hue_colours(view.setup.profile)
@@ -100,12 +172,23 @@ class CamerasPanel(Panel):
         ):
             if widget.isHidden():
                 continue
-            if picture is None:
-                camera = view.setup.rig.right if right else view.setup.rig.left
-                picture = np.zeros((camera.height, camera.width), np.uint8)
-            widget.show_picture(picture, overlay(view, layers, colours, right))
-            box = hand_box(view, right) if self.follow.isChecked() else None
-            if box is not None:
-                widget.follow(*box)
-            elif self.follow.isChecked():
-                widget.fit()
+            shapes = overlay(view, layers, colours, right)
+            widget.show_picture(self._picture(view, picture, right), shapes)
+            if self.follow.isChecked():
+                box = hand_box(view, right)
+                if box is not None:
+                    widget.follow(*box)
+                else:
+                    widget.fit()
+
+    def _picture(self, view: Snapshot, picture: Picture | None, right: bool) -> Picture:
+        """The picture or its masks; black where the file holds none."""
+        hues = self._shown_hues()
+        if picture is None:
+            camera = view.setup.rig.right if right else view.setup.rig.left
+            return np.zeros((camera.height, camera.width), np.uint8)
+        if hues is None:
+            return picture
+        colours = hue_colours(view.setup.profile)
+        wanted = {h: colours[h.name] for h in view.setup.profile.hues if h.name in hues}
+        return masks_picture(picture, wanted)

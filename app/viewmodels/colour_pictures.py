@@ -54,13 +54,13 @@ def masks_picture(picture: Picture, hues: Mapping[HueRange, str]) -> Picture:
 
     A pixel of two hues shows the first, as the detector counts it.
     """
-    hsv, painted = to_hsv(picture), np.zeros_like(picture)
-    taken = np.zeros(picture.shape[:2], np.uint8)
-    for hue, colour in reversed(list(hues.items())):
-        mask = in_range(hsv, hue)
-        painted[mask > 0] = [int(colour[i : i + 2], 16) for i in (5, 3, 1)]
-        taken |= mask
-    return _over_grey(picture, painted, taken)
+    hsv, number = to_hsv(picture), np.zeros(picture.shape[:2], np.uint8)
+    palette = np.zeros((256, 1, 3), np.uint8)
+    for k, (hue, colour) in reversed(list(enumerate(hues.items(), start=1))):
+        palette[k, 0] = [int(colour[i : i + 2], 16) for i in (5, 3, 1)]
+        cv2.copyTo(np.full_like(number, k), in_range(hsv, hue), number)
+    painted = np.asarray(cv2.applyColorMap(number, palette), np.uint8)
+    return _over_grey(picture, painted, number)
 
 
 def _over_grey(picture: Picture, shown: Picture, mask: Picture) -> Picture:

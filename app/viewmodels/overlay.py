@@ -11,12 +11,13 @@ from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import GREY, VALIDITY
 from app.widgets.overlay import Cross, Ellipse, Label, Line, Ring, Shape
 from tracker.hand.names import FINGERS
-from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Validity
+from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Tracking, Validity
 from tracker.vision.rig import StereoRig
 
 VISIBLE = 0.5
 """A marker is drawn full where the prior says that it is likelier seen than not, else dimmed."""
 DIM = 0.35
+EDGE_PX = 4.0
 REASONS = {
     "size": "wrong size",
     "convexity": "not convex",
@@ -32,6 +33,7 @@ class Layers:
     """Which parts of the overlay the user wants."""
 
     blobs: bool = True
+    pairs: bool = True
     rejected: bool = True
     predicted: bool = True
     residuals: bool = True
@@ -52,7 +54,7 @@ def overlay(view: Snapshot, layers: Layers, colours: dict[str, str], right: bool
     if blobs is not None and view.result is not None and layers.residuals:
         shapes += _residuals(view.result, blobs, right)
     if blobs is not None and layers.blobs:
-        shapes += _blobs(view, blobs, names, colours, right)
+        shapes += _blobs(view, blobs, names, colours, right, layers.pairs)
     return shapes
 
 
@@ -65,16 +67,31 @@ def _side(view: Snapshot, right: bool) -> tuple[Blobs | None, RejectedBlobs | No
 
 
 def _blobs(
-    view: Snapshot, blobs: Blobs, names: tuple[str, ...], colours: dict[str, str], right: bool
+    view: Snapshot,
+    blobs: Blobs,
+    names: tuple[str, ...],
+    colours: dict[str, str],
+    right: bool,
+    pairs: bool,
 ) -> list[Shape]:
-    """A ring per blob in its hue: full where it became a marker, dashed where nobody claims it."""
+    """A ring per blob in its hue: full where it became a marker, dashed where nobody claims it,
+    filled (``pairs``) where the same marker is seen in the other picture too."""
     claimed = _claimed(view.result, len(blobs), right)
+    paired = _paired(view.result, right) if pairs else set()
     out: list[Shape] = []
     for i, (u, v) in enumerate(blobs.uv):
         radius = float(max(blobs.size[i])) / 2 + 2
         colour = colours.get(names[blobs.hue[i]], WHITE)
-        out.append(Ring(float(u), float(v), radius, colour, 2.0, dashed=not claimed[i]))
+        out.append(Ring(float(u), float(v), radius, colour, 2.0, not claimed[i], 1.0, i in paired))
     return out
+
+
+def _paired(result: FrameResult | None, right: bool) -> set[int]:
+    """Blobs of a side whose marker was matched on both sides."""
+    if result is None:
+        return set()
+    both = (result.match_left >= 0) & (result.match_right >= 0)
+    return set((result.match_right if right else result.match_left)[both].tolist())
 
 
 def _claimed(result: FrameResult | None, count: int, right: bool) -> list[bool]:
@@ -98,19 +115,42 @@ def _predicted(
 ) -> list[Shape]:
     """Where each marker is expected, with its id and (left) the 2σ ellipse."""
     uv = result.predicted_right if right else result.predicted_left
+    places = _marker_pixels(view, right)
     out: list[Shape] = []
     for marker in view.setup.glove.markers:
         u, v = (float(x) for x in uv[marker.id])
+        colour = colours.get(marker.hue, WHITE)
         if not np.isfinite([u, v]).all():
+            out += _outside(places[marker.id], colour, view, right)
             continue
         opacity = 1.0 if result.visible[marker.id] >= VISIBLE else DIM
-        colour = colours.get(marker.hue, WHITE)
         out.append(Cross(u, v, colour, opacity=opacity))
         if opacity == 1.0:
             out.append(Label(u, v, str(marker.id), WHITE, opacity, ID_ZOOM))
             if not right:
                 out += _ellipse(u, v, result.predicted_cov[marker.id])
     return out
+
+
+def _marker_pixels(view: Snapshot, right: bool) -> Array:
+    """(M, 2) px of every marker of the estimate, in the picture or beside it."""
+    glove, estimate = view.setup.glove, view.estimate_at_frame
+    if estimate is None or estimate.tracking != Tracking.TRACKING:
+        return np.full((len(glove.markers), 2), np.nan)
+    segment = glove.marker_segment(view.setup.hand)
+    R, p = estimate.segment_R[segment], estimate.segment_p[segment]
+    return project(view, p + np.einsum("mij,mj->mi", R, glove.marker_position), right)
+
+
+def _outside(uv: Array, colour: str, view: Snapshot, right: bool) -> list[Shape]:
+    """A dim cross at the edge of the picture, on the side where the marker is."""
+    camera = view.setup.rig.right if right else view.setup.rig.left
+    if not np.isfinite(uv).all():
+        return []
+    edge = np.clip(uv, EDGE_PX, [camera.width - EDGE_PX, camera.height - EDGE_PX])
+    if np.array_equal(edge, uv):
+        return []  # in the picture, but the tracker expected nothing there
+    return [Cross(float(edge[0]), float(edge[1]), colour, diagonal=True, opacity=DIM)]
 
 
 def _ellipse(u: float, v: float, cov: Array) -> list[Shape]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Ring:
-    """A circle around a point, ``radius`` in picture pixels."""
+    """A circle around a point, ``radius`` in picture pixels; ``filled`` see-through."""
 
     u: float
     v: float
@@ -16,6 +16,7 @@ class Ring:
     width: float = 1.5
     dashed: bool = False
     opacity: float = 1.0
+    filled: bool = False
 
 
 @dataclass(frozen=True)

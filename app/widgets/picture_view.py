@@ -16,6 +16,7 @@ from PySide6.QtGui import (
     QColor,
     QFont,
     QImage,
+    QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -25,12 +26,20 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.widgets.overlay import Cross, Ellipse, Label, Line, Ring, Shape
+from app.widgets.overlay import Shape
+from app.widgets.shape_painter import paint_shape
 
 MAX_ZOOM = 16.0
 MAX_FOLLOW_ZOOM = 4.0
 FILL = 0.6  # share of the view that a followed box takes
 CALM = 0.2  # share of the way at each picture
+KEY_ZOOM = 1.25
+ARROWS = {
+    Qt.Key.Key_Left: (-1, 0),
+    Qt.Key.Key_Right: (1, 0),
+    Qt.Key.Key_Up: (0, -1),
+    Qt.Key.Key_Down: (0, 1),
+}
 BACKGROUND = QColor("#15181c")
 
 
@@ -38,6 +47,7 @@ class PictureView(QWidget):
     """Shows a BGR picture (h, w, 3) uint8 and `Shape`s in its pixels."""
 
     picked = Signal(float, float, object)  # u, v in picture pixels, Qt.KeyboardModifiers
+    handled = Signal()  # the user has zoomed or moved it
 
     def __init__(self, title: str, placeholder: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -53,6 +63,10 @@ class PictureView(QWidget):
         self.setMinimumSize(160, 90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setAccessibleName(title)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setToolTip(
+            self.tr("Wheel or + −: zoom. Drag or arrows: move. Double click or 0: all.")
+        )
 
     def sizeHint(self) -> QSize:
         return QSize(480, 270)
@@ -123,12 +137,32 @@ class PictureView(QWidget):
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self._image is None:
             return
-        before = self.to_picture(event.position())
-        factor = math.pow(1.0015, event.angleDelta().y())
-        self._zoom = min(max(self._zoom * factor, 1.0), MAX_ZOOM)
-        after = self.to_picture(event.position())
-        self._move((before[0] - after[0]), (before[1] - after[1]))
+        self._zoom_at(event.position(), math.pow(1.0015, event.angleDelta().y()))
         event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        middle, step = QPointF(self.rect().center()), self.width() / 8
+        if self._image is None:
+            super().keyPressEvent(event)
+        elif event.key() in (Qt.Key.Key_Plus, Qt.Key.Key_Equal):
+            self._zoom_at(middle, KEY_ZOOM)
+        elif event.key() == Qt.Key.Key_Minus:
+            self._zoom_at(middle, 1 / KEY_ZOOM)
+        elif event.key() == Qt.Key.Key_0:
+            self.handled.emit()
+            self.fit()
+        elif Qt.Key(event.key()) in ARROWS:
+            right, down = ARROWS[Qt.Key(event.key())]
+            self._move(right * step / self._scale(), down * step / self._scale())
+        else:
+            super().keyPressEvent(event)
+
+    def _zoom_at(self, place: QPointF, factor: float) -> None:
+        """Zoom, the pixel at ``place`` of the widget staying there."""
+        before = self.to_picture(place)
+        self._zoom = min(max(self._zoom * factor, 1.0), MAX_ZOOM)
+        after = self.to_picture(place)
+        self._move((before[0] - after[0]), (before[1] - after[1]))
 
     def _move(self, du: float, dv: float) -> None:
         """Move the view by picture pixels."""
@@ -136,6 +170,7 @@ class PictureView(QWidget):
         self._centre += QPointF(du / self._image.width(), dv / self._image.height())
         self._clamp()
         self.update()
+        self.handled.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if self._image is None:
@@ -159,6 +194,7 @@ class PictureView(QWidget):
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if not self._picking:
+            self.handled.emit()
             self.fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -174,6 +210,8 @@ class PictureView(QWidget):
         else:
             self._paint_picture(painter)
         self._paint_title(painter)
+        if self.hasFocus():
+            self._paint_focus(painter)
         painter.end()
 
     def _paint_placeholder(self, painter: QPainter) -> None:
@@ -193,8 +231,14 @@ class PictureView(QWidget):
         font.setPointSizeF(8.0)
         painter.setFont(font)
         for shape in self._shapes:
-            _paint(painter, shape, s, origin)
+            paint_shape(painter, shape, s, origin)
         painter.setOpacity(1.0)
+
+    def _paint_focus(self, painter: QPainter) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        painter.setPen(QPen(self.palette().highlight().color(), 2))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
 
     def _paint_title(self, painter: QPainter) -> None:
         painter.setFont(self.font())
@@ -213,62 +257,3 @@ def _image(array: NDArray[np.uint8]) -> QImage:
     if array.ndim == 2:
         return QImage(array.data, width, height, array.strides[0], QImage.Format.Format_Grayscale8)
     return QImage(array.data, width, height, array.strides[0], QImage.Format.Format_BGR888)
-
-
-def _pen(colour: str, width: float, dashed: bool) -> QPen:
-    pen = QPen(QColor(colour), width)
-    pen.setCosmetic(True)
-    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-    if dashed:
-        pen.setStyle(Qt.PenStyle.DashLine)
-    return pen
-
-
-def _paint(painter: QPainter, shape: Shape, s: float, origin: QPointF) -> None:
-    """One shape; ``s`` screen pixels per picture pixel, ``origin`` of the picture."""
-
-    def at(u: float, v: float) -> QPointF:
-        return QPointF(origin.x() + (u + 0.5) * s, origin.y() + (v + 0.5) * s)
-
-    painter.setOpacity(shape.opacity)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    if isinstance(shape, Line):
-        painter.setPen(_pen(shape.colour, shape.width, shape.dashed))
-        painter.drawLine(at(shape.u0, shape.v0), at(shape.u1, shape.v1))
-    elif isinstance(shape, Ring):
-        painter.setPen(_pen(shape.colour, shape.width, shape.dashed))
-        painter.drawEllipse(at(shape.u, shape.v), shape.radius * s, shape.radius * s)
-    elif isinstance(shape, Ellipse):
-        _paint_ellipse(painter, shape, s, at(shape.u, shape.v))
-    elif isinstance(shape, Cross):
-        _paint_cross(painter, shape, at(shape.u, shape.v))
-    elif s >= shape.least_zoom:
-        _paint_label(painter, shape, at(shape.u, shape.v))
-
-
-def _paint_ellipse(painter: QPainter, shape: Ellipse, s: float, centre: QPointF) -> None:
-    painter.save()
-    painter.setPen(_pen(shape.colour, 1.0, False))
-    painter.translate(centre)
-    painter.rotate(math.degrees(shape.angle))
-    painter.drawEllipse(QPointF(0, 0), shape.a * s, shape.b * s)
-    painter.restore()
-
-
-def _paint_cross(painter: QPainter, shape: Cross, centre: QPointF) -> None:
-    painter.setPen(_pen(shape.colour, 1.5, False))
-    r = 3.5
-    arms = [(r, r), (r, -r)] if shape.diagonal else [(r, 0.0), (0.0, r)]
-    for dx, dy in arms:
-        arm = QPointF(dx, dy)
-        painter.drawLine(centre - arm, centre + arm)
-
-
-def _paint_label(painter: QPainter, shape: Label, anchor: QPointF) -> None:
-    """Text with a dark edge, so that it reads on any picture."""
-    where = anchor + QPointF(5, -4)
-    painter.setPen(QColor(0, 0, 0, 200))
-    for dx, dy in ((1, 1), (-1, 1)):
-        painter.drawText(where + QPointF(dx, dy), shape.text)
-    painter.setPen(QColor(shape.colour))
-    painter.drawText(where, shape.text)

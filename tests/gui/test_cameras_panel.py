@@ -1,0 +1,138 @@
+"""The pictures in the real window: masks, freeze, zoom, pairs, what is dimmed."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from app.session import Session
+from app.tasks import TaskOwner
+from app.viewmodels.colours import hue_colours
+from app.viewmodels.overlay import DIM, EDGE_PX, Layers, overlay
+from app.widgets.flow_layout import FlowLayout
+from app.widgets.overlay import Cross, Ring
+from tracker.messages import CameraPose
+
+
+@pytest.fixture
+def cameras(live, qtbot):
+    qtbot.waitUntil(lambda: live.cameras._view is not None, timeout=30_000)
+    return live.cameras
+
+
+@pytest.fixture
+def view(qapp):
+    session = Session(TaskOwner())
+    session.adopt(scripted_setup(ScriptedEngine()))
+    yield session.snapshot()
+    session.shut_down()
+
+
+def patches(engine, hue: str) -> np.ndarray:
+    """(n, 2) rows and columns of the pixels in the middle of a hue's blobs, left."""
+    blobs = frame_and_blobs(engine.frame)[1]
+    uv = blobs.left.uv[blobs.left.hue == blobs.hue_names.index(hue)]
+    return np.round(uv[:, ::-1]).astype(int)
+
+
+def test_a_mask_shows_its_hue_alone_and_each_can_be_switched(cameras, engine):
+    assert all(box.isHidden() for box in cameras.hue_boxes.values())
+    cameras.masks.click()
+    assert not any(box.isHidden() for box in cameras.hue_boxes.values())
+    colours = hue_colours(models()[2])
+
+    def painted(hue: str) -> float:
+        bgr = np.array([int(colours[hue][i : i + 2], 16) for i in (5, 3, 1)])
+        rows, columns = patches(engine, hue).T
+        return float((cameras.left._array[rows, columns] == bgr).all(axis=1).mean())
+
+    assert painted("red") > 0.8 and painted("blue") > 0.8
+    cameras.hue_boxes["blue"].click()
+    assert painted("red") > 0.8 and painted("blue") == 0.0
+
+
+def test_layers_change_on_a_frozen_picture(cameras, engine, qtbot):
+    cameras.freeze.click()
+    before = len(cameras.left._shapes)
+    engine.frame = 60
+    qtbot.wait(200)
+    assert np.array_equal(cameras.left._array, frame_and_blobs(30)[0].left)
+    cameras._layer_boxes["predicted"].click()
+    assert 0 < len(cameras.left._shapes) < before
+    cameras.freeze.click()
+    qtbot.waitUntil(
+        lambda: np.array_equal(cameras.left._array, frame_and_blobs(60)[0].left), timeout=30_000
+    )
+
+
+def test_keys_zoom_and_move_and_the_picture_is_no_longer_followed(cameras, qtbot):
+    picture = cameras.left
+    assert cameras.follow.isChecked()
+    picture.fit()
+    middle = QPointF(picture.rect().center())
+    before = picture.to_picture(middle)
+    qtbot.keyClick(picture, Qt.Key.Key_Plus)
+    assert not cameras.follow.isChecked()
+    assert picture.to_picture(middle) == pytest.approx(before, abs=1e-6)
+    scale = picture._scale()
+    qtbot.keyClick(picture, Qt.Key.Key_Right)
+    assert picture.to_picture(middle)[0] > before[0]
+    qtbot.keyClick(picture, Qt.Key.Key_Minus)
+    assert picture._scale() < scale
+    qtbot.keyClick(picture, Qt.Key.Key_0)
+    assert picture._zoom == 1.0
+
+
+def test_one_camera_takes_the_whole_width(cameras):
+    cameras.sides.setCurrentIndex(1)
+    assert cameras.right.isHidden() and not cameras.left.isHidden()
+    cameras.sides.setCurrentIndex(2)
+    assert cameras.left.isHidden() and not cameras.right.isHidden()
+
+
+def test_blobs_of_markers_that_both_cameras_see_are_filled(view):
+    result = view.result
+    right = result.match_right.copy()
+    pair = int(np.flatnonzero(result.match_left >= 0)[0])
+    right[pair] = 0
+    seen = dataclasses.replace(view, result=dataclasses.replace(result, match_right=right))
+    only = Layers(rejected=False, predicted=False, residuals=False, skeleton=False)
+    rings = [s for s in overlay(seen, only, {}, right=False) if isinstance(s, Ring)]
+    assert [i for i, r in enumerate(rings) if r.filled] == [int(result.match_left[pair])]
+    without = overlay(seen, dataclasses.replace(only, pairs=False), {}, right=False)
+    assert not any(r.filled for r in without if isinstance(r, Ring))
+
+
+def test_markers_out_of_view_are_dimmed_at_the_edge_where_they_left(view):
+    """The camera is moved so that the hand stands left of the picture, as a turned head does."""
+    pose = view.setup.rig.pose
+    moved = CameraPose(pose.R_GC, pose.p_GC + pose.R_GC @ [0.6, 0.0, 0.0])
+    result = dataclasses.replace(
+        view.result, predicted_left=np.full_like(view.result.predicted_left, np.nan)
+    )
+    frame = dataclasses.replace(view.frame, pose=moved)
+    away = dataclasses.replace(view, frame=frame, result=result)
+    only = Layers(blobs=False, rejected=False, residuals=False, skeleton=False)
+    crosses = overlay(away, only, {}, right=False)
+    assert len(crosses) == len(view.setup.glove.markers)
+    assert all(isinstance(c, Cross) and c.u == EDGE_PX and c.opacity == DIM for c in crosses)
+
+
+def test_controls_wrap_where_the_panel_is_narrow(qtbot):
+    box = QWidget()
+    qtbot.addWidget(box)
+    flow = FlowLayout(box, spacing=6)
+    buttons = [QPushButton("word") for _ in range(5)]
+    for button in buttons:
+        button.setFixedSize(QSize(80, 20))
+        flow.addWidget(button)
+    assert flow.heightForWidth(5 * 86) == 20
+    assert flow.heightForWidth(2 * 86) == 3 * 20 + 2 * 4
+    box.resize(172, 100)
+    box.show()
+    assert buttons[2].geometry().left() == 0 and buttons[2].geometry().top() == 24
+    buttons[0].hide()
+    assert flow.heightForWidth(2 * 86) == 2 * 20 + 4
