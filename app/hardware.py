@@ -10,6 +10,7 @@ from app.engine import EngineSetup, Recorder, RecordingRequest
 from app.settings import Settings
 from app.tasks import Progress
 from tracker import library
+from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError
@@ -18,9 +19,7 @@ from tracker.runner import LiveTracker
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 from tracker.sensors.glove_link import GloveLink, serial_port
-from tracker.sensors.opencv_yaml import load_opencv_stereo
 from tracker.sensors.picture_input import CaptureFormat, SideBySideInput, list_cameras
-from tracker.sensors.zed_files import load_zed
 from tracker.session.description import SessionInfo
 from tracker.session.writer import SessionRecorder
 from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
@@ -35,7 +34,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     port = find_port(progress, settings.port)
     progress(0.5, "camera")
     source = find_camera(settings.camera)
-    rig = load_rig(settings.calibration)
+    rig = rig_of(settings.calibration)
     progress(0.7, "engine")
     hand, glove = library.load(settings.glove, settings.hand)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
@@ -123,13 +122,11 @@ def camera_title(source: int | str, calibration: str) -> str:
     return f"{name} {Path(calibration).stem}"
 
 
-def load_rig(path: str) -> StereoRig:
-    """The stereo calibration that the user chose: a ZED's factory file or OpenCV's YAML."""
-    if not path:
+def rig_of(calibration: str) -> StereoRig:
+    """The stereo calibration that the user chose."""
+    if not calibration:
         raise DeviceError(
-            "The camera has no stereo calibration yet: choose its file under "
-            "File, Stereo calibration."
+            "The camera has no stereo calibration yet: make or import one under "
+            "Set-up, Stereo calibration."
         )
-    if Path(path).suffix == ".conf":
-        return load_zed(Path(path), HEIGHT)
-    return load_opencv_stereo([Path(path)], WIDTH, HEIGHT)
+    return load_rig(Path(calibration), ImportForm(WIDTH, HEIGHT))

@@ -12,7 +12,7 @@ import json
 import logging
 import shutil
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +42,8 @@ class Settings:
     port: str = ""
     camera: str = ""  # index, file or address of a side-by-side picture; empty: the first one
     calibration: str = ""  # path of the stereo calibration
+    streams: dict[str, Any] = field(default_factory=dict)  # of `StreamParams`
+    haptics: dict[str, Any] = field(default_factory=dict)  # of `app.outputs.HapticRule`
     board: str = ""  # of the stereo calibration: kind, squares across and down, side in m
 
 

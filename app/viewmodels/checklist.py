@@ -81,7 +81,7 @@ def _camera(view: Snapshot | None) -> Step:
 def _stereo(view: Snapshot | None) -> Step:
     name = "Camera calibrated"
     if view is None:
-        return Step(name, False, "Waits for the camera.")
+        return Step(name, False, "Show a printed board to both lenses.", "stereo", "Calibrate")
     baseline = view.setup.rig.baseline * 1000
     return Step(name, True, f"baseline {baseline:.1f} mm")
 

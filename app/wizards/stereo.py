@@ -47,6 +47,7 @@ class StereoWizard(QDialog):
     whether it is one of the real camera."""
 
     finished_with = Signal(object, bool)
+    board_used = Signal(object)  # BoardSpec
 
     def __init__(
         self,
@@ -188,6 +189,7 @@ class StereoWizard(QDialog):
         self._stop_watching()
         spec, choice = self.board.spec(), self.board.choice()
         if spec is not None and choice is not None:
+            self.board_used.emit(spec)
             self._watcher = BoardWatcher(lambda: choice.make(spec), BoardFinder(spec))
 
     def _stop_watching(self) -> None:

@@ -1,0 +1,128 @@
+"""Opens the set-up dialogs and does what they decide."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QDialog, QWidget
+
+from app.session import Session
+from app.settings import SettingsStore
+from app.tasks import TaskOwner
+from tracker import library
+from tracker.calibration.stereo.board import BoardSpec
+from tracker.errors import ConfigError, GlovetrackError
+from tracker.sensors.picture_input import CameraName, list_cameras
+
+
+class SetUpDesk(QObject):
+    """At most one dialog of each kind is open; ``restart`` asks for glove and camera anew."""
+
+    error = Signal(str)
+    restart = Signal()
+
+    def __init__(
+        self, session: Session, store: SettingsStore, tasks: TaskOwner, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._session, self._store, self._tasks = session, store, tasks
+        self._window = window
+        self.dialogs: dict[str, QDialog] = {}
+
+    # --- stereo calibration
+
+    def open_stereo(self) -> None:
+        """The stereo calibration. The cameras' names are asked for in the background."""
+        if not self._raise("stereo"):
+            self._tasks.run(
+                self.tr("Looking for cameras"), lambda _progress: list_cameras(), self._open_stereo
+            )
+
+    def _open_stereo(self, cameras: list[CameraName]) -> None:
+        if self._raise("stereo"):
+            return
+        from app.wizards.picture_choices import picture_choices
+        from app.wizards.stereo import StereoWizard
+
+        wizard = StereoWizard(
+            self._tasks,
+            picture_choices(self._session, cameras),
+            library.user_folder("cameras"),
+            board_from(self._store.value.board),
+            self._window,
+        )
+        wizard.finished_with.connect(self._calibrated)
+        wizard.board_used.connect(lambda spec: self._store.update(board=board_text(spec)))
+        self.show_dialog("stereo", wizard)
+
+    def _calibrated(self, path: Path, real: bool) -> None:
+        """A calibration of the simulated camera is kept as a file and used for nothing."""
+        if real and self.set_calibration(path):
+            self._restart_devices()
+
+    def set_calibration(self, path: Path) -> bool:
+        """Remember the camera's calibration file; it is checked before it is taken."""
+        from tracker.calibration.stereo.files import load_rig
+
+        try:
+            load_rig(path)
+        except GlovetrackError as error:
+            self.error.emit(str(error))
+            return False
+        self._store.update(calibration=str(path))
+        return True
+
+    # --- glove
+
+    def open_glove(self) -> None:
+        """Port, files, biases at rest, wiggle test."""
+        if self._raise("glove"):
+            return
+        from app.wizards.glove import GloveSetup
+
+        dialog = GloveSetup(self._session, self._store, self._tasks, self._window)
+        dialog.chosen.connect(self._restart_devices)
+        self.show_dialog("glove", dialog)
+
+    # --- all
+
+    def _restart_devices(self) -> None:
+        """What was chosen is used at once where the devices are in use."""
+        setup = self._session.setup
+        if setup is not None and not setup.simulated and setup.player is None:
+            self.restart.emit()
+
+    def _raise(self, name: str) -> bool:
+        dialog = self.dialogs.get(name)
+        if dialog is None:
+            return False
+        dialog.raise_()
+        dialog.activateWindow()
+        return True
+
+    def show_dialog(self, name: str, dialog: QDialog) -> None:
+        """Show a dialog until it, or the window, is closed."""
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.dialogs[name] = dialog
+        dialog.finished.connect(lambda _result: self.dialogs.pop(name, None))
+        dialog.show()
+
+    def shut_down(self) -> None:
+        """Close what is open; its jobs end with the window's."""
+        for dialog in list(self.dialogs.values()):
+            dialog.close()
+
+
+def board_text(spec: BoardSpec) -> str:
+    """As the settings hold it."""
+    return f"{spec.kind} {spec.columns} {spec.rows} {spec.square!r}"
+
+
+def board_from(text: str) -> BoardSpec:
+    """The default where the settings hold none, or one that is impossible."""
+    try:
+        kind, columns, rows, square = text.split()
+        return BoardSpec(kind, int(columns), int(rows), float(square))
+    except (ValueError, ConfigError):
+        return BoardSpec()

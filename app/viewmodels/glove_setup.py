@@ -1,0 +1,180 @@
+"""The glove's set-up as it runs: what is asked of the wearer now, and tables of what was found.
+
+Time is that of the samples, so a run is a function of the samples it was shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from app.viewmodels.states import BAD, GOOD, IDLE, WARN, Look
+from tracker.calibration.still import StillParams, StillPose, still_pose
+from tracker.calibration.wiggle import WiggleResult, WiggleTest, imu_motion, moving
+from tracker.messages import Array, ImuSample
+
+READY = 1.5  # s to read what is asked
+PATIENCE = 10.0  # s without motion, then the step is asked for again
+GLANCE = 0.5  # s over which motion is judged live
+FULL_DPS = 200.0
+"""Rate that fills a bar."""
+
+
+class Phase(Enum):
+    """Where a run stands."""
+
+    READY = "ready"
+    WAITING = "waiting"
+    RECORDING = "recording"
+    DONE = "done"
+
+
+class WiggleRun:
+    """Leads through the steps of a wiggle test, hands free."""
+
+    def __init__(self, test: WiggleTest) -> None:
+        self.test, self.step, self.phase = test, 0, Phase.READY
+        self.share = 0.0
+        self._since: float | None = None
+        self._hint = ""
+
+    @property
+    def part(self) -> str:
+        """What shall move now; "rest" at the end."""
+        return "rest" if self.phase == Phase.DONE else self.test.steps[self.step].part
+
+    @property
+    def words(self) -> str:
+        """What the wearer is asked."""
+        if self.phase == Phase.DONE:
+            return self.test.result().summary
+        count = f"{self.step + 1} of {len(self.test.steps)}: "
+        if self.phase == Phase.RECORDING:
+            return f"{count}go on…"
+        return count + (self._hint or self.test.steps[self.step].instruction)
+
+    def look(self, recent: Sequence[ImuSample]) -> None:
+        """Go on by what the latest samples show."""
+        if not recent or self.phase == Phase.DONE:
+            return
+        now = recent[-1].t
+        if self._since is None:
+            self._since = now
+        waited = now - self._since
+        if self.phase == Phase.READY and waited >= READY:
+            self._enter(Phase.WAITING, now)
+        elif self.phase == Phase.WAITING:
+            if moving(imu_motion(last(recent, GLANCE)), self.test.params):
+                self._enter(Phase.RECORDING, now)
+            elif waited > PATIENCE:
+                self._hint = self.test.add(self.step, recent)
+                self._enter(Phase.READY, now)
+        elif self.phase == Phase.RECORDING:
+            self.share = min(1.0, waited / self.test.params.duration)
+            if self.share >= 1.0:
+                self._finish_step([s for s in recent if s.t >= now - waited], now)
+
+    def _finish_step(self, samples: Sequence[ImuSample], now: float) -> None:
+        self._hint = self.test.add(self.step, samples)
+        if not self._hint:
+            self.step += 1
+        done = self.step == len(self.test.steps)
+        self._enter(Phase.DONE if done else Phase.READY, now)
+
+    def _enter(self, phase: Phase, now: float) -> None:
+        self.phase, self._since, self.share = phase, now, 0.0
+
+
+class StillRun:
+    """Waits until the hand has been still for long enough, at most ``PATIENCE`` s."""
+
+    def __init__(self, names: Sequence[str], params: StillParams | None = None) -> None:
+        self._names, self._params = names, params or StillParams()
+        self._begin: float | None = None
+        self.pose: StillPose | None = None
+        self.done = False
+        self.share = 0.0
+
+    def look(self, recent: Sequence[ImuSample]) -> None:
+        """Judge the latest samples."""
+        if not recent or self.done:
+            return
+        now = recent[-1].t
+        if self._begin is None:
+            self._begin = now
+        waited = now - self._begin
+        self.share = min(1.0, waited / self._params.duration)
+        if waited < self._params.duration:
+            return
+        self.pose = still_pose(last(recent, self._params.duration), self._names, self._params)
+        self.done = self.pose.ok or waited > PATIENCE
+
+    @property
+    def words(self) -> str:
+        if self.pose is None:
+            return "Lay the hand flat on the table, palm down, and hold it still."
+        if self.pose.ok:
+            return "Measured."
+        return self.pose.trouble if self.done else f"Waiting for rest. {self.pose.trouble}"
+
+
+def last(samples: Sequence[ImuSample], span: float) -> list[ImuSample]:
+    """The samples of the last ``span`` s."""
+    return [s for s in samples if s.t >= samples[-1].t - span] if samples else []
+
+
+@dataclass(frozen=True)
+class Cell:
+    """Cells of one table row, and the look of its last."""
+
+    texts: tuple[str, ...]
+    look: Look
+
+
+def still_rows(pose: StillPose) -> list[Cell]:
+    """IMU, bias x y z, its uncertainty, noise, gravity, state."""
+    rows = []
+    for imu in pose.imus:
+        bias = " ".join(f"{v:+.2f}" for v in np.rad2deg(imu.gyro_bias))
+        texts = (
+            spoken(imu.name),
+            bias,
+            f"{np.rad2deg(imu.gyro_bias_sd):.3f}",
+            f"{1000 * np.rad2deg(imu.gyro_noise):.1f}",
+            f"{np.linalg.norm(imu.accel):.2f}",
+            imu.trouble or "good",
+        )
+        rows.append(Cell(texts, BAD if imu.trouble else GOOD))
+    return rows
+
+
+WIGGLE_LOOKS = {
+    "right": GOOD,
+    "elsewhere": BAD,
+    "turned": BAD,
+    "silent": BAD,
+    "still": WARN,
+    "unclear": WARN,
+}
+
+
+def wiggle_rows(result: WiggleResult) -> list[Cell]:
+    """IMU, state, words."""
+    return [
+        Cell((spoken(r.name), r.state, r.words), WIGGLE_LOOKS.get(r.state, IDLE))
+        for r in result.rows
+    ]
+
+
+def motion_rows(samples: Sequence[ImuSample]) -> tuple[Array, list[int]]:
+    """(n,) share of a full bar of each IMU, and the rows of those that move now."""
+    motion = imu_motion(last(samples, GLANCE))
+    return np.clip(np.nan_to_num(np.rad2deg(motion)) / FULL_DPS, 0, 1), moving(motion)
+
+
+def spoken(name: str) -> str:
+    """A name of a file as a person says it."""
+    return name.replace("_", " ")

@@ -1,0 +1,216 @@
+"""The pages of the glove's set-up that look at its IMUs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.viewmodels.glove_setup import (
+    Cell,
+    Phase,
+    StillRun,
+    WiggleRun,
+    motion_rows,
+    spoken,
+    still_rows,
+    wiggle_rows,
+)
+from tracker.calibration.still import StillPose
+from tracker.calibration.wiggle import WiggleTest
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import ImuSample
+
+
+class CheckTable(QTableWidget):
+    """Rows of `Cell`; the last column but the words carries a sign."""
+
+    def __init__(self, heads: Sequence[str], signed: int) -> None:
+        super().__init__(0, len(heads))
+        self._signed = signed
+        self.setHorizontalHeaderLabels(list(heads))
+        self.verticalHeader().hide()
+        self.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(len(heads) - 1, QHeaderView.ResizeMode.Stretch)
+        self.setWordWrap(True)
+
+    def show_rows(self, rows: Sequence[Cell]) -> None:
+        self.setRowCount(len(rows))
+        for i, row in enumerate(rows):
+            for j, text in enumerate(row.texts):
+                item = QTableWidgetItem(f"{row.look.sign} {text}" if j == self._signed else text)
+                if j == self._signed:
+                    item.setForeground(QColor(row.look.colour))
+                self.setItem(i, j, item)
+        self.resizeRowsToContents()
+
+
+class StillPage(QWidget):
+    """Biases and noise of a resting hand."""
+
+    asked = Signal(str)
+    measured = Signal(object)  # StillPose
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._run: StillRun | None = None
+        self._names: tuple[str, ...] = ()
+        self.words = QLabel(self.tr("Lay the hand flat on the table, palm down."))
+        self.words.setProperty("role", "figure")
+        self.words.setWordWrap(True)
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 100)
+        self.start = QPushButton(self.tr("&Measure"))
+        self.start.setProperty("role", "primary")
+        self.start.clicked.connect(self.begin)
+        self.table = CheckTable(
+            (
+                self.tr("IMU"),
+                self.tr("Gyro bias x y z, °/s"),
+                self.tr("± °/s"),
+                self.tr("Noise, m°/s/√Hz"),
+                self.tr("Gravity, m/s²"),
+                self.tr("State"),
+            ),
+            5,
+        )
+        row = QHBoxLayout()
+        row.addWidget(self.bar, 1)
+        row.addWidget(self.start)
+        column = QVBoxLayout(self)
+        column.addWidget(self.words)
+        column.addLayout(row)
+        column.addWidget(self.table, 1)
+
+    def set_glove(self, hand: HandModel, glove: GloveModel) -> None:
+        self._names = glove.imu_names
+        self._run = None
+        self.table.show_rows([])
+
+    def begin(self) -> None:
+        self._run = StillRun(self._names)
+        self.asked.emit("rest")
+
+    def look(self, recent: Sequence[ImuSample]) -> None:
+        run = self._run
+        self.start.setEnabled(run is None and len(recent) > 0)
+        if run is None:
+            return
+        run.look(recent)
+        self.words.setText(run.words)
+        self.bar.setValue(round(100 * run.share))
+        if run.done and run.pose is not None:
+            self._run = None
+            self._show(run.pose)
+
+    def _show(self, pose: StillPose) -> None:
+        self.table.show_rows(still_rows(pose))
+        if pose.ok:
+            self.measured.emit(pose)
+
+
+class WigglePage(QWidget):
+    """Moves one finger after the other and says which IMU sits where."""
+
+    asked = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._models: tuple[HandModel, GloveModel] | None = None
+        self._run: WiggleRun | None = None
+        self._asked = ""
+        self.words = QLabel()
+        self.words.setProperty("role", "figure")
+        self.words.setWordWrap(True)
+        self.now = QLabel()
+        self.now.setWordWrap(True)
+        self.now.setMinimumHeight(2 * self.fontMetrics().lineSpacing())  # the page must not jump
+        self.now.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 100)
+        self.start = QPushButton(self.tr("&Start the test"))
+        self.start.setProperty("role", "primary")
+        self.start.clicked.connect(self.begin)
+        self._grid = QGridLayout()
+        self._grid.setColumnStretch(1, 1)
+        self._bars: list[QProgressBar] = []
+        self.table = CheckTable((self.tr("IMU"), self.tr("State"), self.tr("What was found")), 1)
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        row = QHBoxLayout()
+        row.addWidget(self.bar, 1)
+        row.addWidget(self.start)
+        column = QVBoxLayout(self)
+        column.addWidget(self.words)
+        column.addLayout(row)
+        column.addLayout(self._grid)
+        column.addWidget(self.now)
+        column.addWidget(self.table, 1)
+
+    def set_glove(self, hand: HandModel, glove: GloveModel) -> None:
+        self._models, self._run = (hand, glove), None
+        while (item := self._grid.takeAt(0)) is not None:
+            if (widget := item.widget()) is not None:
+                widget.deleteLater()
+        self._bars = []
+        for i, name in enumerate(glove.imu_names):
+            bar = QProgressBar()
+            bar.setTextVisible(False)
+            bar.setMaximumHeight(10)
+            bar.setAccessibleName(spoken(name))
+            self._bars.append(bar)
+            self._grid.addWidget(QLabel(spoken(name)), i, 0)
+            self._grid.addWidget(bar, i, 1)
+        self.words.setText(
+            self.tr("You are asked to move one part after the other; no click is needed.")
+        )
+        self.table.show_rows([])
+
+    def begin(self) -> None:
+        if self._models is not None:
+            self._run, self._asked = WiggleRun(WiggleTest(*self._models)), ""
+            self.table.show_rows([])
+
+    def look(self, recent: Sequence[ImuSample]) -> None:
+        self._show_motion(recent)
+        run = self._run
+        self.start.setEnabled(len(recent) > 0 and (run is None or run.phase == Phase.DONE))
+        if run is None or run.phase == Phase.DONE:
+            return
+        run.look(recent)
+        if run.part != self._asked:
+            self._asked = run.part
+            self.asked.emit(run.part)
+        self.words.setText(run.words)
+        self.bar.setValue(round(100 * run.share))
+        if run.phase == Phase.DONE:
+            self.bar.setValue(100)
+            self.table.show_rows(wiggle_rows(run.test.result()))
+
+    def _show_motion(self, recent: Sequence[ImuSample]) -> None:
+        if self._models is None or not recent:
+            self.now.setText(self.tr("No samples come."))
+            return
+        shares, rows = motion_rows(recent)
+        for bar, share in zip(self._bars, shares, strict=False):
+            bar.setValue(round(100 * float(share)))
+        names = [spoken(self._models[1].imu_names[i]) for i in rows]
+        moves = ", ".join(names) or self.tr("nothing")
+        self.now.setText(self.tr("Moves now: {}").format(moves))

@@ -1,0 +1,313 @@
+"""The set-up dialogs through the window: a board becomes a calibration, a glove is tested."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import cv2
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+
+from app.set_up_desk import board_from, board_text
+from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
+from app.viewmodels.stereo import split_fresh
+from app.wizards.import_form import ImportFormDialog
+from app.wizards.picture_choices import SessionPictures, folder_choice, folder_input
+from app.wizards.stereo import BOARD, CHECK, RESULT, VIEWS, StereoWizard
+from app.wizards.stereo_board import PictureChoice
+from tracker.calibration.stereo.board import BoardSpec
+from tracker.calibration.stereo.files import load_rig, save_calibration
+from tracker.calibration.wiggle import WiggleTest
+from tracker.errors import DeviceError
+from tracker.geometry import so3
+from tracker.sensors.stereo_calibration import Lens
+from tracker.simulation.board_pictures import BoardRenderer, TrueRig, board_pose
+from tracker.simulation.imu import ImuSimulator
+from tracker.simulation.wiggles import Wiggle, wiggling_wearer
+
+WIDTH, HEIGHT = 480, 270
+SPEC = BoardSpec()
+
+
+def small_rig() -> TrueRig:
+    K = np.array([[262.0, 0, 243.0], [0, 263.0, 132.0], [0, 0, 1.0]])
+    lens = Lens(WIDTH, HEIGHT, K, np.array([-0.1, 0.01, 0, 0, 0]))
+    return TrueRig(lens, lens, so3.exp(np.array([0.002, 0.01, 0.0])), np.array([-0.06, 0, 0]))
+
+
+@lru_cache
+def renderer() -> BoardRenderer:
+    return BoardRenderer(small_rig(), SPEC)
+
+
+@lru_cache
+def board_pair(k: int):
+    """Pictures of the k-th pose."""
+    return renderer().pair(board_pose(SPEC, small_rig(), k, 1), np.random.default_rng(k))
+
+
+class StillBoard:
+    """A `PictureInput`: every pose stands for two pictures. ``swapped`` exchanges the sides."""
+
+    live, name, fps = True, "board", 0.0
+
+    def __init__(self, swapped: bool = False) -> None:
+        self._swapped, self._k, self.closed = swapped, 0, False
+
+    def open(self) -> None:
+        """Nothing can be in the way."""
+
+    def read(self):
+        pair = board_pair(self._k // 2)
+        self._k += 1
+        return pair[::-1] if self._swapped else pair
+
+    def close(self) -> None:
+        self.closed = True
+
+
+@pytest.fixture
+def wizard(window, tmp_path):
+    """Opens the calibration as the window does, on a source of pictures; closes with the window."""
+
+    def make(source) -> StereoWizard:
+        choices = [PictureChoice("Test camera", lambda _spec: source)]
+        dialog = StereoWizard(window.tasks, choices, tmp_path / "cameras", SPEC, window)
+        window.set_up.show_dialog("stereo", dialog)
+        return dialog
+
+    return make
+
+
+def collect(dialog: StereoWizard, qtbot, views: int) -> None:
+    assert dialog.pages.currentIndex() == BOARD
+    dialog.next.click()
+    assert dialog.pages.currentIndex() == VIEWS and not dialog.next.isEnabled()
+    qtbot.waitUntil(lambda: dialog.collect.list.count() >= views, timeout=60_000)
+
+
+def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, window):
+    source = StillBoard()
+    dialog, done = wizard(source), []
+    dialog.finished_with.connect(lambda path, real: done.append((path, real)))
+    collect(dialog, qtbot, 10)
+    before = len(dialog._watched())
+    dialog.collect.list.setCurrentRow(0)
+    first = dialog._watched()[0]
+    dialog.collect.remove.click()
+    assert all(v is not first for v in dialog._watched()) and before >= 10
+    dialog.next.click()
+    assert dialog.pages.currentIndex() == RESULT
+    qtbot.waitUntil(dialog.next.isEnabled, timeout=30_000)
+    assert dialog.outcome.table.rowCount() >= 9
+    dialog.next.click()
+    assert dialog.pages.currentIndex() == CHECK and not dialog.next.isEnabled()
+    qtbot.waitUntil(dialog.next.isEnabled, timeout=60_000)
+    assert "Rows agree" in dialog.check.words.text()
+    dialog.next.click()
+    ((path, real),) = done
+    assert real and not dialog.isVisible()
+    assert load_rig(path).baseline == pytest.approx(0.06, abs=5e-4)
+    qtbot.waitUntil(lambda: source.closed, timeout=30_000)
+
+
+def test_exchanged_cameras_are_refused_on_the_result_page(wizard, qtbot):
+    dialog = wizard(StillBoard(swapped=True))
+    collect(dialog, qtbot, 8)
+    dialog.next.click()
+    qtbot.waitUntil(lambda: "exchanged" in dialog.outcome.reasons.text(), timeout=30_000)
+    assert dialog.outcome.reasons.isVisible() and not dialog.next.isEnabled()
+    dialog.back.click()
+    assert dialog.pages.currentIndex() == VIEWS
+
+
+def test_a_camera_that_does_not_open_is_told(wizard, qtbot):
+    class Absent(StillBoard):
+        def open(self) -> None:
+            raise DeviceError("The camera 7 cannot be opened: it is not there.")
+
+    dialog = wizard(Absent())
+    dialog.next.click()
+    qtbot.waitUntil(lambda: "camera 7" in dialog.collect.words.text(), timeout=30_000)
+
+
+def test_an_impossible_board_stops_at_the_first_page(wizard):
+    dialog = wizard(StillBoard())
+    dialog.board.kind.setCurrentIndex(dialog.board.kind.findData("chessboard"))
+    dialog.board.columns.setValue(9)
+    assert "upside down" in dialog.board.trouble.text()
+    assert dialog.board.trouble.isVisible() and not dialog.next.isEnabled()
+    dialog.board.columns.setValue(10)
+    assert not dialog.board.trouble.isVisible() and dialog.next.isEnabled()
+
+
+def test_the_board_is_saved_at_its_scale(wizard, tmp_path):
+    dialog = wizard(StillBoard())
+    assert dialog.board.save_board(tmp_path / "board.png")
+    page = cv2.imread(str(tmp_path / "board.png"), 0)
+    black = np.flatnonzero((page < 128).any(axis=0))
+    width = black[-1] - black[0] + 1
+    # pHYs: pixels per metre, big-endian, after the chunk's name
+    data = (tmp_path / "board.png").read_bytes()
+    at = data.index(b"pHYs") + 4
+    per_metre = int.from_bytes(data[at : at + 4], "big")
+    assert width / per_metre == pytest.approx(SPEC.width, rel=2e-3)
+    assert not dialog.board.save_board(tmp_path / "absent" / "board.png")
+    assert "cannot be written" in dialog.board.trouble.text()
+
+
+def test_a_file_of_before_can_be_tried_or_used_and_a_bad_one_is_refused(wizard, tmp_path):
+    dialog, done = wizard(StillBoard()), []
+    dialog.finished_with.connect(lambda path, real: done.append((path, real)))
+    rig = small_rig()
+    save_calibration(tmp_path / "bad.yml", rig.left, rig.right, rig.R, 10 * rig.T)
+    assert not dialog.take_file(tmp_path / "bad.yml")
+    assert "600.0 mm apart" in dialog.board.trouble.text()
+    save_calibration(tmp_path / "good.yml", rig.left, rig.right, rig.R, rig.T)
+    assert dialog.take_file(tmp_path / "good.yml")
+    assert dialog.pages.currentIndex() == CHECK and dialog.next.isEnabled()
+    dialog.next.click()
+    assert done == [(tmp_path / "good.yml", True)]
+
+
+@pytest.mark.data
+def test_real_pictures_from_a_folder_are_split_into_views_and_check(wizard, qtbot, data_folder):
+    dialog = wizard(StillBoard())
+    dialog.board.kind.setCurrentIndex(dialog.board.kind.findData("chessboard"))
+    dialog.use_folder(data_folder / "stereo_chessboard")
+    collect(dialog, qtbot, 8)
+    dialog.next.click()
+    # eight pairs, of which every third is kept for the check, are too few
+    qtbot.waitUntil(lambda: "at least 8" in dialog.outcome.reasons.text(), timeout=30_000)
+
+
+def test_a_folder_needs_as_many_left_as_right_pictures(tmp_path):
+    for name in ("left1.png", "left2.png", "right1.png", "notes.txt"):
+        (tmp_path / name).write_bytes(b"")
+    with pytest.raises(DeviceError, match="2 left and 1 right"):
+        folder_input(tmp_path)
+    assert tmp_path.name in folder_choice(tmp_path).title
+    assert split_fresh(range(7)) == ([0, 1, 3, 4, 6], [2, 5])
+
+
+def test_the_camera_in_use_gives_each_picture_once(window):
+    engine = ScriptedEngine()
+    window.session.adopt(scripted_setup(engine))
+    pictures = SessionPictures(window.session)
+    first = pictures.read()
+    assert first is not None and first[0].shape == (720, 1280, 3)
+    assert pictures.read() is None
+    engine.frame = 31
+    assert pictures.read() is not None
+    window.session.shut_down()
+    with pytest.raises(DeviceError, match="was closed"):
+        pictures.read()
+
+
+def test_an_import_asks_for_size_and_unit(qtbot, tmp_path):
+    dialog = ImportFormDialog(tmp_path / "theirs.yml")
+    qtbot.addWidget(dialog)
+    dialog.width_px.setValue(640)
+    assert dialog.form().unit == pytest.approx(1e-3) and dialog.form().width == 640
+    assert not dialog.square_mm.isEnabled()
+    dialog.unit.setCurrentIndex(3)
+    assert dialog.square_mm.isEnabled() and dialog.form().unit == pytest.approx(0.025)
+
+
+def test_the_board_is_remembered():
+    spec = BoardSpec("chessboard", 8, 5, 0.0301)
+    assert board_from(board_text(spec)) == spec
+    assert board_from("") == board_from("chessboard 9 7 1") == BoardSpec()
+
+
+def test_the_window_opens_each_dialog_once_and_closes_them(window, qtbot):
+    for key, name in (("stereo", "stereo"), ("glove_setup", "glove")):
+        window.run_command(key)
+        qtbot.waitUntil(lambda n=name: n in window.set_up.dialogs, timeout=30_000)
+        window.run_command(key)
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    assert len(window.set_up.dialogs) == 2
+    window.set_up.shut_down()
+    assert window.set_up.dialogs == {}
+
+
+# --- the glove
+
+
+def samples(part: str, t: float, seconds: float):
+    """Of a simulated wearer, beginning at ``t``."""
+    from dataclasses import replace
+
+    hand, glove, _ = models()
+    wearer = wiggling_wearer(hand, glove, part, 2)
+    simulator = ImuSimulator(wearer, Wiggle(hand, part), 2)
+    return [replace(s, t=s.t + t) for s in simulator.samples(0.0, seconds)]
+
+
+def test_a_wiggle_run_leads_through_all_steps_by_what_it_sees():
+    hand, glove, _ = models()
+    run, t, asked = WiggleRun(WiggleTest(hand, glove)), 0.0, []
+    recent: list = []
+    while run.phase != Phase.DONE and t < 60:
+        part = run.part if run.phase != Phase.READY else "rest"
+        asked.append(run.part)
+        recent = (recent + samples(part, t, 1.0))[-1200:]
+        t += 1.0
+        run.look(recent)
+    assert list(dict.fromkeys(asked)) == ["thumb", "index", "middle", "hand"]
+    assert run.words == "Every IMU is where the glove file says." and run.part == "rest"
+
+
+def test_a_wearer_who_does_nothing_is_asked_again():
+    hand, glove, _ = models()
+    run, t, recent = WiggleRun(WiggleTest(hand, glove)), 0.0, []
+    while "Nothing moved" not in run.words and t < 30:
+        recent = (recent + samples("rest", t, 1.0))[-1200:]
+        t += 1.0
+        run.look(recent)
+    assert 10 < t < 20 and run.step == 0 and "thumb" in run.words
+
+
+def test_a_still_run_waits_for_rest_and_gives_up_in_words():
+    names = models()[1].imu_names
+    run = StillRun(names)
+    recent = samples("index", 0.0, 2.5)
+    run.look(recent[:1])
+    run.look(recent)
+    assert not run.done and "Waiting for rest" in run.words
+    recent += samples("rest", 2.5, 2.5)
+    run.look(recent)
+    assert run.done and run.pose is not None and run.pose.ok
+    restless = StillRun(names)
+    moved = samples("index", 0.0, 12.0)
+    restless.look(moved[:1])
+    restless.look(moved)
+    assert restless.done and "lay it flat" in restless.words
+
+
+def test_the_simulated_glove_is_measured_and_tested_by_clicks(window, qtbot):
+    window.run_command("glove_setup")
+    dialog = window.set_up.dialogs["glove"]
+    assert dialog.choice.port() == "simulated"
+    dialog.tabs.setCurrentWidget(dialog.still)
+    qtbot.waitUntil(dialog.still.start.isEnabled, timeout=30_000)
+    dialog.still.start.click()
+    qtbot.waitUntil(lambda: dialog.still.table.rowCount() == 7, timeout=30_000)
+    dialog.tabs.setCurrentWidget(dialog.wiggle)
+    dialog.wiggle.start.click()
+    qtbot.waitUntil(lambda: "thumb" in dialog.wiggle.now.text(), timeout=30_000)
+    dialog.close()
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_choosing_the_left_side_offers_left_files_and_is_stored(window, store, qtbot):
+    window.run_command("glove_setup")
+    choice = window.set_up.dialogs["glove"].choice
+    choice.side.setCurrentIndex(choice.side.findData("left"))
+    names = [choice.gloves.itemText(i) for i in range(choice.gloves.count())]
+    assert names == ["vist-small-left"] and choice.hands.currentText() == "reference-left"
+    window.set_up.dialogs["glove"].use.click()
+    assert (store.value.glove, store.value.hand) == ("vist-small-left", "reference-left")
+    assert simulation().glove.side == "right"
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
