@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 LEFT_BELOW = ("sensors", "library", "log")
-RIGHT_BELOW = ("checklist", "calibration", "colours", "recording")
+RIGHT_BELOW = ("checklist", "calibration", "colours", "recording", "streams")
 
 
 def arrange(window: QMainWindow, docks: dict[str, QDockWidget]) -> None:

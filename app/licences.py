@@ -64,13 +64,18 @@ def _needed(requirement: str) -> re.Match[str] | None:
 def licence_of(package: Distribution) -> str:
     """The expression, else the old field's first line, else the classifiers."""
     data = package.metadata
-    field = (data.get("License") or "").strip().partition("\n")[0]
+    field = _first(data.get_all("License")).strip().partition("\n")[0]
     classifiers = [
         c.rpartition(" :: ")[2]
         for c in data.get_all("Classifier") or []
         if c.startswith("License :: ") and not c.endswith("OSI Approved")
     ]
-    return data.get("License-Expression") or ", ".join(classifiers) or field or "see its package"
+    told = _first(data.get_all("License-Expression"))
+    return told or ", ".join(classifiers) or field or "see its package"
+
+
+def _first(values: list[str] | None) -> str:
+    return values[0] if values else ""
 
 
 def as_text() -> str:

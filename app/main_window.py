@@ -23,6 +23,7 @@ from app.crash import CrashWatch
 from app.engine import EngineSetup
 from app.housekeeping import Housekeeping
 from app.layout import arrange
+from app.outputs import Outputs
 from app.panels.calibration import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
@@ -34,6 +35,7 @@ from app.panels.panel import Panel
 from app.panels.recording import RecordingPanel
 from app.panels.sensors import SensorsPanel
 from app.panels.start_page import StartPage
+from app.panels.streams import StreamsPanel
 from app.refresher import Refresher
 from app.session import Session, SetupFactory
 from app.set_up_desk import SetUpDesk
@@ -65,6 +67,7 @@ class MainWindow(QMainWindow):
         self.tasks = TaskOwner(self)
         self.session = Session(self.tasks, self)
         self.set_up = SetUpDesk(self.session, self.store, self.tasks, self)
+        self.outputs = Outputs(self.session, self.store, self.tasks, self)
         self._status_due = 0.0
         self._refreshes = 0
         self._make_panels()
@@ -97,6 +100,7 @@ class MainWindow(QMainWindow):
         self.calibration = CalibrationPanel(self.session, self.store)
         self.colours = ColoursPanel(self.session, self.store, self.tasks)
         self.recording = RecordingPanel(self.session, self.store)
+        self.streams = StreamsPanel(self.session, self.outputs)
         self.panels: list[Panel] = [
             self.cameras,
             self.hand,
@@ -107,6 +111,7 @@ class MainWindow(QMainWindow):
             self.calibration,
             self.colours,
             self.recording,
+            self.streams,
         ]
 
     def _make_frame(self) -> None:
@@ -140,7 +145,7 @@ class MainWindow(QMainWindow):
     def _add_dock_commands(self) -> None:
         for i, (name, dock) in enumerate(self.docks.items(), start=1):
             action = dock.toggleViewAction()
-            action.setShortcut(f"Ctrl+{i}")
+            action.setShortcut(f"Ctrl+{i}" if i < 10 else f"Ctrl+Alt+{i - 9}")
             self.commands.adopt(f"dock_{name}", self.tr("&View"), action)
 
     def _make_tool_bar(self) -> None:
@@ -370,6 +375,7 @@ class MainWindow(QMainWindow):
         self.set_up.shut_down()
         self.session.end()
         self.tasks.shut_down()  # last: a recording that ends has the library read again
+        self.outputs.shut_down()
         for panel in self.panels:
             panel.shut_down()
         event.accept()

@@ -1,4 +1,4 @@
-"""A second start hands its session to the first window: two processes, as a file manager does it."""
+"""A second start hands its session to the first window: two processes, as with a file manager."""
 
 import os
 import subprocess

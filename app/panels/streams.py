@@ -1,0 +1,234 @@
+"""Live outputs to other programs, and the glove's motors."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QGridLayout,
+    QGroupBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QSlider,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.outputs import Outputs
+from app.panels.panel import Panel
+from app.session import Session
+from app.viewmodels.snapshot import Snapshot
+from app.viewmodels.streams import TITLES, WITHOUT_PORT, StreamRow, stream_row
+from tracker.hand.names import CHAINS
+from tracker.streaming.params import STREAMS
+
+TEST_MS = 300
+MOST, USUAL = 255, 200  # amplitude
+COLUMNS = ("state", "clients", "sent", "dropped")
+
+
+class StreamsPanel(Panel):
+    name = "streams"
+    period = 0.5
+
+    def __init__(self, session: Session, outputs: Outputs, parent: QWidget | None = None) -> None:
+        super().__init__(session, parent)
+        self._outputs = outputs
+        inside = QWidget()
+        column = QVBoxLayout(inside)
+        column.setContentsMargins(8, 8, 8, 8)
+        column.setSpacing(10)
+        column.addLayout(self._address())
+        column.addLayout(self._table())
+        column.addWidget(self._haptics())
+        column.addStretch(1)
+        scroll = QScrollArea()
+        scroll.setWidget(inside)
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(scroll)
+        outputs.changed.connect(self._show)
+        session.running_changed.connect(lambda _on: self._show())
+        self._show()
+
+    def title(self) -> str:
+        return self.tr("Streams && haptics")
+
+    # --- streams
+
+    def _address(self) -> QHBoxLayout:
+        self.host = QLineEdit(self._outputs.params.host)
+        self.host.setToolTip(
+            self.tr(
+                "127.0.0.1 is this computer alone; UDP and VMC send there, servers listen there"
+            )
+        )
+        self.host.editingFinished.connect(self._move)
+        label = QLabel(self.tr("&Address"))
+        label.setBuddy(self.host)
+        row = QHBoxLayout()
+        row.addWidget(label)
+        row.addWidget(self.host, 1)
+        return row
+
+    def _move(self) -> None:
+        host = self.host.text().strip()
+        if host and host != self._outputs.params.host:
+            self._outputs.move(host)
+
+    def _table(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(12)
+        grid.setColumnStretch(2, 1)
+        headings = (
+            self.tr("Stream"),
+            self.tr("Port"),
+            self.tr("State"),
+            self.tr("Clients"),
+            self.tr("Sent"),
+            self.tr("Dropped"),
+        )
+        for j, text in enumerate(headings):
+            heading = QLabel(text)
+            heading.setProperty("role", "faint")
+            grid.addWidget(heading, 0, j)
+        self.boxes: dict[str, QCheckBox] = {}
+        self.ports: dict[str, QSpinBox] = {}
+        self.cells: dict[str, dict[str, QLabel]] = {}
+        for i, name in enumerate(STREAMS, start=1):
+            self._add_row(grid, i, name)
+        return grid
+
+    def _add_row(self, grid: QGridLayout, i: int, name: str) -> None:
+        box = self.boxes[name] = QCheckBox(TITLES.get(name, name))
+        box.setChecked(self._outputs.is_on(name))
+        box.toggled.connect(partial(self._outputs.switch, name))
+        grid.addWidget(box, i, 0)
+        if name not in WITHOUT_PORT:
+            port = self.ports[name] = QSpinBox()
+            port.setRange(1, 65535)
+            port.setValue(getattr(self._outputs.params, f"{name}_port"))
+            port.setAccessibleName(self.tr("Port of {}").format(TITLES.get(name, name)))
+            port.setKeyboardTracking(False)
+            port.valueChanged.connect(partial(self._outputs.set_port, name))
+            grid.addWidget(port, i, 1)
+        self.cells[name] = {column: QLabel() for column in COLUMNS}
+        for j, label in enumerate(self.cells[name].values(), start=2):
+            if j > 2:
+                label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            grid.addWidget(label, i, j)
+
+    # --- haptics
+
+    def _haptics(self) -> QGroupBox:
+        group = QGroupBox(self.tr("Vibration motors"))
+        tests = QHBoxLayout()
+        tests.addWidget(QLabel(self.tr("Test")))
+        self.motors = [QPushButton(finger.title()) for finger in CHAINS]
+        for channel, button in enumerate(self.motors):
+            button.setToolTip(self.tr("Motor {}").format(channel))
+            button.clicked.connect(partial(self._test, channel))
+            tests.addWidget(button)
+        tests.addStretch(1)
+        self.amplitude = QSlider(Qt.Orientation.Horizontal)
+        self.amplitude.setRange(0, MOST)
+        self.amplitude.setValue(USUAL)
+        self.amplitude.setAccessibleName(self.tr("Strength of the test"))
+        strength = QHBoxLayout()
+        strength.addWidget(QLabel(self.tr("Strength")))
+        strength.addWidget(self.amplitude, 1)
+        column = QVBoxLayout(group)
+        column.addLayout(tests)
+        column.addLayout(strength)
+        column.addLayout(self._rule())
+        self.contact = QLabel()
+        self.contact.setProperty("role", "faint")
+        self.contact.setWordWrap(True)
+        column.addWidget(self.contact)
+        return group
+
+    def _rule(self) -> QHBoxLayout:
+        self.rule = QCheckBox(self.tr("Vibrate when a fingertip enters a sphere of"))
+        self.rule.setChecked(self._outputs.rule.on)
+        self.rule.toggled.connect(self._set_rule)
+        self.radius = QSpinBox()
+        self.radius.setRange(5, 300)
+        self.radius.setSuffix(self.tr(" mm"))
+        self.radius.setAccessibleName(self.tr("Radius of the sphere"))
+        self.radius.setValue(round(1000 * self._outputs.rule.radius))
+        self.radius.setKeyboardTracking(False)
+        self.radius.valueChanged.connect(self._set_rule)
+        self.place = QPushButton(self.tr("Put it at the index fingertip"))
+        self.place.clicked.connect(self._put)
+        row = QHBoxLayout()
+        row.addWidget(self.rule)
+        row.addWidget(self.radius)
+        row.addWidget(self.place)
+        row.addStretch(1)
+        return row
+
+    def _test(self, channel: int) -> None:
+        self._outputs.vibrate(channel, self.amplitude.value(), TEST_MS)
+
+    def _set_rule(self) -> None:
+        changed = replace(
+            self._outputs.rule, on=self.rule.isChecked(), radius=self.radius.value() / 1000
+        )
+        self._outputs.set_rule(changed)
+        self.rule.blockSignals(True)
+        self.rule.setChecked(self._outputs.rule.on)
+        self.rule.blockSignals(False)
+
+    def _put(self) -> None:
+        center = self._outputs.fingertip()
+        if center:
+            self._outputs.set_rule(replace(self._outputs.rule, center=center))
+        else:
+            self.session.error.emit(self.tr("The index fingertip is not seen: there is no place."))
+
+    # --- what it shows
+
+    def _show(self) -> None:
+        for name in STREAMS:
+            row = stream_row(
+                self._outputs.is_on(name),
+                self.session.running,
+                self._outputs.counts(name),
+                self._outputs.problems.get(name, ""),
+            )
+            self._show_row(name, row)
+        for button in (*self.motors, self.place):
+            button.setEnabled(self._outputs.can_vibrate)
+        self.contact.setText(self._contact_text())
+
+    def _show_row(self, name: str, row: StreamRow) -> None:
+        cells = self.cells[name]
+        sign = f'<span style="color:{row.look.colour}">{row.look.sign}</span>'
+        for column, text in (
+            ("state", f"{sign} {row.state}"),
+            ("clients", row.clients),
+            ("sent", row.sent),
+            ("dropped", row.dropped),
+        ):
+            if cells[column].text() != text:
+                cells[column].setText(text)
+            cells[column].setToolTip(row.tip)
+
+    def _contact_text(self) -> str:
+        rule = self._outputs.rule
+        if not rule.center:
+            return self.tr("The sphere has no place yet.")
+        x, y, z = (1000 * v for v in rule.center)
+        return self.tr("The sphere stands at {:.0f}, {:.0f}, {:.0f} mm.").format(x, y, z)
+
+    def refresh(self, view: Snapshot | None) -> None:
+        self._show()

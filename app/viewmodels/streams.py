@@ -1,0 +1,47 @@
+"""A live output as a row: what it is, and how it goes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from app.viewmodels.states import BAD, GOOD, IDLE, WARN, Look
+from tracker.streaming.streams import StreamCounts
+
+TITLES = {
+    "udp": "UDP (JSON)",
+    "websocket": "WebSocket (JSON)",
+    "vmc": "VMC (OSC, avatars)",
+    "lsl": "Lab Streaming Layer",
+    "foxglove": "Foxglove",
+}
+WITHOUT_PORT = ("lsl",)
+"""Clients find these by name."""
+
+
+@dataclass(frozen=True)
+class StreamRow:
+    """Texts of one row; ``tip`` says more about the state."""
+
+    look: Look
+    state: str
+    clients: str
+    sent: str
+    dropped: str
+    tip: str
+
+
+def stream_row(on: bool, running: bool, counts: StreamCounts | None, problem: str) -> StreamRow:
+    """``running``: an engine runs; ``problem``: why the output could not be opened."""
+    if problem:
+        return StreamRow(BAD, "not open", "–", "–", "–", problem)
+    if not on:
+        return StreamRow(IDLE, "off", "–", "–", "–", "")
+    if counts is None:
+        state = "opening" if running else "waits for tracking"
+        return StreamRow(IDLE, state, "–", "–", "–", "")
+    clients = "–" if counts.clients is None else str(counts.clients)
+    look, state = (WARN, "failing") if counts.error else (GOOD, "sending")
+    if not counts.error and counts.clients == 0:
+        state = "nobody listens"
+    dropped = str(counts.dropped + counts.failed)
+    return StreamRow(look, state, clients, str(counts.sent), dropped, counts.error or counts.name)

@@ -1,0 +1,167 @@
+"""Streams and haptics by clicks, received by sockets that know nothing of us."""
+
+import contextlib
+import json
+import socket
+from dataclasses import replace
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+from PySide6.QtCore import Qt
+
+from app.main_window import MainWindow
+from app.outputs import HapticRule, params_from
+from app.settings import SettingsStore
+from tracker.streaming.params import STREAMS, StreamParams
+
+
+@pytest.fixture
+def listener():
+    """A UDP port of this computer at which somebody listens."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as server:
+        server.bind(("127.0.0.1", 0))
+        server.setblocking(False)
+        yield server
+
+
+def received(qtbot, listener) -> dict:
+    """The next message, while the window lives on."""
+    got = []
+
+    def look() -> bool:
+        with contextlib.suppress(BlockingIOError):
+            got.append(listener.recv(65536))
+        return got != []
+
+    qtbot.waitUntil(look, timeout=10_000)
+    return json.loads(got[0])
+
+
+@pytest.fixture
+def motors():
+    """Calls of the glove's motors: channel, amplitude, ms."""
+    return []
+
+
+@pytest.fixture
+def panel(window, motors, qtbot):
+    """The panel in sight, on an engine whose glove has motors."""
+    setup = scripted_setup(ScriptedEngine())
+    window.session.adopt(replace(setup, vibrate=lambda *call: motors.append(call)))
+    window.run_command("show_streams")
+    return window.streams
+
+
+def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel, window):
+    assert not any(box.isChecked() for box in panel.boxes.values())
+    assert set(panel.boxes) == set(STREAMS)
+    assert panel.host.text() == "127.0.0.1"
+    assert window.outputs._attached == {}
+
+
+def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listener, qtbot):
+    panel.ports["udp"].setValue(listener.getsockname()[1])
+    panel.boxes["udp"].click()
+    told = received(qtbot, listener)
+    estimate = window.session.setup.engine.latest_estimate()
+    assert told["keypoints"]["wrist"]["position"] == pytest.approx(
+        estimate.keypoints[0].tolist(), abs=1e-6
+    )
+    qtbot.waitUntil(lambda: "sending" in panel.cells["udp"]["state"].text(), timeout=10_000)
+    qtbot.waitUntil(lambda: int(panel.cells["udp"]["sent"].text()) >= 1, timeout=10_000)
+    panel.boxes["udp"].click()
+    qtbot.waitUntil(lambda: panel.cells["udp"]["sent"].text() == "–", timeout=10_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=10_000)
+
+
+def test_what_was_on_runs_again_after_the_next_start(panel, window, store, listener, qtbot):
+    port = listener.getsockname()[1]
+    panel.ports["udp"].setValue(port)
+    panel.boxes["udp"].click()
+    received(qtbot, listener)
+    window.close()
+    with contextlib.suppress(BlockingIOError):
+        while True:  # what was on its way
+            listener.recv(65536)
+    again = MainWindow(SettingsStore(store.path))
+    qtbot.addWidget(again)
+    assert again.streams.boxes["udp"].isChecked() and again.streams.ports["udp"].value() == port
+    qtbot.wait(100)
+    with pytest.raises(BlockingIOError):  # nothing is sent before there is an engine
+        listener.recv(65536)
+    again.session.adopt(scripted_setup(ScriptedEngine()))
+    qtbot.waitUntil(lambda: "udp" in again.outputs._attached, timeout=10_000)
+    assert received(qtbot, listener)["schema"] == 1
+    again.close()
+
+
+def test_a_port_in_use_is_told_in_words_and_the_rest_goes_on(panel, window, qtbot):
+    pytest.importorskip("websockets")
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        panel.ports["websocket"].setValue(taken.getsockname()[1])
+        panel.boxes["websocket"].click()
+        state = panel.cells["websocket"]["state"]
+        qtbot.waitUntil(lambda: "not open" in state.text(), timeout=20_000)
+        assert str(taken.getsockname()[1]) in state.toolTip()
+        assert "WebSocket" in window.banner.text()
+    assert window.session.running
+
+
+def test_the_servers_clients_are_counted(panel, window, qtbot):
+    client = pytest.importorskip("websockets.sync.client")
+    panel.ports["websocket"].setValue(_free_port())
+    panel.boxes["websocket"].click()
+    cells = panel.cells["websocket"]
+    qtbot.waitUntil(lambda: "nobody listens" in cells["state"].text(), timeout=20_000)
+    with client.connect(f"ws://127.0.0.1:{panel.ports['websocket'].value()}/"):
+        qtbot.waitUntil(lambda: cells["clients"].text() == "1", timeout=20_000)
+    window.session.stop()
+    qtbot.waitUntil(lambda: "waits for tracking" in cells["state"].text(), timeout=20_000)
+
+
+def _free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def test_closing_the_window_while_a_stream_opens_leaves_nothing(panel, window):
+    panel.ports["udp"].setValue(9)
+    panel.boxes["udp"].click()
+    window.close()  # the fixtures look for threads
+
+
+def test_each_motor_can_be_felt(panel, motors, qtbot):
+    panel.amplitude.setValue(123)
+    for channel in (0, 4):
+        qtbot.mouseClick(panel.motors[channel], Qt.MouseButton.LeftButton)
+    assert motors == [(0, 123, 300), (4, 123, 300)]
+
+
+def test_a_fingertip_in_the_sphere_vibrates_its_motor(panel, window, motors, store, qtbot):
+    qtbot.mouseClick(panel.place, Qt.MouseButton.LeftButton)
+    panel.radius.setValue(10)
+    panel.rule.click()
+    qtbot.waitUntil(lambda: motors != [], timeout=10_000)
+    assert motors[0][0] == 1  # the index finger's
+    rule = params_from(HapticRule, SettingsStore(store.path).value.haptics)
+    engine = window.session.setup.engine
+    names = window.session.setup.glove.keypoint_names(window.session.setup.hand)
+    tip = engine.latest_estimate().keypoints[names.index("index_tip")]
+    assert rule == HapticRule(True, 0.01, tuple(tip.tolist()))
+    panel.rule.click()
+    qtbot.waitUntil(lambda: "haptics" not in window.outputs._attached, timeout=10_000)
+
+
+def test_without_an_engine_there_is_no_place_for_the_sphere(window):
+    window.streams.rule.click()
+    assert not window.streams.rule.isChecked()
+    assert "no place" in window.banner.text()
+
+
+def test_what_was_remembered_wrongly_is_the_default():
+    params = params_from(StreamParams, {"udp": True, "udp_port": "9000", "host": 3, "new": 1})
+    assert params == StreamParams(udp=True)
+    assert params_from(HapticRule, {"center": [1, 2.5, 3]}).center == (1.0, 2.5, 3.0)
