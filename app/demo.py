@@ -105,6 +105,7 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
         simulated=True,
         vibrate=link.vibrate,
         command=tracker.command,
+        shadowing=tracker,
         camera=CAMERA,
     )
 

@@ -66,6 +66,14 @@ class LiveEngine(Protocol):
     def note(self, text: str) -> None: ...
 
 
+class Shadowing(Protocol):
+    """Tracks with a second engine beside the first, to be compared with."""
+
+    def set_shadow(self, name: str | None) -> None: ...
+
+    def shadow_estimate(self) -> Estimate | None: ...
+
+
 class Player(Protocol):
     """Moves through a recorded session; times are s from its start."""
 
@@ -142,5 +150,6 @@ class EngineSetup:
     simulated: bool = False
     player: Player | None = None  # of a recorded session
     command: Callable[[Callable[[Engine], None]], None] | None = None  # in the engine's own thread
+    shadowing: Shadowing | None = None
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms

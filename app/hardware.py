@@ -85,6 +85,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
         make_recorder=make_recorder,
         vibrate=link.vibrate,
         command=tracker.command,
+        shadowing=tracker,
         camera=camera_title(source, settings.calibration),
     )
 

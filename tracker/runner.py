@@ -38,6 +38,7 @@ from tracker.messages import (
 from tracker.pipeline import Pipeline
 from tracker.sensors.picture_watch import SilenceWatch
 from tracker.settings import Settings
+from tracker.shadow import Shadow
 from tracker.telemetry import Telemetry
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector, detect_frame
@@ -154,6 +155,7 @@ class LiveTracker:
         self._silence = SilenceWatch("camera")
         self._order = _Order()
         self._disk: _Disk | None = None
+        self._shadow: Shadow | None = None
         self._history: deque[ImuSample] = deque()
         self._estimate: Estimate | None = None
         self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
@@ -190,6 +192,7 @@ class LiveTracker:
         for thread in self._threads:
             thread.join()
         self._threads.clear()
+        self.set_shadow(None)
         self.set_recorder(None)
         self._glove.close()
         self._camera.close()
@@ -221,6 +224,28 @@ class LiveTracker:
             self._pipeline = pipeline
             self._record_state()
         self._say("tracking", f"The engine is now {name}.")
+
+    def set_shadow(self, name: str | None) -> None:
+        """Let a second engine see the same messages, to be compared with; None ends it.
+
+        Raises ConfigError for an unknown name.
+        """
+        p = self._pipeline
+        settings = replace(p.settings, engine=name or p.settings.engine)
+        shadow = Shadow(Pipeline(p.hand, p.glove, p.rig, settings)) if name else None
+        before, self._shadow = self._shadow, shadow
+        if before is not None:
+            before.close()
+
+    def shadow_estimate(self) -> Estimate | None:
+        """The second engine's hand; None where there is none."""
+        shadow = self._shadow
+        return shadow.estimate if shadow is not None else None
+
+    def _cast(self, message: ImuSample | BlobFrame) -> None:
+        shadow = self._shadow
+        if shadow is not None:
+            shadow.put(message)
 
     def command(self, work: Callable[[Engine], None]) -> None:
         """Have ``work`` done to the engine, in its own thread, between two messages.
@@ -270,17 +295,24 @@ class LiveTracker:
         t.set("frames_dropped", self._pictures.dropped + self._skipped)
         t.set("imu_lost", self._lost_packets)
         t.set("imu_overflow", self._inbox.overflowed)
-        rig = self._pipeline.rig_state
+        self._set_camera_status()
+        if self._disk is not None:
+            t.set("pictures_thinned", self._disk.thinned)
+        tracking = self._estimate.tracking if self._estimate else Tracking.SEARCHING
+        return Status(now, tracking, t.values(now))
+
+    def _set_camera_status(self) -> None:
+        t, rig, timing = self._telemetry, self._pipeline.rig_state, self._pipeline.timing
         t.set("stereo_swapped", float(rig.swapped))
         t.set("camera_moved", float(rig.moved))
         t.set("camera_jumps", rig.jumps)
         t.set("stereo_refused", rig.refused)
         if math.isfinite(rig.row_shift_px):
             t.set("stereo_row_shift_px", rig.row_shift_px)
-        if self._disk is not None:
-            t.set("pictures_thinned", self._disk.thinned)
-        tracking = self._estimate.tracking if self._estimate else Tracking.SEARCHING
-        return Status(now, tracking, t.values(now))
+        if math.isfinite(timing.offset.value):
+            t.set("camera_offset_ms", 1e3 * timing.offset.value)
+            t.set("camera_offset_sd_ms", 1e3 * timing.offset.sd)
+        t.set("camera_offset_applied_ms", 1e3 * timing.applied)
 
     # ---- threads
 
@@ -373,6 +405,7 @@ class LiveTracker:
         with self._whole:  # a recording holds a packet and its estimate, or neither of them
             self._record(sample)
             self._show(self._pipeline.feed_imu(sample), record=True)
+        self._cast(sample)
         self._telemetry.took("imu", self._clock() - sample.t_arrival)
 
     def _remember(self, sample: ImuSample) -> None:
@@ -390,6 +423,7 @@ class LiveTracker:
         with self._whole:
             self._record(blobs)
             self._pipeline.feed_frame(blobs)
+        self._cast(blobs)
         silent = not self._history or blobs.t_arrival - self._history[-1].t_arrival > SILENCE
         if silent:
             self._show(self._pipeline.predict(blobs.t), record=False)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from app.engine import EngineSetup, Truth
 from tracker.messages import (
     BlobFrame,
@@ -14,6 +16,7 @@ from tracker.messages import (
     ImuSample,
     Status,
     StereoFrame,
+    Tracking,
 )
 
 
@@ -43,9 +46,14 @@ class Snapshot:
         return self.setup.truth(self.estimate.t)
 
     def ghost(self) -> Truth | None:
-        """The hand to compare with: a replay's second tracking where one is set, else the truth."""
-        player = self.setup.player
+        """The hand to compare with: a replay's second tracking, or a second engine, where one is
+        set, else the truth."""
+        player, shadowing = self.setup.player, self.setup.shadowing
         other = player.ghost() if player is not None else None
+        second = shadowing.shadow_estimate() if shadowing is not None else None
+        if second is not None:
+            there = second.tracking != Tracking.LOST and bool(np.isfinite(second.segment_p).all())
+            return Truth(second.keypoints, second.segment_R, second.segment_p) if there else None
         return other if other is not None else self.truth()
 
 
