@@ -18,9 +18,11 @@ __all__ = ["profile", "sim"]  # fixtures
 
 def wait_until(condition, limit: float = 30.0) -> bool:
     deadline = time.monotonic() + limit
-    while not condition() and time.monotonic() < deadline:
+    while time.monotonic() < deadline:
+        if condition():
+            return True
         time.sleep(0.01)
-    return bool(condition())
+    return False
 
 
 def test_a_shadow_is_the_engine_alone(sim):
