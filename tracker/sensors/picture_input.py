@@ -87,6 +87,10 @@ class SideBySideInput:
         ok, image = self._capture.read()
         return split(image) if ok else None
 
+    def captures(self) -> list[cv2.VideoCapture]:
+        """The open device, for its controls."""
+        return [] if self._capture is None else [self._capture]
+
     def close(self) -> None:
         if self._capture is not None:
             self._capture.release()
@@ -119,6 +123,10 @@ class TwoCameraInput:
             return None
         (ok_left, left), (ok_right, right) = (c.retrieve() for c in self._captures)
         return (left, right) if ok_left and ok_right else None
+
+    def captures(self) -> list[cv2.VideoCapture]:
+        """The open devices, for their controls."""
+        return list(self._captures)
 
     def close(self) -> None:
         for capture in self._captures:

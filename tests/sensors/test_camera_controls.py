@@ -1,0 +1,142 @@
+"""Locks of exposure, gain and white balance against a driver that behaves as V4L2's."""
+
+from __future__ import annotations
+
+import threading
+
+import cv2
+import numpy as np
+import pytest
+
+from tracker.errors import DeviceError
+from tracker.sensors.camera_controls import (
+    ABSENT,
+    ControlledInput,
+    Locks,
+    locks_from,
+    locks_text,
+)
+
+
+class Driver:
+    """Exposure can be set only while its automatic is off, and there is no gain."""
+
+    def __init__(self) -> None:
+        self.values = {
+            cv2.CAP_PROP_AUTO_EXPOSURE: 3.0,
+            cv2.CAP_PROP_EXPOSURE: 250.0,
+            cv2.CAP_PROP_AUTO_WB: 1.0,
+            cv2.CAP_PROP_WB_TEMPERATURE: 4600.0,
+        }
+
+    def get(self, prop: int) -> float:
+        return self.values.get(prop, ABSENT)
+
+    def set(self, prop: int, value: float) -> bool:
+        if prop not in self.values:
+            return False
+        if prop == cv2.CAP_PROP_EXPOSURE and self.values[cv2.CAP_PROP_AUTO_EXPOSURE] != 1.0:
+            return False
+        if prop == cv2.CAP_PROP_WB_TEMPERATURE and self.values[cv2.CAP_PROP_AUTO_WB]:
+            return False
+        self.values[prop] = value
+        return True
+
+
+class Input:
+    """A picture input on drivers; remembers the thread in which they are touched."""
+
+    live, name, fps = True, "camera", 30.0
+
+    def __init__(self, *drivers: Driver) -> None:
+        self.drivers, self.is_open, self.threads = drivers, False, set()
+
+    def open(self) -> None:
+        if not self.drivers:
+            raise DeviceError("There is no camera.")
+        self.is_open = True
+
+    def read(self):
+        picture = np.zeros((2, 2, 3), np.uint8)
+        return picture, picture
+
+    def captures(self):
+        self.threads.add(threading.get_ident())
+        return list(self.drivers) if self.is_open else []
+
+    def close(self) -> None:
+        self.is_open = False
+
+
+def by_name(source: ControlledInput):
+    return {c.name: c for c in source.controls()}
+
+
+def test_what_the_camera_has_is_read_and_what_it_lacks_is_said():
+    source = ControlledInput(Input(Driver()))
+    assert not any(c.available for c in source.controls())
+    source.open()
+    assert source.read() is not None
+    found = by_name(source)
+    assert found["exposure"].available and found["exposure"].value == 250
+    assert not found["exposure"].locked and not found["gain"].available
+
+
+def test_a_lock_switches_the_automatic_off_and_is_lifted_again():
+    driver = Driver()
+    source = ControlledInput(Input(driver), Locks(exposure=157.0))
+    source.open()
+    source.read()
+    assert driver.values[cv2.CAP_PROP_AUTO_EXPOSURE] == 1.0
+    assert by_name(source)["exposure"].locked and by_name(source)["exposure"].value == 157
+    assert driver.values[cv2.CAP_PROP_AUTO_WB] == 1.0
+    source.want(Locks(white_balance=5000.0))
+    assert driver.values[cv2.CAP_PROP_AUTO_WB] == 1.0  # not before the next picture
+    source.read()
+    assert driver.values[cv2.CAP_PROP_AUTO_EXPOSURE] == 3.0
+    assert driver.values[cv2.CAP_PROP_WB_TEMPERATURE] == 5000.0
+    assert not by_name(source)["exposure"].locked and by_name(source)["white_balance"].locked
+
+
+def test_a_control_that_the_device_lacks_is_never_called_locked():
+    source = ControlledInput(Input(Driver()), Locks(gain=3.0))
+    source.open()
+    source.read()
+    assert not by_name(source)["gain"].available and not by_name(source)["gain"].locked
+
+
+def test_two_cameras_get_the_same_and_a_returned_one_gets_it_again():
+    drivers = Driver(), Driver()
+    inner = Input(*drivers)
+    source = ControlledInput(inner, Locks(exposure=99.0))
+    source.open()
+    source.read()
+    assert [d.values[cv2.CAP_PROP_EXPOSURE] for d in drivers] == [99.0, 99.0]
+    drivers[1].values.update(Driver().values)  # unplugged and plugged in again
+    source.close()
+    source.open()
+    source.read()
+    assert drivers[1].values[cv2.CAP_PROP_EXPOSURE] == 99.0
+
+
+def test_drivers_are_touched_by_the_reading_thread_alone():
+    inner = Input(Driver())
+    source = ControlledInput(inner)
+    source.open()
+    reader = threading.Thread(target=source.read)
+    source.want(Locks(exposure=10.0))
+    reader.start()
+    reader.join()
+    assert threading.get_ident() not in inner.threads and len(inner.threads) == 1
+
+
+def test_an_absent_camera_is_told_as_before():
+    with pytest.raises(DeviceError, match="no camera"):
+        ControlledInput(Input()).open()
+
+
+def test_locks_are_kept_as_text():
+    locks = Locks(exposure=-5.5, white_balance=4600.0)
+    assert locks_from(locks_text(locks)) == locks
+    assert locks_from("exposure=bright nonsense gain=2") == Locks(gain=2.0)
+    assert locks_text(Locks()) == ""

@@ -1,0 +1,166 @@
+"""Exposure, gain and white balance of cameras that are open, set from another thread.
+
+A camera that exposes by itself changes the markers' colours with every move of the hand, so a lock
+belongs to the set-up. Values are in the driver's own units: no driver tells what they mean.
+"""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass
+from typing import Protocol
+
+import cv2
+
+from tracker.sensors.picture_input import Pair, PictureInput
+
+
+@dataclass(frozen=True)
+class _Property:
+    """How OpenCV calls a control: its value, and the switch of its automatic (V4L2's values)."""
+
+    value: int
+    switch: int | None = None
+    manual: float = 0.0
+    automatic: float = 0.0
+
+
+PROPERTIES = {
+    "exposure": _Property(cv2.CAP_PROP_EXPOSURE, cv2.CAP_PROP_AUTO_EXPOSURE, 1.0, 3.0),
+    "gain": _Property(cv2.CAP_PROP_GAIN),
+    "white_balance": _Property(cv2.CAP_PROP_WB_TEMPERATURE, cv2.CAP_PROP_AUTO_WB, 0.0, 1.0),
+}
+ABSENT = -1.0
+"""What OpenCV answers for a control that the device does not have."""
+
+
+@dataclass(frozen=True)
+class Control:
+    """One control as the device says: ``available``, its value, and whether it stays there."""
+
+    name: str
+    available: bool = False
+    value: float = 0.0
+    locked: bool = False
+
+
+@dataclass(frozen=True)
+class Locks:
+    """A value locks a control, None leaves it to the camera."""
+
+    exposure: float | None = None
+    gain: float | None = None
+    white_balance: float | None = None
+
+
+class Capture(Protocol):
+    """What is used of `cv2.VideoCapture`."""
+
+    def get(self, prop: int) -> float: ...
+
+    def set(self, prop: int, value: float) -> bool: ...
+
+
+class HasCaptures(PictureInput, Protocol):
+    """A picture input on devices."""
+
+    def captures(self) -> list[cv2.VideoCapture]:
+        """The open devices."""
+
+
+class ControlledInput:
+    """A picture input whose cameras' controls can be set while another thread reads pictures.
+
+    What is wanted is applied between two pictures, in the thread that reads; a camera that was away
+    gets it again.
+    """
+
+    live = True
+
+    def __init__(self, inner: HasCaptures, locks: Locks | None = None) -> None:
+        self._inner = inner
+        self.name, self.fps = inner.name, inner.fps
+        self._lock = threading.Lock()
+        self._locks, self._changed = locks or Locks(), True
+        self._controls: tuple[Control, ...] = tuple(Control(n) for n in PROPERTIES)
+
+    def open(self) -> None:
+        self._inner.open()
+        self.fps = self._inner.fps
+        with self._lock:
+            self._changed = True
+
+    def read(self) -> Pair | None:
+        self._apply()
+        return self._inner.read()
+
+    def close(self) -> None:
+        self._inner.close()
+
+    def controls(self) -> tuple[Control, ...]:
+        """As they were after the last change."""
+        with self._lock:
+            return self._controls
+
+    def want(self, locks: Locks) -> None:
+        """Have this from the next picture on."""
+        with self._lock:
+            self._locks, self._changed = locks, True
+
+    def _apply(self) -> None:
+        with self._lock:
+            if not self._changed:
+                return
+            self._changed, locks = False, self._locks
+        captures = self._inner.captures()
+        found = tuple(_set_all(captures, name, getattr(locks, name)) for name in PROPERTIES)
+        with self._lock:
+            self._controls = found
+
+
+def _set_all(captures: list[cv2.VideoCapture], name: str, value: float | None) -> Control:
+    """The same for both of two cameras; it has a control where both do."""
+    found = [set_control(c, name, value) for c in captures]
+    if not found:
+        return Control(name)
+    return Control(
+        name,
+        all(c.available for c in found),
+        found[0].value,
+        all(c.locked for c in found),
+    )
+
+
+def set_control(capture: Capture, name: str, value: float | None) -> Control:
+    """Lock a control at ``value``, or give it back to the camera; what the device then says."""
+    prop = PROPERTIES[name]
+    if value is None:
+        if prop.switch is not None:
+            capture.set(prop.switch, prop.automatic)
+        now = capture.get(prop.value)
+        # a control without an automatic stays where it is by itself
+        return Control(name, now != ABSENT, now, False)
+    if prop.switch is not None:
+        capture.set(prop.switch, prop.manual)
+    locked = capture.set(prop.value, value)
+    now = capture.get(prop.value)
+    return Control(name, now != ABSENT, now, locked and now != ABSENT)
+
+
+def locks_text(locks: Locks) -> str:
+    """``exposure=157 gain=4``; as the settings hold it."""
+    pairs = ((n, getattr(locks, n)) for n in PROPERTIES)
+    return " ".join(f"{n}={v:g}" for n, v in pairs if v is not None)
+
+
+def locks_from(text: str) -> Locks:
+    """What `locks_text` wrote; words that mean nothing are left out."""
+    values: dict[str, float] = {}
+    for word in text.split():
+        name, _, number = word.partition("=")
+        try:
+            if name in PROPERTIES:
+                values[name] = float(number)
+        except ValueError:
+            continue
+    return Locks(**values)
