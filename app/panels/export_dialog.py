@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
+    QLabel,
     QLineEdit,
     QPushButton,
     QVBoxLayout,
@@ -84,9 +85,11 @@ class ExportDialog(QDialog):
         row = QHBoxLayout()
         row.addWidget(self.folder, 1)
         row.addWidget(choose)
+        folder = QLabel(self.tr("F&older"))
+        folder.setBuddy(self.folder)
         form = QFormLayout()
         form.addRow(self.tr("&Format"), self.format)
-        form.addRow(self.tr("F&older"), row)
+        form.addRow(folder, row)
         form.addRow(self.tr("&Range"), self.range)
         form.addRow(self.tr("R&ate"), self.rate)
         form.addRow(self.tr("A&xes"), self.axes)

@@ -29,6 +29,7 @@ class SessionTable(QTableWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, 6, parent)
         self._rows: list[SessionRow] = []
+        self._no_picture = QIcon(_empty())
         self.setHorizontalHeaderLabels(
             [
                 self.tr("Session"),
@@ -64,6 +65,8 @@ class SessionTable(QTableWidget):
             for j, text in enumerate((row.name, row.when, row.duration, row.size, integrity, "")):
                 item = QTableWidgetItem(text)
                 item.setToolTip(row.problem or str(row.path))
+                if j == 0:
+                    item.setIcon(self._no_picture)
                 self.setItem(i, j, item)
             if row.path in known:
                 self.show_details(row.path, known[row.path])
@@ -95,6 +98,13 @@ class SessionTable(QTableWidget):
             self.cellDoubleClicked.emit(self.currentRow(), 0)
         else:
             super().keyPressEvent(event)
+
+
+def _empty() -> QPixmap:
+    """What stands where there is no picture, so that all names begin at one place."""
+    pixmap = QPixmap(THUMBNAIL_WIDTH, ROW_HEIGHT - 4)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    return pixmap
 
 
 def _pixmap(picture: NDArray[np.uint8]) -> QPixmap:

@@ -87,7 +87,7 @@ class StreamsPanel(Panel):
 
     def _table(self) -> QGridLayout:
         grid = QGridLayout()
-        grid.setHorizontalSpacing(12)
+        grid.setHorizontalSpacing(8)
         grid.setColumnStretch(2, 1)
         headings = (
             self.tr("Stream"),
@@ -130,12 +130,12 @@ class StreamsPanel(Panel):
     # --- haptics
 
     def _haptics(self) -> QGroupBox:
-        group = QGroupBox(self.tr("Vibration motors"))
+        group = QGroupBox(self.tr("Vibration motors: press one to feel it"))
         tests = QHBoxLayout()
-        tests.addWidget(QLabel(self.tr("Test")))
         self.motors = [QPushButton(finger.title()) for finger in CHAINS]
         for channel, button in enumerate(self.motors):
             button.setToolTip(self.tr("Motor {}").format(channel))
+            button.setMinimumWidth(20)
             button.clicked.connect(partial(self._test, channel))
             tests.addWidget(button)
         tests.addStretch(1)
@@ -156,7 +156,7 @@ class StreamsPanel(Panel):
         column.addWidget(self.contact)
         return group
 
-    def _rule(self) -> QHBoxLayout:
+    def _rule(self) -> QGridLayout:
         self.rule = QCheckBox(self.tr("Vibrate when a fingertip enters a sphere of"))
         self.rule.setChecked(self._outputs.rule.on)
         self.rule.toggled.connect(self._set_rule)
@@ -169,12 +169,12 @@ class StreamsPanel(Panel):
         self.radius.valueChanged.connect(self._set_rule)
         self.place = QPushButton(self.tr("Put it at the index fingertip"))
         self.place.clicked.connect(self._put)
-        row = QHBoxLayout()
-        row.addWidget(self.rule)
-        row.addWidget(self.radius)
-        row.addWidget(self.place)
-        row.addStretch(1)
-        return row
+        grid = QGridLayout()
+        grid.addWidget(self.rule, 0, 0)
+        grid.addWidget(self.radius, 0, 1)
+        grid.addWidget(self.place, 1, 0, Qt.AlignmentFlag.AlignLeft)
+        grid.setColumnStretch(2, 1)
+        return grid
 
     def _test(self, channel: int) -> None:
         self._outputs.vibrate(channel, self.amplitude.value(), TEST_MS)

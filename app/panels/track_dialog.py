@@ -71,12 +71,14 @@ class TrackDialog(QDialog):
         row = QHBoxLayout()
         row.addWidget(self.settings, 1)
         row.addWidget(choose)
+        settings = QLabel(self.tr("&Settings (TOML)"))
+        settings.setBuddy(self.settings)
         form = QFormLayout()
         form.addRow(self.tr("&Engine"), self.engine)
         form.addRow(self.tr("&Hand"), self.hand)
         form.addRow(self.tr("&Glove"), self.glove)
         form.addRow(self.tr("&Colours"), self.colours)
-        form.addRow(self.tr("&Settings (TOML)"), row)
+        form.addRow(settings, row)
         return form
 
     def _buttons(self) -> QDialogButtonBox:
