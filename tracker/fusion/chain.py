@@ -119,7 +119,7 @@ class ChainEngine(LaggedEngine[ChainState]):
     def _without_picture(self, t: float) -> None:
         """Held together by anatomy."""
         self._judge(t, enough=False)
-        if t - self._track.last_constraint >= self._params.constraint.tilt_period:
+        if t - self._track.last_constraint >= self._params.constraint.period:
             self._constrain(t)
 
     def _is_coasting(self) -> bool:
@@ -128,9 +128,9 @@ class ChainEngine(LaggedEngine[ChainState]):
     # ---- measurements
 
     def _tilt(self) -> None:
-        """Relative tilt from the accelerometers, at most every ``tilt_period``."""
+        """Relative tilt from the accelerometers, at most every ``period``."""
         t = self._state.t
-        if t - self._track.last_tilt < self._params.constraint.tilt_period:
+        if t - self._track.last_tilt < self._params.constraint.period:
             return
         before, now, after = (self._buffer.at(t + d) for d in (-0.01, 0.0, 0.01))
         if before is None or now is None or after is None or not before.t < now.t < after.t:
@@ -161,7 +161,7 @@ class ChainEngine(LaggedEngine[ChainState]):
             self._track.last_search = frame.t
             prediction, match = self._search_again(seen, pose, prediction, match)
         self._correct(prediction, seen, match)
-        self._judge(frame.t, self._count(match) >= self._params.match.min_markers)
+        self._judge(frame.t, self._enough(prediction, match))
         self._finish(frame, seen, prediction, match)
 
     def _search_again(
@@ -217,7 +217,7 @@ class ChainEngine(LaggedEngine[ChainState]):
     ) -> None:
         """One stacked update: pixels and anatomy, linearised at the same place."""
         H, r, variance = self._constraints.rows(self._state)
-        HP, R = times(H, self._state.P), np.diag(variance)
+        HP, R = times(H, self._state.P), np.diag(variance * self._how_often())
         if np.any(match >= 0):
             H_px, HP_px, r_px, R_px = self._pixels.rows(prediction, seen, match)
             H, HP, r = (
@@ -233,12 +233,23 @@ class ChainEngine(LaggedEngine[ChainState]):
         self._learn(H, HP, r, R)
         self._track.last_constraint = self._state.t
 
+    def _how_often(self) -> float:
+        """Factor on anatomy's variance: at twice the usual rate each use says half as much."""
+        since = max(self._state.t - self._track.last_constraint, 1e-3)
+        return max(1.0, self._params.constraint.period / since)
+
     # ---- state of tracking
 
     @staticmethod
     def _count(match: IntArray) -> int:
         """Markers matched in at least one picture."""
         return int(np.sum(np.any(match >= 0, axis=0)))
+
+    def _enough(self, prediction: Prediction, match: IntArray) -> bool:
+        """Markers to go by: some, or most of the few that can be seen of a hand edge-on."""
+        p = self._params.match
+        few = max(p.least_markers, 0.6 * float(prediction.prior.max(axis=0).sum()))
+        return self._count(match) >= min(p.min_markers, few)
 
     def _should_search(self, t: float, prediction: Prediction, match: IntArray) -> bool:
         """Lost, or too few of the expected markers are there for too long."""

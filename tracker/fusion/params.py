@@ -43,7 +43,10 @@ class PriorParams:
 
 @dataclass(frozen=True)
 class ConstraintParams:
-    """Anatomy as pseudo-measurements, applied once per picture."""
+    """Anatomy as pseudo-measurements, applied once per picture.
+
+    Standard deviations are those of one use every ``period``.
+    """
 
     rotation: float = 0.15  # rad: no twist, no abduction of a hinge
     thumb_abduction: float = 0.12  # rad, soft
@@ -51,7 +54,7 @@ class ConstraintParams:
     limit: float = 0.05  # rad, beyond a joint's limit
     tilt: float = 0.5  # m/s², a finger's accelerometer against the chain's
     tilt_kinematic: float = 0.15  # share of the kinematic part
-    tilt_period: float = 0.03  # s between two uses
+    period: float = 0.03  # s between two uses of tilt, or of anatomy while no picture comes
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,7 @@ class MatchParams:
 
     lost_after: float = 0.2  # s without enough matches before the room is searched again
     min_markers: int = 4
+    least_markers: int = 2  # enough where no more can be seen
     coast_limit: float = 1.0  # s of useful inertial position
     max_frame_delay: float = 0.12  # s, then the filter goes on without a picture
     search_period: float = 0.10  # s between two searches
