@@ -14,6 +14,8 @@ def test_rotations() -> None:
     assert np.allclose(kernels.quats(R), so3.quat_from_matrix(R), atol=1e-12)
     for M, v in zip(R, VECTORS, strict=True):
         assert np.allclose(kernels.zyx3(M), so3.zyx_from_matrix(M), atol=1e-12)
+        for axes in ((True, True), (True, False), (False, False)):
+            assert np.allclose(kernels.joint_angles3(M, *axes), so3.joint_angles(M, *axes))
         assert np.array_equal(kernels.skew3(v), so3.skew(v))
         assert np.allclose(kernels.cross3(v, M[0]), np.cross(v, M[0]), atol=1e-15)
 

@@ -40,6 +40,23 @@ def test_zyx_beyond_a_right_angle_of_flexion() -> None:
         assert np.allclose(so3.zyx_from_matrix(R), (abduction, flexion, twist), atol=1e-12)
 
 
+def test_joint_angles_of_a_joint_without_twist() -> None:
+    for abduction, flexion in [(0.2, 1.9), (-0.35, np.pi / 2), (0.1, -0.4), (0.0, 1.5)]:
+        R = so3.rz(abduction) @ so3.ry(flexion)
+        assert np.allclose(so3.joint_angles(R, True, False), (abduction, flexion, 0), atol=1e-9)
+        assert so3.joint_angles(so3.ry(flexion), False, False)[1] == pytest.approx(flexion)
+
+
+def test_joint_angles_do_not_jump_at_a_right_angle() -> None:
+    """A finger that closes with 6° of twist no axis stands for: Euler angles turn right round."""
+    flexion = np.deg2rad(np.linspace(60, 115, 111))
+    R = np.array([so3.rz(0.1) @ so3.ry(f) @ so3.rx(0.1) for f in flexion])
+    found = so3.joint_angles(R, True, False)
+    assert np.abs(np.diff(found, axis=0)).max() < np.deg2rad(1.0)
+    assert np.abs(found[:, 1] - flexion).max() < np.deg2rad(1.0)
+    assert np.abs(found[:, 0]).max() < 0.25
+
+
 def test_skew_is_the_cross_product() -> None:
     a, b = RNG.normal(size=(2, 3))
     assert np.allclose(so3.skew(a) @ b, np.cross(a, b))

@@ -9,7 +9,7 @@ import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
-from tracker.geometry.kernels import act3, mul3, tmul3, zyx3
+from tracker.geometry.kernels import act3, joint_angles3, mul3, tmul3
 from tracker.messages import Array
 
 
@@ -79,7 +79,7 @@ def _complete(  # type: ignore[no-untyped-def]
         R_all[i], p_all[i], scale[i] = R[row[i]], p[row[i]], scale3[row[i]]
         if parent[i] >= 0:
             relative = tmul3(R_rest[i], tmul3(R_all[parent[i]], R_all[i]))
-            values = zyx3(relative)
+            values = joint_angles3(relative, columns[i, 0] >= 0, columns[i, 2] >= 0)
             for k in range(3):
                 if columns[i, k] >= 0:
                     angles[columns[i, k]] = values[k]

@@ -3,6 +3,8 @@
 import numba
 import numpy as np
 
+from tracker.geometry.so3 import NEAREST_ROUNDS
+
 
 @numba.njit(cache=True, nogil=True)
 def exp3(v):  # type: ignore[no-untyped-def]
@@ -90,6 +92,20 @@ def zyx3(R):  # type: ignore[no-untyped-def]
     if abs(a2) + abs(c2) < abs(a) + abs(c):
         return a2, b2, c2
     return a, b, c
+
+
+@numba.njit(cache=True, nogil=True)
+def joint_angles3(R, abducts, twists):  # type: ignore[no-untyped-def]
+    """(abduction, flexion, twist) of one joint rotation, as `so3.joint_angles`."""
+    if twists:
+        return zyx3(R)
+    a, b = 0.0, np.arctan2(R[0, 2] - R[2, 0], R[0, 0] + R[2, 2])
+    for _ in range(NEAREST_ROUNDS if abducts else 0):
+        c, s = np.cos(b), np.sin(b)
+        a = np.arctan2(R[1, 0] * c + R[1, 2] * s - R[0, 1], R[0, 0] * c + R[0, 2] * s + R[1, 1])
+        c, s = np.cos(a), np.sin(a)
+        b = np.arctan2(R[0, 2] * c + R[1, 2] * s - R[2, 0], R[0, 0] * c + R[1, 0] * s + R[2, 2])
+    return a, b, 0.0
 
 
 @numba.njit(cache=True, nogil=True)

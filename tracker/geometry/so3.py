@@ -105,11 +105,48 @@ def zyx_from_matrix(R: Array) -> tuple[float, float, float]:
     Flexion is in [-π/2, π/2] by this formula alone, and a finger flexes further; so when the
     cosine's sign is ambiguous the branch with the smaller |abduction| + |twist| is taken.
     """
-    first = (
-        float(np.arctan2(R[1, 0], R[0, 0])),
-        float(np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))),
-        float(np.arctan2(R[2, 1], R[2, 2])),
+    a, b, c = _zyx(R)
+    return float(a), float(b), float(c)
+
+
+def _zyx(R: Array) -> Array:
+    """(..., 3) of `zyx_from_matrix` for R (..., 3, 3)."""
+    first = np.stack(
+        [
+            np.arctan2(R[..., 1, 0], R[..., 0, 0]),
+            np.arctan2(-R[..., 2, 0], np.hypot(R[..., 0, 0], R[..., 1, 0])),
+            np.arctan2(R[..., 2, 1], R[..., 2, 2]),
+        ],
+        axis=-1,
     )
-    wrap = lambda a: float((a + np.pi) % (2 * np.pi) - np.pi)  # noqa: E731
-    second = (wrap(first[0] + np.pi), wrap(np.pi - first[1]), wrap(first[2] + np.pi))
-    return min(first, second, key=lambda a: abs(a[0]) + abs(a[2]))
+    second = first * [1.0, -1.0, 1.0] + np.pi
+    second = (second + np.pi) % (2 * np.pi) - np.pi
+    far = np.abs(second[..., ::2]).sum(-1) < np.abs(first[..., ::2]).sum(-1)
+    return np.where(far[..., None], second, first)
+
+
+NEAREST_ROUNDS = 12
+
+
+def joint_angles(R: Array, abducts: bool = True, twists: bool = True) -> Array:
+    """(..., 3) abduction, flexion, twist of joint rotations R (..., 3, 3), for the axes it has.
+
+    Of a joint without twist, the Rz Ry nearest to R: that stays put near 90° of flexion, where
+    abduction and twist turn about the same line and Euler angles jump. Zero where there is no axis.
+    """
+    if twists:
+        return _zyx(R)
+    a = np.zeros(R.shape[:-2])
+    b = np.arctan2(R[..., 0, 2] - R[..., 2, 0], R[..., 0, 0] + R[..., 2, 2])
+    for _ in range(NEAREST_ROUNDS if abducts else 0):  # either angle in turn, the other one held
+        c, s = np.cos(b), np.sin(b)
+        a = np.arctan2(
+            R[..., 1, 0] * c + R[..., 1, 2] * s - R[..., 0, 1],
+            R[..., 0, 0] * c + R[..., 0, 2] * s + R[..., 1, 1],
+        )
+        c, s = np.cos(a), np.sin(a)
+        b = np.arctan2(
+            R[..., 0, 2] * c + R[..., 1, 2] * s - R[..., 2, 0],
+            R[..., 0, 0] * c + R[..., 1, 0] * s + R[..., 2, 2],
+        )
+    return np.stack([a, b, np.zeros_like(a)], axis=-1)

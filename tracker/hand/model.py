@@ -168,8 +168,9 @@ class HandModel:
             if a < 0:
                 continue
             relative = s.R_rest.T @ R_GB[a].T @ R_GB[i]
-            values = so3.zyx_from_matrix(relative)
-            for column, value in zip(self.axis_columns[i], values, strict=True):
+            columns = self.axis_columns[i]
+            values = so3.joint_angles(relative, columns[0] >= 0, columns[2] >= 0)
+            for column, value in zip(columns, values, strict=True):
                 if column >= 0:
                     out[column] = value
         return out

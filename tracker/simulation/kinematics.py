@@ -5,6 +5,7 @@ from __future__ import annotations
 import numba
 import numpy as np
 
+from tracker.geometry import so3
 from tracker.messages import Array, IntArray
 
 
@@ -56,33 +57,14 @@ def _joint_rotation(column: IntArray, twist_per_flexion: float, angles: Array, o
 def angles_from_many(
     parent: IntArray, R_rest: Array, column: IntArray, R_GB: Array, count: int
 ) -> Array:
-    """Joint angles (n, count) rad as the hand file defines them, of orientations R_GB (n, S, 3, 3).
-
-    The branch with the smaller |abduction| + |twist| is taken: a finger may flex beyond 90°.
-    """
+    """Angles (n, count) rad as the hand file defines them, of orientations R_GB (n, S, 3, 3)."""
     out = np.zeros((len(R_GB), count))
     for s in range(len(parent)):
         if parent[s] < 0:
             continue
         R = R_rest[s].T @ np.swapaxes(R_GB[:, parent[s]], 1, 2) @ R_GB[:, s]
-        values = _zyx(R)
+        values = so3.joint_angles(R, bool(column[s, 0] >= 0), bool(column[s, 2] >= 0))
         for i in range(3):
             if column[s, i] >= 0:
                 out[:, column[s, i]] = values[:, i]
     return out
-
-
-def _zyx(R: Array) -> Array:
-    """(n, 3) abduction, flexion, twist of Rz Ry Rx (n, 3, 3)."""
-    first = np.stack(
-        [
-            np.arctan2(R[:, 1, 0], R[:, 0, 0]),
-            np.arctan2(-R[:, 2, 0], np.hypot(R[:, 0, 0], R[:, 1, 0])),
-            np.arctan2(R[:, 2, 1], R[:, 2, 2]),
-        ],
-        axis=1,
-    )
-    second = np.stack([first[:, 0] + np.pi, np.pi - first[:, 1], first[:, 2] + np.pi], axis=1)
-    second = (second + np.pi) % (2 * np.pi) - np.pi
-    far = np.abs(second[:, [0, 2]]).sum(1) < np.abs(first[:, [0, 2]]).sum(1)
-    return np.where(far[:, None], second, first)
