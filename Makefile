@@ -3,6 +3,7 @@
 # make lint         the same without the tests
 # make firmware     the glove's firmware and its simulator; prints their sizes
 # make screenshots  pictures of the window for the documentation
+# make docs         the documentation as a static site, build/site/index.html
 # make package      dist/glovetrack, a program that needs no Python, and packages of it
 # make bench        speed and accuracy against the goals, into bench.json
 # make lock         requirements.lock anew, from what is installed
@@ -23,7 +24,7 @@ ifneq ($(wildcard ../shared/data),)
 export GLOVETRACK_DATA ?= $(abspath ../shared/data)
 endif
 
-.PHONY: demo test lint firmware screenshots package bench lock clean
+.PHONY: demo test lint firmware screenshots docs package bench lock clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -48,6 +49,9 @@ firmware:
 
 screenshots: $(READY)
 	$(OFFSCREEN) $(BIN)/python -m app.screenshots --out docs/screenshots
+
+docs: $(READY)
+	packaging/site.sh $(BIN)/python build/site
 
 package: $(READY)
 	packaging/bundle.sh $(VENV) dist

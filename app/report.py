@@ -22,7 +22,7 @@ from app.tasks import Progress
 from app.viewmodels.snapshot import Snapshot
 from tracker.messages import Array, Tracking
 
-START_TIMEOUT = 240.0  # s; the first start on a machine compiles the kernels
+START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
 SAMPLE_MS = 50
 KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 SCREENSHOT_AFTER = 0.6

@@ -14,19 +14,21 @@ if ! "$python" -c 'import PyInstaller' 2>/dev/null; then
         --editable ".[packaging]"
 fi
 
+make --no-print-directory firmware >/dev/null # its image goes along
 echo "Building $out/glovetrack (some minutes)"
 nice "$python" -m PyInstaller --noconfirm --log-level ERROR \
     --distpath "$out" --workpath "$work" packaging/glovetrack.spec
 
-# Symbol tables of these three make a fifth of the bundle. The libraries that auditwheel has
-# rewritten (those in *.libs folders) do not survive strip, so they are left alone.
 inside=$out/glovetrack/_internal
+"$python" packaging/stand_ins.py "$inside"
+# Symbol tables and debugging data make a seventh of the bundle. The libraries that auditwheel has
+# rewritten (those in *.libs folders) do not survive strip, so they are left alone.
 if command -v strip >/dev/null; then
-    find "$inside/vtkmodules" "$inside/llvmlite" "$inside/pyarrow" "$inside/PySide6" \
-        -type f \( -name '*.so' -o -name '*.so.[0-9]*' \) -exec strip --strip-unneeded {} +
-    find "$inside" -maxdepth 1 -type f -name 'libpython*' -exec strip --strip-unneeded {} +
+    find "$inside" -type f \( -name '*.so' -o -name '*.so.[0-9]*' \) ! -path '*.libs/*' \
+        ! -path '*/cv2/*' -exec strip --strip-unneeded {} +
 fi
 
+packaging/kernels.sh "$out/glovetrack" "$work/kernels"
 "$python" packaging/licences.py "$work/glovetrack" "$inside" >"$out/glovetrack/LICENCES.txt"
 "$out/glovetrack/glovetrack" --version
 du -sm "$out/glovetrack" | sed 's/\t.*/ MB/'

@@ -1,5 +1,9 @@
 ; Inno Setup's script for Windows: an installer of dist\glovetrack. See packaging/README.md.
 
+#ifndef Version
+  #error "Give the version: iscc /DVersion=0.1.0 glovetrack.iss"
+#endif
+
 [Setup]
 AppId={{6E6C4D0B-5B1F-4E39-9A0E-3C5C0A5F7B21}
 AppName=Glovetrack
@@ -15,12 +19,17 @@ OutputDir=..\..\dist
 OutputBaseFilename=glovetrack-{#Version}-setup
 Compression=lzma2
 SolidCompression=yes
+UninstallDisplayIcon={app}\glovetrack.exe
+WizardStyle=modern
 
 [Tasks]
 Name: desktopicon; Description: "{cm:CreateDesktopIcon}"; Flags: unchecked
 
 [Files]
 Source: "..\..\dist\glovetrack\*"; DestDir: "{app}"; Flags: recursesubdirs ignoreversion
+
+[Run]
+Filename: "{app}\glovetrack.exe"; Description: "{cm:LaunchProgram,Glovetrack}"; Flags: nowait postinstall skipifsilent
 
 [Icons]
 Name: "{group}\Glovetrack"; Filename: "{app}\glovetrack.exe"
@@ -33,3 +42,4 @@ Root: HKA; Subkey: "Software\Classes\Glovetrack.Session\shell\open\command"; Val
 
 [UninstallDelete]
 Type: filesandordirs; Name: "{app}\_internal"
+Type: filesandordirs; Name: "{localappdata}\glovetrack\kernels-*"

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Builds the documentation as a static site; a dead link within it stops the build.
+#
+#   packaging/site.sh PYTHON [OUT]
+#
+# mkdocs gets an environment of its own in build/docs-env: the program does not need it.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+python=$1 out=$(realpath -m "${2:-build/site}") environment=build/docs-env
+
+if [ ! -x $environment/bin/mkdocs ]; then
+    "$python" -m venv --clear $environment
+    $environment/bin/python -m pip --disable-pip-version-check install --quiet "mkdocs==1.6.1"
+fi
+$environment/bin/mkdocs --quiet build --strict --clean --site-dir "$out"
+echo "The documentation: $out/index.html"

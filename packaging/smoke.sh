@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Tries a built program as a stranger's machine would have it: without this checkout, without
+# Python, without a home, the program's folder read-only, the user not root.
+#
+#   packaging/smoke.sh [BUNDLE] [OUT]
+#
+# BUNDLE has the program (default: dist/glovetrack); OUT gets what it made, with a screenshot to look
+# at (default: build/smoke). Needs bubblewrap and Xvfb. Exit status 0: all of it worked.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+bundle=$(realpath "${1:-dist/glovetrack}") out=${2:-build/smoke}
+seconds=20
+for tool in bwrap Xvfb; do
+    command -v $tool >/dev/null || { echo "$tool is missing: apt-get install bubblewrap xvfb" >&2 && exit 1; }
+done
+rm -rf "$out" && mkdir -p "$out/home"
+out=$(realpath "$out")
+
+display=:$((90 + $$ % 900))
+Xvfb $display -screen 0 1440x900x24 -nolisten tcp &>"$out/xvfb.log" &
+screen=$!
+trap 'kill $screen' EXIT
+
+inside() { # program and its words, where /out is the only place to write besides HOME
+    bwrap --unshare-all --uid 1000 --gid 1000 --die-with-parent --clearenv \
+        --ro-bind /usr /usr --symlink usr/bin /bin --symlink usr/lib /lib --symlink usr/lib64 /lib64 \
+        --tmpfs /usr/local --ro-bind-try /etc/fonts /etc/fonts --ro-bind-try /etc/ld.so.cache /etc/ld.so.cache \
+        --proc /proc --dev /dev --tmpfs /tmp --ro-bind /tmp/.X11-unix /tmp/.X11-unix --tmpfs /run \
+        --ro-bind "$bundle" /opt/glovetrack --bind "$out" /out --chdir /out \
+        --setenv HOME /out/home --setenv PATH /usr/bin --setenv DISPLAY $display --setenv LANG C.UTF-8 \
+        /opt/glovetrack/"$@"
+}
+
+step() { # what, then the command
+    local begun=$EPOCHREALTIME what=$1
+    shift
+    if ! "$@" &>"$out/$what.log"; then
+        cat "$out/$what.log" >&2
+        echo "failed: $what ($*)" >&2
+        return 1
+    fi
+    LC_ALL=C printf '%-12s %6.2f s\n' "$what" "$(bc <<<"$EPOCHREALTIME - $begun")"
+}
+
+opens() { # name, then the command: seconds until its window is there; the program ends again
+    local begun=$EPOCHREALTIME what=$1
+    shift
+    "$@" &>"$out/$what.log" &
+    local program=$!
+    timeout 120 xdotool search --sync --onlyvisible --name Glovetrack >/dev/null
+    LC_ALL=C printf '%-12s %6.2f s\n' "$what" "$(bc <<<"$EPOCHREALTIME - $begun")"
+    kill $program && { wait $program || true; }
+}
+
+source_run() { # the same program from this checkout, for comparison
+    HOME=$out/home DISPLAY=$display .venv/bin/python -m app
+}
+
+step version inside glovetrack --version
+step version-again inside glovetrack --version
+if command -v xdotool >/dev/null; then
+    export DISPLAY=$display
+    opens window inside glovetrack
+    opens window-again inside glovetrack
+    [ ! -x .venv/bin/python ] || opens from-source source_run
+fi
+step simulate inside glovetrack simulate -o practice.mcap --duration 3 --blobs-only
+step demo-first inside glovetrack demo --headless-report 2 --out first
+step demo inside glovetrack demo --headless-report $seconds --out demo
+cat "$out/demo.log"
+step verify inside glovetrack verify demo/session.mcap
+for format in csv parquet h5 c3d trc mot bvh glb urdf mp4; do
+    step $format inside glovetrack export demo/session.mcap --format $format -o "made.$format"
+done
+for engine in chain vist switching madgwick; do
+    step track-$engine inside glovetrack track practice.mcap -o $engine.mcap --engine $engine
+done
+step compare inside glovetrack compare chain.mcap vist.mcap
+
+tracked=$(sed -n 's/^tracking *\([0-9]*\) %.*/\1/p' "$out/demo.log")
+[ "$tracked" -ge 50 ] || { echo "The hand was tracked for $tracked % of the time only." >&2 && exit 1; }
+[ -s "$out/demo/window.png" ] || { echo "There is no picture of the window." >&2 && exit 1; }
+echo "All of it worked. The window: $out/demo/window.png"
