@@ -23,6 +23,7 @@ from tracker.messages import (
     Status,
     StereoFrame,
 )
+from tracker.sensors.camera_controls import Control, Locks
 from tracker.vision.colours import ColourProfile
 from tracker.vision.rig import StereoRig
 
@@ -72,6 +73,14 @@ class Shadowing(Protocol):
     def set_shadow(self, name: str | None) -> None: ...
 
     def shadow_estimate(self) -> Estimate | None: ...
+
+
+class CameraControls(Protocol):
+    """Exposure, gain and white balance of the camera in use."""
+
+    def controls(self) -> tuple[Control, ...]: ...
+
+    def want(self, locks: Locks) -> None: ...
 
 
 class Player(Protocol):
@@ -151,5 +160,6 @@ class EngineSetup:
     player: Player | None = None  # of a recorded session
     command: Callable[[Callable[[Engine], None]], None] | None = None  # in the engine's own thread
     shadowing: Shadowing | None = None
+    camera_controls: CameraControls | None = None  # of a device that is open
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms

@@ -6,6 +6,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
+from app.camera_choice import choose
 from app.engine import EngineSetup, Recorder, RecordingRequest
 from app.settings import Settings
 from app.tasks import Progress
@@ -17,9 +18,9 @@ from tracker.errors import DeviceError
 from tracker.pipeline import Pipeline
 from tracker.runner import LiveTracker
 from tracker.sensors.camera import StereoCamera
+from tracker.sensors.camera_controls import locks_from
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 from tracker.sensors.glove_link import GloveLink, serial_port
-from tracker.sensors.picture_input import CaptureFormat, SideBySideInput, list_cameras
 from tracker.session.description import SessionInfo
 from tracker.session.writer import SessionRecorder
 from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
@@ -33,8 +34,9 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     """Find the devices and build an engine on them. Raises DeviceError with what is missing."""
     port = find_port(progress, settings.port)
     progress(0.5, "camera")
-    source = find_camera(settings.camera)
     rig = rig_of(settings.calibration)
+    locks = locks_from(settings.camera_locks)
+    chosen = choose(settings.camera, rig.left.width, rig.left.height, FPS, locks)
     progress(0.7, "engine")
     hand, glove = library.load(settings.glove, settings.hand)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
@@ -44,8 +46,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     def make_detector(colours: ColourProfile) -> Detector:
         return Detector(colours, float(glove.marker_size.mean()), rig.fx)
 
-    want = CaptureFormat(2 * rig.left.width, rig.left.height, FPS)
-    camera = StereoCamera(SideBySideInput(source, want), rig)
+    camera = StereoCamera(chosen.source, rig)
     link = GloveLink(serial_port(port), len(glove.imus))
     anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
     info = SessionInfo(
@@ -86,7 +87,9 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
         vibrate=link.vibrate,
         command=tracker.command,
         shadowing=tracker,
-        camera=camera_title(source, settings.calibration),
+        # a calibration file's name holds a ZED's serial number
+        camera=f"{chosen.title} {Path(settings.calibration).stem}",
+        camera_controls=chosen.controls,
     )
 
 
@@ -104,23 +107,6 @@ def find_port(progress: Progress, last: str) -> str:
     if not troubles:
         raise DeviceError("No glove was found: no USB serial port is there. Is it plugged in?")
     raise DeviceError(f"No glove was found. {' '.join(troubles)}")
-
-
-def find_camera(chosen: str) -> int | str:
-    """The camera that the user chose (an index, a file or an address), else the first one."""
-    if chosen:
-        return int(chosen) if chosen.isdigit() else chosen
-    cameras = list_cameras()
-    if not cameras:
-        raise DeviceError("No camera was found. Plug in the stereo camera and look again.")
-    return cameras[0].index
-
-
-def camera_title(source: int | str, calibration: str) -> str:
-    """The camera's name and its calibration file's, which holds a ZED's serial number."""
-    names = {c.index: c.name for c in list_cameras()}
-    name = names.get(source, f"camera {source}") if isinstance(source, int) else str(source)
-    return f"{name} {Path(calibration).stem}"
 
 
 def rig_of(calibration: str) -> StereoRig:

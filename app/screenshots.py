@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.engine import RecordingRequest
 from app.main_window import MainWindow
 from app.report import START_TIMEOUT, wait_until
+from app.screenshots_set_up import take_set_up
 from app.settings import SettingsStore
 from app.sources import demo_factory
 from tracker.messages import Tracking
@@ -62,6 +63,10 @@ def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
     for name in ("light", "dark"):
         window.set_theme(name)
         _take_panels(window, out, name)
+    window.session.shut_down()
+    if not take_set_up(window, out, save):
+        print("A page of the set-up did not get ready.")
+        return 1
     return 0
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QDialog, QWidget
 
@@ -12,7 +13,12 @@ from app.settings import SettingsStore
 from app.tasks import TaskOwner
 from tracker import library
 from tracker.calibration.stereo.board import BoardSpec
+from tracker.calibration.still import StillPose
 from tracker.errors import ConfigError, GlovetrackError
+from tracker.fusion.chain import ChainEngine
+from tracker.fusion.engine import Engine
+from tracker.fusion.still_bias import with_gyro_bias
+from tracker.sensors.camera_controls import Locks, locks_text
 from tracker.sensors.picture_input import CameraName, list_cameras
 
 
@@ -83,7 +89,40 @@ class SetUpDesk(QObject):
 
         dialog = GloveSetup(self._session, self._store, self._tasks, self._window)
         dialog.chosen.connect(self._restart_devices)
+        dialog.measured.connect(self.take_bias)
         self.show_dialog("glove", dialog)
+
+    def take_bias(self, pose: StillPose) -> None:
+        """The engine knows the gyros from now on, where it keeps what it knows of a wearer."""
+        bias = np.array([i.gyro_bias for i in pose.imus])
+        sd = np.array([i.gyro_bias_sd for i in pose.imus])
+
+        def tell(engine: Engine) -> None:
+            if isinstance(engine, ChainEngine):
+                engine.put_on(with_gyro_bias(engine.profile(), engine.layout, bias, sd))
+
+        self._session.command(tell)
+
+    # --- camera
+
+    def open_camera(self) -> None:
+        """Which camera, and what of its picture is locked."""
+        if self._raise("camera"):
+            return
+        from app.wizards.camera import CameraSetup
+
+        dialog = CameraSetup(self._session, self._store, self._tasks, self._window)
+        dialog.chosen.connect(self._restart_devices)
+        self.show_dialog("camera", dialog)
+
+    def lock_camera(self) -> None:
+        """Lock what the camera has found by itself, as it is now."""
+        setup = self._session.setup
+        if setup is None or setup.camera_controls is None:
+            return
+        found = {c.name: c.value for c in setup.camera_controls.controls() if c.available}
+        self._store.update(camera_locks=locks_text(Locks(**found)))
+        setup.camera_controls.want(Locks(**found))
 
     # --- all
 

@@ -37,10 +37,13 @@ class Settings:
     task: str = ""
     wearer: str = ""  # whose calibration is put on at the start
     engine: str = "chain"  # what tracks
+    view_3d: str = "auto"  # "auto", "card" or "painted"
+    card_trial: bool = False  # the graphics card's view has not yet drawn enough to be trusted
     hand: str = "reference-right"
     glove: str = "vist-small"
     port: str = ""
-    camera: str = ""  # index, file or address of a side-by-side picture; empty: the first one
+    camera: str = ""  # see `app.camera_choice`
+    camera_locks: str = ""  # see `tracker.sensors.camera_controls.locks_text`
     calibration: str = ""  # path of the stereo calibration
     streams: dict[str, Any] = field(default_factory=dict)  # of `StreamParams`
     haptics: dict[str, Any] = field(default_factory=dict)  # of `app.outputs.HapticRule`

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -34,7 +35,9 @@ def _set_up(w: MainWindow) -> list[Command]:
     menu = w.tr("&Set-up")
     return [
         Command("glove_setup", menu, w.tr("&Glove…"), w.set_up.open_glove, "Ctrl+Shift+G"),
+        Command("camera_setup", menu, w.tr("&Camera…"), w.set_up.open_camera),
         Command("stereo", menu, w.tr("&Stereo calibration…"), w.set_up.open_stereo),
+        Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), w.set_up.lock_camera),
     ]
 
 
@@ -98,6 +101,9 @@ def _view(w: MainWindow) -> list[Command]:
         Command("palette", menu, w.tr("&Command palette…"), w.open_palette, "Ctrl+K"),
         Command("reset_layout", menu, w.tr("&Reset the layout"), w.reset_layout, "Ctrl+Shift+0"),
         Command("fullscreen", menu, w.tr("&Full screen"), w.toggle_full_screen, "F11"),
+        Command("view_auto", menu, w.tr("3D view: &chosen by itself"), _chooser(w, "auto")),
+        Command("view_card", menu, w.tr("3D view: by the &graphics card"), _chooser(w, "card")),
+        Command("view_painted", menu, w.tr("3D view: &painted"), _chooser(w, "painted")),
         Command("theme_light", menu, w.tr("&Light"), lambda: w.set_theme("light"), separator=True),
         Command("theme_dark", menu, w.tr("&Dark"), lambda: w.set_theme("dark")),
         Command("theme_system", menu, w.tr("As the &system"), lambda: w.set_theme("system")),
@@ -113,3 +119,7 @@ def add_help(window: MainWindow, commands: Commands) -> None:
         Command("about", menu, window.tr("&About Glovetrack"), keeper.show_about),
     ):
         commands.add(command)
+
+
+def _chooser(w: MainWindow, setting: str) -> Callable[[], None]:
+    return partial(w.hand.chooser.choose, setting)

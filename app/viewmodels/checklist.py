@@ -12,8 +12,8 @@ from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import GOOD, IDLE, WARN, Look
 from tracker.messages import Tracking
 
-STILL_DPS = 8.0
-"""A hand whose angular rates spread less than this counts as still (biases may be larger)."""
+BIAS_DPS = 0.6
+"""°/s: gyros known better than this need no rest."""
 
 
 @dataclass(frozen=True)
@@ -37,8 +37,10 @@ def steps(view: Snapshot | None) -> list[Step]:
     return [
         _glove(view),
         _samples(view),
+        _still(view),
         _camera(view),
         _stereo(view),
+        _exposure(view),
         _colours(view),
         _hand(view),
         _calibration(view),
@@ -56,12 +58,27 @@ def _glove(view: Snapshot | None) -> Step:
 def _samples(view: Snapshot | None) -> Step:
     name = "All IMUs answer"
     if view is None or len(view.imu) == 0:
-        return Step(name, False, "Waits for the glove.")
+        return Step(name, False, "Waits for the glove.", "glove_setup", "Set up the glove")
     valid = np.array([s.valid for s in list(view.imu)[-100:]]).mean(axis=0)
     silent = [n for n, v in zip(view.setup.glove.imu_names, valid, strict=True) if v < 0.5]
     if silent:
         return Step(name, False, f"Silent: {', '.join(silent)}.", "show_sensors", "Show sensors")
     return Step(name, True, f"{len(valid)} of {len(valid)}")
+
+
+def _still(view: Snapshot | None) -> Step:
+    """Either the hand lay still for a moment, or the filter has found the gyros' biases by now."""
+    name = "Measured at rest"
+    if view is None or view.calibration is None or len(view.imu) == 0:
+        return Step(name, False, "Waits for the glove.")
+    sd = view.calibration.gyro_bias_sd
+    if np.all(np.isnan(sd)):
+        return Step(name, True, "this engine estimates no biases")
+    worst_dps = float(np.rad2deg(np.nanmax(sd)))
+    if worst_dps <= BIAS_DPS:
+        return Step(name, True, f"gyros known to {worst_dps:.1f} °/s")
+    reason = "Lay the hand flat on the table for two seconds."
+    return Step(name, False, reason, "glove_setup", "Measure")
 
 
 def _camera(view: Snapshot | None) -> Step:
@@ -84,6 +101,27 @@ def _stereo(view: Snapshot | None) -> Step:
         return Step(name, False, "Show a printed board to both lenses.", "stereo", "Calibrate")
     baseline = view.setup.rig.baseline * 1000
     return Step(name, True, f"baseline {baseline:.1f} mm")
+
+
+def _exposure(view: Snapshot | None) -> Step:
+    """A camera that exposes by itself changes the markers' colours."""
+    name = "Exposure locked"
+    if view is None or view.frame is None:
+        return Step(name, False, "Waits for pictures.")
+    if view.setup.simulated or view.setup.player is not None:
+        return Step(name, True, "it does not change here")
+    if view.setup.camera_controls is None:
+        return Step(name, True, "this source has no exposure to be set")
+    controls = {c.name: c for c in view.setup.camera_controls.controls() if c.available}
+    open_ones = [n.replace("_", " ") for n, c in controls.items() if not c.locked and n != "gain"]
+    if not controls:
+        return Step(name, True, "this camera lets no program set it: keep the light as it is")
+    if open_ones:
+        words = f"The camera changes {' and '.join(open_ones)} by itself."
+        return Step(name, False, words, "lock_camera", "Lock it now")
+    return Step(
+        name, True, ", ".join(f"{n.replace('_', ' ')} {c.value:g}" for n, c in controls.items())
+    )
 
 
 def _colours(view: Snapshot | None) -> Step:

@@ -183,6 +183,11 @@ class WigglePage(QWidget):
         )
         self.table.show_rows([])
 
+    @property
+    def phase(self) -> Phase | None:
+        """Where the test stands; None before the first."""
+        return self._run.phase if self._run is not None else None
+
     def begin(self) -> None:
         if self._models is not None:
             self._run, self._asked = WiggleRun(WiggleTest(*self._models)), ""

@@ -1,0 +1,93 @@
+"""Which camera the user chose, as the settings hold it, and how it is opened.
+
+``""`` the first camera; ``name:NAME`` a camera by its name, so that it is found on another port;
+``pair:LEFT|RIGHT`` two cameras by name; a number an index; anything else a file or an address.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracker.errors import DeviceError
+from tracker.sensors.camera_controls import ControlledInput, Locks
+from tracker.sensors.picture_input import (
+    CameraName,
+    CaptureFormat,
+    PictureInput,
+    SideBySideInput,
+    TwoCameraInput,
+    list_cameras,
+)
+
+NAME, PAIR = "name:", "pair:"
+
+
+@dataclass(frozen=True)
+class ChosenCamera:
+    """A picture input that is not open yet; ``title`` for people; ``controls`` of devices only."""
+
+    source: PictureInput
+    title: str
+    controls: ControlledInput | None
+
+
+def by_name(camera: CameraName) -> str:
+    """The settings' text for one camera."""
+    return NAME + camera.name
+
+
+def by_names(left: CameraName, right: CameraName) -> str:
+    """The settings' text for two; cameras of one model are told apart by their index."""
+    if left.name == right.name:
+        return f"{PAIR}{left.index}|{right.index}"
+    return f"{PAIR}{left.name}|{right.name}"
+
+
+def choose(
+    chosen: str,
+    width: int,
+    height: int,
+    fps: float,
+    locks: Locks,
+    cameras: list[CameraName] | None = None,
+) -> ChosenCamera:
+    """The camera that the settings name, for pictures of ``width`` by ``height`` px each.
+
+    Raises DeviceError where it is not there.
+    """
+    known = list_cameras() if cameras is None else cameras
+    side_by_side = CaptureFormat(2 * width, height, fps)
+    if chosen.startswith(PAIR):
+        left, _, right = chosen.removeprefix(PAIR).partition("|")
+        pair = [_find(name, known) for name in (left, right)]
+        two = TwoCameraInput(pair[0].index, pair[1].index, CaptureFormat(width, height, fps))
+        controls = ControlledInput(two, locks)
+        return ChosenCamera(controls, f"{pair[0].name} and {pair[1].name}", controls)
+    if chosen and not chosen.isdigit() and not chosen.startswith(NAME):
+        live = not Path(chosen).is_file()
+        return ChosenCamera(SideBySideInput(chosen, side_by_side, live), chosen, None)
+    camera = _find(chosen.removeprefix(NAME), known)
+    controls = ControlledInput(SideBySideInput(camera.index, side_by_side), locks)
+    return ChosenCamera(controls, camera.name, controls)
+
+
+def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
+    """By name or index; the first of all for an empty wish."""
+    if wanted.isdigit():
+        index = int(wanted)
+        named = (c for c in cameras if c.index == index)
+        # a system that lists no names still opens cameras by number
+        return next(named, CameraName(index, f"camera {index}", ""))
+    if not cameras:
+        raise DeviceError("No camera was found. Plug in the stereo camera and look again.")
+    if not wanted:
+        return cameras[0]
+    for camera in cameras:
+        if camera.name == wanted:
+            return camera
+    there = ", ".join(c.name for c in cameras)
+    raise DeviceError(
+        f"The camera {wanted} is not there; there are: {there}. Plug it in, or choose another one "
+        "under Set-up, Camera."
+    )

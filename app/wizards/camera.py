@@ -1,0 +1,267 @@
+"""The camera's set-up: which one, and what of its picture is locked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QFormLayout,
+    QGridLayout,
+    QGroupBox,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.camera_choice import NAME, PAIR, by_name, by_names
+from app.session import Session
+from app.settings import SettingsStore
+from app.tasks import TaskOwner
+from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
+from tracker.sensors.picture_input import CameraName, list_cameras
+
+TICK_MS = 300
+NAMES = {"exposure": "Exposure", "gain": "Gain", "white_balance": "White balance"}
+LARGEST = 100_000.0
+
+
+class CameraSetup(QDialog):
+    """Not modal; locks take effect at once. ``chosen`` says that another camera was stored."""
+
+    chosen = Signal()
+
+    def __init__(
+        self,
+        session: Session,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        parent: QWidget | None = None,
+        find: Callable[[], list[CameraName]] = list_cameras,
+    ) -> None:
+        super().__init__(parent)
+        self._session, self._store, self._tasks, self._find = session, store, tasks, find
+        self._cameras: list[CameraName] = []
+        self.setWindowTitle(self.tr("Camera set-up"))
+        self.setObjectName("camera_setup")
+        self.resize(560, 420)
+        self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
+        self.locks = LockBox()
+        self.locks.wanted.connect(self._lock)
+        self._lay_out()
+        self.locks.show_locks(locks_from(store.value.camera_locks))
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._tick)
+        self._timer.start(TICK_MS)
+        self._show_cameras([])
+        self.search()
+        self._tick()
+
+    def _lay_out(self) -> None:
+        self.again = QPushButton(self.tr("&Look again"))
+        self.again.clicked.connect(self.search)
+        row = QHBoxLayout()
+        row.addWidget(self.left, 1)
+        row.addWidget(self.again)
+        left_label = QLabel(self.tr("&Camera"))
+        left_label.setBuddy(self.left)
+        self.other.setPlaceholderText(self.tr("a video file, or rtsp:// or http:// of a stream"))
+        form = QFormLayout()
+        form.addRow(left_label, row)
+        form.addRow(self.tr("&Right pictures from"), self.right)
+        form.addRow(self.tr("&Or from"), self.other)
+        self.use = QPushButton(self.tr("&Use this camera"))
+        self.use.setProperty("role", "primary")
+        self.use.clicked.connect(self._use)
+        stop = QPushButton(self.tr("Close"))
+        stop.clicked.connect(self.close)
+        buttons = QHBoxLayout()
+        buttons.addStretch(1)
+        buttons.addWidget(stop)
+        buttons.addWidget(self.use)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(18, 14, 18, 14)
+        column.setSpacing(12)
+        column.addLayout(form)
+        column.addWidget(self.locks)
+        column.addStretch(1)
+        column.addLayout(buttons)
+
+    # --- which camera
+
+    def search(self) -> None:
+        """Ask the system for its cameras."""
+        self._tasks.run(
+            self.tr("Looking for cameras"), lambda _progress: self._find(), self._show_cameras
+        )
+
+    def _show_cameras(self, cameras: list[CameraName]) -> None:
+        self._cameras = cameras
+        chosen = self._store.value.camera
+        self.left.clear()
+        self.left.addItem(self.tr("The first one found"), "")
+        self.right.clear()
+        self.right.addItem(self.tr("the same picture, side by side"), None)
+        for camera in cameras:
+            title = f"{camera.name} ({camera.path or camera.index})"
+            self.left.addItem(title, camera)
+            self.right.addItem(title, camera)
+        if chosen.startswith(PAIR):
+            first, _, second = chosen.removeprefix(PAIR).partition("|")
+            _select(self.left, first)
+            _select(self.right, second)
+        elif chosen.startswith(NAME) or chosen.isdigit():
+            _select(self.left, chosen.removeprefix(NAME))
+        else:
+            self.other.setText(chosen)
+
+    def choice(self) -> str:
+        """As the settings hold it."""
+        if self.other.text().strip():
+            return self.other.text().strip()
+        left, right = self.left.currentData(), self.right.currentData()
+        if not isinstance(left, CameraName):
+            return ""
+        return by_names(left, right) if isinstance(right, CameraName) else by_name(left)
+
+    def _use(self) -> None:
+        self._store.update(camera=self.choice())
+        self.chosen.emit()
+        self.close()
+
+    # --- locks
+
+    def _tick(self) -> None:
+        setup = self._session.setup
+        controls = setup.camera_controls if setup is not None else None
+        if setup is not None and setup.simulated:
+            self.locks.show_nothing(self.tr("The simulated camera's exposure is fixed."))
+        elif controls is None:
+            words = self.tr("Start glove and camera: what the camera can do is shown then.")
+            self.locks.show_nothing(words)
+        else:
+            self.locks.show_controls(controls.controls())
+
+    def _lock(self, locks: Locks) -> None:
+        self._store.update(camera_locks=locks_text(locks))
+        setup = self._session.setup
+        if setup is not None and setup.camera_controls is not None:
+            setup.camera_controls.want(locks)
+
+    def done(self, result: int) -> None:
+        self._timer.stop()
+        super().done(result)
+
+
+class LockBox(QGroupBox):
+    """A row per control: locked or not, and at which value."""
+
+    wanted = Signal(object)  # Locks
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTitle(self.tr("Locks"))
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.words.setProperty("role", "faint")
+        self.boxes: dict[str, QCheckBox] = {}
+        self.values: dict[str, QDoubleSpinBox] = {}
+        self._states: dict[str, QLabel] = {}
+        self._known: dict[str, Control] = {}
+        grid = QGridLayout()
+        grid.setColumnStretch(2, 1)
+        for i, (name, text) in enumerate(NAMES.items()):
+            self._add_row(grid, i, name, self.tr("Lock {}").format(text.lower()))
+        column = QVBoxLayout(self)
+        column.addWidget(self.words)
+        column.addLayout(grid)
+
+    def _add_row(self, grid: QGridLayout, row: int, name: str, text: str) -> None:
+        box, value, state = QCheckBox(text), QDoubleSpinBox(), QLabel()
+        value.setRange(-LARGEST, LARGEST)
+        value.setDecimals(0)
+        value.setKeyboardTracking(False)
+        value.setAccessibleName(NAMES[name])
+        state.setProperty("role", "faint")
+        box.clicked.connect(lambda on, n=name: self._clicked(n, on))
+        value.valueChanged.connect(lambda _value: self._send())
+        for column, widget in enumerate((box, value, state)):
+            grid.addWidget(widget, row, column)
+        self.boxes[name], self.values[name], self._states[name] = box, value, state
+
+    def show_locks(self, locks: Locks) -> None:
+        """What the user wants."""
+        for name, box in self.boxes.items():
+            value = getattr(locks, name)
+            box.setChecked(value is not None)
+            if value is not None:
+                self._put(name, value)
+
+    def show_nothing(self, words: str) -> None:
+        """There is no camera whose controls could be asked for."""
+        self.words.setText(words)
+        for widgets in (self.boxes, self.values):
+            for widget in widgets.values():
+                widget.setEnabled(False)
+        for state in self._states.values():
+            state.clear()
+
+    def show_controls(self, controls: tuple[Control, ...]) -> None:
+        """What the camera says."""
+        self.words.setText(
+            self.tr("A camera that exposes by itself changes the colours with every move.")
+        )
+        for control in controls:
+            self._known[control.name] = control
+            box, value = self.boxes[control.name], self.values[control.name]
+            box.setEnabled(control.available)
+            value.setEnabled(control.available and box.isChecked())
+            self._states[control.name].setText(_state(control, box.isChecked()))
+            if not box.isChecked() and control.available:
+                self._put(control.name, control.value)
+
+    def locks(self) -> Locks:
+        return Locks(
+            **{n: self.values[n].value() for n, box in self.boxes.items() if box.isChecked()}
+        )
+
+    def _clicked(self, name: str, on: bool) -> None:
+        """A lock begins at the value that the camera has found by itself."""
+        if on and name in self._known:
+            self._put(name, self._known[name].value)
+        self.values[name].setEnabled(on)
+        self._send()
+
+    def _send(self) -> None:
+        self.wanted.emit(self.locks())
+
+    def _put(self, name: str, value: float) -> None:
+        box = self.values[name]
+        box.blockSignals(True)
+        box.setValue(value)
+        box.blockSignals(False)
+
+
+def _state(control: Control, wanted: bool) -> str:
+    if not control.available:
+        return "this camera has none"
+    if control.locked:
+        return f"● locked at {control.value:g}"
+    if wanted:
+        return "▲ the camera does not take it"
+    return f"○ by itself, now {control.value:g}"
+
+
+def _select(box: QComboBox, wanted: str) -> None:
+    for i in range(box.count()):
+        camera = box.itemData(i)
+        if isinstance(camera, CameraName) and wanted in (camera.name, str(camera.index)):
+            box.setCurrentIndex(i)
+            return

@@ -1,0 +1,136 @@
+"""Choosing a camera by name and locking its exposure, through the window."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, models, scripted_setup
+
+from app.camera_choice import by_name, by_names, choose
+from app.viewmodels.checklist import steps
+from app.wizards.camera import CameraSetup
+from tracker.calibration.still import StillImu, StillPose
+from tracker.errors import DeviceError
+from tracker.fusion.chain import ChainEngine
+from tracker.pipeline import Pipeline
+from tracker.sensors.camera_controls import Control, Locks
+from tracker.sensors.picture_input import CameraName, SideBySideInput
+from tracker.vision.rig import ideal_rig
+
+ZED = CameraName(2, "ZED-M", "/dev/video2")
+WEB = CameraName(0, "Webcam", "/dev/video0")
+
+
+class Controls:
+    """A camera with exposure and white balance, and without gain."""
+
+    def __init__(self) -> None:
+        self.wanted = Locks()
+
+    def controls(self) -> tuple[Control, ...]:
+        w = self.wanted
+        return (
+            Control("exposure", True, w.exposure or 250.0, w.exposure is not None),
+            Control("gain"),
+            Control("white_balance", True, w.white_balance or 4600.0, w.white_balance is not None),
+        )
+
+    def want(self, locks: Locks) -> None:
+        self.wanted = locks
+
+
+@pytest.fixture
+def controls(window) -> Controls:
+    """The window on a real camera that can be locked."""
+    made = Controls()
+    setup = replace(scripted_setup(ScriptedEngine()), simulated=False, camera_controls=made)
+    window.session.adopt(setup)
+    return made
+
+
+@pytest.fixture
+def dialog(window, qtbot):
+    made = CameraSetup(window.session, window.store, window.tasks, window, lambda: [WEB, ZED])
+    window.set_up.show_dialog("camera", made)
+    qtbot.waitUntil(lambda: made.left.count() == 3, timeout=30_000)
+    return made
+
+
+def exposure_step(window):
+    return next(s for s in steps(window.session.snapshot()) if s.name == "Exposure locked")
+
+
+def test_the_checklist_asks_for_the_lock_and_its_button_sets_it(window, controls):
+    step = exposure_step(window)
+    assert not step.done and step.reason == (
+        "The camera changes exposure and white balance by itself."
+    )
+    window.checklist.action.emit(step.command)
+    assert controls.wanted == Locks(exposure=250.0, white_balance=4600.0)
+    assert window.store.value.camera_locks == "exposure=250 white_balance=4600"
+    assert exposure_step(window).done
+    assert exposure_step(window).reason == "exposure 250, white balance 4600"
+
+
+def test_a_source_without_controls_needs_no_lock(window):
+    window.session.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
+    assert exposure_step(window).done and "no exposure" in exposure_step(window).reason
+
+
+def test_a_lock_is_set_and_lifted_in_the_dialog(window, controls, dialog):
+    dialog._tick()
+    assert not dialog.locks.boxes["gain"].isEnabled()
+    assert dialog.locks.values["exposure"].value() == 250
+    dialog.locks.boxes["exposure"].click()
+    assert controls.wanted == Locks(exposure=250.0)
+    dialog.locks.values["exposure"].setValue(120)
+    assert controls.wanted == Locks(exposure=120.0)
+    dialog.locks.boxes["exposure"].click()
+    assert controls.wanted == Locks() and window.store.value.camera_locks == ""
+
+
+def test_a_camera_is_chosen_by_name_and_found_at_another_port(window, store, dialog):
+    dialog.left.setCurrentIndex(2)
+    dialog.use.click()
+    assert store.value.camera == by_name(ZED) == "name:ZED-M"
+    moved = replace(ZED, index=7)
+    assert choose(store.value.camera, 1280, 720, 60.0, Locks(), [WEB, moved]).title == "ZED-M"
+    with pytest.raises(DeviceError, match="ZED-M is not there; there are: Webcam"):
+        choose(store.value.camera, 1280, 720, 60.0, Locks(), [WEB])
+
+
+def test_two_cameras_a_file_and_an_address_are_choices_too(store, dialog, tmp_path):
+    dialog.left.setCurrentIndex(1)
+    dialog.right.setCurrentIndex(2)
+    assert dialog.choice() == by_names(WEB, ZED) == "pair:Webcam|ZED-M"
+    pair = choose(dialog.choice(), 640, 480, 30.0, Locks(), [WEB, ZED])
+    assert pair.title == "Webcam and ZED-M" and pair.controls is not None
+    twins = by_names(WEB, replace(WEB, index=4))
+    assert choose(twins, 640, 480, 30.0, Locks(), []).source.name == "0 and 4"
+    dialog.other.setText("rtsp://camera/stereo")
+    dialog.use.click()
+    assert store.value.camera == "rtsp://camera/stereo"
+    stream = choose(store.value.camera, 640, 480, 30.0, Locks(), []).source
+    assert isinstance(stream, SideBySideInput) and stream.live
+    (tmp_path / "film.mp4").write_bytes(b"")
+    assert not choose(str(tmp_path / "film.mp4"), 640, 480, 30.0, Locks(), []).source.live
+
+
+def test_without_a_camera_it_is_said():
+    with pytest.raises(DeviceError, match="No camera was found"):
+        choose("", 1280, 720, 60.0, Locks(), [])
+
+
+def test_biases_measured_at_rest_reach_the_engine(window):
+    hand, glove, _ = models()
+    engine = Pipeline(hand, glove, ideal_rig()).engine
+    assert isinstance(engine, ChainEngine)
+    told = replace(scripted_setup(ScriptedEngine()), command=lambda work: work(engine))
+    window.session.adopt(told)
+    bias = np.array([0.01, -0.02, 0.03])
+    imu = StillImu("", bias, 1e-4, 1e-4, np.zeros(3))
+    window.set_up.take_bias(StillPose((imu,) * len(glove.imus)))
+    row = engine.calibration().segments.index("index_proximal")
+    assert engine.calibration().gyro_bias[row] == pytest.approx(bias)
