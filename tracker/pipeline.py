@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from tracker.calibration.frame_timing import FrameTiming
+from tracker.calibration.time_offset import TimeOffset
 from tracker.errors import ConfigError
 from tracker.fusion.chain import ChainEngine
 from tracker.fusion.engine import Engine
@@ -66,7 +68,9 @@ class Pipeline:
             )
         self._engine = build(hand, glove, rig, self.settings)
         self._watch = RigWatch(rig)
-        self._refused: list[FrameResult] = []
+        offset = TimeOffset(hand, glove, rig)
+        self._timing = FrameTiming(offset, self.settings.timing)
+        self._results: list[FrameResult] = []
 
     @property
     def engine(self) -> Engine:
@@ -81,30 +85,40 @@ class Pipeline:
     def feed_imu(self, sample: ImuSample) -> Estimate:
         """Take a packet; the hand at the packet's instant."""
         self._watch.packet(sample.t)
-        return self._engine.feed_imu(sample)
+        self._timing.packet(sample)
+        estimate = self._engine.feed_imu(sample)
+        self._collect()
+        return estimate
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen in a picture; see `take_results`. Swapped pictures are not used."""
         if self._watch.usable(frame):
-            self._engine.feed_frame(frame)
+            self._engine.feed_frame(self._timing.corrected(frame))
+            self._collect()
         else:
             nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
-            self._refused.append(nothing)
+            self._results.append(nothing)
+
+    def _collect(self) -> None:
+        """Learn from results as they come, so that it does not matter when they are taken."""
+        for result in self._engine.take_results():
+            self._watch.check(result)
+            self._results.append(self._timing.restored(result))
 
     def take_results(self) -> list[FrameResult]:
         """What was made of pictures since the last call, oldest first."""
-        results = self._engine.take_results()
-        for result in results:
-            self._watch.check(result)
-        if self._refused:
-            results = sorted([*results, *self._refused], key=lambda r: r.t)
-            self._refused.clear()
+        results, self._results = sorted(self._results, key=lambda r: r.t), []
         return results
 
     @property
     def rig_state(self) -> RigState:
         """Whether the camera is still the one that was calibrated."""
         return self._watch.state
+
+    @property
+    def timing(self) -> FrameTiming:
+        """How late pictures are stamped, and what is taken off."""
+        return self._timing
 
     def take_words(self) -> list[str]:
         """Sentences about the camera since the last call, for the log."""
@@ -122,7 +136,7 @@ class Pipeline:
         self, t: float, pose: CameraPose | None = None
     ) -> tuple[DetectionHints, DetectionHints] | None:
         """Where markers are expected in the two pictures at ``t``; None while searching."""
-        markers = self._engine.predicted_markers(t)
+        markers = self._engine.predicted_markers(t - self._timing.applied)
         if markers is None:
             return None
         p_G, sd, ids = markers
@@ -141,8 +155,9 @@ class Pipeline:
 
     def get_state(self) -> Any:
         """Everything that changes; `set_state` goes on identically."""
-        return self._engine.get_state()
+        return {"engine": self._engine.get_state(), "timing": self._timing.get_state()}
 
     def set_state(self, state: Any) -> None:
         """Go on from `get_state`."""
-        self._engine.set_state(state)
+        self._engine.set_state(state["engine"])
+        self._timing.set_state(state["timing"])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from tracker.calibration.frame_timing import TimingParams
 from tracker.fusion.hybrid import HybridParams
 from tracker.fusion.params import ChainParams
 from tracker.fusion.vist.params import VistParams
@@ -18,4 +19,5 @@ class Settings:
     chain: ChainParams = field(default_factory=ChainParams)
     hybrid: HybridParams = field(default_factory=HybridParams)
     vist: VistParams = field(default_factory=VistParams)
+    timing: TimingParams = field(default_factory=TimingParams)
     streams: StreamParams = field(default_factory=StreamParams)
