@@ -12,9 +12,14 @@ from tracker.errors import FileError
 from tracker.evaluation.metrics import KEYPOINTS, Trial
 from tracker.evaluation.report_figures import FIGURES, Group
 from tracker.evaluation.vist_cases import ABLATIONS, Case
-from tracker.evaluation.vist_paper import CAVEAT, PAPER
+from tracker.evaluation.vist_paper import CAVEAT, HEAD_NOTE, PAPER
 
-TITLES = {"free": "Free motion", "object": "Object in hand", "device": "Fingertip devices worn"}
+TITLES = {
+    "free": "Free motion",
+    "object": "Object in hand",
+    "device": "Fingertip devices worn",
+    "head": "Camera on the head",
+}
 COLUMNS = (
     ("mean_mm", "mean, mm", 2),
     ("sd_mm", "SD", 2),
@@ -93,7 +98,8 @@ def _experiment(
     if not chosen:
         return ""
     group = [(cases[i], trials[i]) for i in chosen]
-    parts = [f"<h2>{TITLES[experiment]}</h2>", _table([rows[i] for i in chosen], experiment)]
+    note = f"<p>{html.escape(HEAD_NOTE)}</p>" if experiment == "head" else ""
+    parts = [f"<h2>{TITLES[experiment]}</h2>{note}", _table([rows[i] for i in chosen], experiment)]
     parts += [_figure(folder, experiment, name, group) for name in FIGURES]
     return "".join(parts)
 
@@ -108,7 +114,8 @@ def _figure(folder: Path, experiment: str, name: str, group: Group) -> str:
 def _table(rows: Sequence[dict[str, Any]], experiment: str) -> str:
     head = "".join(f"<th>{title}" for _, title, _ in COLUMNS)
     body = "".join(_row(r["engine"], r, "") for r in rows)
-    body += _row("paper (people)", PAPER[experiment], "paper")
+    if experiment in PAPER:
+        body += _row("paper (people)", PAPER[experiment], "paper")
     return f"<table><tr><th>{head}{body}</table>"
 
 

@@ -56,9 +56,10 @@ def pck(group: Group, path: Path) -> None:
     figure, ax = _axes()
     for case, trials in group:
         ax.plot(PCK_BOUNDS_MM, pck_curve(trials), color=colour_of(case), label=case.engine)
-    published = PAPER[group[0][0].experiment]
-    shares = [float(str(published[k])) for k in ("pck20", "pck35")]
-    ax.plot([20, 35], shares, "o", color=PAPER_COLOUR, label="paper (people)")
+    published = PAPER.get(group[0][0].experiment)
+    if published is not None:
+        shares = [float(str(published[k])) for k in ("pck20", "pck35")]
+        ax.plot([20, 35], shares, "o", color=PAPER_COLOUR, label="paper (people)")
     ax.set_xlabel("bound on the worst of four keypoints, mm")
     ax.set_ylabel("share of instants, %")
     ax.set_ylim(0, 101)
@@ -145,9 +146,10 @@ def _axes() -> tuple[Figure, Axes]:
 
 
 def _paper_line(ax: Axes, group: Group) -> None:
-    published = PAPER[group[0][0].experiment]
-    ax.axhline(float(str(published["mean_mm"])), color=PAPER_COLOUR, ls="--", lw=1,
-               label="paper's mean (people)")  # fmt: skip
+    published = PAPER.get(group[0][0].experiment)
+    if published is not None:
+        ax.axhline(float(str(published["mean_mm"])), color=PAPER_COLOUR, ls="--", lw=1,
+                   label="paper's mean (people)")  # fmt: skip
 
 
 def _save(figure: Figure, ax: Axes, path: Path) -> None:

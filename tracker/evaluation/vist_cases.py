@@ -9,8 +9,11 @@ from tracker.errors import ConfigError
 from tracker.messages import BlobFrame, ImuSample, StereoFrame
 from tracker.settings import Settings
 
-EXPERIMENTS = ("free", "object", "device")
-MINUTES = {"free": 3.0, "object": 2.0, "device": 2.0}
+PAPERS = ("free", "object", "device")
+"""The experiments of Lee et al. 2021."""
+EXPERIMENTS = (*PAPERS, "head")
+"""All: "head" is free motion before a camera on the wearer's head, judged in its frame."""
+MINUTES = {"free": 3.0, "object": 2.0, "device": 2.0, "head": 3.0}
 LEVELS = ("points", "images")
 SETTLING = 5.0
 """Seconds at a trial's beginning that are not judged, as the hand is first found and measured."""

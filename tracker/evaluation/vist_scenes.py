@@ -11,10 +11,11 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array
 from tracker.simulation.extras import OBJECTS, Distractors, FingertipDevices, HeldObject
+from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Faster, Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.recorded import load_motion
-from tracker.simulation.scenario import Simulation
+from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.scene import Extra
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import Solids
@@ -63,7 +64,9 @@ def simulation_of(
     """A person drawn from ``seed`` in the scene of the experiment."""
     fps = case.fps if variant is None or variant.fps is None else variant.fps
     extras = extras_of(case, hand, seed)
-    return Simulation(hand, glove, motion, seed=seed, fps=fps, extras=extras)
+    head = MOVING if case.experiment == "head" else HeadParams()
+    params = SimulationParams(head=head)
+    return Simulation(hand, glove, motion, seed, params, fps=fps, extras=extras)
 
 
 def extras_of(case: Case, hand: HandModel, seed: int) -> Sequence[Extra]:

@@ -27,7 +27,7 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "distractors": case.distractors,
     }
     row.update(asdict(summary))
-    row["paper"] = PAPER[case.experiment]
+    row["paper"] = PAPER.get(case.experiment)
     return {key: _plain(value) for key, value in row.items()}
 
 

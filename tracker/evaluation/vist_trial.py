@@ -1,39 +1,25 @@
-"""One simulated participant tracked once and judged against the truth."""
+"""One simulated participant tracked once (`vist_judge` compares with the truth)."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import lru_cache
 from importlib.resources import as_file
-from typing import Any
 
 import numpy as np
 
 import resources
 from tracker.evaluation.metrics import KEYPOINTS, Trial
-from tracker.evaluation.vist_cases import (
-    SETTLING,
-    Ablation,
-    Case,
-    ablation_of,
-    judged_in_outage,
-)
+from tracker.evaluation.vist_cases import Ablation, Case, ablation_of
+from tracker.evaluation.vist_judge import Judge, Record
 from tracker.evaluation.vist_scenes import motion_of, simulation_of
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
-from tracker.messages import (
-    Array,
-    BlobFrame,
-    Estimate,
-    FrameResult,
-    ImuSample,
-    StereoFrame,
-    Tracking,
-)
+from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, StereoFrame
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation
@@ -52,18 +38,6 @@ def models() -> tuple[HandModel, GloveModel]:
     return hand, glove
 
 
-@dataclass(eq=False)
-class _Record:
-    """What is kept while a trial runs."""
-
-    estimates: list[Estimate] = field(default_factory=list)
-    seen: list[int] = field(default_factory=list)
-    latest_seen: int = 0
-    matches: int = 0
-    wrong: int = 0
-    core_s: float = 0.0
-
-
 def run_trial(case: Case, participant: int) -> Trial:
     """Simulate, track and judge. A function of its arguments alone (but for ``core_s``)."""
     hand, glove = models()
@@ -76,13 +50,16 @@ def run_trial(case: Case, participant: int) -> Trial:
         settings = variant.settings(settings)
     pipeline = Pipeline(hand, glove, simulation.rig, settings)
     record = _track(case, simulation, pipeline, variant)
-    return _judge(simulation, pipeline, record, participant, variant)
+    outage = variant.outage if variant is not None else 0.0
+    columns = [pipeline.keypoint_names.index(k) for k in KEYPOINTS]
+    judge = Judge(simulation, pipeline, columns, in_camera=case.experiment == "head")
+    return judge.trial(record, participant, outage)
 
 
 def _track(
     case: Case, simulation: Simulation, pipeline: Pipeline, variant: Ablation | None
-) -> _Record:
-    record = _Record()
+) -> Record:
+    record = Record()
     check = MatchCheck(simulation)
     images = case.level == "images"
     detect = _detector(simulation) if images else _as_it_is
@@ -172,63 +149,3 @@ def owners(uv: Array, true_uv: Array) -> Array:
     d = np.where(np.isfinite(d), d, np.inf)
     nearest = d.argmin(axis=1)
     return np.where(d.min(axis=1) <= SAME_BLOB_PX, nearest, -1)
-
-
-def _judge(
-    simulation: Simulation,
-    pipeline: Pipeline,
-    record: _Record,
-    participant: int,
-    variant: Ablation | None,
-) -> Trial:
-    names = pipeline.keypoint_names
-    columns = [names.index(k) for k in KEYPOINTS]
-    t = np.array([e.t for e in record.estimates])
-    outage = variant.outage if variant is not None else 0.0
-    ok = t > min(SETTLING, simulation.duration / 3)  # some recordings are short
-    if outage:
-        ok &= np.array([judged_in_outage(x, outage) for x in t])
-    rows = np.flatnonzero(ok)
-    truths = simulation.truths(t[rows])
-    kept = [record.estimates[i] for i in rows]
-    if outage:
-        error = _articulation_error(pipeline, kept, truths, columns)
-    else:
-        true = np.array([x.keypoints[columns] for x in truths]).reshape(-1, len(columns), 3)
-        given = np.array([e.keypoints[columns] for e in kept]).reshape(true.shape)
-        error = np.linalg.norm(given - true, axis=2)
-    sd = np.array([e.keypoint_sd[columns] for e in kept]).reshape(error.shape)
-    hand_length = simulation.hand.length * float(simulation.wearer.scale[:, 0].mean())
-    return Trial(
-        participant,
-        hand_length,
-        t[rows],
-        error,
-        sd if not outage else np.full_like(sd, np.nan),
-        np.array(record.seen, np.int64)[rows],
-        record.matches,
-        record.wrong,
-        record.core_s,
-        simulation.duration,
-    )
-
-
-def _articulation_error(
-    pipeline: Pipeline, estimates: list[Estimate], truths: list[Any], columns: list[int]
-) -> Array:
-    """(n, 4) m in the dorsum's frame, from segment poses: keypoints themselves are given up."""
-    calibration = pipeline.calibration()
-    factor = float(np.nanmean(calibration.scale[:, 0]))
-    hand, glove = pipeline.hand, pipeline.glove
-    scale = np.full((len(hand.segments), 3), factor)
-    for name, row in zip(calibration.segments, calibration.scale, strict=True):
-        scale[hand.index[name]] = row
-    out = np.full((len(estimates), len(columns)), np.nan)
-    for i, (e, truth) in enumerate(zip(estimates, truths, strict=True)):
-        if e.tracking == Tracking.SEARCHING:
-            continue
-        given = glove.keypoint_positions(hand, e.segment_R, e.segment_p, scale)[columns]
-        given = (given - e.segment_p[0]) @ e.segment_R[0]
-        true = (truth.keypoints[columns] - truth.p_GB[0]) @ truth.R_GB[0]
-        out[i] = np.linalg.norm(given - true, axis=1)
-    return out
