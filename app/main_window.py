@@ -92,7 +92,7 @@ class MainWindow(QMainWindow):
 
     def _make_panels(self) -> None:
         self.cameras = CamerasPanel(self.session)
-        self.hand = HandPanel(self.session)
+        self.hand = HandPanel(self.session, self.store, self.tasks)
         self.sensors = SensorsPanel(self.session)
         self.library = LibraryPanel(self.session, self.store, self.tasks)
         self.log = LogPanel(self.session)

@@ -235,7 +235,7 @@ class LiveTracker:
         shadow = Shadow(Pipeline(p.hand, p.glove, p.rig, settings)) if name else None
         before, self._shadow = self._shadow, shadow
         if before is not None:
-            before.close()
+            before.close(wait=self._stopping.is_set())
 
     def shadow_estimate(self) -> Estimate | None:
         """The second engine's hand; None where there is none."""

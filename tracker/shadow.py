@@ -37,11 +37,12 @@ class Shadow:
         """A message that the first engine has just been fed with."""
         self._inbox.put(message)
 
-    def close(self) -> None:
-        """End the thread. May be called again."""
+    def close(self, wait: bool = True) -> None:
+        """End the thread, which may have a message to finish. May be called again."""
         self._inbox.close()
         self._inbox.drain()
-        self._thread.join()
+        if wait:
+            self._thread.join()
 
     def _run(self) -> None:
         try:

@@ -3,45 +3,73 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.engine import EngineSetup
 from app.panels.hand_actors import HandActors, Show
 from app.panels.panel import Panel
 from app.session import Session
+from app.settings import SettingsStore
+from app.tasks import TaskOwner
+from app.view_chooser import ViewChooser
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.hand_scene import HandScene, HandSceneModel
 from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import VALIDITY
+from app.widgets.flow_layout import FlowLayout
 from app.widgets.view_3d import View3D
+from tracker.errors import GlovetrackError
 from tracker.messages import Array, Validity
 
 FOLLOW = 0.3
 """Share of the way that the view's centre goes to the hand at each picture."""
 
-
 FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 """From behind the hand and above it, as its owner sees it."""
 
-
 JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
+
+NO_GHOST, OTHER = "", "other"
+ENGINES = ("chain", "vist", "switching", "madgwick")
 
 
 class HandPanel(Panel):
     name = "hand"
     period = 1 / 30
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        session: Session,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(session, parent)
         self.view = View3D()
-        self.view.setAccessibleName(self.tr("The hand in 3D"))
+        self.chooser = ViewChooser(self.view, store, tasks, self)
+        self.chooser.told.connect(session.error)
+        self.view.scene_changed.connect(self._make_actors)
+        self._setup: EngineSetup | None = None
         self._actors: HandActors | None = None
         self._model: HandSceneModel | None = None
         self._scene: HandScene | None = None
         column = QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         column.setSpacing(6)
-        column.addLayout(self._controls())
+        self._controls = FlowLayout(spacing=6)
+        self._add_presets()
+        self._add_boxes()
+        self._add_choices()
+        column.addLayout(self._controls)
         column.addWidget(self.view, 1)
         column.addLayout(self._legend())
         session.opened.connect(self._open)
@@ -50,9 +78,10 @@ class HandPanel(Panel):
     def title(self) -> str:
         return self.tr("Hand")
 
-    def _controls(self) -> QHBoxLayout:
-        row = QHBoxLayout()
-        row.setSpacing(4)
+    # --- controls
+
+    def _add_presets(self) -> None:
+        """Buttons that look from somewhere."""
         presets = (
             (self.tr("Back"), self.view_back),
             (self.tr("Palm"), self.view_palm),
@@ -62,27 +91,65 @@ class HandPanel(Panel):
         for text, slot in presets:
             button = QToolButton()
             button.setText(text)
+            button.setToolTip(self.tr("Look from there"))
             button.clicked.connect(slot)
-            row.addWidget(button)
-        row.addStretch(1)
-        self._boxes = {
-            "markers": QCheckBox(self.tr("Markers")),
-            "uncertainty": QCheckBox(self.tr("2σ")),
-            "camera": QCheckBox(self.tr("Camera")),
-            "truth": QCheckBox(self.tr("Ghost")),
-        }
-        for name, box in self._boxes.items():
-            box.setChecked(name != "truth")
-            row.addSpacing(6)
-            row.addWidget(box)
-        self._boxes["truth"].setToolTip(
-            self.tr("The truth of a simulated hand, or the second tracking of a replay")
+            self._controls.addWidget(button)
+
+    def _add_boxes(self) -> None:
+        """What is shown beside the hand."""
+        boxes = (
+            ("markers", self.tr("Markers"), self.tr("Large: seen now. Smaller: lately, never")),
+            ("uncertainty", self.tr("2σ"), self.tr("A ball round each fingertip")),
+            ("camera", self.tr("Camera"), self.tr("The left camera's field of view")),
+            ("axes", self.tr("Axes"), self.tr("The frame of each segment at its joint: x, y, z")),
         )
-        return row
+        self._boxes: dict[str, QCheckBox] = {}
+        for name, text, tip in boxes:
+            box = self._boxes[name] = QCheckBox(text)
+            box.setToolTip(tip)
+            box.setChecked(name != "axes")
+            self._controls.addWidget(box)
+
+    def _add_choices(self) -> None:
+        """Another hand to compare with, and the way of a fingertip."""
+        self.ghost = QComboBox()
+        self.ghost.setAccessibleName(self.tr("Hand to compare with"))
+        self.ghost.setToolTip(
+            self.tr(
+                "Another hand, see-through: the truth of a simulated one, the second tracking "
+                "of a replay, or another engine on the same data"
+            )
+        )
+        self.ghost.addItem(self.tr("No ghost"), NO_GHOST)
+        self.ghost.addItem(self.tr("Ghost: truth or second"), OTHER)
+        for name in ENGINES:
+            self.ghost.addItem(self.tr("Ghost: {}").format(name), name)
+        self.ghost.currentIndexChanged.connect(self._choose_ghost)
+        self.trail = QComboBox()
+        self.trail.setAccessibleName(self.tr("Fingertip whose way is drawn"))
+        self.trail.setToolTip(self.tr("The way of a fingertip over the last three seconds"))
+        self.trail.addItem(self.tr("No trail"), "")
+        self.trail.currentIndexChanged.connect(self._choose_trail)
+        for widget in (self.ghost, self.trail):
+            self._controls.addWidget(widget)
 
     def show_ghost(self) -> None:
         """Draw the other hand, now that there is one."""
-        self._boxes["truth"].setChecked(True)
+        self.ghost.setCurrentIndex(self.ghost.findData(OTHER))
+
+    def _choose_ghost(self) -> None:
+        """Start or end the second engine."""
+        setup, name = self.session.setup, str(self.ghost.currentData())
+        if setup is None or setup.shadowing is None:
+            return
+        try:
+            setup.shadowing.set_shadow(name if name in ENGINES else None)
+        except GlovetrackError as error:
+            self.session.error.emit(str(error))
+
+    def _choose_trail(self) -> None:
+        if self._model is not None:
+            self._model.set_trail(str(self.trail.currentData() or ""))
 
     def _legend(self) -> QHBoxLayout:
         row = QHBoxLayout()
@@ -123,20 +190,49 @@ class HandPanel(Panel):
 
     # --- the engine
 
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.chooser.start()
+
     def _open(self, setup: EngineSetup) -> None:
         self._clear()
+        self._setup = setup
         self._model = HandSceneModel(setup)
+        self._offer(setup)
         self.view.orbit.look_from(FIRST_LOOK)
-        if self.view.scene is not None:
-            self._actors = HandActors(self.view.scene, setup, hue_colours(setup.profile))
+        self._make_actors()
+
+    def _offer(self, setup: EngineSetup) -> None:
+        """The fingertips of this hand, and the engines where a second one can run."""
+        assert self._model is not None
+        chosen = self.trail.currentData()
+        self.trail.clear()
+        self.trail.addItem(self.tr("No trail"), "")
+        for name in self._model.tip_names:
+            self.trail.addItem(self.tr("Trail: {}").format(name), name)
+        self.trail.setCurrentIndex(max(0, self.trail.findData(chosen)))
+        for i in range(self.ghost.count()):
+            able = self.ghost.itemData(i) not in ENGINES or setup.shadowing is not None
+            self.ghost.model().item(i).setEnabled(able)  # type: ignore[attr-defined]
+        if self.ghost.currentData() in ENGINES:
+            self._choose_ghost()
+
+    def _make_actors(self) -> None:
+        """Fill the scene of the view that draws now."""
+        self._actors = None
+        if self._setup is not None and self.view.scene is not None:
+            colours = hue_colours(self._setup.profile)
+            self._actors = HandActors(self.view.scene, self._setup, colours)
 
     def _clear(self) -> None:
-        self._actors = self._model = self._scene = None
+        self._actors = self._model = self._scene = self._setup = None
         if self.view.scene is not None:
             self.view.scene.clear()
 
     def show_options(self) -> Show:
-        return Show(**{name: box.isChecked() for name, box in self._boxes.items()})
+        ticked = {name: box.isChecked() for name, box in self._boxes.items()}
+        ghost, trail = self.ghost.currentData(), self.trail.currentData()
+        return Show(**ticked, truth=ghost != NO_GHOST, trail=bool(trail))
 
     def refresh(self, view: Snapshot | None) -> None:
         show, scene = self.show_options(), None
@@ -150,6 +246,7 @@ class HandPanel(Panel):
         self.view.caption = scene.caption
         self._actors.update(scene, show)
         self.view.render_scene()
+        self.chooser.drawn()
 
     def _follow(self, scene: HandScene) -> None:
         centre = scene.segment_p.mean(axis=0)
@@ -160,4 +257,5 @@ class HandPanel(Panel):
 
     def shut_down(self) -> None:
         self._actors = None
+        self.chooser.shut_down()
         self.view.shut_down()

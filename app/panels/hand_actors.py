@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from app.engine import EngineSetup
-from app.viewmodels.hand_scene import MARKER_LATELY, MARKER_NOW, HandScene
-from app.viewmodels.states import SKY, VALIDITY
+from app.viewmodels.hand_scene import MARKER_LATELY, MARKER_NOW, TRAIL_POINTS, HandScene
+from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY, VALIDITY, YELLOW
 from app.widgets.meshes import Mesh, ball, capsule, disc, lines, rounded_block
 from tracker.hand.model import Segment
 from tracker.messages import Array, Validity
 
 if TYPE_CHECKING:
-    from app.widgets.vtk_scene import VtkScene
+    from app.widgets.vtk_scene import Bodies
 
 RESOLUTION = 10
 """Sides of a capsule: at 24 the software renderer takes twice as long for no visible gain."""
@@ -23,6 +23,8 @@ GREY, WHITE = "#888888", "#FFFFFF"
 OPACITY = {Validity.MEASURED: 1.0, Validity.INFERRED: 0.55, Validity.LOST: 0.25}
 MARKER_SIZE = {MARKER_NOW: 1.0, MARKER_LATELY: 0.7}
 FRUSTUM_DEPTH = 0.05
+AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sensors
+AXIS_LENGTH = 2.2  # radii of the segment
 
 
 @dataclass(frozen=True)
@@ -33,12 +35,14 @@ class Show:
     uncertainty: bool = True
     camera: bool = True
     truth: bool = True
+    axes: bool = False
+    trail: bool = False
 
 
 class HandActors:
     """One body per segment, marker, fingertip and the camera."""
 
-    def __init__(self, scene: VtkScene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
+    def __init__(self, scene: Bodies, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
         self._states: list[int] = [-1] * len(setup.hand.segments)
         meshes = [segment_mesh(s) for s in setup.hand.segments]
         self._segments = [scene.add(m, GREY, specular=0.2) for m in meshes]
@@ -50,6 +54,12 @@ class HandActors:
         tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
         self._tips = [scene.add(ball(1.0), SKY, opacity=0.3) for _ in range(tips)]
         self._camera = scene.add(_frustum(setup), SKY, line_width=1.5)
+        self._trail = scene.add(_polyline(TRAIL_POINTS), YELLOW, line_width=2.5)
+        self._axes = [
+            scene.add(_axis(k, s.radius), colour, line_width=2.0)
+            for s in setup.hand.segments
+            for k, colour in enumerate(AXIS_COLOURS)
+        ]
         self._marker_segment = setup.glove.marker_segment(setup.hand)
 
     def update(self, scene: HandScene, show: Show) -> None:
@@ -60,6 +70,8 @@ class HandActors:
         self._update_ghosts(scene, show.truth)
         self._update_markers(scene, show.markers)
         self._update_tips(scene, show.uncertainty)
+        self._update_axes(scene, show.axes)
+        self._update_trail(scene, show.trail)
         self._camera.show(show.camera)
         self._camera.move(scene.R_GC, scene.p_GC)
 
@@ -92,6 +104,20 @@ class HandActors:
             R = scene.segment_R[self._marker_segment[i]]
             body.move(R * size, scene.markers[i])
 
+    def _update_axes(self, scene: HandScene, wanted: bool) -> None:
+        """The frame B of each segment, at its joint."""
+        for i, body in enumerate(self._axes):
+            body.show(wanted)
+            if wanted:
+                segment = i // len(AXIS_COLOURS)
+                body.move(scene.segment_R[segment], scene.segment_p[segment])
+
+    def _update_trail(self, scene: HandScene, wanted: bool) -> None:
+        there = wanted and bool(np.isfinite(scene.trail).all())
+        self._trail.show(there)
+        if there:
+            self._trail.reshape(scene.trail)
+
     def _update_tips(self, scene: HandScene, wanted: bool) -> None:
         """A ball of 2σ around each fingertip."""
         for i, body in enumerate(self._tips):
@@ -118,6 +144,18 @@ def _patch(radius: float, normal: Array) -> Mesh:
     """A flat patch, a little proud of the surface so that it is not swallowed by the capsule."""
     patch = disc(radius, 0.0015, normal)
     return replace(patch, points=patch.points + normal * 0.0005)
+
+
+def _polyline(count: int) -> Mesh:
+    """A line through ``count`` points, all at the origin yet."""
+    return lines(np.zeros((count, 3)), [(i, i + 1) for i in range(count - 1)])
+
+
+def _axis(k: int, radius: float) -> Mesh:
+    """From the origin along axis ``k`` of B, out of the segment's body."""
+    ends = np.zeros((2, 3))
+    ends[1, k] = AXIS_LENGTH * radius
+    return lines(ends, [(0, 1)])
 
 
 def _frustum(setup: EngineSetup) -> Mesh:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ from tracker.messages import Array, Estimate, FrameResult, IntArray, Tracking, V
 
 SEEN_LATELY = 0.5
 """s for which a marker counts as seen after its last match."""
+TRAIL_POINTS = 90  # 3 s of pictures at 30 a second
 MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
 
 
@@ -23,7 +25,7 @@ class HandScene:
 
     segment_R (S, 3, 3), segment_p (S, 3); segment_state (S,) `Validity`; markers (M, 3) m;
     marker_state (M,); tips (T, 3) m, tip_sd (T,) m; truth (R (S, 3, 3), p (S, 3)) or None;
-    R_GC, p_GC of the camera.
+    R_GC, p_GC of the camera; trail (`TRAIL_POINTS`, 3) m, the way of a fingertip, oldest first.
     """
 
     segment_R: Array
@@ -37,6 +39,7 @@ class HandScene:
     R_GC: Array
     p_GC: Array
     caption: str
+    trail: Array
 
 
 class HandSceneModel:
@@ -49,6 +52,31 @@ class HandSceneModel:
         self._marker_segment = setup.glove.marker_segment(setup.hand)
         self._seen_at = np.full(len(setup.glove.markers), -np.inf)
         self._last: tuple[Array, Array] | None = None
+        self._trail_of: int | None = None
+        self._trail: deque[Array] = deque(maxlen=TRAIL_POINTS)
+
+    @property
+    def tip_names(self) -> list[str]:
+        """Fingertips that a trail can be drawn of."""
+        names = self._setup.glove.keypoint_names(self._setup.hand)
+        return [names[i].removesuffix("_tip") for i in self._tip_rows]
+
+    def set_trail(self, tip: str) -> None:
+        """Draw the way of this fingertip from now on; empty for none."""
+        names = self.tip_names
+        self._trail_of = self._tip_rows[names.index(tip)] if tip in names else None
+        self._trail.clear()
+
+    def _trail_points(self, estimate: Estimate) -> Array:
+        """(`TRAIL_POINTS`, 3), padded with the oldest point; all NaN without a trail."""
+        if self._trail_of is not None and np.isfinite(estimate.keypoints[self._trail_of]).all():
+            self._trail.append(estimate.keypoints[self._trail_of])
+        out = np.full((TRAIL_POINTS, 3), np.nan)
+        if self._trail:
+            points = np.array(self._trail)
+            out[: TRAIL_POINTS - len(points)] = points[0]
+            out[TRAIL_POINTS - len(points) :] = points
+        return out
 
     def scene(self, view: Snapshot, with_truth: bool = False) -> HandScene | None:
         """None before the first estimate with a pose."""
@@ -77,6 +105,7 @@ class HandSceneModel:
             truth=None if truth is None else (truth.R_GB, truth.p_GB),
             R_GC=pose.R_GC,
             p_GC=pose.p_GC,
+            trail=self._trail_points(estimate),
             caption="" if located else "Position lost: the hand stands where it was last seen",
         )
 

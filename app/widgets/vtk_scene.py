@@ -1,4 +1,4 @@
-"""Bodies drawn by VTK off-screen.
+"""Bodies drawn by VTK, off-screen or in a renderer of someone else.
 
 VTK's own modules are used: pyvista takes 1.5 s longer to import and four times the libraries.
 """
@@ -40,8 +40,8 @@ class Body:
     """A mesh in the scene: moved, coloured, shown or hidden."""
 
     def __init__(self, mesh: Mesh) -> None:
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputData(_polydata(mesh))
+        self._data, mapper = _polydata(mesh), vtkPolyDataMapper()
+        mapper.SetInputData(self._data)
         self.actor = vtkActor()
         self.actor.SetMapper(mapper)
         self._pose = vtkMatrix4x4()
@@ -57,6 +57,12 @@ class Body:
     def show(self, on: bool) -> None:
         self.actor.SetVisibility(on)
 
+    def reshape(self, points: Array) -> None:
+        """Other points (N, 3) for the same lines or faces."""
+        data = self._data.GetPoints()
+        data.SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=True))
+        data.Modified()
+
     def move(self, R: Array, p: Array) -> None:
         """To a rotation (3, 3), times a size, and a position (3,), both in G."""
         T = np.eye(4)
@@ -64,19 +70,12 @@ class Body:
         self._pose.DeepCopy(T.ravel().tolist())
 
 
-class VtkScene:
-    """A window that is never seen, and what is in it. RuntimeError where there is no OpenGL."""
+class Bodies:
+    """What a renderer draws, wherever that renderer draws to."""
 
-    def __init__(self) -> None:
-        self._window = vtkRenderWindow()
-        self._window.SetOffScreenRendering(True)
-        self._window.SetMultiSamples(0)
-        self._renderer = vtkRenderer()
-        vtkLightKit().AddLightsToRenderer(self._renderer)
-        self._window.AddRenderer(self._renderer)
-        if not self._window.SupportsOpenGL():
-            raise RuntimeError(self._window.GetOpenGLSupportMessage())
-        self._shot = vtkUnsignedCharArray()
+    def __init__(self, renderer: vtkRenderer) -> None:
+        self._renderer = renderer
+        vtkLightKit().AddLightsToRenderer(renderer)
 
     def add(
         self,
@@ -98,6 +97,7 @@ class VtkScene:
         look.SetLineWidth(line_width)
         look.SetEdgeColor(0.0, 0.0, 0.0)
         look.SetInterpolationToPhong()
+        look.SetLighting(len(mesh.normals) > 0)  # lines have a colour and no sides
         self._renderer.AddActor(body.actor)
         return body
 
@@ -107,15 +107,33 @@ class VtkScene:
     def set_background(self, colour: str) -> None:
         self._renderer.SetBackground(*rgb(colour))
 
-    def render(self, orbit: Orbit, width: int, height: int) -> Array:
-        """(height, width, 3) uint8, the scene from the orbit's eye."""
-        self._window.SetSize(width, height)
+    def look_from(self, orbit: Orbit) -> None:
+        """Put the camera into the orbit's eye."""
         camera = self._renderer.GetActiveCamera()
         camera.SetPosition(*orbit.eye)
         camera.SetFocalPoint(*orbit.target)
         camera.SetViewUp(*orbit.up)
         camera.SetViewAngle(VIEW_ANGLE_DEG)
         self._renderer.ResetCameraClippingRange()
+
+
+class VtkScene(Bodies):
+    """A window that is never seen, and what is in it. RuntimeError where there is no OpenGL."""
+
+    def __init__(self) -> None:
+        self._window = vtkRenderWindow()
+        self._window.SetOffScreenRendering(True)
+        self._window.SetMultiSamples(0)
+        super().__init__(vtkRenderer())
+        self._window.AddRenderer(self._renderer)
+        if not self._window.SupportsOpenGL():
+            raise RuntimeError(self._window.GetOpenGLSupportMessage())
+        self._shot = vtkUnsignedCharArray()
+
+    def render(self, orbit: Orbit, width: int, height: int) -> Array:
+        """(height, width, 3) uint8, the scene from the orbit's eye."""
+        self._window.SetSize(width, height)
+        self.look_from(orbit)
         self._window.Render()
         self._window.GetPixelData(0, 0, width - 1, height - 1, False, self._shot, 0)
         rows = vtk_to_numpy(self._shot).reshape(height, width, CHANNELS)

@@ -1,0 +1,104 @@
+"""Which OpenGL this machine has: asked in a process of its own, since a broken driver may crash."""
+
+from __future__ import annotations
+
+import multiprocessing as mp
+from multiprocessing.connection import Connection
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
+
+SOFTWARE = (
+    "llvmpipe",
+    "softpipe",
+    "swrast",
+    "software",
+    "gdi generic",
+    "basic render",
+    "swiftshader",
+)
+GL_RENDERER = 0x1F01
+PERIOD_MS = 100
+PATIENCE_MS = 20_000
+WITHOUT_SCREEN = ("offscreen", "minimal", "vnc", "linuxfb")
+
+
+def is_card(renderer: str) -> bool:
+    """Whether a GL_RENDERER string is that of a graphics card."""
+    name = renderer.lower()
+    return bool(name) and not any(word in name for word in SOFTWARE)
+
+
+def gl_renderer() -> str:
+    """GL_RENDERER of this process's Qt; empty where there is no OpenGL."""
+    surface, context = QOffscreenSurface(), QOpenGLContext()
+    surface.create()
+    if not context.create() or not context.makeCurrent(surface):
+        return ""
+    try:
+        return str(context.functions().glGetString(GL_RENDERER) or "")
+    finally:
+        context.doneCurrent()
+
+
+def _answer(pipe: Connection) -> None:
+    """The process's work."""
+    app = QGuiApplication.instance() or QGuiApplication(["glovetrack-graphics"])
+    pipe.send(gl_renderer())
+    pipe.close()
+    del app
+
+
+class GraphicsQuery(QObject):
+    """Asks once; ``answered`` brings the renderer's name, empty where the asking ended badly."""
+
+    answered = Signal(str)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._look)
+        self._pipe: Connection | None = None
+        self._process: mp.process.BaseProcess | None = None
+        self._waited_ms = 0
+
+    def start(self) -> None:
+        """Begin, unless there is no screen to draw on."""
+        if QGuiApplication.platformName() in WITHOUT_SCREEN:
+            return
+        context = mp.get_context("spawn")
+        self._pipe, theirs = context.Pipe(duplex=False)
+        self._process = context.Process(
+            target=_answer, args=(theirs,), name="glovetrack-graphics", daemon=True
+        )
+        self._process.start()
+        theirs.close()
+        self._timer.start(PERIOD_MS)
+
+    def _look(self) -> None:
+        self._waited_ms += PERIOD_MS
+        assert self._pipe is not None and self._process is not None
+        try:
+            if self._pipe.poll():
+                self._end(str(self._pipe.recv()))
+                return
+        except (EOFError, OSError):
+            self._end("")
+            return
+        if not self._process.is_alive() or self._waited_ms > PATIENCE_MS:
+            self._end("")
+
+    def _end(self, renderer: str) -> None:
+        self.stop()
+        self.answered.emit(renderer)
+
+    def stop(self) -> None:
+        """Ask no more. May be called at any time."""
+        self._timer.stop()
+        if self._process is not None:
+            self._process.terminate()
+            self._process.join()
+            self._process = None
+        if self._pipe is not None:
+            self._pipe.close()
+            self._pipe = None

@@ -1,0 +1,262 @@
+"""The 3D hand: trail, ghosts, axes, and which view draws it."""
+
+import dataclasses
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, models, scripted_setup
+
+from app.graphics import is_card
+from app.main_window import MainWindow
+from app.tasks import TaskOwner
+from app.view_chooser import PROVEN, ViewChooser
+from app.viewmodels.hand_scene import TRAIL_POINTS
+from app.widgets.view_3d import View3D
+from tracker.errors import ConfigError
+from tracker.messages import Tracking
+
+ROOT = Path(__file__).parents[2]
+
+
+class Second:
+    """A second engine whose hand is a decimetre to the side of the first one's."""
+
+    def __init__(self, engine: ScriptedEngine) -> None:
+        self.engine, self.names, self.lost = engine, [], False
+
+    def set_shadow(self, name) -> None:
+        if name == "vist":
+            raise ConfigError("This glove has too few IMUs.")
+        self.names.append(name)
+
+    def shadow_estimate(self):
+        if not self.names or self.names[-1] is None:
+            return None
+        estimate = self.engine.latest_estimate()
+        tracking = Tracking.LOST if self.lost else estimate.tracking
+        aside = estimate.segment_p + [0.0, 0.1, 0.0]
+        return dataclasses.replace(estimate, segment_p=aside, tracking=tracking)
+
+
+@pytest.fixture
+def hand(window, engine, qtbot):
+    window.session.adopt(dataclasses.replace(scripted_setup(engine), shadowing=Second(engine)))
+    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
+    if window.hand.view.scene is None:
+        pytest.skip("no OpenGL here")
+    return window.hand
+
+
+def choose(combo, data: str) -> None:
+    combo.setCurrentIndex(combo.findData(data))
+
+
+def see(hand):
+    """One refresh; the scene that was drawn."""
+    hand.refresh(hand.session.snapshot())
+    return hand._scene
+
+
+def test_a_trail_is_the_way_of_the_fingertip(hand, engine):
+    choose(hand.trail, "index")
+    row = models()[1].keypoint_names(models()[0]).index("index_tip")
+    way = []
+    for frame in (31, 32, 33):
+        engine.frame = frame
+        scene = see(hand)
+        way.append(engine.latest_estimate().keypoints[row])
+    assert scene.trail.shape == (TRAIL_POINTS, 3)
+    np.testing.assert_allclose(scene.trail[-1], way[-1])
+    corners = {tuple(p) for p in scene.trail.round(9)}
+    assert {tuple(p.round(9)) for p in way} <= corners
+    assert hand._actors._trail.actor.GetVisibility()
+    choose(hand.trail, "")
+    see(hand)
+    assert not hand._actors._trail.actor.GetVisibility()
+
+
+def test_axes_stand_at_the_joints_along_their_segments(hand):
+    hand._boxes["axes"].click()
+    scene = see(hand)
+    i = models()[0].index["index_proximal"]
+    body = hand._actors._axes[3 * i]  # its x
+    matrix = body.actor.GetUserMatrix()
+    origin = [matrix.GetElement(r, 3) for r in range(3)]
+    np.testing.assert_allclose(origin, scene.segment_p[i])
+    x0, x1, y0, y1, _, _ = body.actor.GetMapper().GetInput().GetBounds()
+    assert x0 == 0 and x1 > 0.01 and y0 == y1 == 0
+    assert all(b.actor.GetVisibility() for b in hand._actors._axes)
+
+
+def test_the_ghost_is_the_truth_or_another_engine(hand, engine):
+    second = hand.session.setup.shadowing
+    choose(hand.ghost, "other")
+    scene = see(hand)
+    np.testing.assert_allclose(scene.truth[1], scene.segment_p)  # the scripted hand is true
+    choose(hand.ghost, "madgwick")
+    assert second.names[-1] == "madgwick"
+    scene = see(hand)
+    np.testing.assert_allclose(scene.truth[1] - scene.segment_p, np.tile([0, 0.1, 0], (16, 1)))
+    second.lost = True
+    assert see(hand).truth is None
+    choose(hand.ghost, "")
+    assert second.names[-1] is None
+    assert see(hand).truth is None
+
+
+def test_an_engine_that_cannot_run_is_said(hand):
+    choose(hand.ghost, "vist")
+    assert "too few IMUs" in hand.window().banner.text()
+
+
+def test_a_replay_offers_no_second_engine(window):
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    ghost = window.hand.ghost
+    able = [ghost.model().item(i).isEnabled() for i in range(ghost.count())]
+    assert able == [True, True, False, False, False, False]
+
+
+@pytest.mark.parametrize(
+    ("renderer", "card"),
+    [
+        ("llvmpipe (LLVM 15.0.6, 256 bits)", False),
+        ("softpipe", False),
+        ("Mesa Intel(R) UHD Graphics 620 (KBL GT2)", True),
+        ("NVIDIA GeForce RTX 3060/PCIe/SSE2", True),
+        ("GDI Generic", False),
+        ("Google SwiftShader", False),
+        ("", False),
+    ],
+)
+def test_software_is_told_from_a_card_by_its_name(renderer, card):
+    assert is_card(renderer) == card
+
+
+@pytest.fixture
+def chooser(qtbot, store):
+    view, tasks = View3D(), TaskOwner()
+    qtbot.addWidget(view)
+    chooser = ViewChooser(view, store, tasks)
+    chooser.said = []
+    chooser.told.connect(chooser.said.append)
+    yield chooser
+    chooser.shut_down()
+    tasks.shut_down()
+    view.shut_down()
+
+
+def test_a_card_that_ended_the_program_is_not_tried_again(chooser, store):
+    store.update(card_trial=True)
+    chooser.start()
+    assert (store.value.card_trial, store.value.view_3d) == (False, "painted")
+    assert "ended the program last time" in chooser.said[0]
+
+
+def test_a_card_is_trusted_after_some_pictures(chooser, store, monkeypatch):
+    monkeypatch.setattr(View3D, "use_card", lambda _self: True)
+    store.update(view_3d="card")
+    monkeypatch.setattr(View3D, "on_card", False)
+    chooser._use(True)
+    assert store.value.card_trial
+    monkeypatch.setattr(View3D, "on_card", True)
+    for _ in range(PROVEN):
+        assert store.value.card_trial
+        chooser.drawn()
+    assert not store.value.card_trial
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_card_that_cannot_be_used_is_said_where_it_was_asked_for(
+    chooser, store, monkeypatch, there
+):
+    monkeypatch.setattr(View3D, "use_card", lambda _self: False)
+    store.update(view_3d="card")
+    chooser._use(there)
+    assert "cannot use the graphics card" in chooser.said[0]
+    assert not store.value.card_trial
+    store.update(view_3d="auto")
+    chooser._use(there)
+    assert len(chooser.said) == 1
+
+
+def test_the_menu_remembers_the_view(window, store, qtbot, no_leaks):
+    window.run_command("view_painted")
+    assert store.value.view_3d == "painted"
+    again = MainWindow(store)
+    qtbot.addWidget(again)
+    assert again.hand.chooser._store.value.view_3d == "painted"
+    again.close()
+
+
+CARD = """
+import sys
+sys.path[:0] = [{root!r}, {root!r} + "/tests/gui"]
+from pathlib import Path
+import numpy as np
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QApplication
+from gui_fakes import ScriptedEngine, scripted_setup
+from app.panels.hand import HandPanel
+from app.report import wait_until
+from app.session import Session
+from app.settings import SettingsStore
+from app.tasks import TaskOwner
+app = QApplication([])
+store = SettingsStore(Path({folder!r}) / "window.json")
+store.update(view_3d="card")
+tasks = TaskOwner()
+session = Session(tasks)
+panel = HandPanel(session, store, tasks)
+panel.resize(420, 360)
+session.adopt(scripted_setup(ScriptedEngine()))
+panel.show()
+
+def greenish():
+    panel.refresh(session.snapshot())
+    app.processEvents()
+    image = panel.view.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    rgb = rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+    return (rgb[..., 1] > rgb[..., 0] + 25).mean()
+
+assert wait_until(lambda: panel.view.on_card, 60), "the card's view did not start"
+wait_until(lambda: greenish() > 0.005, 30)
+on_card = greenish()
+
+def dead(*_):
+    raise RuntimeError("driver lost")
+
+panel.view._view.surface.render = dead
+wait_until(lambda: greenish() > 0.005 and not panel.view.on_card, 30)
+print(on_card, greenish(), panel.view.on_card)
+session.shut_down()
+panel.shut_down()
+tasks.shut_down()
+"""
+
+
+@pytest.mark.skipif(shutil.which("xvfb-run") is None, reason="needs a virtual screen")
+def test_the_cards_view_shows_the_hand_and_gives_way_when_the_driver_dies(tmp_path):
+    """pyvistaqt's QtInteractor, forced by the setting, on a virtual screen."""
+    pytest.importorskip("pyvistaqt")
+    script = tmp_path / "card.py"
+    script.write_text(CARD.format(root=str(ROOT), folder=str(tmp_path)))
+    without = ("QT_QPA_PLATFORM", "DISPLAY", "VTK_DEFAULT_OPENGL_WINDOW")
+    environment = {k: v for k, v in os.environ.items() if k not in without}
+    done = subprocess.run(
+        ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", sys.executable, str(script)],
+        env={**environment, "LIBGL_ALWAYS_SOFTWARE": "1"},
+        capture_output=True,
+        text=True,
+        timeout=200,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    on_card, painted, still = done.stdout.split()[-3:]
+    assert float(on_card) > 0.005  # the colour of what is measured
+    assert float(painted) > 0.005 and still == "False"
