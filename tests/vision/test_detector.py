@@ -7,7 +7,7 @@ import pytest
 from tracker.errors import ConfigError, GlovetrackError
 from tracker.messages import CameraPose, StereoFrame
 from tracker.vision.colours import ColourProfile, HueRange, ShapeLimits
-from tracker.vision.components import axes, fill, hull, moments
+from tracker.vision.components import axes, fill, hull, moments, room
 from tracker.vision.detector import (
     DetectionHints,
     Detector,
@@ -115,8 +115,9 @@ def mask_runs(mask: np.ndarray) -> np.ndarray:
     image = np.zeros((*mask.shape, 3), np.uint8)
     image[mask] = (40, 40, 215)
     y, x = np.argwhere(mask)[0]
-    memory, visited = np.empty((2, 3), np.int32), np.zeros(mask.shape, np.uint8)
-    runs, n, whole = fill(image, visited, y, x, 1, hue_table(FOUR), memory, 10_000)
+    extent = max(mask.shape)
+    runs, visited = room(extent), np.zeros(mask.shape, np.uint8)
+    n, whole = fill(image, visited, y, x, 1, hue_table(FOUR), runs, extent)
     assert whole
     return runs[:n]
 

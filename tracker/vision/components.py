@@ -20,14 +20,12 @@ Runs = NDArray[np.int32]
 
 
 @numba.njit(cache=True, nogil=True)
-def grown(a: Runs) -> Runs:
-    """The same rows in an array of twice the length."""
-    out = np.empty((2 * len(a), a.shape[1]), a.dtype)
-    out[: len(a)] = a
-    return out
+def room(extent: int) -> Runs:
+    """Memory for the runs of one region of at most ``extent`` px, and of what is looked at next."""
+    return np.empty(((extent + 4) * (extent // 2 + 4), 3), np.int32)
 
 
-@numba.njit(cache=True, nogil=True)
+@numba.njit(cache=True, nogil=True, inline="always")
 def _run(
     image: _Bytes,
     visited: _Bytes,
@@ -36,7 +34,10 @@ def _run(
     hue: int,
     table: Table,
 ) -> tuple[int, int]:
-    """The run of ``hue`` around (x, y), marked as visited: first and last column."""
+    """The run of ``hue`` around (x, y), marked as visited: first and last column.
+
+    Inlined, as `pixel_class` is: a call for each pixel would take six times as long.
+    """
     first, last, right = x, x, image.shape[1] - 1
     visited[y, x] = 1
     while first > 0 and pixel_class(image, y, first - 1, table) == hue:
@@ -58,13 +59,13 @@ def fill(
     table: Table,
     runs: Runs,
     extent: int,
-) -> tuple[Runs, int, bool]:
-    """All runs of the 8-connected region that (x, y) belongs to; ``runs`` is the memory used.
+) -> tuple[int, bool]:
+    """All runs of the 8-connected region that (x, y) belongs to, into ``runs`` (see `room`).
 
     The list of runs is at once the queue of those whose neighbours are still to be looked at. A
     region longer than ``extent`` px is background: it is left as soon as that is known and marked
-    1 + hue, and what later touches such a mark belongs to it. Returns the runs, how many there
-    are, and whether the region is whole.
+    1 + hue, and what later touches such a mark belongs to it. Returns how many runs there are, and
+    whether the region is whole.
     """
     height, width = image.shape[0], image.shape[1]
     first, last = _run(image, visited, y, x, hue, table)
@@ -72,37 +73,35 @@ def fill(
     low, high, top, bottom = first, last, y, y
     n, done, whole = 1, 0, last - first <= extent
     while done < n and whole:
-        row, first, last = runs[done, 0], runs[done, 1], runs[done, 2]
+        row, start, end = runs[done, 0], max(runs[done, 1] - 1, 0), runs[done, 2] + 1
         done += 1
         for near in (row - 1, row + 1):
             if near < 0 or near >= height:
                 continue
-            k, end = max(first - 1, 0), min(last + 1, width - 1)
-            while k <= end:
+            k = start
+            while k <= end and k < width:
                 seen = visited[near, k]
-                if seen > 1 and seen == hue + 1:
+                if seen == 0 and pixel_class(image, near, k, table) == hue:
+                    a, b = _run(image, visited, near, k, hue, table)
+                    runs[n, 0], runs[n, 1], runs[n, 2] = near, a, b
+                    n += 1
+                    low, high, top, bottom = (
+                        min(low, a),
+                        max(high, b),
+                        min(top, near),
+                        max(bottom, near),
+                    )
+                    k = b + 2
+                elif seen == hue + 1:
                     whole = False
                     break
-                if seen or pixel_class(image, near, k, table) != hue:
+                else:
                     k += 1
-                    continue
-                a, b = _run(image, visited, near, k, hue, table)
-                if n == len(runs):
-                    runs = grown(runs)
-                runs[n, 0], runs[n, 1], runs[n, 2] = near, a, b
-                n += 1
-                low, high, top, bottom = (
-                    min(low, a),
-                    max(high, b),
-                    min(top, near),
-                    max(bottom, near),
-                )
-                k = b + 2
         whole = whole and max(high - low, bottom - top) <= extent
     if not whole:
         for i in range(n):
             visited[runs[i, 0], runs[i, 1] : runs[i, 2] + 1] = hue + 1
-    return runs, n, whole
+    return n, whole
 
 
 @numba.njit(cache=True, nogil=True)

@@ -6,6 +6,7 @@ marker's distance, convexity and circularity. A foreshortened disc is an ellipse
 
 from __future__ import annotations
 
+import threading
 from copy import copy
 from dataclasses import dataclass
 
@@ -15,11 +16,13 @@ from numpy.typing import NDArray
 from tracker.errors import GlovetrackError
 from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search
-from tracker.vision.colours import ColourProfile, ShapeLimits
+from tracker.vision.colours import ColourProfile
 from tracker.vision.hue_table import hue_table
+from tracker.vision.shape_tests import first_failure, windows_around
 
 Image = NDArray[np.uint8]
-REASONS = ("size", "convexity", "circularity", "edge")
+REASONS = ("size", "convexity", "circularity", "edge")  # in the order of `shape_tests`
+NO_PLACES, NO_SIZES, NO_HUES = np.zeros((0, 2)), np.zeros(0), np.zeros(0, np.int64)
 SQUARE_CIRCULARITY = np.pi / 4
 LARGE = 2.0  # times the largest blob: two that touch are to be parted, more are background
 
@@ -65,6 +68,7 @@ class Detector:
     ) -> None:
         self.profile = profile
         self._table = hue_table(profile)
+        self._scratch = _Scratch()
         self._set(params or DetectorParams(), marker_size * fx)
 
     def _set(self, params: DetectorParams, metre_px: float) -> None:
@@ -85,57 +89,50 @@ class Detector:
         height, width = pixels.shape[:2]
         rows = search.find_regions(
             pixels,
-            np.zeros((height, width), np.uint8),
+            self._scratch.cleared(height, width),
             self._table,
             self._windows(width, height, hints),
             self.params.min_area_px,
             int(LARGE * self.profile.shape.size[1] * self._extent[1]),
         )
         reason = self._reasons(rows, hints)
-        return _blobs(rows[reason < 0]), _rejected(rows[reason >= 0], reason[reason >= 0])
+        passed = reason < 0
+        return _blobs(rows[passed]), _rejected(rows[~passed], reason[~passed])
 
     def _windows(self, width: int, height: int, hints: DetectionHints | None) -> IntArray:
         """Rows (first and last column, first and last row, stride) to look for seeds in."""
         whole = np.array([[0, width - 1, 0, height - 1, self.params.stride]], np.int64)
         if hints is None or len(hints.uv) == 0:
             return whole
-        reach = hints.radius_px
-        low = np.clip(np.floor(hints.uv - reach[:, None]), 0, None)
-        high = np.minimum(np.ceil(hints.uv + reach[:, None]), [width - 1, height - 1])
-        stride = np.full(len(low), self.params.hint_stride)
-        near = np.column_stack([low[:, 0], high[:, 0], low[:, 1], high[:, 1], stride])
-        near = near[np.all(np.isfinite(near), axis=1)].astype(np.int64)
+        stride = self.params.hint_stride
+        near = windows_around(hints.uv, hints.radius_px, width, height, stride)
         return near if self.params.regions_only else np.concatenate([near, whole])
 
     def _reasons(self, rows: Array, hints: DetectionHints | None) -> IntArray:
         """Index into REASONS of the first requirement that each region fails, -1 for none."""
         shape = self.profile.shape
-        out = np.full(len(rows), -1, np.int64)
-        wrong = (
-            ~self._has_size(rows, shape, hints),
-            rows[:, search.CONVEXITY] < shape.convexity,
-            rows[:, search.CIRCULARITY] < shape.circularity,
-            rows[:, search.EDGE] > 0,
+        if hints is None or hints.size_px is None:
+            expected = NO_PLACES, NO_SIZES, NO_HUES, NO_SIZES
+        else:
+            expected = hints.uv, hints.radius_px, hints.hue, hints.size_px
+        return first_failure(
+            rows, self._extent, shape.size, shape.convexity, shape.circularity, *expected
         )
-        for k in reversed(range(len(REASONS))):
-            out[wrong[k]] = k
-        return out
 
-    def _has_size(
-        self, rows: Array, shape: ShapeLimits, hints: DetectionHints | None
-    ) -> NDArray[np.bool_]:
-        """Whether the long axis suits a marker at its predicted, or at any possible distance."""
-        low, high = shape.size
-        extent = rows[:, search.MAJOR]
-        anywhere = (extent >= low * self._extent[0]) & (extent <= high * self._extent[1])
-        if hints is None or hints.size_px is None or len(hints.uv) == 0:
-            return anywhere
-        d = rows[:, None, [search.U, search.V]] - hints.uv
-        near = np.hypot(d[..., 0], d[..., 1]) <= hints.radius_px
-        near &= rows[:, search.HUE, None] == hints.hue
-        ratio = extent[:, None] / hints.size_px
-        suits = np.any(near & (ratio >= low) & (ratio <= high), axis=1)
-        return anywhere & (suits | ~near.any(axis=1))
+
+class _Scratch(threading.local):
+    """Marks of visited pixels, kept from call to call: fresh memory costs as much as the search."""
+
+    def __init__(self) -> None:
+        self._marks = np.zeros((0, 0), np.uint8)
+
+    def cleared(self, height: int, width: int) -> NDArray[np.uint8]:
+        """(height, width) zeros, good until this thread's next call."""
+        if self._marks.shape != (height, width):
+            self._marks = np.zeros((height, width), np.uint8)
+        else:
+            self._marks.fill(0)
+        return self._marks
 
 
 def detect_frame(

@@ -79,7 +79,7 @@ def exact_class(b: int, g: int, r: int, masks: _Masks) -> int:
     return 0
 
 
-@numba.njit(cache=True, nogil=True)
+@numba.njit(cache=True, nogil=True, inline="always")
 def pixel_class(image: _Bytes, y: int, x: int, table: Table) -> int:
     """Class of one pixel of a BGR image."""
     b, g, r = np.int64(image[y, x, 0]), np.int64(image[y, x, 1]), np.int64(image[y, x, 2])

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.messages import Array
-from tracker.vision.components import Runs, axes, bounds, cut, fill, grown, hull, moments, waist
+from tracker.vision.components import Runs, axes, bounds, cut, fill, hull, moments, room, waist
 from tracker.vision.hue_table import Table, pixel_class
 
 _Bytes = NDArray[np.uint8]
@@ -38,7 +38,7 @@ def find_regions(
     ``max_extent`` px give no row. Every other row of the grid is shifted by half a stride.
     """
     out = np.empty((64, COLUMNS))
-    runs = np.empty((256, 3), np.int32)
+    runs = room(max_extent)
     n = 0
     for k in range(len(windows)):
         stride = windows[k, 4]
@@ -48,11 +48,11 @@ def find_regions(
                 hue = pixel_class(image, y, x, table)
                 if hue == 0 or visited[y, x]:
                     continue
-                runs, used, whole = fill(image, visited, y, x, hue, table, runs, max_extent)
+                used, whole = fill(image, visited, y, x, hue, table, runs, max_extent)
                 if not whole:
                     continue
                 if n + 2 > len(out):
-                    out = grown(out)
+                    out = np.concatenate((out, np.empty_like(out)))
                 n += _measure_parts(runs[:used], hue, min_area, image.shape, out[n : n + 2])
     return out[:n]
 

@@ -1,0 +1,90 @@
+"""Which regions have the shape of a marker, and where to look for one; compiled."""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+
+from tracker.messages import Array, IntArray
+from tracker.vision import search
+
+SIZE, CONVEXITY, CIRCULARITY, EDGE = range(4)
+
+
+@numba.njit(cache=True, nogil=True)
+def first_failure(
+    rows: Array,
+    extent: tuple[float, float],
+    size: tuple[float, float],
+    convexity: float,
+    circularity: float,
+    hint_uv: Array,
+    hint_radius: Array,
+    hint_hue: IntArray,
+    hint_size: Array,
+) -> IntArray:
+    """(n,) the first requirement that each region of rows (n, COLUMNS) fails, -1 for none.
+
+    extent: long axis (px) of a marker at the farthest and the nearest place; size: limits of the
+    ratio to it. Where hints (k,) expect markers of that hue within a radius (px), one of their
+    sizes must suit as well.
+    """
+    out = np.full(len(rows), -1, np.int64)
+    for i in range(len(rows)):
+        long_axis = rows[i, search.MAJOR]
+        low, high = size[0] * extent[0], size[1] * extent[1]
+        if not low <= long_axis <= high or not _suits(
+            rows[i], size, hint_uv, hint_radius, hint_hue, hint_size
+        ):
+            out[i] = SIZE
+        elif rows[i, search.CONVEXITY] < convexity:
+            out[i] = CONVEXITY
+        elif rows[i, search.CIRCULARITY] < circularity:
+            out[i] = CIRCULARITY
+        elif rows[i, search.EDGE] > 0:
+            out[i] = EDGE
+    return out
+
+
+@numba.njit(cache=True, nogil=True)
+def _suits(
+    row: Array,
+    size: tuple[float, float],
+    hint_uv: Array,
+    hint_radius: Array,
+    hint_hue: IntArray,
+    hint_size: Array,
+) -> bool:
+    """Whether a marker expected here has this size, or none is expected here."""
+    expected = False
+    for k in range(len(hint_size)):
+        if hint_hue[k] != row[search.HUE]:
+            continue
+        du, dv = row[search.U] - hint_uv[k, 0], row[search.V] - hint_uv[k, 1]
+        if np.hypot(du, dv) <= hint_radius[k]:
+            if size[0] <= row[search.MAJOR] / hint_size[k] <= size[1]:
+                return True
+            expected = True
+    return not expected
+
+
+@numba.njit(cache=True, nogil=True)
+def windows_around(uv: Array, radius: Array, width: int, height: int, stride: int) -> IntArray:
+    """(k, 5) first and last column, first and last row, stride: squares cut to the picture.
+
+    Places that are not finite, or whose square lies outside, have no row.
+    """
+    out = np.empty((len(uv), 5), np.int64)
+    n = 0
+    for k in range(len(uv)):
+        if not np.isfinite(uv[k, 0] + uv[k, 1] + radius[k]):
+            continue
+        left, top = np.floor(uv[k, 0] - radius[k]), np.floor(uv[k, 1] - radius[k])
+        right, bottom = np.ceil(uv[k, 0] + radius[k]), np.ceil(uv[k, 1] + radius[k])
+        if right < 0 or bottom < 0 or left > width - 1 or top > height - 1:
+            continue
+        out[n, 0], out[n, 1] = max(left, 0.0), min(right, width - 1.0)
+        out[n, 2], out[n, 3] = max(top, 0.0), min(bottom, height - 1.0)
+        out[n, 4] = stride
+        n += 1
+    return out[:n]
