@@ -21,11 +21,12 @@ from tracker.cli import main
 from tracker.errors import ConfigError, FileError
 from tracker.messages import CameraPose, Estimate, ImuSample
 from tracker.session.export import FORMATS, ExportOptions, export
-from tracker.session.export.motion import AXES, load_motion
+from tracker.session.export.axes import AXES
+from tracker.session.export.motion import load_motion
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
 
-Y_UP = AXES["y-up"]
+Y_UP = AXES["y-up"].rows
 
 
 @pytest.fixture

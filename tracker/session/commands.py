@@ -39,7 +39,7 @@ def _add_json(command: argparse.ArgumentParser) -> None:
 
 
 def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    from tracker.session.formats import AXES_NAMES, FORMATS, PERSONAL, UNIT_NAMES
+    from tracker.session.formats import AXES_NAMES, FORMATS, HIDEABLE, PERSONAL, UNIT_NAMES
 
     command = subparsers.add_parser("export", help="write a session in another format")
     command.add_argument("file", type=Path, metavar="IN")
@@ -50,13 +50,14 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     command.add_argument("--units", choices=UNIT_NAMES)
     command.add_argument("--start", type=float, metavar="S", help="from the first estimate")
     command.add_argument("--stop", type=float, metavar="S", help="from the first estimate")
+    command.add_argument("--every", type=int, default=1, metavar="N", help="draw every Nth picture")
     command.add_argument("--joints", metavar="A,B", help="only these keypoints and angles")
     command.add_argument(
         "--anonymous",
         nargs="*",
-        choices=PERSONAL,
+        choices=HIDEABLE,
         metavar="FIELD",
-        help=f"leave out {' and '.join(PERSONAL)}, or the named ones",
+        help=f"leave out {' and '.join(PERSONAL)}, or the named ones of {', '.join(HIDEABLE)}",
     )
     _add_json(command)
     command.set_defaults(func=_export)
@@ -75,6 +76,7 @@ def _export(args: argparse.Namespace) -> int:
         stop=args.stop,
         joints=tuple(args.joints.split(",")) if args.joints else (),
         anonymous=anonymous,
+        every=args.every,
     )
     _finish(args, export(args.file, args.format, args.output, options), [f"{args.output}"])
     return 0

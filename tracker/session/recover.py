@@ -7,6 +7,7 @@ from pathlib import Path
 
 from tracker.errors import FileError
 from tracker.session.container import McapOutput
+from tracker.session.copying import Copier
 from tracker.session.disk import free_path
 from tracker.session.mcap_input import Damage, McapInput
 
@@ -65,7 +66,7 @@ class _Copy:
 
     def run(self) -> None:
         self._extras()
-        channels = self._channels()
+        copier = Copier(self.source, self.out)
         for i in range(len(self.source.contents.spans)):
             span = self.source.contents.spans[i]
             try:
@@ -77,8 +78,7 @@ class _Copy:
                 self._first = min(self._first, m.log_time) if self.messages else m.log_time
                 self._last = max(self._last, m.log_time)
                 self.messages += 1
-                channel = channels[m.topic, m.type]
-                self.out.write(channel, m.log_time, m.publish_time, m.data, m.sequence)
+                copier.copy(m)
 
     def _extras(self) -> None:
         try:
@@ -88,15 +88,3 @@ class _Copy:
                 self.out.attach_bytes(a.name, a.media_type, a.data, a.log_time)
         except FileError as error:
             self.damage.append(Damage(0, str(error)))
-
-    def _channels(self) -> dict[tuple[str, str], int]:
-        contents = self.source.contents
-        schemas = {
-            s.id: self.out.add_schema(s.name, s.encoding, s.data) for s in contents.schemas.values()
-        }
-        return {
-            (c.topic, self.source.type_of(c)): self.out.add_channel(
-                c.topic, c.message_encoding, schemas.get(c.schema_id, 0), dict(c.metadata)
-            )
-            for c in contents.channels.values()
-        }

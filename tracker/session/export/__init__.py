@@ -8,13 +8,14 @@ from collections.abc import Callable
 from dataclasses import asdict
 from importlib import import_module
 from pathlib import Path
+from shutil import rmtree
 from typing import Any
 
 from tracker import __version__
 from tracker.errors import ConfigError, FileError
 from tracker.session.disk import disk_error
 from tracker.session.export.motion import ExportOptions, Motion
-from tracker.session.formats import FORMATS
+from tracker.session.formats import FOLDERS, FORMATS, WHOLE_HAND
 from tracker.session.reader import SessionReader
 
 
@@ -36,9 +37,12 @@ def export(
     path_in, path_out = Path(path_in), Path(path_out)
     if path_out.exists() and path_out.samefile(path_in):
         raise FileError(f"{path_out} is the session itself; choose another name.")
+    _check(format, path_out, options)
     write = getattr(import_module(f"tracker.session.export.{format}"), f"export_{format}")
-    partial = path_out.with_name(f".{path_out.stem}.part{path_out.suffix}")
+    folder = path_out.with_name(f".{path_out.name}.part")
     try:
+        folder.mkdir()
+        partial = folder / path_out.name  # some formats write their own name into the file
         with SessionReader(path_in, watch=watch) as reader:
             motion = write(reader, partial, options)
             report = _report(reader, format, path_out, options, motion)
@@ -47,8 +51,15 @@ def export(
     except OSError as error:
         raise disk_error(path_out, error) from error
     finally:
-        partial.unlink(missing_ok=True)
+        rmtree(folder, ignore_errors=True)
     return report
+
+
+def _check(format: str, path: Path, options: ExportOptions) -> None:
+    if format in WHOLE_HAND and options.joints:
+        raise ConfigError(f"{format} holds the whole hand; it cannot leave out joints.")
+    if format in FOLDERS and path.exists():
+        raise FileError(f"{path} exists already; the pictures go into a new folder.")
 
 
 def _sidecar(path: Path) -> Path:
@@ -69,7 +80,7 @@ def _report(
         "options": asdict(options),
         "hand": info.hand.name,
         "glove": info.glove.name,
-        "metadata": {k: v for k, v in info.metadata().items() if v and k not in options.anonymous},
+        "metadata": {k: v for k, v in info.metadata().items() if v},
     }
     if motion is not None:
         report |= {
@@ -79,7 +90,22 @@ def _report(
             "start_ns": int(motion.stamp_ns[0]) if len(motion) else None,
             **motion.notes,
         }
-    return report
+    return _without(report, options.anonymous)
+
+
+def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, Any]:
+    """Leave out what shall not be told, and what would give it away."""
+    top, inside = set(), set(anonymous)
+    if "participant" in anonymous:  # automatic names of files hold it
+        top.add("source")
+        inside.add("source")
+    if "hand" in anonymous:
+        top.add("hand")
+    if "time" in anonymous:
+        top.add("start_ns")
+        inside |= {"wall_clock_ns", "monotonic_ns"}
+    kept = {k: v for k, v in report.items() if k not in top}
+    return kept | {"metadata": {k: v for k, v in report["metadata"].items() if k not in inside}}
 
 
 def sha256(path: Path) -> str:

@@ -26,9 +26,14 @@ def export_csv(reader: SessionReader, path: Path, options: ExportOptions) -> Mot
     return m
 
 
+def seconds_text(ns: int) -> str:
+    """Seconds to the microsecond; a float would not hold that many digits since 1970."""
+    whole, micro = divmod(round(ns / 1000), 1_000_000)
+    return f"{whole}.{micro:06d}"
+
+
 def _row(m: Motion, i: int, scale: float) -> list[str]:
-    whole, micro = divmod(round(int(m.stamp_ns[i]) / 1000), 1_000_000)
-    cells = [f"{whole}.{micro:06d}"]
+    cells = [seconds_text(int(m.stamp_ns[i]))]
     for point, state in zip(m.keypoints[i] * scale, state_words(m.state[i]), strict=True):
         cells += [_cell(float(v)) for v in point]
         cells.append(state)

@@ -12,6 +12,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from tracker.session.export.motion import ExportOptions, Motion, load_motion
+from tracker.session.export.resample import continuous
 from tracker.session.export.skeleton import Skeleton, skeleton
 from tracker.session.reader import SessionReader
 
@@ -122,7 +123,7 @@ def _animation(m: Motion, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
     t = buffer.add(m.elapsed.astype("<f4"), "SCALAR")
     outputs = [(0, "translation", buffer.add(tree.root.astype("<f4"), "VEC3"))]
     for i in range(len(tree.names)):
-        q = _continuous(tree.rotation[:, i]).astype("<f4")
+        q = continuous(tree.rotation[:, i]).astype("<f4")
         outputs.append((i, "rotation", buffer.add(q, "VEC4")))
     return {
         "name": "tracked",
@@ -132,10 +133,3 @@ def _animation(m: Motion, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
             for k, (node, what, _) in enumerate(outputs)
         ],
     }
-
-
-def _continuous(q: np.ndarray) -> np.ndarray:
-    """The same rotations without jumps of sign, (N, 4): players interpolate between them."""
-    flips = np.sum(q[1:] * q[:-1], axis=1) < 0
-    sign = np.where(np.r_[0, np.cumsum(flips)] % 2 == 1, -1.0, 1.0)
-    return q * sign[:, None]

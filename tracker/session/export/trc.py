@@ -17,7 +17,8 @@ def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> Mot
         out.write(_header(m, path.name, unit))
         for i, t in enumerate(m.elapsed):
             cells = [f"{v:.6f}" if np.isfinite(v) else "" for v in _row(m, i, UNITS[unit])]
-            out.write("\t".join([str(i + 1), f"{t:.6f}", *cells]) + "\n")
+            # OpenSim overlooks an empty cell at the end of a line, so a tab ends every cell
+            out.write("\t".join([str(i + 1), f"{t:.6f}", *cells]) + "\t\n")
     return m
 
 

@@ -23,7 +23,8 @@ def export_urdf(reader: SessionReader, path: Path, options: ExportOptions) -> No
     """A joint of several axes becomes a chain (abduction, flexion, twist) with bare links."""
     hand = reader.info.hand
     scale = _calibrated_scale(reader, hand)
-    robot = ET.Element("robot", name=hand.name)
+    name = "hand" if "hand" in options.anonymous else hand.name
+    robot = ET.Element("robot", name=name)
     for i, segment in enumerate(hand.segments):
         _link(robot, segment, segment.length * scale[i, 0])
         if segment.parent is not None:

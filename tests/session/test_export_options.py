@@ -1,0 +1,203 @@
+"""Rates, axes, pictures, copies and what is left out, seen through libraries that are not ours."""
+
+import csv
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from PIL import Image
+from rosbags.highlevel import AnyReader
+from rosbags.typesys import Stores, get_typestore
+from scipy.spatial.transform import Rotation
+
+from tracker.cli import main
+from tracker.errors import ConfigError, FileError
+from tracker.messages import CameraPose, Estimate, Event, ImuSample
+from tracker.session.export import ExportOptions, export
+from tracker.session.export.axes import AXES
+from tracker.session.export.motion import load_motion
+from tracker.session.formats import AXES_NAMES, FORMATS
+from tracker.session.reader import SessionReader
+from tracker.session.verify import is_ok, verify
+from tracker.session.writer import SessionRecorder
+
+Record = Callable[..., Path]
+
+
+@pytest.fixture
+def tracked(tmp_path: Path, record: Record, maker) -> tuple[Path, list[Estimate]]:
+    """Thirty random poses at 100 Hz; the last keypoint is lost in the last three."""
+    estimates = [maker.estimate(10.0 * k) for k in range(30)]
+    for k in (27, 28, 29):
+        keypoints, state = estimates[k].keypoints.copy(), estimates[k].keypoint_state.copy()
+        keypoints[-1], state[-1] = np.nan, 0
+        estimates[k] = replace(estimates[k], keypoints=keypoints, keypoint_state=state)
+    return record(tmp_path / "in.mcap", estimates), estimates
+
+
+def test_opensim_itself_reads_trc_mot_and_sto(tracked, tmp_path: Path, session_info) -> None:
+    opensim = pytest.importorskip("opensim")
+    path, estimates = tracked
+    for form in ("trc", "mot", "sto"):
+        export(path, form, tmp_path / f"o.{form}")
+    assert (tmp_path / "o.mot").read_text().startswith("o\n")
+    assert "\to.trc\n" in (tmp_path / "o.trc").read_text()
+    markers = opensim.TimeSeriesTableVec3(str(tmp_path / "o.trc"))
+    assert list(markers.getColumnLabels()) == list(session_info.keypoint_names)
+    x, y, z = estimates[7].keypoints[0] * 1000
+    found = markers.getRowAtIndex(7).getElt(0, 0)
+    assert np.allclose([found[i] for i in range(3)], [x, z, -y], atol=1e-5)
+    last = markers.getRowAtIndex(29)
+    assert np.isnan(last.getElt(0, last.ncol() - 1)[0]), "lost is NaN, at the end of a line too"
+    for form in ("mot", "sto"):
+        table = opensim.TimeSeriesTable(str(tmp_path / f"o.{form}"))
+        assert list(table.getColumnLabels()) == list(session_info.hand.joint_names)
+        row = table.getRowAtIndex(4).to_numpy()
+        assert np.allclose(row, np.rad2deg(estimates[4].angles), rtol=1e-6)
+
+
+def test_every_convention_is_what_its_words_say(tracked) -> None:
+    assert tuple(AXES) == AXES_NAMES
+    ways = {"forward": (1, 0, 0), "backward": (-1, 0, 0), "left": (0, 1, 0), "right": (0, -1, 0)}
+    ways |= {"up": (0, 0, 1)}
+    for axes in AXES.values():
+        parts = axes.words.split(", ")
+        for row, part in zip(axes.rows, parts[:3], strict=True):
+            assert np.array_equal(row, ways[part.split()[1]])
+        assert axes.left_handed == ("left-handed" in parts)
+
+
+@pytest.mark.parametrize("name", AXES_NAMES)
+def test_bones_point_the_same_way_in_all_axes(tracked, name: str) -> None:
+    """x of a bone's own axes, turned by its orientation, points along it in any convention."""
+    path, _ = tracked
+    with SessionReader(path) as reader:
+        m = load_motion(reader, ExportOptions(axes=name))
+    a, b = (m.keypoint_names.index(k) for k in ("index_pip", "index_dip"))
+    bone = m.keypoints[:, b] - m.keypoints[:, a]
+    along = Rotation.from_quat(m.q[:, a]).apply([1.0, 0, 0])
+    assert np.allclose(bone / np.linalg.norm(bone, axis=1)[:, None], along, atol=1e-9)
+
+
+def test_a_fast_shake_does_not_fold_over_into_a_slow_rate(
+    tmp_path: Path, record: Record, maker
+) -> None:
+    """45 Hz at 20 rows a second would look like 5 Hz; orientations are kept from it too."""
+    base, t = maker.estimate(0), np.arange(300) * 10.0
+    swing = 0.2 * np.sin(2 * np.pi * 45 * t / 1000)
+    rows = [
+        replace(
+            base,
+            t=maker.estimate(ms).t,
+            keypoints=base.keypoints + 0.01 * s,
+            keypoint_q=np.tile(Rotation.from_euler("z", s).as_quat(), (len(base.keypoint_q), 1)),
+        )
+        for ms, s in zip(t, swing, strict=True)
+    ]
+    with SessionReader(record(tmp_path / "in.mcap", rows)) as reader:
+        m = load_motion(reader, ExportOptions(rate=20.0))
+    turn = Rotation.from_quat(m.q[5:-5, 0]).as_euler("zyx")[:, 0]
+    assert np.abs(turn).max() < 0.02 * 0.2
+    assert np.abs(m.keypoints[5:-5, 0, 0] - base.keypoints[0, 0]).max() < 0.02 * 0.01 * 0.2
+    assert np.allclose(np.linalg.norm(m.q[:, 0], axis=1), 1)
+
+
+@pytest.fixture
+def filmed(tmp_path: Path, maker, session_info) -> Path:
+    """Twenty grey pictures at 50 a second, each brighter than the last, and a still hand."""
+    info = replace(
+        session_info,
+        rig=replace(
+            session_info.rig, pose=CameraPose(np.diag([1.0, -1, -1]), np.array([0.0, 0, 0.5]))
+        ),
+    )
+    still = maker.estimate(0)
+    with SessionRecorder(tmp_path / "in.mcap", info) as recorder:
+        for k in range(20):
+            grey = np.full((48, 64, 3), 10 * k, np.uint8)
+            recorder.write(replace(maker.picture(20.0 * k, k), left=grey))
+            recorder.write(replace(still, t=maker.estimate(20.0 * k).t))
+    return tmp_path / "in.mcap"
+
+
+def test_png_folder_in_pillow(filmed: Path, tmp_path: Path) -> None:
+    out = tmp_path / "pictures"
+    assert main(["export", str(filmed), "--format", "png", "-o", str(out), "--every", "4"]) == 0
+    names = sorted(p.name for p in out.glob("*.png"))
+    assert names == [f"{k:06d}.png" for k in range(5)]
+    with (out / "pictures.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [r["file"] for r in rows] == names
+    assert float(rows[1]["t"]) - float(rows[0]["t"]) == pytest.approx(0.08, abs=1e-6)
+    with Image.open(out / names[2]) as picture:
+        assert picture.size == (64, 48)
+        assert np.median(np.asarray(picture)) == pytest.approx(80, abs=4)
+    assert json.loads((tmp_path / "pictures.json").read_text())["pictures"] == 5
+    with pytest.raises(FileError, match="exists already"):
+        export(filmed, "png", out)
+    assert not list(tmp_path.glob(".*.part"))
+
+
+@pytest.mark.parametrize(("rate", "count"), [(25.0, 10), (100.0, 39)])
+def test_a_film_at_another_rate_lasts_as_long(
+    filmed: Path, tmp_path: Path, rate: float, count: int
+) -> None:
+    export(filmed, "mp4", tmp_path / "o.mp4", ExportOptions(rate=rate))
+    video = cv2.VideoCapture(str(tmp_path / "o.mp4"))
+    assert video.get(cv2.CAP_PROP_FPS) == pytest.approx(rate, rel=0.01)
+    assert video.get(cv2.CAP_PROP_FRAME_COUNT) == count
+
+
+def test_a_part_of_the_session_in_rosbags(tmp_path: Path, maker, session_info) -> None:
+    source, out = tmp_path / "in.mcap", tmp_path / "part.mcap"
+    with SessionRecorder(source, session_info) as recorder:
+        for m in maker.stream(2000, pictures=False):
+            recorder.write(m)
+        recorder.write(Event(maker.imu(1000).t, "note", "Anna says hello"))
+    options = ExportOptions(start=0.5, stop=1.0, anonymous=("participant", "notes"))
+    export(source, "mcap", out, options)
+    assert is_ok(verify(out))
+    with SessionReader(out) as part, SessionReader(source) as whole:
+        packets = [m for m in part.messages((ImuSample,)) if isinstance(m, ImuSample)]
+        assert (packets[0].seq, packets[-1].seq) == (50, 99)
+        assert part.rig().fx == whole.rig().fx, "what holds since before is there"
+        assert part.metadata["participant"] == part.metadata["notes"] == ""
+        assert part.attachments == whole.attachments
+    assert b"Anna" not in out.read_bytes() and b"P 07" not in out.read_bytes()
+    with AnyReader([out], default_typestore=get_typestore(Stores.ROS2_HUMBLE)) as bag:
+        imu = [c for c in bag.connections if c.topic == "/glove/right/imu/dorsum"]
+        assert sum(1 for _ in bag.messages(imu)) == 50
+    for wrong in (ExportOptions(rate=50.0), ExportOptions(anonymous=("time",))):
+        with pytest.raises(ConfigError):
+            export(source, "mcap", tmp_path / "no.mcap", wrong)
+    assert not (tmp_path / "no.mcap").exists()
+
+
+def test_nothing_tells_who_it_was_or_when(tmp_path: Path, maker, session_info) -> None:
+    recorder = SessionRecorder(tmp_path, session_info)  # an automatic name: with the participant
+    for k in range(10):
+        recorder.write(maker.estimate(10.0 * k))
+    recorder.close()
+    assert "P-07" in recorder.path.name
+    everyone = ("participant", "notes", "hand", "time")
+    for form in sorted(set(FORMATS) - {"mp4", "png", "mcap"}):
+        out = tmp_path / f"o.{form}"
+        report = export(recorder.path, form, out, ExportOptions(anonymous=everyone))
+        said = (tmp_path / f"o.{form}.json").read_text()
+        for secret in ("P-07", "P 07", "ä note", session_info.hand.name, "17600000"):
+            assert secret not in said.replace(report["source_sha256"], ""), (form, secret)
+        for secret in ("P-07", "P 07", session_info.hand.name):
+            assert secret.encode() not in out.read_bytes(), (form, secret)
+    assert (tmp_path / "o.csv").read_text().splitlines()[1].startswith("0.000000,")
+
+
+def test_a_skeleton_cannot_leave_out_joints(tracked, tmp_path: Path) -> None:
+    path, _ = tracked
+    with pytest.raises(ConfigError, match="bvh holds the whole hand"):
+        export(path, "bvh", tmp_path / "o.bvh", ExportOptions(joints=("wrist",)))
+    with pytest.raises(ConfigError, match="every n-th"):
+        ExportOptions(every=0)

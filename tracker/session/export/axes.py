@@ -1,0 +1,61 @@
+"""Axis conventions of others."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from tracker.messages import Array
+
+if TYPE_CHECKING:
+    from tracker.session.export.motion import Motion
+
+_MIRROR = np.diag([1.0, -1.0, 1.0])
+
+
+@dataclass(frozen=True, eq=False)
+class Axes:
+    """``rows`` (3, 3): the new axes in G (x forward, y left, z up)."""
+
+    rows: Array
+    words: str
+
+    @property
+    def left_handed(self) -> bool:
+        return bool(np.linalg.det(self.rows) < 0)
+
+
+_FORWARD, _LEFT, _UP = np.eye(3)
+_Z_UP = Axes(np.array([_FORWARD, _LEFT, _UP]), "x forward, y left, z up")
+_Y_UP = Axes(np.array([-_LEFT, _UP, -_FORWARD]), "x right, y up, z backward")
+AXES = {
+    "z-up": _Z_UP,
+    "y-up": _Y_UP,
+    "ros": _Z_UP,  # REP 103
+    "opengl": _Y_UP,  # and OpenXR, glTF, Maya
+    "opensim": Axes(np.array([_FORWARD, _UP, -_LEFT]), "x forward, y up, z right"),
+    "blender": Axes(np.array([-_LEFT, _FORWARD, _UP]), "x right, y forward, z up"),
+    "unity": Axes(np.array([-_LEFT, _UP, _FORWARD]), "x right, y up, z forward, left-handed"),
+    "unreal": Axes(np.array([_FORWARD, -_LEFT, _UP]), "x forward, y right, z up, left-handed"),
+}
+
+
+def turned(m: Motion, name: str) -> Motion:
+    """Positions and orientations in the axes ``name``.
+
+    A bone's own axes stay (x along it, z dorsal); in left-handed ones its y is turned round, so
+    that an orientation remains a rotation.
+    """
+    axes = AXES[name]
+    if np.array_equal(axes.rows, np.eye(3)):
+        return m
+    q = np.full_like(m.q, np.nan)
+    known = np.isfinite(m.q).all(axis=-1)
+    if known.any():
+        own = _MIRROR if axes.left_handed else np.eye(3)
+        R = axes.rows @ Rotation.from_quat(m.q[known]).as_matrix() @ own
+        q[known] = Rotation.from_matrix(R).as_quat()
+    return replace(m, keypoints=m.keypoints @ axes.rows.T, q=q)

@@ -1,0 +1,107 @@
+"""MCAP: the session itself, or a part of it, without what shall not be told."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from tracker.errors import ConfigError
+from tracker.messages import Estimate
+from tracker.session import description, engine_state, topics
+from tracker.session import ros_motion as motion
+from tracker.session.cdr import in_words
+from tracker.session.container import McapOutput
+from tracker.session.copying import Copier
+from tracker.session.export.motion import ExportOptions
+from tracker.session.mcap_input import FOREVER, RawMessage
+from tracker.session.ordering import last_before, ordered
+from tracker.session.reader import SessionReader
+
+_TELLS_OF_THE_PERSON = ("source",)  # a file's name holds the participant's
+
+
+def export_mcap(reader: SessionReader, path: Path, options: ExportOptions) -> None:
+    """Messages stay as they are, so rate, axes, units and joints have no meaning here.
+
+    Raises ConfigError where they are asked for, or the hand or the time shall be left out.
+    """
+    _check(options)
+    start, end = _span(reader, options)
+    out = McapOutput(path, sync=False)
+    try:
+        _write_extras(reader, out, options, start)
+        copier = Copier(reader.source, out)
+        for topic in _standing_topics(reader) if start else ():
+            before = last_before(reader.source, topic, start)
+            if before is not None:
+                copier.copy(before._replace(log_time=start))
+        for m in ordered(reader.source, None, start, end):
+            if not ("notes" in options.anonymous and _is_note(m)):
+                copier.copy(m)
+    finally:
+        out.finish()
+
+
+def _check(options: ExportOptions) -> None:
+    asked = {
+        "rate": options.rate,
+        "axes": options.axes,
+        "units": options.units,
+        "joints": options.joints,
+    }
+    wrong = [name for name, value in asked.items() if value]
+    if wrong:
+        raise ConfigError(f"A session is copied as it is: leave out {' and '.join(wrong)}.")
+    hidden = [name for name in ("hand", "time") if name in options.anonymous]
+    if hidden:
+        raise ConfigError(
+            f"A session cannot do without its {' and '.join(hidden)}; leave out participant and "
+            "notes by name."
+        )
+
+
+def _span(reader: SessionReader, options: ExportOptions) -> tuple[int, int]:
+    """Log times (ns); 0 and `FOREVER` where nothing is cut."""
+    if options.start is None and options.stop is None:
+        return 0, FOREVER
+    first = next((m.t for m in reader.messages((Estimate,)) if isinstance(m, Estimate)), None)
+    zero = reader.span_ns[0] if first is None else reader.anchor.wall(first)
+    start = 0 if options.start is None else zero + round(options.start * 1e9)
+    end = FOREVER if options.stop is None else zero + round(options.stop * 1e9)
+    return max(start, 0), max(end, 0)
+
+
+def _write_extras(
+    reader: SessionReader, out: McapOutput, options: ExportOptions, start: int
+) -> None:
+    for record in reader.source.metadata():
+        values = dict(record.metadata)
+        if record.name == description.METADATA:
+            values |= {k: "" for k in options.anonymous if k in values}
+            if "participant" in options.anonymous:
+                values = {k: v for k, v in values.items() if k not in _TELLS_OF_THE_PERSON}
+        out.metadata(record.name, values)
+    for a in reader.source.attachments():
+        if a.name != engine_state.NAME or a.log_time >= start:
+            out.attach_bytes(a.name, a.media_type, a.data, a.log_time)
+
+
+def _standing_topics(reader: SessionReader) -> list[str]:
+    """Topics whose last message holds until the next."""
+    side = reader.info.side
+    hand = [topics.hand(side, what) for what in ("states", "calibration")]
+    camera = [topics.camera_info(c) for c in topics.SIDES]
+    return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *hand]
+
+
+def _is_note(m: RawMessage) -> bool:
+    """Whether a message is a note, or an event that is none of ours and may be one."""
+    if m.topic != topics.EVENTS:
+        return False
+    with in_words(m.topic):
+        text = motion.unpack_string(m.data)
+    try:
+        said = json.loads(text)
+    except json.JSONDecodeError:
+        return True
+    return not isinstance(said, dict) or said.get("kind", "note") == "note"
