@@ -96,7 +96,7 @@ class MainWindow(QMainWindow):
         self.sensors = SensorsPanel(self.session)
         self.library = LibraryPanel(self.session, self.store, self.tasks)
         self.log = LogPanel(self.session)
-        self.checklist = ChecklistPanel(self.session)
+        self.checklist = ChecklistPanel(self.session, self.store)
         self.calibration = CalibrationPanel(self.session, self.store)
         self.colours = ColoursPanel(self.session, self.store, self.tasks)
         self.recording = RecordingPanel(self.session, self.store)
@@ -175,6 +175,7 @@ class MainWindow(QMainWindow):
         self.tasks.failed.connect(lambda text: self.show_error(text))
         self.set_up.error.connect(lambda text: self.show_error(text))
         self.set_up.restart.connect(self.start_hardware)
+        self.set_up.changed.connect(self._show_set_up)
         self.start_page.demo.connect(self.start_demo)
         self.start_page.connect_devices.connect(self.start_hardware)
         self.start_page.open_session.connect(self.choose_session)
@@ -217,6 +218,13 @@ class MainWindow(QMainWindow):
     def start_hardware(self) -> None:
         settings = self.store.value
         self._open(self.tr("Looking for glove and camera"), hardware_factory(settings))
+        self._show_set_up()
+
+    def _show_set_up(self) -> None:
+        """Before devices are open the list stands beside the start page."""
+        if self.session.setup is None:
+            self.checklist.refresh(None)
+            self.docks["checklist"].show()
 
     def set_engine(self, name: str) -> None:
         """Track with another engine, now and after the next start."""

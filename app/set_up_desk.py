@@ -27,6 +27,7 @@ class SetUpDesk(QObject):
 
     error = Signal(str)
     restart = Signal()
+    changed = Signal()  # what is stored of the devices
 
     def __init__(
         self, session: Session, store: SettingsStore, tasks: TaskOwner, window: QWidget
@@ -53,7 +54,7 @@ class SetUpDesk(QObject):
 
         wizard = StereoWizard(
             self._tasks,
-            picture_choices(self._session, cameras),
+            picture_choices(self._session, self._store.value, cameras),
             library.user_folder("cameras"),
             board_from(self._store.value.board),
             self._window,
@@ -77,6 +78,7 @@ class SetUpDesk(QObject):
             self.error.emit(str(error))
             return False
         self._store.update(calibration=str(path))
+        self.changed.emit()
         return True
 
     # --- glove

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVB
 
 from app.panels.panel import Panel
 from app.session import Session
+from app.settings import SettingsStore
 from app.viewmodels.checklist import Step, steps
 from app.viewmodels.snapshot import Snapshot
 
@@ -16,8 +17,11 @@ class ChecklistPanel(Panel):
     period = 0.5
     action = Signal(str)
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, session: Session, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
         super().__init__(session, parent)
+        self._store = store
         self._rows: list[_Row] = []
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(12)
@@ -39,7 +43,7 @@ class ChecklistPanel(Panel):
         return self.tr("Set-up")
 
     def refresh(self, view: Snapshot | None) -> None:
-        shown = steps(view)
+        shown = steps(view, self._store.value.calibration)
         done = sum(s.done for s in shown)
         ready = done == len(shown)
         text = self.tr("Ready") if ready else self.tr("{} of {} done").format(done, len(shown))

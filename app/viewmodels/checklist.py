@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -32,14 +33,17 @@ class Step:
         return WARN if reachable else IDLE
 
 
-def steps(view: Snapshot | None) -> list[Step]:
-    """All steps in order; the first that is not done is the one to work on."""
+def steps(view: Snapshot | None, calibration: str = "") -> list[Step]:
+    """All steps in order; the first that is not done is the one to work on.
+
+    ``calibration`` is the chosen stereo calibration's path, for the time before devices are open.
+    """
     return [
         _glove(view),
         _samples(view),
         _still(view),
         _camera(view),
-        _stereo(view),
+        _stereo(view, calibration),
         _exposure(view),
         _colours(view),
         _hand(view),
@@ -95,8 +99,10 @@ def _camera(view: Snapshot | None) -> Step:
     return Step(name, False, "No pictures arrive.", "hardware", "Look again")
 
 
-def _stereo(view: Snapshot | None) -> Step:
+def _stereo(view: Snapshot | None, calibration: str) -> Step:
     name = "Camera calibrated"
+    if view is None and calibration:
+        return Step(name, True, Path(calibration).name)
     if view is None:
         return Step(name, False, "Show a printed board to both lenses.", "stereo", "Calibrate")
     baseline = view.setup.rig.baseline * 1000

@@ -5,17 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from app.camera_choice import NAME, PAIR, choose
 from app.hardware import FPS, HEIGHT, WIDTH
 from app.session import Session
+from app.settings import Settings
 from app.wizards.stereo_board import PictureChoice
 from tracker.errors import DeviceError
+from tracker.sensors.camera_controls import locks_from
 from tracker.sensors.picture_input import (
     CameraName,
-    CaptureFormat,
     Pair,
     PictureInput,
     SequenceInput,
-    SideBySideInput,
 )
 from tracker.vision.rig import ideal_rig
 
@@ -52,16 +53,26 @@ class SessionPictures:
         """The session closes it."""
 
 
-def picture_choices(session: Session, cameras: list[CameraName]) -> list[PictureChoice]:
+def picture_choices(
+    session: Session, settings: Settings, cameras: list[CameraName]
+) -> list[PictureChoice]:
     """All of them, the likeliest first."""
     from tracker.simulation.board_camera import BoardCamera
 
     setup = session.setup
     rig = setup.rig if setup is not None and setup.simulated else ideal_rig()
     simulated = PictureChoice("Simulated board (demo)", lambda spec: BoardCamera(rig, spec), True)
-    found = [
-        PictureChoice(f"{c.name} ({c.path or c.index})", _side_by_side(c.index)) for c in cameras
-    ]
+    locks = locks_from(settings.camera_locks)
+
+    def choice(title: str, chosen: str) -> PictureChoice:
+        return PictureChoice(
+            title, lambda _spec: choose(chosen, WIDTH, HEIGHT, FPS, locks, cameras).source
+        )
+
+    found = [choice(f"{c.name} ({c.path or c.index})", str(c.index)) for c in cameras]
+    if settings.camera:
+        words = settings.camera.removeprefix(NAME).removeprefix(PAIR).replace("|", " and ")
+        found.insert(0, choice(f"Chosen camera: {words}", settings.camera))
     if setup is None or setup.player is not None:
         return [*found, simulated]
     if setup.simulated:
@@ -79,8 +90,3 @@ def folder_input(folder: Path) -> PictureInput:
     files = sorted(p for p in folder.iterdir() if p.suffix.lower() in SUFFIXES)
     sides = [[p for p in files if side in p.name.lower()] for side in ("left", "right")]
     return SequenceInput(sides[0], sides[1], fps=0.0)
-
-
-def _side_by_side(index: int):  # type: ignore[no-untyped-def]
-    want = CaptureFormat(2 * WIDTH, HEIGHT, FPS)
-    return lambda _spec: SideBySideInput(index, want)

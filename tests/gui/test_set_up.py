@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 
 import cv2
@@ -13,7 +14,12 @@ from app.set_up_desk import board_from, board_text
 from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
 from app.viewmodels.stereo import split_fresh
 from app.wizards.import_form import ImportFormDialog
-from app.wizards.picture_choices import SessionPictures, folder_choice, folder_input
+from app.wizards.picture_choices import (
+    SessionPictures,
+    folder_choice,
+    folder_input,
+    picture_choices,
+)
 from app.wizards.stereo import BOARD, CHECK, RESULT, VIEWS, StereoWizard
 from app.wizards.stereo_board import PictureChoice
 from tracker.calibration.stereo.board import BoardSpec
@@ -21,6 +27,7 @@ from tracker.calibration.stereo.files import load_rig, save_calibration
 from tracker.calibration.wiggle import WiggleTest
 from tracker.errors import DeviceError
 from tracker.geometry import so3
+from tracker.sensors.picture_input import CameraName
 from tracker.sensors.stereo_calibration import Lens
 from tracker.simulation.board_pictures import BoardRenderer, TrueRig, board_pose
 from tracker.simulation.imu import ImuSimulator
@@ -232,13 +239,56 @@ def test_the_window_opens_each_dialog_once_and_closes_them(window, qtbot):
     assert window.set_up.dialogs == {}
 
 
+def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration(
+    window, qtbot, monkeypatch, tmp_path
+):
+    monkeypatch.setattr("app.hardware.serial_ports", list)
+    window.start_hardware()
+    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
+    assert window.docks["checklist"].isVisible() and window.start_page.isVisible()
+    assert window.checklist.summary.text().startswith("0 of")
+    rig = small_rig()
+    save_calibration(tmp_path / "mine.yml", rig.left, rig.right, rig.R, rig.T)
+    assert window.set_up.set_calibration(tmp_path / "mine.yml")
+    assert window.checklist.summary.text().startswith("1 of")
+
+
+def test_pictures_may_come_from_the_chosen_camera_all_others_and_a_simulation(window):
+    cameras = [CameraName(0, "Webcam", "/dev/video0"), CameraName(2, "ZED-M", "/dev/video2")]
+    window.store.update(camera="name:ZED-M")
+    titles = [c.title for c in picture_choices(window.session, window.store.value, cameras)]
+    assert titles == [
+        "Chosen camera: ZED-M",
+        "Webcam (/dev/video0)",
+        "ZED-M (/dev/video2)",
+        "Simulated board (demo)",
+    ]
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    first = picture_choices(window.session, window.store.value, cameras)[0]
+    assert first.simulated
+    window.session.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
+    in_use = picture_choices(window.session, window.store.value, cameras)[0]
+    assert in_use.make(SPEC).read() is not None and not in_use.simulated
+
+
+@pytest.mark.data
+def test_a_factory_file_of_a_zed_is_taken_as_it_is(wizard, data_folder):
+    dialog, done = wizard(StillBoard()), []
+    dialog.finished_with.connect(lambda path, real: done.append((path, real)))
+    folder = data_folder / "zed_calibration"
+    assert not dialog.take_file(folder / "zed1_orbslam2ros6_spaced_partial.conf")
+    assert "cut short" in dialog.board.trouble.text()
+    assert dialog.take_file(folder / "SN1010_zed1_factory.conf")
+    assert "120.00 mm" in dialog.check.figures.text()
+    dialog.next.click()
+    assert done == [(folder / "SN1010_zed1_factory.conf", True)]
+
+
 # --- the glove
 
 
 def samples(part: str, t: float, seconds: float):
     """Of a simulated wearer, beginning at ``t``."""
-    from dataclasses import replace
-
     hand, glove, _ = models()
     wearer = wiggling_wearer(hand, glove, part, 2)
     simulator = ImuSimulator(wearer, Wiggle(hand, part), 2)
