@@ -1,6 +1,7 @@
 """`evaluate vist` from the command line, small, and the pieces it is made of."""
 
 import argparse
+import io
 import json
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 
 from tracker.errors import ConfigError
 from tracker.evaluation.commands import add_commands
+from tracker.evaluation.metrics import Trial
 from tracker.evaluation.vist_cases import (
     ABLATIONS,
     Case,
@@ -17,7 +19,7 @@ from tracker.evaluation.vist_cases import (
     without_pictures,
 )
 from tracker.evaluation.vist_command import cases_of
-from tracker.evaluation.vist_run import run_cases
+from tracker.evaluation.vist_run import Progress, run_cases
 from tracker.evaluation.vist_trial import owners
 from tracker.messages import BlobFrame, ImuSample
 from tracker.settings import Settings
@@ -62,6 +64,52 @@ def test_json_on_standard_output_is_json_alone(monkeypatch, capsys):
     args = parse("--json", "-")
     assert args.func(args) == 0
     assert json.loads(capsys.readouterr().out) == {"rows": []}
+
+
+def test_ctrl_c_keeps_what_is_finished(monkeypatch, capsys, tmp_path):
+    def interrupted(jobs, processes):
+        index = jobs[0][0]
+        yield index, a_trial(0)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("tracker.evaluation.vist_run._results", interrupted)
+    target = tmp_path / "rows.json"
+    args = parse("--participants", "3", "--json", str(target), "--out", str(tmp_path))
+    assert args.func(args) == 1
+    (row,) = json.loads(target.read_text())["rows"]
+    assert row["participants"] == 1
+    assert row["mean_mm"] == pytest.approx(4.0)
+    assert "Stopped after 1 of 18 trials" in capsys.readouterr().out
+    assert (tmp_path / "report.html").is_file()
+
+
+def a_trial(participant: int) -> Trial:
+    """Two seconds with an error of 4 mm."""
+    n = 200
+    return Trial(
+        participant=participant, hand_length=0.18, t=np.arange(n) / 100,
+        error=np.full((n, 4), 0.004), sd=np.full((n, 4), 0.004), seen=np.full(n, 11),
+        matches=10, wrong_matches=0, core_s=0.1, duration=2.0,
+    )  # fmt: skip
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_the_bar_tells_what_is_left():
+    now = iter([0.0, 30.0, 60.0])
+    screen = Terminal()
+    bar = Progress(screen, clock=lambda: next(now))
+    for done in (0, 1, 2, 10):
+        bar.show(done, 10)
+    lines = screen.getvalue().split("\r")
+    assert "0/10 trials" in lines[1]
+    assert "1/10 trials, 4 min left" in lines[2]  # nine more of 30 s
+    assert "2/10 trials, 4 min left" in lines[3]
+    assert lines[4].rstrip(" \n").endswith("10/10 trials")
+    assert lines[4].endswith("\n")
 
 
 def test_the_defaults_are_the_papers():

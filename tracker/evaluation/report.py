@@ -48,11 +48,14 @@ figure { display: inline-block; width: 48%; margin: 0; vertical-align: top }
 
 def write_report(
     folder: Path,
-    cases: Sequence[Case],
-    trials: Sequence[Sequence[Trial]],
+    results: Sequence[tuple[Case, Sequence[Trial]]],
     rows: Sequence[dict[str, Any]],
 ) -> Path:
-    """Figures and ``report.html`` in ``folder``; returns the page. Raises FileError."""
+    """Figures and ``report.html`` in ``folder``; returns the page. Raises FileError.
+
+    ``rows`` are those of `vist_table.row_of` for ``results``.
+    """
+    cases, trials = [case for case, _ in results], [of_case for _, of_case in results]
     try:
         folder.mkdir(parents=True, exist_ok=True)
         page = [_head(cases, trials)]

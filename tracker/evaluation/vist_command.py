@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from tracker.errors import ConfigError
 
@@ -65,29 +65,44 @@ _positive = _number(float, 0.1)
 
 def run(args: argparse.Namespace) -> int:
     """Runs the cases, prints the table, writes what was asked for."""
-    from tracker.evaluation.metrics import summarise
-    from tracker.evaluation.vist_paper import PAPER
-    from tracker.evaluation.vist_run import Progress, run_cases
-    from tracker.evaluation.vist_table import HEAD, line_of, paper_line, row_of
+    from tracker.evaluation.vist_run import run_cases
+    from tracker.evaluation.vist_table import row_of
 
     cases = cases_of(args)
     participants = QUICK_PARTICIPANTS if args.quick else args.participants
-    trials = run_cases(cases, participants, args.processes, Progress())
+    results = [
+        (case, trials)
+        for case, trials in zip(cases, run_cases(cases, participants, args.processes), strict=True)
+        if trials  # there are none of a case that Ctrl+C prevented
+    ]
     table = sys.stderr if args.json == "-" else sys.stdout
-    print(HEAD, file=table)
-    for experiment in dict.fromkeys(c.experiment for c in cases):
-        if experiment in PAPER:
-            print(paper_line(experiment), file=table)
-    for case, of_case in zip(cases, trials, strict=True):
-        print(line_of(case, summarise(of_case)), file=table)
-    rows = [row_of(case, of_case) for case, of_case in zip(cases, trials, strict=True)]
+    _print_table(results, table)
+    rows = [row_of(case, trials) for case, trials in results]
     if args.json:
         _write_json(args.json, {"rows": rows})
-    if args.out:
+    if args.out and results:
         from tracker.evaluation.report import write_report
 
-        print(f"Report: {write_report(args.out, cases, trials, rows)}", file=table)
-    return 0
+        page = write_report(args.out, results, rows)
+        print(f"Report: {page}", file=table)
+    done, wanted = sum(len(trials) for _, trials in results), len(cases) * participants
+    if done < wanted:
+        print(f"Stopped after {done} of {wanted} trials; the figures are of those.", file=table)
+    return 0 if done == wanted else 1
+
+
+def _print_table(results: Sequence[tuple[Any, Any]], table: TextIO) -> None:
+    """The paper's figures first, then a line per case."""
+    from tracker.evaluation.metrics import summarise
+    from tracker.evaluation.vist_paper import PAPER
+    from tracker.evaluation.vist_table import HEAD, line_of, paper_line
+
+    print(HEAD, file=table)
+    for experiment in dict.fromkeys(case.experiment for case, _ in results):
+        if experiment in PAPER:
+            print(paper_line(experiment), file=table)
+    for case, trials in results:
+        print(line_of(case, summarise(trials)), file=table)
 
 
 def cases_of(args: argparse.Namespace) -> list[Any]:
