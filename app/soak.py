@@ -22,7 +22,7 @@ from pathlib import Path
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import psutil
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication
 
 STARTED = psutil.Process().create_time()
@@ -156,7 +156,8 @@ def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
         time.sleep(0.005)
     window.close()
     window.deleteLater()
-    app.sendPostedEvents()
+    # Outside an event loop Qt deletes only where it is asked to.
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     app.processEvents()
 
 
