@@ -21,7 +21,7 @@ class CoverageMap(QWidget):
         super().__init__(parent)
         self._titles = titles
         self._counts: tuple[NDArray[np.int64], ...] = ()
-        self.setMinimumSize(self.sizeHint())
+        self.setMinimumSize(220, 90)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 118)

@@ -25,6 +25,7 @@ from app.camera_choice import NAME, PAIR, by_name, by_names
 from app.session import Session
 from app.settings import SettingsStore
 from app.tasks import TaskOwner
+from app.wizards.sizing import fit_to_screen
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
 from tracker.sensors.picture_input import CameraName, list_cameras
 
@@ -51,7 +52,7 @@ class CameraSetup(QDialog):
         self._cameras: list[CameraName] = []
         self.setWindowTitle(self.tr("Camera set-up"))
         self.setObjectName("camera_setup")
-        self.resize(560, 420)
+        fit_to_screen(self, 560, 420)
         self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
         self.locks = LockBox()
         self.locks.wanted.connect(self._lock)

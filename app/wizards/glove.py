@@ -19,6 +19,7 @@ from app.tasks import Progress, TaskOwner
 from app.wizards.glove_choice import SESSION, SIMULATED, ChoicePage
 from app.wizards.glove_feed import GloveFeed, PortFeed, SessionFeed, simulated_feed
 from app.wizards.glove_pages import StillPage, WigglePage
+from app.wizards.sizing import fit_to_screen
 from tracker.messages import ImuSample
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 
@@ -58,7 +59,7 @@ class GloveSetup(QDialog):
     def _lay_out(self) -> None:
         self.setWindowTitle(self.tr("Glove set-up"))
         self.setObjectName("glove_setup")
-        self.resize(820, 600)
+        fit_to_screen(self, 820, 600)
         self.tabs = QTabWidget()
         self.tabs.addTab(self.choice, self.tr("&1 Glove"))
         self.tabs.addTab(self.still, self.tr("&2 At rest"))

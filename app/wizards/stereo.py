@@ -24,6 +24,7 @@ from app.viewmodels.stereo import split_fresh
 from app.wizards.board_watcher import BoardWatcher
 from app.wizards.import_form import ask_import_form
 from app.wizards.picture_choices import folder_choice
+from app.wizards.sizing import fit_to_screen
 from app.wizards.stereo_board import BoardPage, PictureChoice
 from app.wizards.stereo_result import ResultPage
 from app.wizards.stereo_views import CheckPage, CollectPage
@@ -81,7 +82,7 @@ class StereoWizard(QDialog):
     def _lay_out(self) -> None:
         self.setWindowTitle(self.tr("Stereo calibration"))
         self.setObjectName("stereo_wizard")
-        self.resize(980, 680)
+        fit_to_screen(self, 980, 680)
         self._steps = QLabel()
         self._steps.setAccessibleName(self.tr("Steps"))
         self.pages = QStackedWidget()

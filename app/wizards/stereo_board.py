@@ -180,7 +180,7 @@ class BoardPreview(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._image: QImage | None = None
-        self.setMinimumSize(280, 220)
+        self.setMinimumSize(180, 140)
         self.setAccessibleName(self.tr("Board"))
 
     def show_board(self, spec: BoardSpec | None) -> None:

@@ -74,6 +74,7 @@ class CollectPage(QWidget):
         self.map = CoverageMap((self.tr("Left picture"), self.tr("Right picture")))
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("Views taken"))
+        self.list.setMinimumHeight(60)
         self.remove = QPushButton(self.tr("Remove the view"))
         self.remove.setEnabled(False)
         self.remove.clicked.connect(lambda: self.removed.emit(self.list.currentRow()))
@@ -93,6 +94,7 @@ class CollectPage(QWidget):
 
     def _figures(self) -> QVBoxLayout:
         self._meters.setColumnStretch(2, 1)
+        self._meters.setVerticalSpacing(3)
         column = QVBoxLayout()
         column.addLayout(self._meters)
         column.addWidget(self.map)
