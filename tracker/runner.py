@@ -16,7 +16,9 @@ import time
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import Protocol, runtime_checkable
+
+import numpy as np
 
 from tracker.channels import Closed, Fifo, Latest
 from tracker.clock import nanoseconds, seconds
@@ -36,16 +38,19 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.pipeline import Pipeline
+from tracker.sensors.glove_link import LinkFigures
 from tracker.sensors.picture_watch import SilenceWatch
 from tracker.settings import Settings
 from tracker.shadow import Shadow
 from tracker.telemetry import Telemetry
 from tracker.vision.colours import ColourProfile
-from tracker.vision.detector import Detector, detect_frame
+from tracker.vision.detector import DetectionHints, Detector, detect_frame
+from tracker.vision.outlook import Outlook, SearchPlan
 
 WAIT = 0.05  # s that a thread waits before it looks whether it should end
 SILENCE = 0.1  # s without packets after which the screen follows the pictures alone
 HISTORY_S = 10.0
+SURE_SHARE = 0.5  # of the markers expected; with fewer the whole picture is searched
 MAX_FRAMES_BEHIND = 3
 MAX_PICTURES_WAITING = 24  # 130 MB at 720p
 TRACKING_WORDS = {
@@ -69,6 +74,13 @@ class GloveSource(Protocol):
 
     def close(self) -> None:
         """Free the port."""
+
+
+@runtime_checkable
+class ReportingGlove(Protocol):
+    """A glove that tells how it is."""
+
+    figures: LinkFigures
 
 
 class CameraSource(Protocol):
@@ -153,6 +165,8 @@ class LiveTracker:
         self._events: Fifo[Event] = Fifo(2000)
         self._telemetry = Telemetry()
         self._silence = SilenceWatch("camera")
+        self._plan = SearchPlan()
+        self._outlook: Outlook | None = None  # of the engine, for the vision thread
         self._order = _Order()
         self._disk: _Disk | None = None
         self._shadow: Shadow | None = None
@@ -298,6 +312,7 @@ class LiveTracker:
         self._set_camera_status()
         if self._disk is not None:
             t.set("pictures_thinned", self._disk.thinned)
+        self._set_glove_health()
         tracking = self._estimate.tracking if self._estimate else Tracking.SEARCHING
         return Status(now, tracking, t.values(now))
 
@@ -313,6 +328,16 @@ class LiveTracker:
             t.set("camera_offset_ms", 1e3 * timing.offset.value)
             t.set("camera_offset_sd_ms", 1e3 * timing.offset.sd)
         t.set("camera_offset_applied_ms", 1e3 * timing.applied)
+
+    def _set_glove_health(self) -> None:
+        """Battery and temperature, of a glove that tells them."""
+        if not isinstance(self._glove, ReportingGlove):
+            return
+        figures = self._glove.figures
+        if figures.battery_mV is not None:
+            self._telemetry.set("battery_v", figures.battery_mV / 1000)
+        if figures.temperature_cC is not None:
+            self._telemetry.set("temperature_c", figures.temperature_cC / 100)
 
     # ---- threads
 
@@ -354,7 +379,7 @@ class LiveTracker:
             if self._detector.profile is not self._profile:
                 self._detector = self._make_detector(self._profile)
             started = self._clock()
-            blobs = detect_frame(self._detector, frame)
+            blobs = detect_frame(self._detector, frame, self._hints(frame))
             self._telemetry.took("detect", self._clock() - started)
             if self._behind >= MAX_FRAMES_BEHIND:  # the engine has older ones to do
                 self._skipped += 1
@@ -362,6 +387,11 @@ class LiveTracker:
             with self._counting:
                 self._behind += 1
             self._inbox.put(_Found(frame, blobs))
+
+    def _hints(self, frame: StereoFrame) -> tuple[DetectionHints, DetectionHints] | None:
+        """Where to look for markers; None for the whole picture."""
+        names = self._profile.hue_names
+        return self._plan.hints(self._outlook, self._pipeline.rig, frame.t, frame.pose, names)
 
     def _notice_silence(self, frame: StereoFrame | None) -> None:
         """A device may hang in a call that never returns: here it is noticed all the same."""
@@ -440,6 +470,7 @@ class LiveTracker:
             self._frame = (found.frame, found.blobs, result)
             self._telemetry.set("stereo_points", result.stereo_points)
             self._telemetry.took("total", self._clock() - found.frame.t_arrival)
+            self._look_out(result)
         while len(self._waiting) > 30:  # nothing is made of pictures while searching
             found = self._waiting.popleft()
         if self._waiting and self._estimate and self._estimate.tracking == Tracking.SEARCHING:
@@ -448,6 +479,16 @@ class LiveTracker:
                 found.blobs.t, Tracking.SEARCHING, len(self._pipeline.glove.markers)
             )
             self._frame = (found.frame, found.blobs, nothing)
+
+    def _look_out(self, result: FrameResult) -> None:
+        """Tell the vision thread where markers are, as long as that is sure."""
+        matched = np.count_nonzero((result.match_left >= 0) | (result.match_right >= 0))
+        estimate, expected = self._estimate, float(result.visible.sum())
+        self._outlook, before = None, self._outlook
+        if estimate is None or estimate.tracking != Tracking.TRACKING:
+            return
+        if matched >= SURE_SHARE * expected:
+            self._outlook = self._pipeline.outlook(estimate.t, before)
 
     def _show(self, estimate: Estimate, record: bool) -> None:
         before = self._estimate

@@ -1,24 +1,43 @@
-"""Gyro and accelerometer as scrolling curves, and how each IMU is.
-
-Pens are one pixel wide and ranges fixed: wider pens cost five times as much to draw.
-"""
+"""Gyro, accelerometer and joint angles as scrolling curves, and how the glove and each IMU are."""
 
 from __future__ import annotations
 
-import pyqtgraph as pg
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QVBoxLayout, QWidget
+from collections.abc import Sequence
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.engine import EngineSetup
 from app.panels.panel import Panel
 from app.session import Session
-from app.viewmodels.sensors import curves, imu_states
+from app.viewmodels.sensors import (
+    AngleHistory,
+    Curves,
+    curves,
+    finger_angles,
+    glove_figures,
+    imu_states,
+    values_at,
+)
 from app.viewmodels.snapshot import Snapshot
-from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY
+from app.viewmodels.states import BLUISH_GREEN, GOOD, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
 from app.widgets.chip import Chip
+from app.widgets.flow_layout import FlowLayout
+from app.widgets.scroll_plot import ScrollPlot
 
-SPAN = 8.0
-AXES = (("x", ORANGE), ("y", BLUISH_GREEN), ("z", SKY))
+SPAN = 8.0  # s
+COLOURS = (ORANGE, BLUISH_GREEN, SKY, PURPLE, VERMILLION, YELLOW)
+AXES = ("x", "y", "z")
 RANGES = {"gyro": (-400.0, 400.0), "accel": (-2.5, 2.5)}
+UNITS = {"gyro": "°/s", "accel": "g", "angles": "°"}
 
 
 class SensorsPanel(Panel):
@@ -27,78 +46,172 @@ class SensorsPanel(Panel):
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(session, parent)
-        self.choice = QComboBox()
-        self.choice.setAccessibleName(self.tr("IMU"))
-        self.hold = QCheckBox(self.tr("Pause"))
         self.chips: list[Chip] = []
-        self._grid = QGridLayout()
-        self._grid.setHorizontalSpacing(4)
-        self._plots = {
-            "gyro": self._plot(self.tr("Angular rate"), "°/s", RANGES["gyro"]),
-            "accel": self._plot(self.tr("Acceleration"), "g", RANGES["accel"]),
-        }
-        head = QHBoxLayout()
-        head.addWidget(self.choice)
-        head.addWidget(self.hold)
-        head.addStretch(1)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
-        column.addLayout(head)
-        plots = QHBoxLayout()
-        for plot, _ in self._plots.values():
-            plots.addWidget(plot)
-        column.addLayout(plots, 1)
-        column.addLayout(self._grid)
+        self.toggles: list[QCheckBox] = []
+        self._history = AngleHistory(SPAN)
+        self._fingers: dict[str, list[int]] = {}
+        self._angle_names: tuple[str, ...] = ()
+        self._shown: dict[str, Curves] = {}
+        self._pointed: float | None = None
+        self._figures = ""
+        self._make_plots()
+        self._lay_out()
         session.opened.connect(self._open)
 
     def title(self) -> str:
         return self.tr("Sensors")
 
-    def _plot(
-        self, title: str, unit: str, limits: tuple[float, float]
-    ) -> tuple[pg.PlotWidget, list[pg.PlotDataItem]]:
-        plot = pg.PlotWidget()
-        plot.setMinimumHeight(90)
-        plot.setLabel("left", f"{title} / {unit}")
-        plot.setXRange(-SPAN, 0, padding=0)
-        plot.setYRange(*limits, padding=0)
-        plot.setMenuEnabled(False)
-        plot.hideButtons()
-        plot.showGrid(y=True, alpha=0.2)
-        items = [plot.plot(pen=pg.mkPen(c, width=1), name=n) for n, c in AXES]
-        return plot, items
+    # --- widgets
+
+    def _make_plots(self) -> None:
+        titles = {
+            "gyro": self.tr("Angular rate / °/s"),
+            "accel": self.tr("Acceleration / g"),
+            "angles": self.tr("Joint angle / °"),
+        }
+        self.plots: dict[str, ScrollPlot] = {}
+        for kind, title in titles.items():
+            plot = self.plots[kind] = ScrollPlot(title, SPAN, RANGES.get(kind))
+            plot.pointed.connect(self._point)
+            plot.left.connect(lambda: self._point(None))
+
+    def _lay_out(self) -> None:
+        self.choice = QComboBox()
+        self.choice.setAccessibleName(self.tr("Curves"))
+        self.choice.currentIndexChanged.connect(self._choose)
+        self.hold = QCheckBox(self.tr("Pause"))
+        self.hold.setToolTip(self.tr("Hold the curves; tracking goes on"))
+        self._head = FlowLayout(spacing=10)
+        self._head.addWidget(self.choice)
+        self._head.addWidget(self.hold)
+        self.figures = QLabel()
+        self.figures.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(6, 6, 6, 6)
+        column.setSpacing(4)
+        column.addLayout(self._head)
+        row = QHBoxLayout()
+        for plot in self.plots.values():
+            row.addWidget(plot)
+        column.addLayout(row, 1)
+        column.addWidget(self.figures)
+        self._grid = QGridLayout()
+        self._grid.setHorizontalSpacing(4)
+        column.addLayout(self._grid)
 
     def set_colours(self, background: str, text: str) -> None:
-        """Dress the plots; pyqtgraph does not follow the palette by itself."""
-        for plot, _ in self._plots.values():
-            plot.setBackground(background)
-            for side in ("left", "bottom"):
-                plot.getAxis(side).setPen(text)
-                plot.getAxis(side).setTextPen(text)
+        for plot in self.plots.values():
+            plot.set_colours(background, text)
 
     def _open(self, setup: EngineSetup) -> None:
+        """The IMUs of this glove and the angles of this hand."""
+        self._history.clear()
+        self._angle_names = setup.hand.joint_names
+        self._fingers = finger_angles(self._angle_names)
+        self.choice.blockSignals(True)
         self.choice.clear()
-        self.choice.addItems([n.replace("_", " ") for n in setup.glove.imu_names])
+        for name in setup.glove.imu_names:
+            self.choice.addItem(self.tr("IMU: {}").format(name.replace("_", " ")))
+        self.choice.insertSeparator(self.choice.count())
+        for finger in self._fingers:
+            self.choice.addItem(self.tr("Angles: {}").format(finger), finger)
+        self.choice.blockSignals(False)
         for chip in self.chips:
             chip.deleteLater()
         self.chips = [Chip() for _ in setup.glove.imus]
         for i, chip in enumerate(self.chips):
             self._grid.addWidget(chip, i // 4, i % 4)
+        self._choose()
+
+    # --- which curves
+
+    def _choose(self) -> None:
+        """Show the plots of the choice, and a box for each of its curves."""
+        columns = self._chosen_angles()
+        names: Sequence[str] = AXES
+        if columns is not None:
+            names = [self._angle_names[c].split("_", 1)[-1].replace("_", " ") for c in columns]
+        for name, plot in self.plots.items():
+            wanted = (name == "angles") == (columns is not None)
+            plot.setVisible(wanted)
+            plot.set_curves(COLOURS[: len(names)] if wanted else ())
+        self._make_toggles(names)
+        self._shown = {}
+
+    def _chosen_angles(self) -> list[int] | None:
+        """Columns of the angles to be shown; None while an IMU is chosen."""
+        return self._fingers.get(str(self.choice.currentData()))
+
+    def _make_toggles(self, names: Sequence[str]) -> None:
+        for box in self.toggles:
+            self._head.removeWidget(box)
+            box.deleteLater()
+        self.toggles = []
+        for k, name in enumerate(names):
+            box = QCheckBox(name)
+            box.setStyleSheet(f"QCheckBox {{ border-bottom: 2px solid {COLOURS[k]}; }}")
+            box.setChecked(True)
+            box.setToolTip(self.tr("Show this curve"))
+            box.toggled.connect(self._toggle_curves)
+            self._head.addWidget(box)
+            self.toggles.append(box)
+
+    def _toggle_curves(self) -> None:
+        for plot in self.plots.values():
+            for curve, box in zip(plot.curves, self.toggles, strict=False):
+                curve.setVisible(box.isChecked())
+
+    # --- what it shows
 
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or not self.chips:
             return
-        names = view.setup.glove.imu_names
-        states = imu_states(names, view.imu, view.running)
+        states = imu_states(view.setup.glove.imu_names, view.imu, view.running)
         for chip, state in zip(self.chips, states, strict=True):
             name = state.name.replace("_", " ")
-            chip.show_state(state.look.colour, state.look.sign, name, state.text)
+            text = name if state.look is GOOD else f"{name}: {state.text}"
+            chip.show_state(state.look.colour, state.look.sign, text, state.text)
+        self._figures = "   ".join(glove_figures(view.status, view.imu))
+        if view.estimate is not None:
+            self._history.take(view.estimate)
         if not self.hold.isChecked():
             self._draw(view)
+        self._read()
 
     def _draw(self, view: Snapshot) -> None:
-        imu = max(0, self.choice.currentIndex())
-        for kind, (_, items) in self._plots.items():
-            data = curves(view.imu, imu, kind, SPAN)
-            for axis, item in enumerate(items):
-                item.setData(data.t, data.values[:, axis])
+        columns = self._chosen_angles()
+        if columns is not None:
+            self._shown = {"angles": self._history.curves(columns)}
+        else:
+            imu = max(0, self.choice.currentIndex())
+            self._shown = {k: curves(view.imu, imu, k, SPAN) for k in ("gyro", "accel")}
+        for name, data in self._shown.items():
+            self.plots[name].show_values(data.t, data.values)
+
+    # --- the cursor
+
+    def _point(self, t: float | None) -> None:
+        self._pointed = t
+        for plot in self.plots.values():
+            plot.show_cursor(t)
+        self._read()
+
+    def _read(self) -> None:
+        """The values of the shown curves under the pointer; without it the glove's figures."""
+        if self._pointed is None:
+            self.figures.setText(self._figures)
+            return
+        parts = []
+        for kind, data in self._shown.items():
+            found = values_at(data, self._pointed)
+            if found is None:
+                continue
+            t, values = found
+            shown = [
+                f"{box.text()} {value:.3g}"
+                for box, value in zip(self.toggles, values, strict=True)
+                if box.isChecked()
+            ]
+            parts.append(f"{', '.join(shown)} {UNITS[kind]}")
+            parts[0] = parts[0] if len(parts) > 1 else f"{t:.2f} s: {parts[0]}"
+        self.figures.setText("; ".join(parts))

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, Look
-from tracker.messages import Array, ImuSample
+from tracker.messages import Array, Estimate, ImuSample, Status
 
-STALE = 0.5
-"""s without a sample after which an IMU counts as silent."""
+LARGEST_STEP = 0.5  # s between two instants of the same curve
 
 
 @dataclass(frozen=True, eq=False)
 class Curves:
-    """t (n,) s before now (negative), values (n, 3)."""
+    """t (n,) s before now (negative), values (n, k) of k curves."""
 
     t: Array
     values: Array
@@ -66,3 +66,71 @@ def jitter_ms(samples: Sequence[ImuSample]) -> float:
         return float("nan")
     arrivals = np.array([s.t_arrival for s in list(samples)[-100:]])
     return float(1000 * np.diff(arrivals).std())
+
+
+def glove_figures(status: Status | None, samples: Sequence[ImuSample]) -> list[str]:
+    """The link as a whole: rate, loss, jitter, battery, temperature, as far as they are known."""
+    v = status.values if status is not None else {}
+    lost, jitter = v.get("imu_lost"), jitter_ms(samples)
+    figures = (
+        _figure(v.get("imu_rate_hz"), "{:.1f} Hz"),
+        _figure(lost, "{:.0f} packet lost" if lost == 1 else "{:.0f} packets lost"),
+        _figure(jitter, "jitter {:.1f} ms"),
+        _figure(v.get("battery_v"), "battery {:.2f} V"),
+        _figure(v.get("temperature_c"), "{:.1f} °C"),
+    )
+    return [f for f in figures if f]
+
+
+def _figure(value: float | None, pattern: str) -> str:
+    return "" if value is None or not np.isfinite(value) else pattern.format(value)
+
+
+def finger_angles(joint_names: Sequence[str]) -> dict[str, list[int]]:
+    """Finger to the columns of its angles, in the order of ``joint_names``."""
+    out: dict[str, list[int]] = {}
+    for column, name in enumerate(joint_names):
+        out.setdefault(name.split("_")[0], []).append(column)
+    return out
+
+
+class AngleHistory:
+    """The hand's angles of the last ``span`` s, as often as they are taken."""
+
+    def __init__(self, span: float) -> None:
+        self._span = span
+        self._rows: deque[tuple[float, Array]] = deque()
+
+    def clear(self) -> None:
+        self._rows.clear()
+
+    def take(self, estimate: Estimate) -> None:
+        """One more instant. After a gap (the panel was hidden, a replay has jumped) lines break."""
+        if self._rows:
+            step = estimate.t - self._rows[-1][0]
+            if step == 0:
+                return
+            if step < 0:
+                self._rows.clear()
+            elif step > LARGEST_STEP:
+                gap = np.full_like(estimate.angles, np.nan)
+                self._rows.append((self._rows[-1][0] + step / 2, gap))
+        self._rows.append((estimate.t, estimate.angles))
+        while self._rows[-1][0] - self._rows[0][0] > self._span:
+            self._rows.popleft()
+
+    def curves(self, columns: Sequence[int]) -> Curves:
+        """t (n,) s before the last instant and angles (n, len(columns)) in degrees."""
+        if not self._rows:
+            return Curves(np.zeros(0), np.zeros((0, len(columns))))
+        t = np.array([row[0] for row in self._rows])
+        angles = np.array([row[1][list(columns)] for row in self._rows])
+        return Curves(t - t[-1], np.rad2deg(angles))
+
+
+def values_at(shown: Curves, t: float) -> tuple[float, Array] | None:
+    """The instant of ``shown`` nearest to ``t`` and its values (k,); None where there is none."""
+    if len(shown.t) == 0:
+        return None
+    i = int(np.argmin(np.abs(shown.t - t)))
+    return float(shown.t[i]), shown.values[i]

@@ -1,0 +1,123 @@
+"""The sensors in the real window: which curves, what the cursor reads, how the glove is."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, models
+from PySide6.QtCore import QEvent, QPointF
+from PySide6.QtWidgets import QApplication
+
+from app.viewmodels.sensors import AngleHistory, Curves, glove_figures, values_at
+from tracker.messages import Status, Tracking
+
+
+@pytest.fixture
+def sensors(live, qtbot):
+    live.run_command("show_sensors")
+    qtbot.waitUntil(lambda: "gyro" in live.sensors._shown, timeout=30_000)
+    return live.sensors
+
+
+def point(plot, t: float) -> None:
+    """Hold the pointer over an instant."""
+    box = plot.plot.plotItem.vb
+    plot.plot.scene().sigMouseMoved.emit(box.mapViewToScene(QPointF(t, 0.0)))
+
+
+def test_the_imu_and_its_axes_are_chosen(sensors, engine):
+    sensors.choice.setCurrentIndex(3)
+    sensors.refresh(sensors.session.snapshot())
+    _, y = sensors.plots["gyro"].curves[1].getData()
+    assert y[-1] == pytest.approx(np.rad2deg(engine.recent_imu()[-1].gyro[3, 1]))
+    sensors.toggles[1].click()
+    assert not sensors.plots["gyro"].curves[1].isVisible()
+    assert not sensors.plots["accel"].curves[1].isVisible()
+    assert sensors.plots["gyro"].curves[0].isVisible()
+
+
+def test_the_cursor_reads_what_stands_under_it(sensors, engine):
+    samples = engine.recent_imu()
+    then = samples[-51]
+    at = then.t - samples[-1].t
+    point(sensors.plots["gyro"], at)
+    text = sensors.figures.text()
+    assert text.startswith(f"{at:.2f} s: x {np.rad2deg(then.gyro[0, 0]):.3g}")
+    assert f"z {then.accel[0, 2] / 9.80665:.3g} g" in text
+    sensors.toggles[0].click()
+    point(sensors.plots["gyro"], at)
+    assert "x " not in sensors.figures.text()
+    QApplication.sendEvent(sensors.plots["gyro"], QEvent(QEvent.Type.Leave))
+    assert "100.0 Hz" in sensors.figures.text()
+
+
+def test_the_angles_of_a_finger_scroll(sensors, engine, qtbot):
+    sensors.choice.setCurrentIndex(sensors.choice.findText("Angles: index"))
+    assert sensors.plots["gyro"].isHidden() and not sensors.plots["angles"].isHidden()
+    assert [box.text() for box in sensors.toggles] == [
+        "mcp flexion",
+        "mcp abduction",
+        "pip flexion",
+        "dip flexion",
+    ]
+    for frame in (31, 33, 35):
+        engine.frame = frame
+        sensors.refresh(sensors.session.snapshot())
+    column = models()[0].angle_index["index_pip_flexion"]
+    t, angle = sensors.plots["angles"].curves[2].getData()
+    assert angle[-1] == pytest.approx(np.rad2deg(engine.latest_estimate().angles[column]))
+    assert t[-1] == 0.0 and t[-3] == pytest.approx(-4 / 30, abs=1e-3)
+
+
+def test_paused_curves_stay_and_can_be_read(sensors, engine):
+    sensors.hold.click()
+    before = sensors.plots["gyro"].curves[0].getData()[1].copy()
+    engine.frame = 60
+    sensors.refresh(sensors.session.snapshot())
+    np.testing.assert_array_equal(sensors.plots["gyro"].curves[0].getData()[1], before)
+    point(sensors.plots["accel"], -0.2)
+    assert sensors.figures.text().startswith("-0.2")
+
+
+def test_a_silent_imu_is_named(sensors, engine, monkeypatch):
+    samples = engine.recent_imu()
+    valid = samples[0].valid.copy()
+    valid[2] = False
+    silent = [dataclasses.replace(s, valid=valid) for s in samples]
+    monkeypatch.setattr(engine, "recent_imu", lambda: silent)
+    sensors.refresh(sensors.session.snapshot())
+    name = models()[1].imu_names[2].replace("_", " ")
+    assert sensors.chips[2].text() == f"{name}: silent"
+    assert sensors.chips[1].text() == models()[1].imu_names[1].replace("_", " ")
+
+
+def test_the_gloves_figures_are_those_that_are_known():
+    samples = ScriptedEngine().recent_imu()
+    values = {"imu_rate_hz": 99.96, "imu_lost": 1.0, "battery_v": 3.7, "temperature_c": 29.0}
+    shown = glove_figures(Status(0.0, Tracking.TRACKING, values), samples)
+    assert shown[:2] == ["100.0 Hz", "1 packet lost"]
+    assert shown[3:] == ["battery 3.70 V", "29.0 °C"]
+    intervals = np.diff([s.t_arrival for s in samples[-100:]])
+    assert shown[2] == f"jitter {1000 * intervals.std():.1f} ms"
+    assert glove_figures(None, []) == []
+
+
+def test_angles_break_where_nothing_was_seen_and_begin_anew_after_a_jump_back():
+    estimate = ScriptedEngine().latest_estimate()
+    history = AngleHistory(8.0)
+    for t in (1.0, 1.1, 3.0, 3.0, 3.1):
+        history.take(dataclasses.replace(estimate, t=t))
+    shown = history.curves([0])
+    assert shown.t == pytest.approx([-2.1, -2.0, -1.05, -0.1, 0.0])
+    assert np.isnan(shown.values[:, 0]).tolist() == [False, False, True, False, False]
+    history.take(dataclasses.replace(estimate, t=0.5))
+    assert len(history.curves([0]).t) == 1
+    history.take(dataclasses.replace(estimate, t=9.0))
+    assert history.curves([0]).t[0] > -8.0
+
+
+def test_values_are_those_of_the_nearest_instant():
+    shown = Curves(np.array([-2.0, -1.0, 0.0]), np.arange(6.0).reshape(3, 2))
+    t, values = values_at(shown, -0.9)
+    assert t == -1.0 and values.tolist() == [2.0, 3.0]
+    assert values_at(Curves(np.zeros(0), np.zeros((0, 2))), -1.0) is None
