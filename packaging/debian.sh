@@ -29,11 +29,13 @@ install -Dm644 $ours/70-glovetrack.rules -t "$root/usr/lib/udev/rules.d"
 install -Dm644 resources/icons/glovetrack.svg -t "$root/usr/share/icons/hicolor/scalable/apps"
 install -Dm644 resources/icons/glovetrack.png -t "$root/usr/share/icons/hicolor/256x256/apps"
 install -Dm644 "$bundle/LICENCES.txt" "$root/usr/share/doc/glovetrack/copyright"
+install -Dm644 $ours/glovetrack.1 -t "$root/usr/share/man/man1"
+gzip -9n "$root/usr/share/man/man1/glovetrack.1"
 install -m755 $ours/postinst $ours/postrm -t "$root/DEBIAN"
 sed -e "s/@VERSION@/$version/" -e "s/@ARCHITECTURE@/$architecture/" \
     -e "s/@SIZE_KB@/$(du -sk "$root/opt" | cut -f1)/" $ours/control >"$root/DEBIAN/control"
-nice dpkg-deb --root-owner-group -Zzstd -z3 --build "$root" "$out/$name.deb" >/dev/null
+nice dpkg-deb --root-owner-group -Zzstd -z9 --build "$root" "$out/$name.deb" >/dev/null
 
 echo "Packing $out/$name.tar.gz"
-nice tar -C "$root/opt" --owner=0 --group=0 -c glovetrack | nice gzip -1 >"$out/$name.tar.gz"
+nice tar -C "$root/opt" --owner=0 --group=0 -c glovetrack | nice gzip -6 >"$out/$name.tar.gz"
 du -m "$out/$name".*

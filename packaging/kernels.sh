@@ -21,4 +21,5 @@ for engine in chain vist switching madgwick; do
     run track pictures.mcap -o $engine.mcap --engine $engine
 done
 cp -r cache/glovetrack/kernels-* "$kernels"
+chmod -R a+rX "$kernels" # a cache is its user's alone
 find "$kernels" -name '*.nbc' | wc -l | sed 's/$/ kernels compiled/'

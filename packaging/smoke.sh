@@ -50,6 +50,7 @@ opens() { # name, then the command: seconds until its window is there; the progr
     timeout 120 xdotool search --sync --onlyvisible --name Glovetrack >/dev/null
     LC_ALL=C printf '%-12s %6.2f s\n' "$what" "$(bc <<<"$EPOCHREALTIME - $begun")"
     kill $program && { wait $program || true; }
+    while xdotool search --onlyvisible --name Glovetrack >/dev/null; do sleep 0.1; done
 }
 
 source_run() { # the same program from this checkout, for comparison
@@ -69,12 +70,14 @@ step demo-first inside glovetrack demo --headless-report 2 --out first
 step demo inside glovetrack demo --headless-report $seconds --out demo
 cat "$out/demo.log"
 step verify inside glovetrack verify demo/session.mcap
-for format in csv parquet h5 c3d trc mot bvh glb urdf mp4; do
+formats=$(inside glovetrack export --help | grep -o '{[a-z0-9,]*}' | head -1 | tr -d '{}' | tr , ' ')
+for format in $formats; do
     step $format inside glovetrack export demo/session.mcap --format $format -o "made.$format"
 done
 for engine in chain vist switching madgwick; do
     step track-$engine inside glovetrack track practice.mcap -o $engine.mcap --engine $engine
 done
+step batch inside glovetrack track practice.mcap chain.mcap -o batch --jobs 2
 step compare inside glovetrack compare chain.mcap vist.mcap
 
 tracked=$(sed -n 's/^tracking *\([0-9]*\) %.*/\1/p' "$out/demo.log")

@@ -49,13 +49,21 @@ def lay_out(shipped: Path, build: str, cache: Path) -> Path:
         shutil.rmtree(old, ignore_errors=True)
     # Another process may do the same: whoever renames first wins.
     fresh = Path(tempfile.mkdtemp(prefix="new-", dir=target.parent))
-    if shipped.is_dir():
-        shutil.copytree(shipped, fresh, dirs_exist_ok=True)
+    fill(fresh, shipped)
     try:
         fresh.rename(target)
     except OSError:
         shutil.rmtree(fresh, ignore_errors=True)
     return target
+
+
+def fill(fresh: Path, shipped: Path) -> None:
+    """Copy what is shipped; half a copy, on a full disk say, is worse than none."""
+    try:
+        shutil.copytree(shipped, fresh, dirs_exist_ok=True)
+    except OSError:
+        shutil.rmtree(fresh, ignore_errors=True)
+        fresh.mkdir(exist_ok=True)
 
 
 def choose(bundle: Path) -> Path:
