@@ -18,6 +18,12 @@ from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.kalman import update_with
 from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.layout import ChainLayout
+from tracker.fusion.mono_start import (
+    KNOWN_SIZE_SD,
+    SIZE_SD,
+    release_size,
+    with_unsure_distance,
+)
 from tracker.fusion.output import HandOutput, Sensed
 from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import PixelModel, Prediction, SeenBlobs, seen_blobs
@@ -53,6 +59,7 @@ class _Track:
 
     tracking: Tracking = Tracking.SEARCHING
     last_good: float = -np.inf  # last picture with enough matches
+    one_lens: bool = False  # started with one lens, and no marker was seen by both since
     last_search: float = -np.inf
     last_tilt: float = -np.inf
     last_constraint: float = -np.inf
@@ -201,6 +208,7 @@ class ChainEngine(LaggedEngine[ChainState]):
             control.hold_calibration(self._state, self._layout)
         self._track.tracking = Tracking.TRACKING
         self._track.last_good = frame.t
+        self._track.one_lens = any(len(s.uv) == 0 for s in seen)
         for _ in range(2):  # the second pass matches and linearises at a better place
             prediction = self._predict(self._state, pose)
             match = self._pixels.match(prediction, seen)
@@ -280,10 +288,22 @@ class ChainEngine(LaggedEngine[ChainState]):
         match: IntArray,
     ) -> None:
         self._track.seen[np.any(match >= 0, axis=0)] = frame.t
-        self._track.tip_sd = tip_sd(self._state, self._layout)
+        self._track.tip_sd = self._tip_sd(frame, np.all(match >= 0, axis=0).any())
         self._results.append(
             frame_result(frame, self._rig, self._track.tracking, prediction, seen, match)
         )
+
+    def _tip_sd(self, frame: BlobFrame, stereo: bool) -> Array:
+        """(A,) m: of each active segment's end. One lens alone does not know the distance."""
+        sd = tip_sd(self._state, self._layout)
+        if stereo and self._track.one_lens:
+            self._track.one_lens = False
+            release_size(self._state.P, self._layout, self._params.prior)
+        if not self._track.one_lens:
+            return sd
+        size_sd = SIZE_SD if self._starter.profile is None else KNOWN_SIZE_SD
+        pose = frame.pose or self._rig.pose
+        return with_unsure_distance(sd, self._state.p, pose, size_sd)
 
     # ---- messages out
 

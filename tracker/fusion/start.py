@@ -8,6 +8,7 @@ import numpy as np
 
 from tracker.fusion.imu_buffer import ImuBuffer
 from tracker.fusion.layout import ChainLayout
+from tracker.fusion.mono_start import MonoParams, Rays, along_the_ray, keep_size, vote_mono
 from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import SeenBlobs
 from tracker.fusion.prior import initial_covariance
@@ -30,7 +31,7 @@ class Starter:
 
     def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
         self._layout, self._rig, self._params = layout, rig, params
-        self._search = SearchParams()
+        self._search, self._mono = SearchParams(), MonoParams()
         self.profile: WearerProfile | None = None  # what is known of the wearer beforehand
 
     def first(
@@ -56,6 +57,9 @@ class Starter:
         if best is None:
             return None
         state.R_GB, state.p = best.R_GB, best.p
+        if any(len(s.uv) == 0 for s in seen):
+            along_the_ray(state.P, state.p, pose, self._mono.distance_sd)
+            keep_size(state.P, self._layout)
         return state
 
     def again(
@@ -82,12 +86,32 @@ class Starter:
         params: SearchParams,
     ) -> Pose | None:
         left, right = seen
+        if len(left.uv) == 0 or len(right.uv) == 0:
+            return self._best_mono(state, postures, headings, seen, pose)
         pairs = all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
         if len(pairs.p_C) < params.min_points:
             return None
         points = Seen(pairs.p_C @ pose.R_GC.T + pose.p_GC, left.hue[pairs.left_index], pose.p_GC)
         poses = vote(state, self._layout, postures, headings, points, params)
         return poses[0] if poses else None
+
+    def _best_mono(
+        self,
+        state: ChainState,
+        postures: list[Array],
+        headings: Array,
+        seen: tuple[SeenBlobs, ...],
+        pose: CameraPose,
+    ) -> Pose | None:
+        """With the one lens that sees something."""
+        lens = 1 if len(seen[0].uv) == 0 else 0
+        rig = self._rig
+        rays = Rays(
+            (seen[lens].uv - [rig.cx, rig.cy]) / [rig.fx, rig.fy],
+            seen[lens].hue,
+            np.array([lens * rig.baseline, 0.0, 0.0]),
+        )
+        return vote_mono(state, self._layout, postures, headings, rays, pose, self._mono)
 
     def _bias_at_rest(self, state: ChainState, gyro: Array, valid: Array) -> None:
         """A still hand shows the gyro biases: take them, with what a person at rest still turns."""

@@ -1,0 +1,95 @@
+"""One lens: the hand is found and followed, and its distance is said to be unsure."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tracker.fusion.mono_start import best_place
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking
+from tracker.pipeline import Pipeline
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+
+TIPS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
+
+
+def pattern(rng: np.random.Generator, n: int) -> tuple[Array, np.ndarray]:
+    """Markers of a hand's size and hues."""
+    return rng.uniform(-0.07, 0.07, (n, 3)), rng.integers(0, 4, n)
+
+
+@pytest.mark.parametrize("depth", [0.25, 0.4, 0.6])
+def test_a_known_pattern_is_placed(depth: float) -> None:
+    rng = np.random.default_rng(4)
+    markers, hue = pattern(rng, 14)
+    place = np.array([0.05, -0.03, depth])
+    p = markers[:11] + place  # three are hidden
+    seen = p[:, :2] / p[:, 2:] + rng.normal(0, 0.3 / 640, (11, 2))
+    seen = np.concatenate([seen, rng.uniform(-0.5, 0.5, (4, 2))])  # four are strangers
+    hues = np.concatenate([hue[:11], [0, 1, 2, 3]])
+    depths = np.geomspace(0.2, 0.75, 8)
+    found, score, support = best_place(seen, hues, markers, hue, np.ones(14), depths, 0.012)
+    assert found == pytest.approx(place, abs=0.02 * depth)
+    assert support >= 11 and score > 9
+
+
+def run(
+    sim: Simulation, blind: str, until: float = np.inf
+) -> tuple[Pipeline, list[Estimate], list[float]]:
+    """All estimates, and their mean errors (m); a side is blind until an instant."""
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
+    rows = [pipeline.keypoint_names.index(k) for k in TIPS]
+    shown, errors = [], []
+    for message in sim.feed():
+        if isinstance(message, ImuSample):
+            e = pipeline.feed_imu(message)
+            if message.seq % 10 == 0:
+                shown.append(e)
+                true = sim.truth(e.t).keypoints[rows]
+                errors.append(float(np.linalg.norm(e.keypoints[rows] - true, axis=1).mean()))
+        else:
+            assert isinstance(message, BlobFrame)
+            pipeline.feed_frame(replace(message, **{blind: None}) if message.t < until else message)
+    return pipeline, shown, errors
+
+
+def simulation(hand: HandModel, glove: GloveModel, seed: int, duration: float) -> Simulation:
+    return Simulation(hand, glove, RandomPostures(hand, seed, duration=duration), seed, fps=20)
+
+
+@pytest.mark.parametrize("blind", ["right", "left"])
+def test_one_lens_tracks_and_says_how_unsure_it_is(hand, glove, blind: str) -> None:
+    _, shown, errors = run(simulation(hand, glove, 4, 6.0), blind)
+    late = shown[10:]
+    assert all(e.tracking == Tracking.TRACKING for e in late)
+    error = np.array(errors[10:])
+    assert error.mean() < 0.030
+    said = np.array([np.nanmean(e.keypoint_sd) for e in late])
+    assert np.all(said > 0.008)  # 5 % of the distance, over three axes
+    assert np.mean(error < 3 * np.sqrt(3) * said) > 0.95
+
+
+def test_the_second_lens_makes_it_sure(hand, glove) -> None:
+    pipeline, shown, errors = run(simulation(hand, glove, 4, 8.0), "right", until=3.0)
+    assert np.nanmean(shown[25].keypoint_sd) > 0.008
+    assert np.nanmean(shown[-1].keypoint_sd) < 0.006
+    assert np.mean(errors[-15:]) < 0.010
+    assert pipeline.calibration().hand_length_sd > 0.0005
+
+
+def test_an_empty_room_starts_nothing(hand, glove) -> None:
+    sim = simulation(hand, glove, 4, 2.0)
+    pipeline, rng = Pipeline(hand, glove, sim.rig), np.random.default_rng(3)
+    for message in sim.feed():
+        if isinstance(message, ImuSample):
+            assert pipeline.feed_imu(message).tracking == Tracking.SEARCHING
+        else:
+            assert isinstance(message, BlobFrame) and message.left is not None
+            anywhere = rng.uniform([0, 0], [1280, 720], message.left.uv.shape)
+            strangers = replace(message.left, uv=anywhere)
+            pipeline.feed_frame(replace(message, left=strangers, right=None))
