@@ -19,14 +19,13 @@ from tracker.hand.model import HandModel
 from tracker.messages import (
     BlobFrame,
     Calibration,
-    CameraPose,
     Estimate,
     FrameResult,
     ImuSample,
     Tracking,
 )
 from tracker.settings import Settings
-from tracker.vision.detector import DetectionHints
+from tracker.vision.outlook import Outlook
 from tracker.vision.rig import StereoRig
 from tracker.vision.rig_watch import RigState, RigWatch
 
@@ -42,8 +41,6 @@ ENGINES: dict[str, Builder] = {
         hand, glove, rig, s.chain, s.hybrid, "madgwick_adaptive"
     ),
 }
-
-HINT_MARGIN_PX = 12.0
 
 
 class Pipeline:
@@ -132,26 +129,24 @@ class Pipeline:
         """Estimated parameters with their uncertainty."""
         return self._engine.calibration()
 
-    def hints(
-        self, t: float, pose: CameraPose | None = None
-    ) -> tuple[DetectionHints, DetectionHints] | None:
-        """Where markers are expected in the two pictures at ``t``; None while searching."""
-        markers = self._engine.predicted_markers(t - self._timing.applied)
+    def outlook(self, t: float, before: Outlook | None = None) -> Outlook | None:
+        """Where markers are expected at ``t``, not before the newest packet; None while searching.
+
+        Their speed is taken from where they were expected ``before``.
+        """
+        markers = self._engine.predicted_markers(t)
         if markers is None:
             return None
         p_G, sd, ids = markers
-        pose = pose or self.rig.pose
-        p_C = (p_G - pose.p_GC) @ pose.R_GC
-        out = []
-        for right in (False, True):
-            uv = self.rig.project(p_C, right)
-            z = np.maximum(p_C[:, 2], 0.05)
-            radius = self.rig.fx * (self.glove.marker_size[ids] + 3 * sd) / z + HINT_MARGIN_PX
-            ok = np.flatnonzero(np.isfinite(uv[:, 0]))
-            camera = self.rig.right if right else self.rig.left
-            raw = camera.unrectify(uv[ok])
-            out.append(DetectionHints(raw, radius[ok], self.glove.marker_hue[ids[ok]]))
-        return out[0], out[1]
+        return Outlook(
+            t=t + self._timing.applied,
+            p_G=p_G,
+            v_G=np.zeros_like(p_G),
+            sd=sd,
+            size=self.glove.marker_size[ids],
+            hue=self.glove.marker_hue[ids],
+            hue_names=self.glove.hues,
+        ).after(before)
 
     def get_state(self) -> Any:
         """Everything that changes; `set_state` goes on identically."""

@@ -89,7 +89,6 @@ def detection_rows(
     peer = PlainOpenCv(profile, (extent / 0.9, extent / 0.15))
     coarse = Detector(profile, MARKER_SIZE, fx)
     full = coarse.with_params(DetectorParams(stride=1))
-    regions = coarse.with_params(DetectorParams(regions_only=True))
     hints = [
         DetectionHints(p.uv, np.full(len(p.uv), 30.0), p.hue, np.full(len(p.uv), 20.0))
         for p in pictures
@@ -97,7 +96,7 @@ def detection_rows(
     calls: list[Call] = [
         lambda: [full.detect(p.image) for p in pictures],
         lambda: [coarse.detect(p.image) for p in pictures],
-        lambda: [regions.detect(p.image, h) for p, h in zip(pictures, hints, strict=True)],
+        lambda: [coarse.detect(p.image, h) for p, h in zip(pictures, hints, strict=True)],
         lambda: [peer.detect(p.image) for p in pictures],
     ]
     ms = interleaved(calls, rounds) * 1e3 / len(pictures)

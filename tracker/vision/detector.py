@@ -32,8 +32,7 @@ class DetectorParams:
     """How a picture is searched, and how far away markers may be where nothing is predicted."""
 
     stride: int = 4  # of the seeds' grid; 1 scans every pixel
-    hint_stride: int = 2  # the same around predicted markers
-    regions_only: bool = False  # look nowhere else while there is a prediction
+    hint_stride: int = 2  # the same around predicted markers, where nothing else is searched
     min_area_px: float = 6.0
     nearest: float = 0.15  # m
     farthest: float = 0.90  # m
@@ -84,7 +83,10 @@ class Detector:
     def detect(
         self, image: Image, hints: DetectionHints | None = None
     ) -> tuple[Blobs, RejectedBlobs]:
-        """Blobs of a BGR picture (h, w, 3) uint8, and what had the hue but not the shape."""
+        """Blobs of a BGR picture (h, w, 3) uint8, and what had the hue but not the shape.
+
+        With ``hints`` only what they stand for is looked for.
+        """
         pixels = _checked(image)
         height, width = pixels.shape[:2]
         rows = search.find_regions(
@@ -101,12 +103,10 @@ class Detector:
 
     def _windows(self, width: int, height: int, hints: DetectionHints | None) -> IntArray:
         """Rows (first and last column, first and last row, stride) to look for seeds in."""
-        whole = np.array([[0, width - 1, 0, height - 1, self.params.stride]], np.int64)
-        if hints is None or len(hints.uv) == 0:
-            return whole
+        if hints is None:
+            return np.array([[0, width - 1, 0, height - 1, self.params.stride]], np.int64)
         stride = self.params.hint_stride
-        near = windows_around(hints.uv, hints.radius_px, width, height, stride)
-        return near if self.params.regions_only else np.concatenate([near, whole])
+        return windows_around(hints.uv, hints.radius_px, width, height, stride)
 
     def _reasons(self, rows: Array, hints: DetectionHints | None) -> IntArray:
         """Index into REASONS of the first requirement that each region fails, -1 for none."""

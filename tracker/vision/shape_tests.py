@@ -72,10 +72,11 @@ def _suits(
 def windows_around(uv: Array, radius: Array, width: int, height: int, stride: int) -> IntArray:
     """(k, 5) first and last column, first and last row, stride: squares cut to the picture.
 
-    Places that are not finite, or whose square lies outside, have no row.
+    Places that are not finite, or whose square lies outside, have no row. Where the squares overlap
+    so much that one rectangle around all is smaller, it takes their place.
     """
     out = np.empty((len(uv), 5), np.int64)
-    n = 0
+    n, area = 0, 0
     for k in range(len(uv)):
         if not np.isfinite(uv[k, 0] + uv[k, 1] + radius[k]):
             continue
@@ -86,5 +87,13 @@ def windows_around(uv: Array, radius: Array, width: int, height: int, stride: in
         out[n, 0], out[n, 1] = max(left, 0.0), min(right, width - 1.0)
         out[n, 2], out[n, 3] = max(top, 0.0), min(bottom, height - 1.0)
         out[n, 4] = stride
+        area += (out[n, 1] - out[n, 0] + 1) * (out[n, 3] - out[n, 2] + 1)
         n += 1
+    if n == 0:
+        return out[:0]
+    left, right = out[:n, 0].min(), out[:n, 1].max()
+    top, bottom = out[:n, 2].min(), out[:n, 3].max()
+    if (right - left + 1) * (bottom - top + 1) <= area:
+        out[0, 0], out[0, 1], out[0, 2], out[0, 3] = left, right, top, bottom
+        n = 1
     return out[:n]
