@@ -95,8 +95,8 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
 
 def find_port(progress: Progress, last: str) -> str:
     """The first port with a glove behind it; the last one used is asked first."""
-    ports = serial_ports()
-    ports.sort(key=lambda p: p != last)
+    # one that is not on USB is on no list, and was chosen by hand
+    ports = [*([last] if last else []), *(p for p in serial_ports() if p != last)]
     troubles = []
     for i, path in enumerate(ports):
         progress(0.4 * i / len(ports), path)

@@ -48,12 +48,13 @@ from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import BAD, WARN
 from app.widgets.banner import Banner
 from app.widgets.command_palette import CommandPalette
+from app.widgets.scrolled import Scrolled
 from app.window_commands import add_commands, add_help
 from tracker.messages import Event
 
 TICK_MS = 16
 STATUS_PERIOD = 0.25
-SMALLEST = (1024, 640)
+SMALLEST = (800, 500)
 
 
 class MainWindow(QMainWindow):
@@ -137,7 +138,7 @@ class MainWindow(QMainWindow):
         for panel in self.panels:
             dock = QDockWidget(panel.title(), self)
             dock.setObjectName(f"dock_{panel.name}")
-            dock.setWidget(panel)
+            dock.setWidget(Scrolled(panel))
             self.docks[panel.name] = dock
         arrange(self, self.docks)
         self._show_docks(False)
@@ -176,6 +177,7 @@ class MainWindow(QMainWindow):
         self.set_up.error.connect(lambda text: self.show_error(text))
         self.set_up.restart.connect(self.start_hardware)
         self.set_up.changed.connect(self._show_set_up)
+        self.cameras.set_up_asked.connect(self.set_up.open_camera)
         self.start_page.demo.connect(self.start_demo)
         self.start_page.connect_devices.connect(self.start_hardware)
         self.start_page.open_session.connect(self.choose_session)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from app.engine import EngineSetup
@@ -24,6 +24,7 @@ BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
 class CamerasPanel(Panel):
     name = "cameras"
     period = 1 / 60
+    set_up_asked = Signal()
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(session, parent)
@@ -92,7 +93,11 @@ class CamerasPanel(Panel):
         self.sides.setAccessibleName(self.tr("Which cameras"))
         self.sides.addItems([self.tr("Both cameras"), self.tr("Left only"), self.tr("Right only")])
         self.sides.currentIndexChanged.connect(self._choose_sides)
-        for widget in (self.follow, self.freeze, self.sides, self.masks):
+        self.set_up = QToolButton()
+        self.set_up.setText(self.tr("Exposure…"))
+        self.set_up.setToolTip(self.tr("Lock exposure, gain and white balance; choose the camera"))
+        self.set_up.clicked.connect(self.set_up_asked)
+        for widget in (self.follow, self.freeze, self.sides, self.set_up, self.masks):
             self._controls.addWidget(widget)
 
     def _open(self, setup: EngineSetup) -> None:

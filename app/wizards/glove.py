@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from app.session import Session
 from app.settings import SettingsStore
 from app.tasks import Progress, TaskOwner
+from app.wearers import WearerStore
 from app.wizards.glove_choice import SESSION, SIMULATED, ChoicePage
 from app.wizards.glove_feed import GloveFeed, PortFeed, SessionFeed, simulated_feed
 from app.wizards.glove_pages import StillPage, WigglePage
@@ -46,7 +47,9 @@ class GloveSetup(QDialog):
         self._source: tuple[str, str, str] | None = None
         setup = session.setup
         real = setup is not None and not setup.simulated and setup.player is None
-        self.choice = ChoicePage(store.value, real)
+        self.choice = ChoicePage(
+            store.value, WearerStore(store.path.parent / "wearers").names(), real
+        )
         self.still, self.wiggle = StillPage(), WigglePage()
         self._lay_out()
         self._timer = QTimer(self)
@@ -131,6 +134,7 @@ class GloveSetup(QDialog):
             port=kept,
             glove=self.choice.gloves.currentText(),
             hand=self.choice.hands.currentText(),
+            wearer=str(self.choice.wearers.currentData()),
         )
         self.chosen.emit()
         self.close()

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
     QHBoxLayout,
+    QInputDialog,
     QLabel,
     QPushButton,
     QVBoxLayout,
@@ -31,13 +32,20 @@ class ChoicePage(QWidget):
     changed = Signal()
     search = Signal()
 
-    def __init__(self, settings: Settings, with_session: bool) -> None:
+    def __init__(self, settings: Settings, wearers: list[str], with_session: bool) -> None:
         super().__init__()
         self._with_session = with_session
         self.ports, self.side = QComboBox(), QComboBox()
         self.gloves, self.hands = QComboBox(), QComboBox()
+        self.wearers = QComboBox()
+        self.wearers.addItem(self.tr("Somebody new"), "")
+        for name in wearers:
+            self.wearers.addItem(name, name)
+        self.wearers.setCurrentIndex(max(0, self.wearers.findData(settings.wearer)))
         self.again = QPushButton(self.tr("&Look again"))
         self.again.clicked.connect(self.search)
+        self.other = QPushButton(self.tr("&Other port…"))
+        self.other.clicked.connect(self._ask_port)
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.words.setProperty("role", "faint")
@@ -46,7 +54,7 @@ class ChoicePage(QWidget):
         self._lay_out()
         self.side.setCurrentIndex(max(0, self.side.findData(_side("gloves", settings.glove))))
         self._fill(settings.glove, settings.hand)
-        self.show_ports([], settings.port)
+        self.show_ports([], SESSION if with_session else settings.port)
         self.side.currentIndexChanged.connect(lambda _i: self._fill("", ""))
         for box in (self.gloves, self.hands, self.ports):
             box.currentIndexChanged.connect(lambda _i: self.changed.emit())
@@ -55,6 +63,7 @@ class ChoicePage(QWidget):
         port_row = QHBoxLayout()
         port_row.addWidget(self.ports, 1)
         port_row.addWidget(self.again)
+        port_row.addWidget(self.other)
         form = QFormLayout()
         port_label = QLabel(self.tr("&Port"))
         port_label.setBuddy(self.ports)
@@ -62,6 +71,7 @@ class ChoicePage(QWidget):
         form.addRow(self.tr("&Side"), self.side)
         form.addRow(self.tr("&Glove file"), self.gloves)
         form.addRow(self.tr("&Hand file"), self.hands)
+        form.addRow(self.tr("&Wearer"), self.wearers)
         column = QVBoxLayout(self)
         column.addLayout(form)
         column.addWidget(self.words)
@@ -99,6 +109,17 @@ class ChoicePage(QWidget):
     def port(self) -> str:
         return str(self.ports.currentData() or "")
 
+    def _ask_port(self) -> None:
+        words = self.tr("A port that is not on USB, such as /dev/rfcomm0 or COM7:")
+        path, ok = QInputDialog.getText(self, self.tr("Other port"), words)
+        if ok and path.strip():
+            self.add_port(path.strip())
+
+    def add_port(self, path: str) -> None:
+        """Offer and choose a port that nobody asked yet."""
+        self.ports.insertItem(0, path, path)
+        self.ports.setCurrentIndex(0)
+
     def show_searching(self) -> None:
         self.words.setText(self.tr("Looking for gloves…"))
         self.again.setEnabled(False)
@@ -114,6 +135,8 @@ class ChoicePage(QWidget):
         for report in reports:
             if report.is_glove:
                 self.ports.addItem(_title(report), report.path)
+        if before not in ("", SESSION, SIMULATED) and self.ports.findData(before) < 0:
+            self.ports.addItem(before, before)  # it may come back, and is not on every list
         self.ports.addItem(self.tr("Simulated glove (plays along)"), SIMULATED)
         self.ports.setCurrentIndex(max(0, self.ports.findData(before)))
         self.ports.blockSignals(False)
