@@ -23,6 +23,8 @@ LISTS = ("COLLECT-00.toc", "PYZ-00.toc")
 TEXT_NAME = re.compile(r"^(licen[cs]e|copying|notice)", re.IGNORECASE)
 COPYLEFT = re.compile(r"(?<!L)(?<!Lesser )\bA?GPL|Affero|(?<!Lesser )General Public", re.IGNORECASE)
 # GCC's run-time libraries; the small program by which PyInstaller starts ours.
+FFMPEG = re.compile(rb"lib(?:av|sw)[a-z]+ license: ([ -~]+)")
+"""What FFmpeg's libraries say of the options they were built with; the GPL is one."""
 EXCEPTION = re.compile(
     r"\bWITH GCC-exception"
     r"|special exception which allows to use PyInstaller to build and distribute non-free programs"
@@ -99,11 +101,12 @@ def packages(files: set[Path], known: dict[str, str]) -> Iterator[Part]:
 
 
 def libraries(bundle: Path, known: dict[str, str]) -> Iterator[Part]:
-    """The system's libraries: those right in the bundle's folder."""
-    for path in sorted(bundle.glob("lib*.so*")):
+    """The system's libraries, right in the bundle's folder, and those that wheels bring along."""
+    for path in sorted([*bundle.glob("lib*.so*"), *bundle.glob("*.libs/lib*.so*")]):
         keys = [k for k in known if path.name.startswith(k)]
         licence = known[max(keys, key=len)] if keys else ""
-        yield Part(path.name, "", licence)
+        told = FFMPEG.search(path.read_bytes())
+        yield Part(path.name, "", told[1].decode() if told else licence)
 
 
 def refused(parts: Iterable[Part]) -> list[str]:

@@ -94,6 +94,18 @@ def test_a_library_that_nobody_knows_is_refused(tmp_path: Path) -> None:
     ]
 
 
+def test_libraries_within_wheels_are_asked_too(tmp_path: Path) -> None:
+    """FFmpeg tells by itself whether it was built with its GPL parts."""
+    wheel = tmp_path / "opencv.libs"
+    wheel.mkdir()
+    (wheel / "libaom-1a.so").touch()
+    (wheel / "libavcodec-2b.so").write_bytes(b"\0libavcodec license: LGPL version 2.1 or later\0")
+    (wheel / "libavutil-3c.so").write_bytes(b"\0libavutil license: GPL version 3 or later\0")
+    found = list(licences.libraries(tmp_path, {"libaom-": "BSD-2-Clause"}))
+    assert {p.name: p.licence for p in found}["libavcodec-2b.so"] == "LGPL version 2.1 or later"
+    assert licences.refused(found) == ["libavutil-3c.so: GPL version 3 or later"]
+
+
 def test_parts_are_found_by_the_files_they_own(tmp_path: Path) -> None:
     """The lists as PyInstaller leaves them: a file of numpy's and one of nobody's."""
     import numpy as np
