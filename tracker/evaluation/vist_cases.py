@@ -114,7 +114,15 @@ def _no_autocalibration(s: Settings) -> Settings:
 
 
 def _previous_pose(s: Settings) -> Settings:
-    return replace(s, vist=replace(s.vist, match=replace(s.vist.match, guide="previous")))
+    chain = replace(s.chain, guide="previous")
+    vist = replace(s.vist, match=replace(s.vist.match, guide="previous"))
+    return replace(s, chain=chain, vist=vist)
+
+
+def _loose(s: Settings) -> Settings:
+    return replace(
+        s, chain=replace(s.chain, coupling="loose"), vist=replace(s.vist, coupling="loose")
+    )
 
 
 def _no_finger_accelerometers(s: Settings) -> Settings:
@@ -147,12 +155,18 @@ ABLATIONS: dict[str, Ablation] = {
             settings=_no_finger_accelerometers,
         ),
         Ablation(
+            "loose",
+            "segment poses from vision alone, where three markers of a segment are seen",
+            ("chain", "vist"),
+            settings=_loose,
+        ),
+        Ablation(
             "vision-only", "IMUs silent after the start", ("chain", "vist"), feed=without_imus
         ),
         Ablation(
             "previous-pose",
             "correspondence from the previous picture's pose instead of the IMU prediction",
-            ("vist",),
+            ("chain", "vist"),
             settings=_previous_pose,
         ),
         Ablation(
@@ -165,7 +179,7 @@ ABLATIONS: dict[str, Ablation] = {
         Ablation(
             "previous-pose-10fps-double-speed",
             "both: where the paper's movie S1 shows vision alone to fail",
-            ("vist",),
+            ("chain", "vist"),
             settings=_previous_pose,
             fps=10.0,
             speed=2.0,

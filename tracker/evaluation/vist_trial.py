@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from importlib.resources import as_file
@@ -23,6 +22,9 @@ from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, StereoFra
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation
+from tracker.vision.colours import load_profile
+from tracker.vision.detector import Detector, detect_frame
+from tracker.vision.outlook import Outlook, SearchPlan
 
 CHECK_EVERY = 5  # frames between two whose matches are compared with the truth
 SAME_BLOB_PX = 6.0  # a blob farther than this from every true marker is something else
@@ -61,18 +63,19 @@ def _track(
 ) -> Record:
     record = Record()
     check = MatchCheck(simulation)
-    images = case.level == "images"
-    detect = _detector(simulation) if images else _as_it_is
+    search, images = PictureSearch(simulation), case.level == "images"
     feed = simulation.feed(images)
     for message in feed if variant is None else variant.feed(feed):
         begin = time.process_time()
         if isinstance(message, ImuSample):
             record.estimates.append(pipeline.feed_imu(message))
         else:
-            frame = detect(message, pipeline)
+            frame = message if isinstance(message, BlobFrame) else search.blobs(message)
             pipeline.feed_frame(frame)
             check.remember(frame)
         results = pipeline.take_results()
+        if images and results and record.estimates:
+            search.look_ahead(pipeline, record.estimates[-1].t)
         record.core_s += time.process_time() - begin
         for result in results:
             record.latest_seen = result.stereo_points
@@ -84,28 +87,25 @@ def _track(
     return record
 
 
-def _as_it_is(frame: BlobFrame | StereoFrame, pipeline: Pipeline) -> BlobFrame:
-    """Blobs need no detector."""
-    assert isinstance(frame, BlobFrame)
-    return frame
+class PictureSearch:
+    """Pictures to blobs as the live tracker does it: around what was expected, some as a whole."""
 
+    def __init__(self, simulation: Simulation) -> None:
+        self._rig, self._plan = simulation.rig, SearchPlan()
+        self._outlook: Outlook | None = None
+        with as_file(resources.folder("colours") / "fabric-default.toml") as path:
+            self._profile = load_profile(path)
+        self._detector = Detector(self._profile, fx=self._rig.fx)
 
-def _detector(
-    simulation: Simulation,
-) -> Callable[[BlobFrame | StereoFrame, Pipeline], BlobFrame]:
-    """Pictures to blobs, with the pipeline's hints, as the live tracker does it."""
-    from tracker.vision.colours import load_profile
-    from tracker.vision.detector import Detector, detect_frame
+    def blobs(self, frame: StereoFrame) -> BlobFrame:
+        """What is found in both pictures."""
+        names = self._profile.hue_names
+        hints = self._plan.hints(self._outlook, self._rig, frame.t, frame.pose, names)
+        return detect_frame(self._detector, frame, hints)
 
-    with as_file(resources.folder("colours") / "fabric-default.toml") as path:
-        detector = Detector(load_profile(path), fx=simulation.rig.fx)
-
-    def detect(frame: BlobFrame | StereoFrame, pipeline: Pipeline) -> BlobFrame:
-        if isinstance(frame, BlobFrame):
-            return frame
-        return detect_frame(detector, frame, pipeline.hints(frame.t))
-
-    return detect
+    def look_ahead(self, pipeline: Pipeline, t: float) -> None:
+        """Where markers are expected from the newest packet at ``t`` on."""
+        self._outlook = pipeline.outlook(t, self._outlook)
 
 
 class MatchCheck:

@@ -18,6 +18,7 @@ from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.kalman import update_with
 from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.layout import ChainLayout
+from tracker.fusion.loose import LooseRows
 from tracker.fusion.mono_start import (
     KNOWN_SIZE_SD,
     SIZE_SD,
@@ -27,6 +28,7 @@ from tracker.fusion.mono_start import (
 from tracker.fusion.output import HandOutput, Sensed
 from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import PixelModel, Prediction, SeenBlobs, seen_blobs
+from tracker.fusion.previous import Previous
 from tracker.fusion.prior import initial_covariance, reset_pose
 from tracker.fusion.profile import WearerProfile, profile_of, wear
 from tracker.fusion.propagate import carry, propagate
@@ -35,6 +37,7 @@ from tracker.fusion.sparse import times
 from tracker.fusion.start import Starter
 from tracker.fusion.state import ChainState, initial_state, inject
 from tracker.fusion.tilt import tilt_rows
+from tracker.fusion.variants import check_variant
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -72,14 +75,16 @@ class _Track:
 class ChainEngine(LaggedEngine[ChainState]):
     """Visual-inertial filter on a chain of segments. One instance per hand."""
 
-    _KEPT = (*LaggedEngine._KEPT, "_track", "_held")
+    _KEPT = (*LaggedEngine._KEPT, "_track", "_held", "_guide")
 
     def __init__(
         self, hand: HandModel, glove: GloveModel, rig: StereoRig, params: ChainParams
     ) -> None:
+        check_variant(params.guide, params.coupling)
         self._params, self._rig = params, rig
         self._still = control.without_walks(params)
         self._held: WearerProfile | None = None  # the calibration while it is frozen
+        self._guide: Previous | None = None  # only where correspondence is made from it
         self._layout = layout = ChainLayout(hand, glove)
         state = initial_state(layout)
         state.P = initial_covariance(layout, params.prior)
@@ -87,6 +92,7 @@ class ChainEngine(LaggedEngine[ChainState]):
             len(glove.imus), state, params.match.lost_after, params.match.max_frame_delay
         )
         self._pixels = PixelModel(layout, rig, params.noise)
+        self._loose = LooseRows(layout, rig, params.noise)
         self._constraints = Constraints(layout, params.constraint)
         self._starter = Starter(layout, rig, params)
         self._output = HandOutput(layout)
@@ -163,11 +169,11 @@ class ChainEngine(LaggedEngine[ChainState]):
         seen = seen_blobs(frame, self._rig, self._layout.glove.hues)
         pose = frame.pose or self._rig.pose
         prediction = self._predict(self._state, pose)
-        match = self._pixels.match(prediction, seen)
+        match = self._pixels.match(self._compared(prediction, frame.t), seen)
         if self._should_search(frame.t, prediction, match):
             self._track.last_search = frame.t
             prediction, match = self._search_again(seen, pose, prediction, match)
-        self._correct(prediction, seen, match)
+        self._correct(prediction, seen, match, pose)
         self._judge(frame.t, self._enough(prediction, match))
         self._finish(frame, seen, prediction, match)
 
@@ -212,7 +218,7 @@ class ChainEngine(LaggedEngine[ChainState]):
         for _ in range(2):  # the second pass matches and linearises at a better place
             prediction = self._predict(self._state, pose)
             match = self._pixels.match(prediction, seen)
-            self._correct(prediction, seen, match)
+            self._correct(prediction, seen, match, pose)
         self._finish(frame, seen, prediction, match)
 
     def _predict(self, state: ChainState, pose: CameraPose) -> Prediction:
@@ -220,14 +226,22 @@ class ChainEngine(LaggedEngine[ChainState]):
         R_all, p_all, *_ = self._output.complete(state.R_GB, p_GB, state.scale3())
         return self._pixels.predict(state, pose, R_all, p_all)
 
+    def _compared(self, prediction: Prediction, t: float) -> Prediction:
+        """What blobs are compared with: usually the prediction."""
+        return self._guide.at(t, self._params.prior.velocity) if self._guide else prediction
+
     def _correct(
-        self, prediction: Prediction, seen: tuple[SeenBlobs, ...], match: IntArray
+        self,
+        prediction: Prediction,
+        seen: tuple[SeenBlobs, ...],
+        match: IntArray,
+        pose: CameraPose,
     ) -> None:
-        """One stacked update: pixels and anatomy, linearised at the same place."""
+        """One stacked update: what was seen and anatomy, linearised at the same place."""
         H, r, variance = self._constraints.rows(self._state)
         HP, R = times(H, self._state.P), np.diag(variance * self._how_often())
         if np.any(match >= 0):
-            H_px, HP_px, r_px, R_px = self._pixels.rows(prediction, seen, match)
+            H_px, HP_px, r_px, R_px = self._seen_rows(prediction, seen, match, pose)
             H, HP, r = (
                 np.concatenate([H_px, H]),
                 np.concatenate([HP_px, HP]),
@@ -240,6 +254,17 @@ class ChainEngine(LaggedEngine[ChainState]):
             R = both
         self._learn(H, HP, r, R)
         self._track.last_constraint = self._state.t
+
+    def _seen_rows(
+        self,
+        prediction: Prediction,
+        seen: tuple[SeenBlobs, ...],
+        match: IntArray,
+        pose: CameraPose,
+    ) -> tuple[Array, Array, Array, Array]:
+        if self._params.coupling == "loose":
+            return self._loose(self._state, prediction, seen, match, pose)
+        return self._pixels.rows(prediction, seen, match)
 
     def _how_often(self) -> float:
         """Factor on anatomy's variance: at twice the usual rate each use says half as much."""
@@ -289,6 +314,9 @@ class ChainEngine(LaggedEngine[ChainState]):
     ) -> None:
         self._track.seen[np.any(match >= 0, axis=0)] = frame.t
         self._track.tip_sd = self._tip_sd(frame, np.all(match >= 0, axis=0).any())
+        if self._params.guide == "previous":
+            pose = frame.pose or self._rig.pose
+            self._guide = Previous(frame.t, self._predict(self._state, pose))
         self._results.append(
             frame_result(frame, self._rig, self._track.tracking, prediction, seen, match)
         )

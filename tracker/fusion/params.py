@@ -71,8 +71,10 @@ class MatchParams:
 
 @dataclass(frozen=True)
 class ChainParams:
-    """The chain engine's settings."""
+    """The chain engine's settings. ``guide`` and ``coupling``: see `tracker.fusion.variants`."""
 
+    guide: str = "imu"
+    coupling: str = "tight"
     noise: NoiseParams = field(default_factory=NoiseParams)
     prior: PriorParams = field(default_factory=PriorParams)
     constraint: ConstraintParams = field(default_factory=ConstraintParams)

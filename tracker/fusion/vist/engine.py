@@ -13,9 +13,10 @@ from tracker.fusion.output import HandOutput, Sensed
 from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import SeenBlobs, seen_blobs
 from tracker.fusion.start import Starter
+from tracker.fusion.variants import check_variant
 from tracker.fusion.vist.filter import VistFilter
 from tracker.fusion.vist.layout import VistLayout
-from tracker.fusion.vist.markers import Expected, MarkerModel, Matched
+from tracker.fusion.vist.markers import Expected, MarkerModel, Matched, Previous
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.points import positions
 from tracker.fusion.vist.propagate import propagate
@@ -53,7 +54,8 @@ Seen = tuple[SeenBlobs, ...]
 class VistEngine(LaggedEngine[VistState]):
     """The paper's filter for one hand; an `Engine`.
 
-    Raises ConfigError for a glove that leaves a segment of a chain without IMU.
+    Raises ConfigError for a glove that leaves a segment of a chain without IMU, and for settings
+    without meaning.
     """
 
     _KEPT = (*LaggedEngine._KEPT, "_track", "_guide")
@@ -61,6 +63,7 @@ class VistEngine(LaggedEngine[VistState]):
     def __init__(
         self, hand: HandModel, glove: GloveModel, rig: StereoRig, params: VistParams
     ) -> None:
+        check_variant(params.match.guide, params.coupling)
         self._params, self._rig = params, rig
         self._layout = VistLayout(hand, glove)
         timing = params.tracking
@@ -76,7 +79,7 @@ class VistEngine(LaggedEngine[VistState]):
             felt=np.full(len(glove.imus), -np.inf),
             tip_sd=np.zeros(self._layout.n),
         )
-        self._guide: Expected | None = None  # markers after the last picture
+        self._guide: Previous | None = None  # only where correspondence is made from it
 
     @property
     def tracking(self) -> Tracking:
@@ -123,7 +126,7 @@ class VistEngine(LaggedEngine[VistState]):
         seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
         pose = frame.pose or self._rig.pose
         self._rest()
-        expected, matched = self._look(self._state, seen, pose, self._guide)
+        expected, matched = self._look(self._state, seen, pose, self._previous(frame.t))
         likely = float(both_cameras(expected.prior).sum())
         if self._track.should_search(frame.t, len(matched), likely, self._params.tracking):
             self._track.last_search = frame.t
@@ -140,11 +143,14 @@ class VistEngine(LaggedEngine[VistState]):
     def _look(
         self, state: VistState, seen: Seen, pose: CameraPose, previous: Expected | None
     ) -> tuple[Expected, Matched]:
+        """Markers as ``state`` expects them, and which were recognised near there, or near where
+        the ``previous`` picture left them."""
         expected = self._markers.expect(state, pose)
-        guide = expected
-        if self._params.match.guide == "previous" and previous is not None:
-            guide = previous
-        return expected, self._markers.match(expected, guide, seen, pose)
+        return expected, self._markers.match(previous or expected, seen, pose)
+
+    def _previous(self, t: float) -> Expected | None:
+        """What correspondence is made from where the IMUs' prediction shall not be used."""
+        return self._guide.at(t, self._params.prior.velocity) if self._guide else None
 
     def _start(self, frame: BlobFrame) -> None:
         """Look for the hand from nothing, at most every ``search_period``."""
@@ -194,7 +200,7 @@ class VistEngine(LaggedEngine[VistState]):
         self._track.seen[matched.marker] = frame.t
         self._track.tip_sd = self._filter.tip_sd(self._state)
         if self._params.match.guide == "previous":
-            self._guide = self._markers.expect(self._state, pose)
+            self._guide = Previous(frame.t, self._markers.expect(self._state, pose))
         self._results.append(
             frame_result(
                 frame,

@@ -7,6 +7,7 @@ import numpy as np
 from tracker.fusion.kalman import update_with
 from tracker.fusion.vist.anatomy import Anatomy
 from tracker.fusion.vist.layout import VistLayout
+from tracker.fusion.vist.loose import loose_rows
 from tracker.fusion.vist.markers import Expected, Matched
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.points import jacobians, own_covariance, spread
@@ -44,7 +45,7 @@ class VistFilter:
         H, r, variance = self._anatomy.rows(state)
         R = np.diag(variance * often)
         if len(matched):
-            H_m, r_m, R_m = self.marker_rows(expected, matched)
+            H_m, r_m, R_m = self._seen_rows(state, expected, matched)
             R_m *= often
             H, r = np.concatenate([H_m, H]), np.concatenate([r_m, r])
             both = np.zeros((len(r), len(r)))
@@ -52,6 +53,13 @@ class VistFilter:
             both[len(R_m) :, len(R_m) :] = R
             R = both
         self._update(state, H, r, R)
+
+    def _seen_rows(
+        self, state: VistState, expected: Expected, matched: Matched
+    ) -> tuple[Array, Array, Array]:
+        if self._params.coupling == "loose":
+            return loose_rows(state, self._layout, matched, self._params.noise.huber)
+        return self.marker_rows(expected, matched)
 
     def marker_rows(self, expected: Expected, matched: Matched) -> tuple[Array, Array, Array]:
         """H (3 k, 21 n), innovation (3 k,) m and noise (3 k, 3 k) m² of k matched markers."""

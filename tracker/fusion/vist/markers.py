@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from tracker.fusion.completion import Completion
 from tracker.fusion.pixels import SeenBlobs
+from tracker.fusion.segment_pose import stereo_covariance
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.params import VistMatch, VistNoise
 from tracker.fusion.vist.points import jacobians, own_covariance, positions
@@ -35,6 +36,19 @@ class Expected:
     prior: Array
     H: Array
     cov: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Previous:
+    """Markers after the picture at ``t`` (s) as the filter then had them."""
+
+    t: float
+    markers: Expected
+
+    def at(self, t: float, speed: float) -> Expected:
+        """The same places, less certain by what a hand of ``speed`` m/s (SD) goes meanwhile."""
+        gone = (speed * (t - self.t)) ** 2
+        return replace(self.markers, cov=self.markers.cov + gone * np.eye(3))
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,15 +95,9 @@ class MarkerModel:
         H = jacobians(state, segment, lay.marker_lever)
         return Expected(p_G, prior, H, own_covariance(state, H, segment))
 
-    def match(
-        self,
-        expected: Expected,
-        guide: Expected,
-        seen: tuple[SeenBlobs, ...],
-        pose: CameraPose,
-    ) -> Matched:
+    def match(self, guide: Expected, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> Matched:
         """Stereo points of the picture and their markers. ``guide`` is what is compared with: the
-        same as ``expected``, unless correspondence is made from the previous picture's pose."""
+        markers as they are expected now, or as the previous picture left them."""
         left, right = seen
         i, j = (self._candidates(seen[c], guide, pose, bool(c)) for c in range(2))
         z = self._depth(guide, pose)
@@ -104,7 +112,7 @@ class MarkerModel:
         likely = np.where(likely > self._match.min_prior, likely, 0.0)
         found = match_translation(p_G, left.hue[left_row], guide.p_G, hue, likely, cov).marker
         keep = np.flatnonzero(found >= 0)
-        keep = keep[self._near(p_G[keep], cov[keep], found[keep], expected)]
+        keep = keep[self._near(p_G[keep], cov[keep], found[keep], guide)]
         return Matched(
             found[keep],
             left_row[keep],
@@ -134,25 +142,14 @@ class MarkerModel:
         z_mean = float(np.median(z))
         return z_mean if z_mean > 0.05 else None
 
-    def _near(self, p_G: Array, cov: Array, marker: IntArray, expected: Expected) -> Array:
-        """(k,) bool: within the gate of what the filter can believe."""
-        r = p_G - expected.p_G[marker]
-        S = expected.cov[marker] + cov
+    def _near(self, p_G: Array, cov: Array, marker: IntArray, guide: Expected) -> Array:
+        """(k,) bool: within the gate of what can be believed."""
+        r = p_G - guide.p_G[marker]
+        S = guide.cov[marker] + cov
         d2 = np.einsum("ki,ki->k", r, np.linalg.solve(S, r[..., None])[..., 0])
         return d2 < self._match.gate
 
     def noise(self, p_C: Array, pose: CameraPose) -> Array:
-        """Sigma_c (k, 3, 3) m² in G of triangulated points p_C (k, 3) with the marker's placement.
-
-        J diag(s², s²/2, 2 s²) J^T for (u_L, v, disparity), so depth is the least certain.
-        """
-        rig, s2 = self._rig, self._noise.pixel_px**2
-        x, y, z = p_C.T
-        focal = rig.fx * rig.baseline
-        J = np.zeros((len(p_C), 3, 3))
-        J[:, 0, 0] = z / rig.fx
-        J[:, 1, 1] = z / rig.fy
-        J[:, :, 2] = -np.column_stack([x, y, z]) * (z / focal)[:, None]
-        cov_C = (J * np.array([s2, s2 / 2, 2 * s2])) @ J.swapaxes(1, 2)
-        cov_C += np.eye(3) * self._noise.marker**2
-        return pose.R_GC @ cov_C @ pose.R_GC.T
+        """(k, 3, 3) m² in G of triangulated points p_C (k, 3) m."""
+        noise = self._noise
+        return stereo_covariance(self._rig, p_C, pose.R_GC, noise.pixel_px, noise.marker)

@@ -51,8 +51,7 @@ class VistConstraint:
 
 @dataclass(frozen=True)
 class VistMatch:
-    """Correspondence. ``guide`` is "imu" (eqs. 1 to 6) or "previous": the pose of the last picture,
-    which the paper's movie S1 shows to fail; kept to show the same."""
+    """Correspondence. ``guide`` ("imu": eqs. 1 to 6) is explained in `tracker.fusion.variants`."""
 
     guide: str = "imu"
     gate: float = 30.0  # Mahalanobis² of three degrees of freedom
@@ -62,8 +61,9 @@ class VistMatch:
 
 @dataclass(frozen=True)
 class VistParams:
-    """The vist engine's settings."""
+    """The vist engine's settings. ``coupling`` is explained in `tracker.fusion.variants`."""
 
+    coupling: str = "tight"
     noise: VistNoise = field(default_factory=VistNoise)
     prior: VistPrior = field(default_factory=VistPrior)
     constraint: VistConstraint = field(default_factory=VistConstraint)
