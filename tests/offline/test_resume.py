@@ -8,8 +8,8 @@ import pytest
 
 from tracker.config import to_toml
 from tracker.errors import FileError
-from tracker.messages import BlobFrame, EngineState, Estimate, ImuSample
-from tracker.offline.simulate import SimulateOptions, build
+from tracker.messages import BlobFrame, CameraPose, EngineState, Estimate, ImuSample
+from tracker.offline.simulate import SimulateOptions, build, truth_message
 from tracker.offline.track import TrackOptions, track
 from tracker.pipeline import Pipeline
 from tracker.session.compare import compare
@@ -20,6 +20,8 @@ from tracker.session.reader import SessionReader
 from tracker.session.recover import recover
 from tracker.session.writer import SessionRecorder
 from tracker.settings import Settings
+from tracker.simulation.scenario import Simulation
+from tracker.vision.rig import StereoRig
 
 BEGIN, CHANGE = 1.5, 2.5  # s
 
@@ -97,3 +99,38 @@ def test_a_damaged_state_is_told_in_words(recorded: Path, tmp_path: Path) -> Non
         path = with_state(reader.info, tmp_path / "bad.mcap", b"GTES and nothing more")
     with SessionReader(path) as reader, pytest.raises(FileError, match="state of tracking"):
         reader.engine_states()
+
+
+def moved(info: SessionInfo, by: float) -> StereoRig:
+    """The camera of a session ``by`` m further along G's x."""
+    assert info.rig is not None
+    pose = info.rig.pose
+    return replace(info.rig, pose=CameraPose(pose.R_GC, pose.p_GC + [by, 0, 0]))
+
+
+def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
+    """Half way it is calibrated anew, 5 cm aside: nothing else than the rig says so."""
+    sim, info = build(SimulateOptions(seed=6, duration=4.0, fps=30, pictures=False))
+    aside = Simulation(sim.hand, sim.glove, sim.motion, 6, fps=30, rig=moved(info, 0.05))
+    told, silent = tmp_path / "told.mcap", tmp_path / "silent.mcap"
+    for path in (told, silent):
+        with SessionRecorder(path, info) as recorder:
+            for before, after in zip(sim.feed(), aside.feed(), strict=False):
+                if before.t_arrival < 2.0:
+                    recorder.write(before)
+                    continue
+                if path == told and recorder.info.rig is info.rig:
+                    recorder.write_rig(aside.rig, 2.0)
+                recorder.write(after)
+                if isinstance(after, ImuSample):
+                    recorder.write_truth(truth_message(after.t, sim.truth(after.t), info))
+    with SessionReader(told) as reader:
+        ((t, rig),) = reader.rig_changes()
+        assert t == pytest.approx(2.0) and np.array_equal(rig.pose.p_GC, aside.rig.pose.p_GC)
+    right = track(told, tmp_path / "a.mcap", TrackOptions(with_sensors=True)).error_mm["mean"]
+    wrong = track(silent, tmp_path / "b.mcap").error_mm["mean"]
+    assert right < 6 and wrong > 20
+    track(tmp_path / "a.mcap", tmp_path / "c.mcap")
+    assert compare(tmp_path / "a.mcap", tmp_path / "c.mcap")["identical"]
+    with pytest.raises(FileError, match="calibration"):
+        track(told, tmp_path / "d.mcap", TrackOptions(smooth=True))

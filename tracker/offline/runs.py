@@ -15,6 +15,7 @@ from tracker.offline.smooth import Smoother
 from tracker.pipeline import Pipeline
 from tracker.session import engine_state
 from tracker.session.writer import SessionRecorder
+from tracker.vision.rig import StereoRig
 
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
@@ -51,6 +52,10 @@ class Output:
         if self._with_sensors:
             self._recorder.write(state)
 
+    def rig(self, rig: StereoRig, t: float) -> None:
+        """The camera as it is from ``t`` on."""
+        self._recorder.write_rig(rig, t)
+
     def estimate(self, sample: ImuSample, estimate: Estimate) -> None:
         self._recorder.write(estimate)
         if self._check is not None:
@@ -64,24 +69,26 @@ class Output:
 class LiveRun:
     """The estimates of a live run, bit for bit.
 
-    ``states``, in order of time, are what the engine knew at some instants; it goes on from each.
+    ``changes`` are, in order of time, what no message tells: what the engine knew at an instant,
+    from which it goes on, and calibrations of the camera.
     """
 
     def __init__(
         self,
-        make_pipeline: Callable[[str], Pipeline],
+        make_pipeline: Callable[[str, StereoRig], Pipeline],
         engine: str,
+        rig: StereoRig,
         output: Output,
-        states: Sequence[EngineState] = (),
+        changes: Sequence[tuple[float, EngineState | StereoRig]] = (),
     ) -> None:
-        """``make_pipeline`` builds one with the engine of that name."""
-        self._make_pipeline, self._pipeline = make_pipeline, make_pipeline(engine)
-        self._output, self._states = output, deque(states)
+        """``make_pipeline`` builds one with the engine of that name and that camera."""
+        self._make_pipeline, self._pipeline = make_pipeline, make_pipeline(engine, rig)
+        self._output, self._changes = output, deque(changes)
         self._next_calibration = -np.inf
 
     def feed(self, message: ImuSample | BlobFrame) -> None:
-        while self._states and self._states[0].t <= message.t_arrival:
-            self._go_on_from(self._states.popleft())
+        while self._changes and self._changes[0][0] <= message.t_arrival:
+            self._change(*self._changes.popleft())
         self._output.message(message)
         if isinstance(message, BlobFrame):
             self._pipeline.feed_frame(message)
@@ -89,13 +96,18 @@ class LiveRun:
             self._feed_imu(message)
         self._pipeline.take_results()
 
-    def _go_on_from(self, known: EngineState) -> None:
-        pipeline = self._make_pipeline(known.engine)
-        if not engine_state.fits(known.state, pipeline.get_state()):
+    def _change(self, t: float, what: EngineState | StereoRig) -> None:
+        before = self._pipeline
+        if isinstance(what, StereoRig):
+            self._pipeline = self._make_pipeline(before.settings.engine, what)
+            self._pipeline.set_state(before.get_state())
+            self._output.rig(what, t)
+            return
+        self._pipeline = self._make_pipeline(what.engine, before.rig)
+        if not engine_state.fits(what.state, self._pipeline.get_state()):
             raise FileError("The state of tracking in the recording is not that of its engine.")
-        pipeline.set_state(known.state)
-        self._pipeline = pipeline
-        self._output.state(known)
+        self._pipeline.set_state(what.state)
+        self._output.state(what)
 
     def _feed_imu(self, sample: ImuSample) -> None:
         estimate = self._pipeline.feed_imu(sample)

@@ -24,7 +24,7 @@ from tracker.fusion.propagate import transition
 from tracker.fusion.state import ChainState, inject
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import Array, BlobFrame, CameraPose, Estimate, ImuSample, IntArray, Tracking
+from tracker.messages import Array, CameraPose, Estimate, ImuSample, IntArray, Tracking
 from tracker.vision.rig import StereoRig
 
 
@@ -88,19 +88,25 @@ def shown_rows(layout: ChainLayout) -> IntArray:
 def smoothing_params(params: ChainParams) -> ChainParams:
     """The filter's settings as its smoothing needs them.
 
-    Anatomy enters as pseudo-measurements at every picture, although its errors hardly change from
-    one to the next. A filter forgets the older ones; smoothing adds them all up, and so each has
-    to weigh less. Factors from ten simulated wearers.
+    What is wrong with a marker's place or with anatomy hardly changes from one picture to the next,
+    although the filter takes it for new each time. A filter forgets the older ones; smoothing adds
+    them all up, and so each has to weigh less. Factors from simulated wearers.
     """
-    c, prior = params.constraint, params.prior
+    c, prior, noise = params.constraint, params.prior, params.noise
     constraint = replace(
         c,
         rotation=4 * c.rotation,
         thumb_abduction=4 * c.thumb_abduction,
         synergy=4 * c.synergy,
         limit=8 * c.limit,
+        tilt=0.7 * c.tilt,
     )
-    return replace(params, constraint=constraint, prior=replace(prior, marker=1.8 * prior.marker))
+    return replace(
+        params,
+        constraint=constraint,
+        prior=replace(prior, marker=1.5 * prior.marker),
+        noise=replace(noise, marker=1.3 * noise.marker),
+    )
 
 
 class TapedChain(ChainEngine):
@@ -188,9 +194,9 @@ class TapedChain(ChainEngine):
         self._note(Update(H, HP, r, R))
         super()._learn(H, HP, r, R)
 
-    def _start(self, frame: BlobFrame) -> None:
+    def _adopt(self, state: ChainState) -> None:
         self._note(Forgotten(self._layout.size))
-        super()._start(frame)
+        super()._adopt(state)
 
     def _search_again(
         self,

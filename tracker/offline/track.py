@@ -16,6 +16,7 @@ from tracker.config import from_toml, to_toml
 from tracker.errors import FileError
 from tracker.messages import (
     BlobFrame,
+    EngineState,
     ImuSample,
     StereoFrame,
 )
@@ -32,6 +33,7 @@ from tracker.settings import Settings
 from tracker.toml_reader import read_text
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
+from tracker.vision.rig import StereoRig
 from tracker.workers import usable_cores
 
 
@@ -89,16 +91,20 @@ def _run(
     output: Output,
     options: TrackOptions,
 ) -> Run:
+    changes: list[tuple[float, EngineState | StereoRig]] = list(reader.rig_changes())
     if options.smooth:
+        if changes:
+            raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
         return SmoothRun(Smoother(info, settings), output)
 
-    def make(engine: str) -> Pipeline:
-        return Pipeline(info.hand, info.glove, reader.rig(), replace(settings, engine=engine))
+    def make(engine: str, rig: StereoRig) -> Pipeline:
+        return Pipeline(info.hand, info.glove, rig, replace(settings, engine=engine))
 
     same = settings == _settings(reader, TrackOptions()) and info.version == __version__
-    if not same or options.hand or options.glove or options.colours:
-        return LiveRun(make, settings.engine, output)
-    return LiveRun(make, settings.engine, output, reader.engine_states())
+    if same and not (options.hand or options.glove or options.colours):
+        changes += [(state.t, state) for state in reader.engine_states()]
+    changes.sort(key=lambda change: change[0])
+    return LiveRun(make, settings.engine, reader.rig(), output, changes)
 
 
 def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:

@@ -32,6 +32,7 @@ from tracker.session.description import SessionInfo
 from tracker.session.mcap_input import FOREVER, McapInput
 from tracker.session.ordering import last_before, ordered
 from tracker.session.pictures import PackedFrame
+from tracker.session.rigs import rig_changes
 from tracker.vision.rig import Camera, StereoRig
 
 _FOREIGN_PATIENCE = NS // 10  # pictures of others may be this late against their IMUs
@@ -172,6 +173,12 @@ class SessionReader:
             t for t in map(topics.camera_info, topics.SIDES) if t not in self.topic_names
         ] or ["a transform from world to camera_left"]
         raise FileError(f"{self.path} tells no stereo camera: {' and '.join(missing)} missing.")
+
+    def rig_changes(self) -> list[tuple[float, StereoRig]]:
+        """(arrival in s, rig) of each calibration after the first."""
+        moving = self.rig().pose if self.info.moving_camera else None
+        found = list(rig_changes(self.source, moving))
+        return [(self.anchor.monotonic(log_time), rig) for log_time, rig in found[1:]]
 
     def _find_rig(self) -> tuple[StereoRig | None, bool]:
         """The rig at the start, and whether its camera moves."""
