@@ -32,7 +32,7 @@ class DetectorParams:
     """How a picture is searched, and how far away markers may be where nothing is predicted."""
 
     stride: int = 4  # of the seeds' grid; 1 scans every pixel
-    hint_stride: int = 2  # the same around predicted markers, where nothing else is searched
+    hint_stride: int = 3  # the same around predicted markers, where nothing else is searched
     min_area_px: float = 6.0
     nearest: float = 0.15  # m
     farthest: float = 0.90  # m
