@@ -167,3 +167,11 @@ def test_one_dark_side_says_nothing(frames) -> None:
     watch = RigWatch(ideal_rig())
     assert all(watch.usable(replace(f, right=None)) for f in frames)
     assert np.isnan(watch.state.row_shift_px) and watch.take_words() == []
+
+
+@pytest.mark.parametrize("rows", [-SHIFTS, SHIFTS])
+def test_pictures_as_far_apart_as_is_looked_for(frames, rows: float) -> None:
+    """The most frequent shift may be the first or the last there is."""
+    watch = RigWatch(ideal_rig())
+    for frame in frames[:20]:
+        assert watch.usable(shifted(frame, right=(0, rows)))

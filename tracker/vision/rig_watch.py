@@ -136,7 +136,7 @@ class RigWatch:
     def _note_shift(self, counts: IntArray, means: Array) -> None:
         """The median over pictures that show one row shift clearly."""
         best = int(np.argmax(counts))
-        others = np.delete(counts, range(max(best - 3, 0), best + 4))
+        others = np.delete(counts, range(max(best - 3, 0), min(best + 4, len(counts))))
         p = self._params
         if counts[best] < p.votes or counts[best] <= p.clear * others.max():
             return
