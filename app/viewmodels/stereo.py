@@ -9,7 +9,12 @@ import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, Look
 from app.widgets.overlay import Cross, Line, Shape
-from tracker.calibration.stereo.checks import Extrinsics, quality_problems, rig_problems
+from tracker.calibration.stereo.checks import (
+    Extrinsics,
+    known_baseline_problems,
+    quality_problems,
+    rig_problems,
+)
 from tracker.calibration.stereo.collect import Answer
 from tracker.calibration.stereo.coverage import Coverage, CoverageParams, advice, shape_of
 from tracker.calibration.stereo.solve import Solution
@@ -25,6 +30,9 @@ ANSWERS = {
     Answer.FULL: "There are enough views.",
 }
 VERDICTS: dict[str, Look] = {"good": GOOD, "usable": WARN, "refused": BAD, "waiting": IDLE}
+
+SUSPECT_PX = 1.0
+"""A view off by more was blurred, or the board bent."""
 
 
 @dataclass(frozen=True)
@@ -80,10 +88,14 @@ def row_lines(camera: Camera, corners: Corners | None, width: int) -> list[Shape
     return [Line(0.0, v, float(width), v, SKY) for v in rows.tolist()]
 
 
-def view_name(index: int, view: StereoView) -> str:
-    """How a view stands in the list."""
+def view_name(index: int, view: StereoView, error_px: float) -> str:
+    """How a view stands in the list; ``error_px`` NaN while there is no calibration yet."""
     tilt_deg = np.rad2deg(shape_of(view).tilt)
-    return f"{index + 1}: {len(view.ids)} corners, tilted {tilt_deg:.0f}°"
+    words = f"{index + 1}: {len(view.ids)} corners, tilted {tilt_deg:.0f}°"
+    if np.isnan(error_px):
+        return words
+    sign = BAD.sign if error_px > SUSPECT_PX else GOOD.sign
+    return f"{sign} {words}, off by {error_px:.2f} px"
 
 
 @dataclass(frozen=True)
@@ -112,9 +124,13 @@ def view_rows(solution: Solution) -> list[ViewRow]:
     ]
 
 
-def problems(solution: Solution, cover: Coverage) -> list[str]:
-    """Why a solution is refused; none where it may go on to the check."""
-    found = rig_problems(Extrinsics(solution.left, solution.right, solution.R, solution.T))
+def problems(solution: Solution, cover: Coverage, baseline: float = 0.0) -> list[str]:
+    """Why a solution is refused; none where it may go on to the check.
+
+    ``baseline`` is what the user knows of the lenses' distance, m; 0 where nothing.
+    """
+    rig = Extrinsics(solution.left, solution.right, solution.R, solution.T)
+    found = rig_problems(rig) or known_baseline_problems(rig, baseline)
     return found or quality_problems(solution, cover)
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from tracker.calibration.stereo.collect import Answer, Collector
+from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
 from tracker.calibration.stereo.views import BoardFinder, Look, StereoView
 from tracker.errors import GlovetrackError
 from tracker.sensors.picture_input import Pair, PictureInput
@@ -33,6 +35,7 @@ class BoardWatcher:
         self._lock = threading.Lock()
         self._collector: Collector | None = None
         self._seen: Seen | None = None
+        self._errors: dict[StereoView, float] = {}
         self._number = 0
         self.live = True
         self.trouble = ""
@@ -48,6 +51,10 @@ class BoardWatcher:
     def views(self) -> tuple[StereoView, ...]:
         with self._lock:
             return tuple(self._collector.views) if self._collector is not None else ()
+
+    def error_px(self, view: StereoView) -> float:
+        """How far a view's corners are off in a calibration of all views so far; NaN before one."""
+        return self._errors.get(view, math.nan)
 
     def remove(self, index: int) -> None:
         with self._lock:
@@ -100,3 +107,16 @@ class BoardWatcher:
             answer = self._collector.offer(look, live)
         self._number += 1
         self._seen = Seen(self._number, pair, look, answer)
+        if answer is Answer.TAKEN:
+            self._judge(pair[0].shape[1], pair[0].shape[0])
+
+    def _judge(self, width: int, height: int) -> None:
+        """Tells a bad view while there is time to take a better one."""
+        views = self.views()
+        if len(views) < SolveParams().least_views:
+            return
+        try:
+            found = solve(views, width, height)
+        except CalibrationError:
+            return  # the result page says why
+        self._errors = dict(zip(views, found.error.max(axis=1).tolist(), strict=True))

@@ -176,6 +176,7 @@ class StereoWizard(QDialog):
         page, views = self.pages.currentIndex(), self._watched()
         if page == VIEWS:
             self.collect.show_seen(watcher.latest(), views, watcher.trouble)
+            self.collect.show_list(views, watcher.error_px)
         elif page == CHECK and self._fresh is None:
             self.check.show_seen(watcher.latest(), views, watcher.trouble)
         self._enable()
@@ -247,7 +248,8 @@ class StereoWizard(QDialog):
         if isinstance(found, str):
             self.outcome.show_failure(found)
             return
-        self._usable = self.outcome.show_solution(found, coverage(views, width, height))
+        cover, baseline = coverage(views, width, height), self.board.baseline_mm.value() / 1000
+        self._usable = self.outcome.show_solution(found, cover, baseline)
         self._rig = found.rig if self._usable else None
 
     def _solving_ended(self) -> None:

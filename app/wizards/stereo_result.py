@@ -86,10 +86,10 @@ class ResultPage(QWidget):
         self._show_reasons([why])
         self.table.setRowCount(0)
 
-    def show_solution(self, solution: Solution, cover: Coverage) -> bool:
-        """Figures and views; whether it may go on to the check."""
+    def show_solution(self, solution: Solution, cover: Coverage, baseline: float) -> bool:
+        """Figures and views; whether it may go on to the check. ``baseline`` as in `problems`."""
         self._working(False)
-        found = problems(solution, cover)
+        found = problems(solution, cover, baseline)
         look = BAD if found else GOOD
         verdict = (
             self.tr("Refused") if found else self.tr("Calibrated: now check it on fresh views")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import cv2
 import numpy as np
@@ -91,6 +91,7 @@ class CollectPage(QWidget):
         column.addWidget(self.words)
         column.addLayout(below, 2)
         self._shown: tuple[object, int] = (None, -1)
+        self._listed: tuple[Sequence[StereoView], tuple[float, ...]] = ((), ())
 
     def _figures(self) -> QVBoxLayout:
         self._meters.setColumnStretch(2, 1)
@@ -127,7 +128,6 @@ class CollectPage(QWidget):
         self.words.setText(trouble or say(seen.answer, seen.look.trouble, cover))
         self.map.show_counts(cover.left, cover.right)
         self._show_meters(meters(cover))
-        self._show_list(views)
 
     def _show_meters(self, rows: Sequence[Meter]) -> None:
         for i, meter in enumerate(rows):
@@ -146,11 +146,20 @@ class CollectPage(QWidget):
             self._meters.addWidget(widget, row, column)
         self._bars.append((figure, bar))
 
-    def _show_list(self, views: Sequence[StereoView]) -> None:
-        names = [view_name(i, v) for i, v in enumerate(views)]
-        if names != [self.list.item(i).text() for i in range(self.list.count())]:
-            self.list.clear()
-            self.list.addItems(names)
+    def show_list(
+        self, views: Sequence[StereoView], error_px: Callable[[StereoView], float]
+    ) -> None:
+        """The views taken, each with its error in a calibration of all of them."""
+        errors = tuple(error_px(v) for v in views)
+        if self._listed == (views, errors):
+            return
+        self._listed = (views, errors)
+        while self.list.count() > len(views):
+            self.list.takeItem(self.list.count() - 1)
+        for i, (view, error) in enumerate(zip(views, errors, strict=True)):
+            if i == self.list.count():
+                self.list.addItem("")
+            self.list.item(i).setText(view_name(i, view, error))
 
 
 class CheckPage(QWidget):

@@ -14,6 +14,7 @@ from tracker.calibration.stereo.board import BoardSpec, board_picture, print_pic
 from tracker.calibration.stereo.checks import (
     Extrinsics,
     extrinsics_of,
+    known_baseline_problems,
     quality_problems,
     rig_problems,
 )
@@ -282,6 +283,13 @@ def test_mirrored_pictures_are_refused():
 def test_an_implausible_rig_is_refused_with_the_reason(change, words):
     assert rig_problems(truth()) == []
     assert any(words in p for p in rig_problems(truth(**change)))
+
+
+def test_a_baseline_that_is_known_is_held_against_the_result():
+    assert known_baseline_problems(truth(), 0.0) == []
+    assert known_baseline_problems(truth(), 0.064) == []
+    (words,) = known_baseline_problems(truth(), 0.060)
+    assert "63.0 mm apart, but 60.0 mm" in words
 
 
 def test_the_motion_between_the_lenses_is_recovered_from_a_rectified_rig():

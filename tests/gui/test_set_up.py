@@ -100,6 +100,7 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     dialog.finished_with.connect(lambda path, real: done.append((path, real)))
     collect(dialog, qtbot, 10)
     before = len(dialog._watched())
+    qtbot.waitUntil(lambda: "off by 0." in dialog.collect.list.item(0).text(), timeout=30_000)
     dialog.collect.list.setCurrentRow(0)
     first = dialog._watched()[0]
     dialog.collect.remove.click()
@@ -127,6 +128,19 @@ def test_exchanged_cameras_are_refused_on_the_result_page(wizard, qtbot):
     assert dialog.outcome.reasons.isVisible() and not dialog.next.isEnabled()
     dialog.back.click()
     assert dialog.pages.currentIndex() == VIEWS
+
+
+def test_a_baseline_that_is_known_finds_squares_of_another_size(wizard, qtbot):
+    dialog = wizard(StillBoard())
+    dialog.board.baseline_mm.setValue(63.0)
+    collect(dialog, qtbot, 8)
+    dialog.next.click()
+    qtbot.waitUntil(lambda: "measure a square" in dialog.outcome.reasons.text(), timeout=30_000)
+    assert not dialog.next.isEnabled()
+    dialog.board.baseline_mm.setValue(60.0)
+    dialog.back.click()
+    dialog.next.click()
+    qtbot.waitUntil(dialog.next.isEnabled, timeout=30_000)
 
 
 def test_a_camera_that_does_not_open_is_told(wizard, qtbot):

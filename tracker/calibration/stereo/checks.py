@@ -28,6 +28,7 @@ class RigLimits:
 
     baseline_least: float = 0.02  # m
     baseline_most: float = 0.35
+    baseline_known: float = 0.03  # relative, against what the user has measured
     turn_deg: float = 20.0  # between the cameras
     off_axis: float = 0.35  # |T_y| and |T_z| against the baseline
     focal_least: float = 0.35  # of the picture's width: 110° across
@@ -75,6 +76,22 @@ def rig_problems(rig: Extrinsics, limits: RigLimits | None = None) -> list[str]:
         if found := check(rig, p):
             return found
     return [problem for check in checks[2:] for problem in check(rig, p)]
+
+
+def known_baseline_problems(
+    rig: Extrinsics, baseline: float, limits: RigLimits | None = None
+) -> list[str]:
+    """Against the lenses' distance (m) that a data sheet or a ruler tells; 0 for unknown.
+
+    Only this finds squares that are not as large as was said: everything else scales with them.
+    """
+    found, p = float(np.linalg.norm(rig.T)), limits or RigLimits()
+    if not baseline or abs(found / baseline - 1) <= p.baseline_known:
+        return []
+    return [
+        f"The lenses would stand {1000 * found:.1f} mm apart, but {1000 * baseline:.1f} mm are "
+        "known: measure a square of the board again."
+    ]
 
 
 def quality_problems(
