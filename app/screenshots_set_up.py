@@ -46,6 +46,7 @@ def _opened(window: MainWindow, command: str, name: str, kind: type[D]) -> D:
 
 def _stereo(window: MainWindow, both: Both) -> bool:
     wizard = _opened(window, "stereo", "stereo", StereoWizard)
+    wizard.resize(980, 680)  # whatever the off-screen screen is
     both(wizard, "stereo-board")
     wizard.go_on()
     ready = wait_until(lambda: wizard.collect.list.count() >= VIEWS, PATIENCE)
