@@ -57,6 +57,7 @@ from tracker.messages import Blobs
 from tracker.vision.colours import ColourProfile, HueRange, load_profile, profile_to_toml
 from tracker.vision.detector import Detector
 
+TWO_COLUMNS = 540  # px of width, more than two columns need at least
 MASK_STEP = 2
 ROOM_EVERY = 8  # refreshes
 SETTINGS_PICTURES = "pictures"
@@ -146,7 +147,7 @@ class ColoursPanel(Panel):
         column.addWidget(self.tools)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        wide = event.size().width() > 1.25 * event.size().height()
+        wide = event.size().width() >= TWO_COLUMNS
         direction = QBoxLayout.Direction
         self._halves.setDirection(direction.LeftToRight if wide else direction.TopToBottom)
 

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QFileDialog,
-    QHBoxLayout,
     QMenu,
     QToolButton,
     QWidget,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
 from app.kept_pictures import KeptPicture, Picture, PictureFolder, read_picture, write_picture
 from app.tasks import TaskOwner
 from app.viewmodels.snapshot import Snapshot
+from app.widgets.flow_layout import FlowLayout
 
 LIVE = 0
 SIDES = ("left", "right")
@@ -39,7 +39,7 @@ class ColoursSource(QWidget):
         self._kept: KeptPicture | None = None
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Picture to tune on"))
-        self.choice.setMinimumContentsLength(8)
+        self.choice.setMinimumContentsLength(12)
         self.choice.addItem(self.tr("Live picture"))
         self.choice.currentIndexChanged.connect(self._choose)
         self.side = QComboBox()
@@ -50,11 +50,8 @@ class ColoursSource(QWidget):
         self.freeze.setToolTip(self.tr("Hold this picture; tracking goes on"))
         self.keep_button = self._button(self.tr("Keep"), self.tr("Keep this picture for later"))
         self.keep_button.clicked.connect(self.keep)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        row.addWidget(self.choice, 1)
-        for widget in (self.side, self.freeze, self.keep_button, self._menu_button()):
+        row = FlowLayout(self, spacing=4)
+        for widget in (self.choice, self.side, self.freeze, self.keep_button, self._menu_button()):
             row.addWidget(widget)
 
     @staticmethod

@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from functools import partial
 
 from PySide6.QtCore import Signal, SignalInstance
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QMenu, QToolButton, QWidget
+
+from app.widgets.flow_layout import FlowLayout
 
 
 class ColoursTools(QWidget):
@@ -34,12 +36,9 @@ class ColoursTools(QWidget):
         )
         self.pick.toggled.connect(lambda on: self._toggled(self.drop, on))
         self.drop.toggled.connect(lambda on: self._toggled(self.pick, on))
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(2)
+        row = FlowLayout(self, spacing=4)
         for widget in (self.pick, self.drop, self._fit_button()):
             row.addWidget(widget)
-        row.addStretch(1)
         row.addWidget(self._button(self.tr("Undo"), self.undo))
         row.addWidget(self._button(self.tr("Redo"), self.redo))
         row.addWidget(self._profile_button())

@@ -9,13 +9,14 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QHBoxLayout,
     QInputDialog,
     QLabel,
     QMenu,
     QToolButton,
     QWidget,
 )
+
+from app.widgets.flow_layout import FlowLayout
 
 NEW = 0  # row of "somebody new"
 
@@ -34,7 +35,7 @@ class WearerRow(QWidget):
         super().__init__(parent)
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Who wears the glove"))
-        self.choice.setMinimumContentsLength(9)
+        self.choice.setMinimumContentsLength(14)
         self.choice.activated.connect(lambda _index: self.chosen.emit(self.name))
         self.frozen = QCheckBox(self.tr("Freeze"))
         self.frozen.setToolTip(self.tr("Hold the calibration as it is; tracking goes on"))
@@ -46,13 +47,13 @@ class WearerRow(QWidget):
         self._fill_save_menu()
         self.reset_button = self._button(self.tr("Reset"), self.tr("Forget what has been learned"))
         self._segments: tuple[str, ...] = ()
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(6)
-        row.addWidget(QLabel(self.tr("Wearer")))
-        row.addWidget(self.choice, 1)
-        for widget in (self.save_button, self.reset_button, self.frozen, self.comparing):
+        row = FlowLayout(self, spacing=6)
+        who = QLabel(self.tr("Wearer"))
+        who.setBuddy(self.choice)
+        for widget in (who, self.choice, self.save_button, self.reset_button):
             row.addWidget(widget)
+        for box in (self.frozen, self.comparing):
+            row.addWidget(box)
         self.set_names((), "")
 
     def _button(self, text: str, tip: str) -> QToolButton:

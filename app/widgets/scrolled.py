@@ -1,0 +1,51 @@
+"""A panel that scrolls where its dock is too small for it, instead of being cut off."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QSize
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+
+SMALLEST = QSize(220, 110)
+
+
+class Scrolled(QScrollArea):
+    """Gives the panel all the room there is and scrolls only below what it needs at least.
+
+    Qt's own way (``widgetResizable``) scrolls already below what a panel with wrapped text would
+    like to have, though its pictures and tables could give way.
+    """
+
+    def __init__(self, panel: QWidget, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self._panel = panel
+        self.setWidget(panel)
+        panel.installEventFilter(self)
+
+    def minimumSizeHint(self) -> QSize:
+        return SMALLEST
+
+    def sizeHint(self) -> QSize:
+        return self._panel.sizeHint()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._panel and event.type() == QEvent.Type.LayoutRequest:
+            self._fit()
+        return super().eventFilter(watched, event)
+
+    def _fit(self) -> None:
+        panel, room = self._panel, self.viewport().size()
+        layout = panel.layout()
+        if layout is None:
+            return
+        least = layout.totalMinimumSize()
+        width = max(room.width(), least.width())
+        height = least.height()
+        if layout.hasHeightForWidth():
+            height = layout.totalMinimumHeightForWidth(width)
+        panel.resize(width, max(room.height(), height))

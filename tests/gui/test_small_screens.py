@@ -1,0 +1,80 @@
+"""Small screens and large scales: panels give way, then scroll, and nothing is cut off."""
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
+
+from app.main_window import SMALLEST
+from app.panels.colours import TWO_COLUMNS
+from app.widgets.scrolled import Scrolled
+
+SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 200 %
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_every_panel_has_what_it_needs_or_scrolls(window, qtbot, size):
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.resize(*size)
+    qtbot.wait(50)
+    assert (window.width(), window.height()) == size
+    for name, dock in window.docks.items():
+        dock.raise_()
+        QApplication.processEvents()
+        area = dock.widget()
+        assert isinstance(area, Scrolled)
+        panel, room = area.widget(), area.viewport().size()
+        least = panel.layout().totalMinimumSize()
+        assert panel.width() >= least.width(), name
+        assert panel.width() <= room.width() or area.horizontalScrollBar().maximum() > 0, name
+        assert panel.height() <= room.height() or area.verticalScrollBar().maximum() > 0, name
+
+
+def test_at_1366_by_768_the_pictures_and_the_hand_need_no_scrolling(window, qtbot):
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.resize(1366, 768)
+    qtbot.wait(50)
+    for name in ("cameras", "hand", "colours", "calibration", "sensors"):
+        window.run_command(f"show_{name}")
+        QApplication.processEvents()
+        area = window.docks[name].widget()
+        assert area.verticalScrollBar().maximum() == 0, name
+        assert area.horizontalScrollBar().maximum() == 0, name
+
+
+def test_the_window_can_be_made_as_small_as_it_says(window):
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    hint = window.minimumSizeHint()
+    assert hint.width() <= SMALLEST[0] and hint.height() <= SMALLEST[1]
+
+
+def test_colours_stand_in_one_column_where_there_is_no_room_for_two(window, qtbot):
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    panel, dock = window.colours, window.docks["colours"]
+
+    def are_beside() -> bool:
+        return panel.mask_view.geometry().left() > panel.strip.geometry().right()
+
+    dock.setFloating(True)
+    for width, beside in ((TWO_COLUMNS + 60, True), (TWO_COLUMNS - 160, False)):
+        dock.resize(width, 500)
+        qtbot.waitUntil(lambda beside=beside: are_beside() == beside, timeout=30_000)
+        assert panel.width() <= width
+
+
+def test_a_text_that_wraps_is_given_its_height(qtbot):
+    panel = QWidget()
+    label = QLabel("many words " * 40)
+    label.setWordWrap(True)
+    label.setAlignment(Qt.AlignmentFlag.AlignTop)
+    QVBoxLayout(panel).addWidget(label)
+    area = Scrolled(panel)
+    qtbot.addWidget(area)
+    area.resize(300, 60)
+    area.show()
+    assert label.height() >= label.heightForWidth(label.width())
+    assert area.verticalScrollBar().maximum() > 0
+    area.resize(1200, 400)
+    qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() == 0, timeout=30_000)
+    label.setText("word " * 4000)
+    qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() > 0, timeout=30_000)
