@@ -2,11 +2,7 @@
 
 import json
 import os
-import random
-import signal
 import struct
-import subprocess
-import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -15,6 +11,7 @@ import lz4.frame
 import numpy as np
 import pytest
 
+from tests.session.kill_drill import drill
 from tracker.cli import main
 from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Estimate, ImuSample
@@ -24,32 +21,11 @@ from tracker.session.container import McapOutput
 from tracker.session.mcap_input import McapInput
 from tracker.session.ordering import ordered
 from tracker.session.reader import SessionReader
-from tracker.session.recover import needs_recovery, recover
+from tracker.session.recover import recover
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import SessionRecorder
 
 Record = Callable[..., Path]
-
-VICTIM = """
-import sys, time
-sys.path[:0] = [{root!r}, {tests!r}]
-import conftest
-from pathlib import Path
-from tracker.hand.files import load_hand
-from tracker.glove.files import load_glove
-from tracker.session.description import describe
-from tracker.session.writer import SessionRecorder
-from tracker.vision.rig import ideal_rig
-res = Path({root!r}) / "resources"
-info = describe((res / "hands/reference-right.toml").read_text(),
-                (res / "gloves/vist-small.toml").read_text(),
-                conftest.ANCHOR, rig=ideal_rig(64, 48))
-maker = conftest.MessageMaker(info)
-with SessionRecorder(Path(sys.argv[1]), info) as recorder:
-    for k in range(100000):
-        recorder.write(maker.imu(10.0 * k, seq=k))
-        print(k, flush=True)
-"""
 
 
 @pytest.fixture
@@ -58,30 +34,9 @@ def session(tmp_path: Path, record: Record, maker) -> Path:
 
 
 def test_a_killed_recording_loses_less_than_half_a_second(tmp_path: Path) -> None:
-    tests = Path(__file__).parent
-    code = VICTIM.format(root=str(tests.parents[1]), tests=str(tests))
-    rng = random.Random(4)
-    for n in range(4):
-        path = tmp_path / f"{n}.mcap"
-        process = subprocess.Popen(
-            [sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, text=True
-        )
-        assert process.stdout is not None
-        wanted = rng.randrange(60, 600)
-        last = next(int(line) for line in process.stdout if int(line) >= wanted)
-        process.send_signal(signal.SIGKILL)
-        rest = process.stdout.read().split()
-        process.wait()
-        last = int(rest[-1]) if rest else last
-        assert needs_recovery(path)
-        saved = recover(path)
-        with SessionReader(saved.path) as reader:
-            found = list(reader.messages([ImuSample]))
-        assert [m.seq for m in found] == list(range(len(found)))
-        assert (last - found[-1].seq) * 0.01 <= 0.5
-        assert not needs_recovery(saved.path)
-        with SessionReader(path) as unfinished:
-            assert len(list(unfinished.messages([ImuSample]))) == len(found)
+    for kill in drill(tmp_path, kills=21, seed=4):
+        assert kill.written > 0 and kill.gaps == 0
+        assert kill.lost_s <= 0.5
 
 
 def test_recovered_messages_are_those_of_the_file(session: Path) -> None:

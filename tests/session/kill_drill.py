@@ -1,0 +1,106 @@
+"""Kills recording processes at random moments and looks at what is left.
+
+    python -m tests.session.kill_drill --kills 200
+
+The tests do the same with fewer.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import multiprocessing
+import random
+import tempfile
+import time
+from ctypes import c_long
+from dataclasses import dataclass
+from multiprocessing.sharedctypes import Synchronized
+from pathlib import Path
+
+from tests.session.conftest import ANCHOR, RESOURCES, MessageMaker
+from tracker.messages import ImuSample
+from tracker.session.description import describe
+from tracker.session.reader import SessionReader
+from tracker.session.recover import needs_recovery, recover
+from tracker.session.writer import RecorderParams, SessionRecorder
+from tracker.vision.rig import ideal_rig
+
+PERIOD_MS = 10.0
+PICTURES = ("none", "jpeg", "png")
+
+
+@dataclass(frozen=True)
+class Kill:
+    """``lost_s`` of the session before the kill; ``gaps`` packets missing in between."""
+
+    written: int
+    lost_s: float
+    gaps: int
+
+
+def victim(path: Path, pictures: str, written: Synchronized[int]) -> None:
+    """Records for ever, as fast as it can; ``written`` is the last packet handed over."""
+    info = describe(
+        (RESOURCES / "hands" / "reference-right.toml").read_text(),
+        (RESOURCES / "gloves" / "vist-small.toml").read_text(),
+        ANCHOR,
+        rig=ideal_rig(64, 48),
+    )
+    maker = MessageMaker(info)
+    with SessionRecorder(path, info, RecorderParams(pictures=pictures)) as recorder:
+        for k in itertools.count():
+            recorder.write(maker.imu(PERIOD_MS * k, seq=k))
+            recorder.write(maker.estimate(PERIOD_MS * k))
+            if k % 3 == 0:
+                recorder.write(maker.blob_frame(PERIOD_MS * k, k))
+                recorder.write(maker.picture(PERIOD_MS * k, k))
+            written.value = k
+
+
+def drill(folder: Path, kills: int, seed: int) -> list[Kill]:
+    """Kill ``kills`` recordings, each at its own random moment."""
+    rng = random.Random(seed)
+    # Children of a server that has imported everything already start in no time.
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["tests.session.conftest"])
+    out = []
+    for n in range(kills):
+        path, written = folder / f"{n}.mcap", context.Value(c_long, -1)
+        process = context.Process(target=victim, args=(path, PICTURES[n % 3], written))
+        process.start()
+        while written.value < 0 and process.is_alive():
+            time.sleep(0.002)
+        time.sleep(rng.uniform(0, 0.25))
+        process.kill()
+        process.join()
+        out.append(inspect(path, written.value))
+    return out
+
+
+def inspect(path: Path, last: int) -> Kill:
+    """What recovery makes of the rest. Raises AssertionError if the file is whole."""
+    assert needs_recovery(path)
+    with SessionReader(recover(path).path) as reader:
+        found = [m.seq for m in reader.messages((ImuSample,)) if isinstance(m, ImuSample)]
+    kept = found[-1] if found else -1
+    return Kill(last + 1, (last - kept) * PERIOD_MS / 1000, kept + 1 - len(found))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--kills", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=0)
+    args = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        found = drill(Path(folder), args.kills, args.seed)
+    lost = sorted(k.lost_s for k in found)
+    print(
+        f"{len(found)} kills after {min(k.written for k in found)} to "
+        f"{max(k.written for k in found)} packets: lost {lost[len(lost) // 2]:.2f} s in the "
+        f"middle, {lost[-1]:.2f} s at most; {sum(k.gaps for k in found)} packets missing before."
+    )
+
+
+if __name__ == "__main__":
+    main()
