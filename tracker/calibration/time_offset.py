@@ -17,9 +17,11 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+import numba
 import numpy as np
 
 from tracker.geometry import so3
+from tracker.geometry.kernels import act3, exp3, mul3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, IntArray
@@ -116,7 +118,7 @@ class TimeOffset:
         """Go on with the gyroscope's integral."""
         if self._imu < 0 or not sample.valid[self._imu]:
             return
-        rate = self._R_BI @ sample.gyro[self._imu]
+        rate = act3(self._R_BI, sample.gyro[self._imu])
         gyro = self._gyro
         if not gyro or not 0 < sample.t - gyro[-1].t <= self._params.packet_gap:
             gyro.clear()
@@ -124,7 +126,7 @@ class TimeOffset:
             gyro.append(_Turn(sample.t, np.eye(3), rate))
             return
         last = gyro[-1]
-        R = last.R @ so3.exp((last.rate + rate) / 2 * (sample.t - last.t))
+        R = mul3(last.R, exp3((last.rate + rate) / 2 * (sample.t - last.t)))
         gyro.append(_Turn(sample.t, R, rate))
         while gyro[-1].t - gyro[0].t > 2 * self._params.most + 0.5:
             gyro.popleft()
@@ -191,7 +193,8 @@ class TimeOffset:
     def _pair(self, before: _View, now: _View) -> None:
         """The turn that the same markers made, so that their placement does not matter."""
         gyro_0, gyro_1 = self._turn_at(before.t), self._turn_at(now.t)
-        marker, i, j = np.intersect1d(before.marker, now.marker, return_indices=True)
+        i, j = np.nonzero(before.marker[:, None] == now.marker)
+        marker = now.marker[j]
         if gyro_0 is None or gyro_1 is None or len(marker) < self._params.markers:
             return
         R_turn, misfit = rigid(now.p_G[j], before.p_G[i])
@@ -211,7 +214,7 @@ class TimeOffset:
                 a, b = gyro[k - 1], gyro[k]
                 w = (t - a.t) / (b.t - a.t)
                 rate = (1 - w) * a.rate + w * b.rate
-                return _Turn(t, a.R @ so3.exp((a.rate + rate) / 2 * (t - a.t)), rate)
+                return _Turn(t, mul3(a.R, exp3((a.rate + rate) / 2 * (t - a.t))), rate)
         return None
 
     def _take(self, t: float, a: Array, e: Array) -> None:
@@ -234,10 +237,22 @@ def rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
 
     Beside it the misfit, m RMS.
     """
-    a, b = p_out - p_out.mean(axis=0), p_in - p_in.mean(axis=0)
+    return _rigid(np.ascontiguousarray(p_out), np.ascontiguousarray(p_in))
+
+
+@numba.njit(cache=True, nogil=True)
+def _rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
+    """Compiled: numpy's checks would take longer than the arithmetic."""
+    n = len(p_out)
+    a, b = np.empty_like(p_out), np.empty_like(p_in)
+    for k in range(3):
+        a[:, k] = p_out[:, k] - p_out[:, k].mean()
+        b[:, k] = p_in[:, k] - p_in[:, k].mean()
     u, _, vt = np.linalg.svd(a.T @ b)
-    R: Array = u @ np.diag([1.0, 1.0, np.linalg.det(u @ vt)]) @ vt
-    return R, float(np.sqrt(((a - b @ R.T) ** 2).sum(axis=1).mean()))
+    if np.linalg.det(u @ vt) < 0:
+        u[:, 2] = -u[:, 2]
+    R = u @ vt
+    return R, float(np.sqrt(np.sum((a - b @ R.T) ** 2) / n))
 
 
 def _information(p_B: Array) -> Array:

@@ -93,14 +93,15 @@ class RigWatch:
 
     def check(self, result: FrameResult) -> None:
         """Compare a picture with what the filter expected of it."""
-        both = np.isfinite(result.residual).all(axis=1)
         p = self._params
         if result.t > self._packet + p.packet_gap or result.t < self._gap_end + p.settle:
             self._agreed = -np.inf
             return
-        if result.tracking != Tracking.TRACKING or both.sum() < p.jump_markers:
+        if result.tracking != Tracking.TRACKING:
             return
-        left_u, left_v, right_u, right_v = np.median(result.residual[both], axis=0)
+        both, (left_u, left_v, right_u, right_v) = median_residual(result.residual)
+        if both < p.jump_markers:
+            return
         apart = float(np.hypot(right_u - left_u, right_v - left_v)) / self._scale
         together = float(np.hypot(right_u + left_u, right_v + left_v)) / 2 / self._scale
         if max(apart, together) < p.jump_px:
@@ -136,9 +137,9 @@ class RigWatch:
     def _note_shift(self, counts: IntArray, means: Array) -> None:
         """The median over pictures that show one row shift clearly."""
         best = int(np.argmax(counts))
-        others = np.delete(counts, range(max(best - 3, 0), min(best + 4, len(counts))))
+        others = max(counts[: max(best - 3, 0)].max(initial=0), counts[best + 4 :].max(initial=0))
         p = self._params
-        if counts[best] < p.votes or counts[best] <= p.clear * others.max():
+        if counts[best] < p.votes or counts[best] <= p.clear * others:
             return
         self._shifts.append(float(means[best]))
         if len(self._shifts) < p.shift_pictures:
@@ -184,6 +185,21 @@ class RigWatch:
             (focal / p.farthest, focal / p.nearest),
             p.row_px * self._scale,
         )
+
+
+@numba.njit(cache=True, nogil=True)
+def median_residual(residual: Array) -> tuple[int, Array]:
+    """How many rows of residual (M, 4) px are finite, and the median of these, column by column."""
+    finite = np.empty(residual.shape)
+    n = 0
+    for row in residual:
+        if np.isfinite(row.sum()):
+            finite[n] = row
+            n += 1
+    out = np.full(4, np.nan)
+    for k in range(4 if n else 0):
+        out[k] = np.median(finite[:n, k])
+    return n, out
 
 
 @numba.njit(cache=True, nogil=True)
