@@ -6,14 +6,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from app.settings import Settings
 from tracker.errors import DeviceError
-from tracker.sensors.camera_controls import ControlledInput, Locks
+from tracker.sensors.camera_controls import ControlledInput, Locks, locks_from
 from tracker.sensors.picture_input import (
     CameraName,
     CaptureFormat,
+    Pair,
     PictureInput,
     SideBySideInput,
     TwoCameraInput,
@@ -32,6 +34,25 @@ class ChosenCamera:
     controls: ControlledInput | None
 
 
+class Exchanged:
+    """A picture input whose left and right pictures change places."""
+
+    def __init__(self, inner: PictureInput) -> None:
+        self._inner = inner
+        self.name, self.live, self.fps = inner.name, inner.live, inner.fps
+
+    def open(self) -> None:
+        self._inner.open()
+        self.fps = self._inner.fps  # some devices know it only now
+
+    def read(self) -> Pair | None:
+        pair = self._inner.read()
+        return None if pair is None else (pair[1], pair[0])
+
+    def close(self) -> None:
+        self._inner.close()
+
+
 def by_name(camera: CameraName) -> str:
     """The settings' text for one camera."""
     return NAME + camera.name
@@ -45,11 +66,10 @@ def by_names(left: CameraName, right: CameraName) -> str:
 
 
 def choose(
-    chosen: str,
+    settings: Settings,
     width: int,
     height: int,
     fps: float,
-    locks: Locks,
     cameras: list[CameraName] | None = None,
 ) -> ChosenCamera:
     """The camera that the settings name, for pictures of ``width`` by ``height`` px each.
@@ -57,6 +77,16 @@ def choose(
     Raises DeviceError where it is not there.
     """
     known = list_cameras() if cameras is None else cameras
+    locks = locks_from(settings.camera_locks)
+    found = _choose(settings.camera, width, height, fps, locks, known)
+    if not settings.camera_exchanged:
+        return found
+    return replace(found, source=Exchanged(found.source))
+
+
+def _choose(
+    chosen: str, width: int, height: int, fps: float, locks: Locks, known: list[CameraName]
+) -> ChosenCamera:
     side_by_side = CaptureFormat(2 * width, height, fps)
     if chosen.startswith(PAIR):
         left, _, right = chosen.removeprefix(PAIR).partition("|")

@@ -18,7 +18,6 @@ from tracker.errors import DeviceError
 from tracker.pipeline import Pipeline
 from tracker.runner import LiveTracker
 from tracker.sensors.camera import StereoCamera
-from tracker.sensors.camera_controls import locks_from
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo
@@ -35,8 +34,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     port = find_port(progress, settings.port)
     progress(0.5, "camera")
     rig = rig_of(settings.calibration)
-    locks = locks_from(settings.camera_locks)
-    chosen = choose(settings.camera, rig.left.width, rig.left.height, FPS, locks)
+    chosen = choose(settings, rig.left.width, rig.left.height, FPS)
     progress(0.7, "engine")
     hand, glove = library.load(settings.glove, settings.hand)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)

@@ -43,6 +43,7 @@ class Settings:
     glove: str = "vist-small"
     port: str = ""
     camera: str = ""  # see `app.camera_choice`
+    camera_exchanged: bool = False  # left and right pictures change places
     camera_locks: str = ""  # see `tracker.sensors.camera_controls.locks_text`
     calibration: str = ""  # path of the stereo calibration
     streams: dict[str, Any] = field(default_factory=dict)  # of `StreamParams`

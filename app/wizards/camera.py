@@ -54,6 +54,9 @@ class CameraSetup(QDialog):
         self.setObjectName("camera_setup")
         fit_to_screen(self, 560, 420)
         self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
+        self.exchanged = QCheckBox(self.tr("&Exchange left and right"))
+        self.exchanged.setToolTip(self.tr("Where a stereo calibration finds the cameras exchanged"))
+        self.exchanged.setChecked(store.value.camera_exchanged)
         self.locks = LockBox()
         self.locks.wanted.connect(self._lock)
         self._lay_out()
@@ -78,6 +81,7 @@ class CameraSetup(QDialog):
         form.addRow(left_label, row)
         form.addRow(self.tr("&Right pictures from"), self.right)
         form.addRow(self.tr("&Or from"), self.other)
+        form.addRow("", self.exchanged)
         self.use = QPushButton(self.tr("&Use this camera"))
         self.use.setProperty("role", "primary")
         self.use.clicked.connect(self._use)
@@ -133,7 +137,8 @@ class CameraSetup(QDialog):
         return by_names(left, right) if isinstance(right, CameraName) else by_name(left)
 
     def _use(self) -> None:
-        self._store.update(camera=self.choice())
+        exchanged = self.exchanged.isChecked()
+        self._store.update(camera=self.choice(), camera_exchanged=exchanged)
         self.chosen.emit()
         self.close()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.camera_choice import NAME, PAIR, choose
@@ -11,7 +11,6 @@ from app.session import Session
 from app.settings import Settings
 from app.wizards.stereo_board import PictureChoice
 from tracker.errors import DeviceError
-from tracker.sensors.camera_controls import locks_from
 from tracker.sensors.picture_input import (
     CameraName,
     Pair,
@@ -62,11 +61,11 @@ def picture_choices(
     setup = session.setup
     rig = setup.rig if setup is not None and setup.simulated else ideal_rig()
     simulated = PictureChoice("Simulated board (demo)", lambda spec: BoardCamera(rig, spec), True)
-    locks = locks_from(settings.camera_locks)
 
-    def choice(title: str, chosen: str) -> PictureChoice:
+    def choice(title: str, camera: str) -> PictureChoice:
+        wanted = replace(settings, camera=camera)
         return PictureChoice(
-            title, lambda _spec: choose(chosen, WIDTH, HEIGHT, FPS, locks, cameras).source
+            title, lambda _spec: choose(wanted, WIDTH, HEIGHT, FPS, cameras).source
         )
 
     found = [choice(f"{c.name} ({c.path or c.index})", str(c.index)) for c in cameras]

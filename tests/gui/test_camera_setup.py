@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup
 
 from app.camera_choice import by_name, by_names, choose
+from app.settings import Settings
 from app.viewmodels.checklist import steps
 from app.wizards.camera import CameraSetup
 from tracker.calibration.still import StillImu, StillPose
@@ -21,6 +23,11 @@ from tracker.vision.rig import ideal_rig
 
 ZED = CameraName(2, "ZED-M", "/dev/video2")
 WEB = CameraName(0, "Webcam", "/dev/video0")
+
+
+def chosen(camera: str, cameras: tuple[CameraName, ...] | list[CameraName] = ()):
+    """What the settings' text opens."""
+    return choose(Settings(camera=camera), 640, 480, 30.0, list(cameras))
 
 
 class Controls:
@@ -96,31 +103,55 @@ def test_a_camera_is_chosen_by_name_and_found_at_another_port(window, store, dia
     dialog.use.click()
     assert store.value.camera == by_name(ZED) == "name:ZED-M"
     moved = replace(ZED, index=7)
-    assert choose(store.value.camera, 1280, 720, 60.0, Locks(), [WEB, moved]).title == "ZED-M"
+    assert choose(store.value, 1280, 720, 60.0, [WEB, moved]).title == "ZED-M"
     with pytest.raises(DeviceError, match="ZED-M is not there; there are: Webcam"):
-        choose(store.value.camera, 1280, 720, 60.0, Locks(), [WEB])
+        choose(store.value, 1280, 720, 60.0, [WEB])
 
 
 def test_two_cameras_a_file_and_an_address_are_choices_too(store, dialog, tmp_path):
     dialog.left.setCurrentIndex(1)
     dialog.right.setCurrentIndex(2)
     assert dialog.choice() == by_names(WEB, ZED) == "pair:Webcam|ZED-M"
-    pair = choose(dialog.choice(), 640, 480, 30.0, Locks(), [WEB, ZED])
+    pair = chosen(dialog.choice(), [WEB, ZED])
     assert pair.title == "Webcam and ZED-M" and pair.controls is not None
     twins = by_names(WEB, replace(WEB, index=4))
-    assert choose(twins, 640, 480, 30.0, Locks(), []).source.name == "0 and 4"
+    assert chosen(twins).source.name == "0 and 4"
     dialog.other.setText("rtsp://camera/stereo")
     dialog.use.click()
     assert store.value.camera == "rtsp://camera/stereo"
-    stream = choose(store.value.camera, 640, 480, 30.0, Locks(), []).source
+    stream = chosen(store.value.camera).source
     assert isinstance(stream, SideBySideInput) and stream.live
     (tmp_path / "film.mp4").write_bytes(b"")
-    assert not choose(str(tmp_path / "film.mp4"), 640, 480, 30.0, Locks(), []).source.live
+    assert not chosen(str(tmp_path / "film.mp4")).source.live
+
+
+def test_pictures_can_be_exchanged(store, dialog, tmp_path):
+    path = tmp_path / "film.avi"
+    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, (64, 32))
+    picture = np.zeros((32, 64, 3), np.uint8)
+    picture[:, :32] = 200
+    writer.write(picture)
+    writer.release()
+
+    def brighter_side() -> str:
+        source = choose(store.value, 32, 32, 10.0, []).source
+        source.open()
+        left, right = source.read()
+        source.close()
+        assert source.fps == 10.0 and not source.live
+        return "left" if left.mean() > right.mean() else "right"
+
+    store.update(camera=str(path))
+    assert brighter_side() == "left"
+    dialog.other.setText(str(path))
+    dialog.exchanged.click()
+    dialog.use.click()
+    assert brighter_side() == "right"
 
 
 def test_without_a_camera_it_is_said():
     with pytest.raises(DeviceError, match="No camera was found"):
-        choose("", 1280, 720, 60.0, Locks(), [])
+        chosen("")
 
 
 def test_biases_measured_at_rest_reach_the_engine(window):

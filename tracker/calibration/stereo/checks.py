@@ -143,7 +143,8 @@ def _sides(rig: Extrinsics, p: RigLimits) -> list[str]:
     if x > 0:
         return [
             "Left and right are exchanged: what is called the left camera stands on the right. "
-            "Exchange the two pictures (or turn off mirroring, which looks the same)."
+            "Exchange the two pictures in the camera's set-up, or turn off mirroring, which looks "
+            "the same."
         ]
     return []
 
