@@ -52,7 +52,10 @@ from tracker.messages import (
 )
 from tracker.vision.rig import StereoRig
 
+MANY_MARKERS = 6  # in a picture that shows the hand
 SEEN_LATELY = 0.5  # s
+IN_VAIN = 0.3  # s of pictures with markers in which a lost hand is not found as it was last
+KEEP_CALIBRATION = 5.0  # s after which a hand that is still lost is looked for without it
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
@@ -64,6 +67,8 @@ class _Track:
     last_good: float = -np.inf  # last picture with enough matches
     one_lens: bool = False  # started with one lens, and no marker was seen by both since
     last_search: float = -np.inf
+    last_start: float = -np.inf  # last search from nothing
+    in_vain_since: float = np.inf  # lost, although pictures show markers
     last_tilt: float = -np.inf
     last_constraint: float = -np.inf
     doubtful_since: float = np.inf
@@ -166,6 +171,8 @@ class ChainEngine(LaggedEngine[ChainState]):
         inject(self._state, self._layout, dx)
 
     def _process(self, frame: BlobFrame) -> None:
+        if frame.t - self._track.in_vain_since > IN_VAIN and self._begin_anew(frame):
+            return
         seen = seen_blobs(frame, self._rig, self._layout.glove.hues)
         pose = frame.pose or self._rig.pose
         prediction = self._predict(self._state, pose)
@@ -176,6 +183,9 @@ class ChainEngine(LaggedEngine[ChainState]):
         self._correct(prediction, seen, match, pose)
         self._judge(frame.t, self._enough(prediction, match))
         self._finish(frame, seen, prediction, match)
+        looked = self.tracking == Tracking.LOST and max(len(s.uv) for s in seen) >= MANY_MARKERS
+        since = min(self._track.in_vain_since, frame.t)
+        self._track.in_vain_since = since if looked else np.inf
 
     def _search_again(
         self,
@@ -199,16 +209,30 @@ class ChainEngine(LaggedEngine[ChainState]):
             return prediction, match
         return there, matched
 
-    def _start(self, frame: BlobFrame) -> None:
-        if frame.t - self._track.last_search < self._params.match.search_period:
+    def _begin_anew(self, frame: BlobFrame) -> bool:
+        """Look for the lost hand as at the start: by now it may be turned and bent in any way.
+
+        What is known of the wearer is kept, unless it is so long that it may be what is wrong.
+        """
+        lately = frame.t - self._track.last_good < KEEP_CALIBRATION
+        self._start(frame, profile_of(self._state, self._layout) if lately else None)
+        return self.tracking == Tracking.TRACKING
+
+    def _adopt(self, state: ChainState) -> None:
+        """Go on from a state that has nothing to do with the one before."""
+        self._state = state
+
+    def _start(self, frame: BlobFrame, known: WearerProfile | None = None) -> None:
+        if frame.t - self._track.last_start < self._params.match.search_period:
             return
-        self._track.last_search = frame.t
+        self._track.last_start = frame.t
         seen = seen_blobs(frame, self._rig, self._layout.glove.hues)
         pose = frame.pose or self._rig.pose
-        started = self._starter.first(self._buffer, seen, pose, frame.t)
+        started = self._starter.first(self._buffer, seen, pose, frame.t, known)
         if started is None:
             return
-        self._state = started
+        self._adopt(started)
+        self._track.in_vain_since = np.inf
         if self._held is not None:
             wear(self._state, self._layout, self._held)
             control.hold_calibration(self._state, self._layout)

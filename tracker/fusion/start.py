@@ -35,21 +35,30 @@ class Starter:
         self.profile: WearerProfile | None = None  # what is known of the wearer beforehand
 
     def first(
-        self, buffer: ImuBuffer, seen: tuple[SeenBlobs, ...], pose: CameraPose, t: float
+        self,
+        buffer: ImuBuffer,
+        seen: tuple[SeenBlobs, ...],
+        pose: CameraPose,
+        t: float,
+        known: WearerProfile | None = None,
     ) -> ChainState | None:
-        """A state to start from, or None where the picture does not show a hand for sure."""
+        """A state to start from, or None where the picture does not show a hand for sure.
+
+        ``known`` is what this run has learned of the wearer; without it the profile counts.
+        """
         packets = [s for s in buffer if t - LOOK_BACK <= s.t <= t + 0.05]
         if len(packets) < 5:
             return None
         state = initial_state(self._layout)
         state.t = t
         state.P = initial_covariance(self._layout, self._params.prior)
-        if self.profile is not None:
-            wear(state, self._layout, self.profile)
+        known = known or self.profile
+        if known is not None:
+            wear(state, self._layout, known)
         valid = np.all([s.valid for s in packets], axis=0)
         force = np.mean([s.accel for s in packets], axis=0)
         gyro = np.array([s.gyro for s in packets])
-        if self.profile is None:
+        if known is None:
             self._bias_at_rest(state, gyro, valid)
         postures = postures_from_gravity(self._layout, state.R_IB, force, valid)
         headings = np.arange(0, 2 * np.pi, np.deg2rad(self._search.heading_step_deg))
