@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from tracker.calibration.stereo.board import BoardSpec, print_picture
+from tracker.calibration.stereo.board import BoardSpec, page_size, print_picture
 from tracker.errors import ConfigError
 from tracker.sensors.picture_input import PictureInput
 
@@ -68,6 +68,8 @@ class BoardPage(QWidget):
         self.baseline_mm.setToolTip(self.tr("From the camera's data sheet; a ZED Mini has 63 mm"))
         self.pictures = QComboBox()
         self.preview = BoardPreview()
+        self.paper = QLabel()
+        self.paper.setProperty("role", "faint")
         self.trouble = QLabel()
         self.trouble.setProperty("role", "warning")
         self.trouble.setWordWrap(True)
@@ -96,6 +98,7 @@ class BoardPage(QWidget):
         left.addLayout(form)
         left.addWidget(self.trouble)
         left.addWidget(self.save)
+        left.addWidget(self.paper)
         left.addStretch(1)
         left.addWidget(self._import_box())
         row = QHBoxLayout(self)
@@ -154,6 +157,10 @@ class BoardPage(QWidget):
         self.trouble.setVisible(spec is None)
         self.save.setEnabled(spec is not None)
         self.preview.show_board(spec)
+        if spec is not None:
+            width_mm, height_mm = (1000 * side for side in page_size(spec))
+            words = self.tr("The page is {} by {} mm: print it without scaling.")
+            self.paper.setText(words.format(f"{width_mm:.0f}", f"{height_mm:.0f}"))
         self.changed.emit()
 
     def _ask_save(self) -> None:

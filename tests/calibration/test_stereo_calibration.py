@@ -10,7 +10,13 @@ import cv2
 import numpy as np
 import pytest
 
-from tracker.calibration.stereo.board import BoardSpec, board_picture, print_picture
+from tracker.calibration.stereo.board import (
+    MARGIN,
+    BoardSpec,
+    board_picture,
+    page_size,
+    print_picture,
+)
 from tracker.calibration.stereo.checks import (
     Extrinsics,
     extrinsics_of,
@@ -99,14 +105,22 @@ def test_the_printed_page_has_its_corners_where_the_board_says(kind):
     page, per_metre = print_picture(spec, dpi=110)
     found = BoardFinder(spec).find(page)
     assert found is not None and len(found) == spec.corner_count
-    margin = round(spec.square * per_metre)
+    margin = round(MARGIN * per_metre)
     expected = spec.points_of(found.ids)[:, :2] * per_metre + margin - 0.5
     assert found.uv == pytest.approx(expected, abs=0.1)
 
 
+def test_the_default_board_fits_usual_paper():
+    width, height = page_size(SPEC)
+    page, per_metre = print_picture(SPEC)
+    assert np.allclose(np.array(page.shape[::-1]) / per_metre, (width, height), atol=3e-4)
+    for paper in ((0.297, 0.210), (0.2794, 0.2159)):
+        assert width < paper[0] - 0.008 and height < paper[1] - 0.008  # what printers leave white
+
+
 def test_the_printed_ruler_is_100_mm_long():
     page, per_metre = print_picture(SPEC, dpi=150)
-    below = page[round(per_metre * (SPEC.height + SPEC.square)) + 4 :]
+    below = page[round(per_metre * (SPEC.height + MARGIN)) + 4 :]
     longest = max(below, key=lambda row: int((row < 128).sum()))
     assert (longest < 128).sum() / per_metre == pytest.approx(0.1, abs=1e-3)
 

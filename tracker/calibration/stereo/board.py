@@ -22,6 +22,7 @@ MARKER_SHARE = 0.75
 LEAST_SQUARES, MOST_SQUARES = 4, 20
 LEAST_SQUARE, LARGEST_SQUARE = 0.004, 0.2  # m
 RULER = 0.1  # m, printed below the board to check the printer's scale
+MARGIN, FOOT = 0.010, 0.016  # m of white: the default board fits A4 and Letter
 
 
 @dataclass(frozen=True)
@@ -106,8 +107,13 @@ def board_picture(spec: BoardSpec, square_px: int = 60) -> NDArray[np.uint8]:
     return np.kron(squares, np.ones((square_px, square_px), np.uint8))
 
 
+def page_size(spec: BoardSpec) -> tuple[float, float]:
+    """Width and height of the printed page, m."""
+    return spec.width + 2 * MARGIN, spec.height + MARGIN + FOOT
+
+
 def print_picture(spec: BoardSpec, dpi: int = 300) -> tuple[NDArray[np.uint8], float]:
-    """The page to print: the board, a white margin of a square, a ruler of 100 mm below.
+    """The page to print: the board, a white margin, a ruler of 100 mm below.
 
     Returns grey pixels and how many of them make a metre; printed at that scale a square measures
     what ``spec`` says.
@@ -115,11 +121,9 @@ def print_picture(spec: BoardSpec, dpi: int = 300) -> tuple[NDArray[np.uint8], f
     square_px = max(12, round(spec.square * dpi / 0.0254))
     per_metre = square_px / spec.square
     board = board_picture(spec, square_px)
-    foot = max(2 * square_px, 90)
-    page = cv2.copyMakeBorder(
-        board, square_px, foot, square_px, square_px, cv2.BORDER_CONSTANT, value=255
-    )
-    _draw_ruler(page, square_px, board.shape[0] + square_px + foot // 2, per_metre)
+    margin, foot = round(MARGIN * per_metre), round(FOOT * per_metre)
+    page = cv2.copyMakeBorder(board, margin, foot, margin, margin, cv2.BORDER_CONSTANT, value=255)
+    _draw_ruler(page, margin, board.shape[0] + margin + round(0.6 * foot), per_metre)
     return np.asarray(page, np.uint8), per_metre
 
 
