@@ -31,8 +31,8 @@ from tracker.vision.detector import Detector, detect_frame
 
 DURATION = 900.0
 """s of motion; the hand then rests where it is."""
-WARM_UP = 3.0
-LEAD = 1.0  # s until the devices begin: a recording asked for at once misses nothing
+WARM_UP = 0.6  # s of motion: found, corrected and told once, which needs every kernel
+LEAD = 0.5  # s until the devices begin: a recording asked for at once misses nothing
 CAMERA_TIMEOUT = 120.0
 TRUTHS_AT_ONCE = 25
 HAND, GLOVE = "reference-right", "vist-small"
