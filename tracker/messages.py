@@ -71,6 +71,19 @@ class CameraPose(_Frozen):
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class CameraImuSample(_Frozen):
+    """The stereo camera's own IMU at one instant, in the left camera's frame C.
+
+    gyro (3,) rad/s; accel (3,) m/s² specific force.
+    """
+
+    t: float
+    t_arrival: float
+    gyro: Array
+    accel: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class StereoFrame(_Frozen):
     """One exposure of both cameras. Images are (h, w, 3) uint8 BGR; None where a camera is dark."""
 
@@ -246,6 +259,7 @@ class EngineState:
 
 Message = (
     ImuSample
+    | CameraImuSample
     | StereoFrame
     | BlobFrame
     | FrameResult

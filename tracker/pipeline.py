@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from tracker.calibration.frame_timing import FrameTiming
 from tracker.calibration.time_offset import TimeOffset
 from tracker.errors import ConfigError
+from tracker.fusion.camera_tilt import CameraTilt
 from tracker.fusion.chain import ChainEngine
 from tracker.fusion.engine import Engine
 from tracker.fusion.hybrid import HybridEngine
@@ -19,6 +21,8 @@ from tracker.hand.model import HandModel
 from tracker.messages import (
     BlobFrame,
     Calibration,
+    CameraImuSample,
+    CameraPose,
     Estimate,
     FrameResult,
     ImuSample,
@@ -65,6 +69,7 @@ class Pipeline:
             )
         self._engine = build(hand, glove, rig, self.settings)
         self._watch = RigWatch(rig)
+        self._camera = CameraTilt(rig.pose)
         offset = TimeOffset(hand, glove, rig)
         self._timing = FrameTiming(offset, self.settings.timing)
         self._results: list[FrameResult] = []
@@ -90,11 +95,23 @@ class Pipeline:
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen in a picture; see `take_results`. Swapped pictures are not used."""
         if self._watch.usable(frame):
-            self._engine.feed_frame(self._timing.corrected(frame))
+            self._engine.feed_frame(self._posed(self._timing.corrected(frame)))
             self._collect()
         else:
             nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
             self._results.append(nothing)
+
+    def feed_camera_imu(self, sample: CameraImuSample) -> None:
+        """Take a sample of the camera's own IMU: pictures without a pose get one of it."""
+        self._camera.feed(sample)
+
+    def camera_pose(self, t: float) -> CameraPose:
+        """Where the camera is taken to be in a picture of ``t`` that brings no pose."""
+        return self._camera.pose(t) or self.rig.pose
+
+    def _posed(self, frame: BlobFrame) -> BlobFrame:
+        pose = frame.pose or self._camera.pose(frame.t)
+        return frame if pose is frame.pose else replace(frame, pose=pose)
 
     def _collect(self) -> None:
         """Learn from results as they come, so that it does not matter when they are taken."""
@@ -150,9 +167,14 @@ class Pipeline:
 
     def get_state(self) -> Any:
         """Everything that changes; `set_state` goes on identically."""
-        return {"engine": self._engine.get_state(), "timing": self._timing.get_state()}
+        return {
+            "engine": self._engine.get_state(),
+            "timing": self._timing.get_state(),
+            "camera": self._camera.get_state(),
+        }
 
     def set_state(self, state: Any) -> None:
         """Go on from `get_state`."""
         self._engine.set_state(state["engine"])
         self._timing.set_state(state["timing"])
+        self._camera.set_state(state["camera"])

@@ -31,10 +31,13 @@ def seen_through(simulation, t):
 def judged(simulation, in_camera):
     names = simulation.glove.keypoint_names(simulation.hand)
     times = np.arange(2.5, 5.5, 0.25)
-    record = Record([seen_through(simulation, t) for t in times], [9] * len(times))
-    pipeline = SimpleNamespace(rig=simulation.rig)
+    record = Record(
+        estimates=[seen_through(simulation, t) for t in times],
+        poses=[simulation.scene.reported_pose(t) for t in times],
+        seen=[9] * len(times),
+    )
     columns = [names.index(k) for k in KEYPOINTS]
-    return Judge(simulation, pipeline, columns, in_camera).trial(record, 0, outage=0.0)
+    return Judge(simulation, None, columns, in_camera).trial(record, 0, outage=0.0)
 
 
 def test_a_wrong_camera_pose_is_no_error_in_the_cameras_frame(simulation):

@@ -123,12 +123,19 @@ def _table(rows: Sequence[dict[str, Any]], experiment: str) -> str:
 
 
 def _ablations(rows: Sequence[dict[str, Any]]) -> str:
+    """A table of variants for each experiment that has some."""
     chosen = [r for r in rows if r["ablation"]]
-    if not chosen:
-        return ""
     head = "".join(f"<th>{title}" for _, title, _ in COLUMNS)
-    body = "".join(_row(f"{r['engine']}: {ABLATIONS[r['ablation']].text}", r, "") for r in chosen)
-    return f"<h2>Variants, free motion</h2><table><tr><th>{head}{body}</table>"
+    parts = []
+    for experiment in dict.fromkeys(r["experiment"] for r in chosen):
+        body = "".join(
+            _row(f"{r['engine']}: {ABLATIONS[r['ablation']].text}", r, "")
+            for r in chosen
+            if r["experiment"] == experiment
+        )
+        title = TITLES[experiment].lower()
+        parts.append(f"<h2>Variants, {title}</h2><table><tr><th>{head}{body}</table>")
+    return "".join(parts)
 
 
 def _row(name: str, values: dict[str, Any], kind: str) -> str:

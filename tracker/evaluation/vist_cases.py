@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from tracker.errors import ConfigError
-from tracker.messages import BlobFrame, ImuSample, StereoFrame
+from tracker.messages import BlobFrame, CameraImuSample, ImuSample, StereoFrame
 from tracker.settings import Settings
 
 PAPERS = ("free", "object", "device")
@@ -18,7 +18,8 @@ LEVELS = ("points", "images")
 SETTLING = 5.0
 """Seconds at a trial's beginning that are not judged, as the hand is first found and measured."""
 
-Feed = Iterator[ImuSample | BlobFrame | StereoFrame]
+Fed = ImuSample | CameraImuSample | BlobFrame | StereoFrame
+Feed = Iterator[Fed]
 
 
 @dataclass(frozen=True)
@@ -42,6 +43,7 @@ class Ablation:
 
     ``outage`` (s): pictures are withheld so long, again and again, and errors are judged in the
     last second of each outage, in the dorsum's frame, since the place of the hand is then unknown.
+    ``camera``: its pose is "told" with each picture, or its own "imu" speaks, or "nothing".
     """
 
     name: str
@@ -52,6 +54,8 @@ class Ablation:
     fps: float | None = None
     speed: float = 1.0
     outage: float = 0.0
+    experiment: str = "free"
+    camera: str = "told"
 
     @property
     def least_minutes(self) -> float:
@@ -78,7 +82,7 @@ def without_pictures(outage: float) -> Callable[[Feed], Feed]:
 
     def keep(feed: Feed) -> Feed:
         for m in feed:
-            if isinstance(m, ImuSample) or not in_outage(m.t, outage):
+            if isinstance(m, ImuSample | CameraImuSample) or not in_outage(m.t, outage):
                 yield m
 
     return keep
@@ -183,6 +187,20 @@ ABLATIONS: dict[str, Ablation] = {
             settings=_previous_pose,
             fps=10.0,
             speed=2.0,
+        ),
+        Ablation(
+            "camera-imu",
+            "no pose is told; the camera's own IMU gives its tilt",
+            ("chain", "vist"),
+            experiment="head",
+            camera="imu",
+        ),
+        Ablation(
+            "camera-unknown",
+            "no pose is told: the camera is taken to stand still",
+            ("chain", "vist"),
+            experiment="head",
+            camera="nothing",
         ),
         _outage(5.0),
         _outage(10.0),

@@ -125,19 +125,25 @@ def cases_of(args: argparse.Namespace) -> list[Any]:
                 case = replace(case, minutes=QUICK_MINUTES)
             files = tuple(map(str, args.motion))
             out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
-    return out + _ablations(args.ablations, out)
+    return out + _ablations(args.ablations, out[: len(args.engines)])
 
 
 def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
+    """Variants of ``cases``, one per engine, each in the experiment it is about."""
     from tracker.evaluation.vist_cases import ABLATIONS
 
     names = tuple(ABLATIONS) if "all" in names else names
     _known(names, ABLATIONS, "ablation")
     return [
-        replace(case, ablation=name, minutes=max(case.minutes, ABLATIONS[name].least_minutes))
+        replace(
+            case,
+            experiment=ABLATIONS[name].experiment,
+            ablation=name,
+            minutes=max(case.minutes, ABLATIONS[name].least_minutes),
+        )
         for name in names
         for case in cases
-        if case.experiment == "free" and case.engine in ABLATIONS[name].engines
+        if case.engine in ABLATIONS[name].engines
     ]
 
 

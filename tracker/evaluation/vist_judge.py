@@ -3,7 +3,7 @@
 They are judged in G, with two exceptions: in an outage in the
 dorsum's frame, since the place of an unseen hand is a double integral; and with a camera on the
 head in the camera's, as a wearer of glasses sees the hand: the estimate is brought to C with the
-pose that the tracker was told, the truth with the true one.
+pose that the tracker goes by, the truth with the true one.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ class Record:
     """What is kept while a trial runs: an entry per packet, and counts."""
 
     estimates: list[Estimate] = field(default_factory=list)
+    poses: list[CameraPose] = field(default_factory=list)  # of the camera, as the tracker has it
     seen: list[int] = field(default_factory=list)
     latest_seen: int = 0
     matches: int = 0
@@ -47,7 +48,10 @@ class Judge:
         rows = np.flatnonzero(self._judged(t, outage))
         estimates = [record.estimates[i] for i in rows]
         truths = self.simulation.truths(t[rows])
-        error = (self._articulation if outage else self._place)(estimates, truths)
+        if outage:
+            error = self._articulation(estimates, truths)
+        else:
+            error = self._place(estimates, truths, [record.poses[i] for i in rows])
         sd = np.array([e.keypoint_sd[self.columns] for e in estimates]).reshape(error.shape)
         wearer = self.simulation.wearer
         return Trial(
@@ -70,17 +74,17 @@ class Judge:
             ok &= np.array([judged_in_outage(x, outage) for x in t])
         return ok
 
-    def _place(self, estimates: list[Estimate], truths: list[Truth]) -> Array:
+    def _place(
+        self, estimates: list[Estimate], truths: list[Truth], poses: list[CameraPose]
+    ) -> Array:
         """(n, 4) m, in G or in C."""
         shape = (len(estimates), len(self.columns), 3)
         given = np.array([e.keypoints[self.columns] for e in estimates]).reshape(shape)
         true = np.array([x.keypoints[self.columns] for x in truths]).reshape(shape)
         if self.in_camera:
-            scene = self.simulation.scene
-            for i, e in enumerate(estimates):
-                told = scene.reported_pose(e.t) or self.pipeline.rig.pose
-                given[i] = _in_camera(given[i], told)
-                true[i] = _in_camera(true[i], scene.pose(e.t))
+            for i, (e, pose) in enumerate(zip(estimates, poses, strict=True)):
+                given[i] = _in_camera(given[i], pose)
+                true[i] = _in_camera(true[i], self.simulation.scene.pose(e.t))
         return np.linalg.norm(given - true, axis=2)
 
     def _articulation(self, estimates: list[Estimate], truths: list[Truth]) -> Array:

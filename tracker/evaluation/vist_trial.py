@@ -13,12 +13,20 @@ import resources
 from tracker.evaluation.metrics import KEYPOINTS, Trial
 from tracker.evaluation.vist_cases import Ablation, Case, ablation_of
 from tracker.evaluation.vist_judge import Judge, Record
-from tracker.evaluation.vist_scenes import motion_of, simulation_of
+from tracker.evaluation.vist_scenes import feed_of, motion_of, simulation_of
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
-from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, StereoFrame
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    CameraImuSample,
+    CameraPose,
+    FrameResult,
+    ImuSample,
+    StereoFrame,
+)
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation
@@ -64,13 +72,14 @@ def _track(
     record = Record()
     check = MatchCheck(simulation)
     search, images = PictureSearch(simulation), case.level == "images"
-    feed = simulation.feed(images)
-    for message in feed if variant is None else variant.feed(feed):
+    for message in feed_of(simulation, images, variant):
         begin = time.process_time()
         if isinstance(message, ImuSample):
             record.estimates.append(pipeline.feed_imu(message))
+        elif isinstance(message, CameraImuSample):
+            pipeline.feed_camera_imu(message)
         else:
-            frame = message if isinstance(message, BlobFrame) else search.blobs(message)
+            frame = message if isinstance(message, BlobFrame) else search.blobs(message, pipeline)
             pipeline.feed_frame(frame)
             check.remember(frame)
         results = pipeline.take_results()
@@ -84,7 +93,17 @@ def _track(
             record.wrong += wrong
         if isinstance(message, ImuSample):
             record.seen.append(record.latest_seen)
+            record.poses.append(_believed(simulation, pipeline, variant, message.t))
     return record
+
+
+def _believed(
+    simulation: Simulation, pipeline: Pipeline, variant: Ablation | None, t: float
+) -> CameraPose:
+    """Where the tracker takes the camera to be."""
+    told = variant is None or variant.camera == "told"
+    pose = simulation.scene.reported_pose(t) if told else None
+    return pose or pipeline.camera_pose(t)
 
 
 class PictureSearch:
@@ -97,10 +116,11 @@ class PictureSearch:
             self._profile = load_profile(path)
         self._detector = Detector(self._profile, fx=self._rig.fx)
 
-    def blobs(self, frame: StereoFrame) -> BlobFrame:
+    def blobs(self, frame: StereoFrame, pipeline: Pipeline) -> BlobFrame:
         """What is found in both pictures."""
         names = self._profile.hue_names
-        hints = self._plan.hints(self._outlook, self._rig, frame.t, frame.pose, names)
+        pose = frame.pose or pipeline.camera_pose(frame.t)
+        hints = self._plan.hints(self._outlook, self._rig, frame.t, pose, names)
         return detect_frame(self._detector, frame, hints)
 
     def look_ahead(self, pipeline: Pipeline, t: float) -> None:

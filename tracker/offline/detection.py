@@ -6,23 +6,24 @@ from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 
-from tracker.messages import BlobFrame, ImuSample
+from tracker.messages import BlobFrame, CameraImuSample, ImuSample
 from tracker.session.decode import Decoded
 from tracker.session.pictures import PackedFrame
 from tracker.vision.detector import Detector, detect_frame
 
+_Packet = ImuSample | CameraImuSample
 AHEAD = 12  # pairs of pictures unpacked before the engine asks for them: 65 MB at 720p
 
 
 def detected(
     messages: Iterable[Decoded], detector: Detector, threads: int
-) -> Iterator[ImuSample | BlobFrame]:
+) -> Iterator[_Packet | BlobFrame]:
     """Packets as they are and what is found in the pictures, in the order of ``messages``.
 
     Unpacking and detection hold no interpreter lock and depend on nothing but their picture, so
     the result is the same with any number of ``threads``.
     """
-    waiting: deque[ImuSample | Future[BlobFrame]] = deque()
+    waiting: deque[_Packet | Future[BlobFrame]] = deque()
     pictures = 0
     pool = ThreadPoolExecutor(threads, "glovetrack-detect")
     try:
@@ -30,9 +31,9 @@ def detected(
             if isinstance(message, PackedFrame):
                 waiting.append(pool.submit(_find, detector, message))
                 pictures += 1
-            elif isinstance(message, ImuSample):
+            elif isinstance(message, ImuSample | CameraImuSample):
                 waiting.append(message)
-            while pictures > AHEAD or (waiting and isinstance(waiting[0], ImuSample)):
+            while pictures > AHEAD or (waiting and not isinstance(waiting[0], Future)):
                 first = waiting.popleft()
                 pictures -= isinstance(first, Future)
                 yield _ready(first)
@@ -45,5 +46,5 @@ def _find(detector: Detector, frame: PackedFrame) -> BlobFrame:
     return detect_frame(detector, frame.unpack())
 
 
-def _ready(item: ImuSample | Future[BlobFrame]) -> ImuSample | BlobFrame:
+def _ready(item: _Packet | Future[BlobFrame]) -> _Packet | BlobFrame:
     return item.result() if isinstance(item, Future) else item

@@ -4,12 +4,22 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Protocol
 
 import numpy as np
 
 from tracker.errors import FileError
-from tracker.messages import BlobFrame, Calibration, EngineState, Estimate, ImuSample, Tracking
+from tracker.fusion.camera_tilt import CameraTilt
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    CameraImuSample,
+    EngineState,
+    Estimate,
+    ImuSample,
+    Tracking,
+)
 from tracker.offline.report import Counter, TrackReport, TruthCheck
 from tracker.offline.smooth import Smoother
 from tracker.pipeline import Pipeline
@@ -17,13 +27,14 @@ from tracker.session import engine_state
 from tracker.session.writer import SessionRecorder
 from tracker.vision.rig import StereoRig
 
+Sensed = ImuSample | CameraImuSample | BlobFrame
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
 
 class Run(Protocol):
     """What `track` feeds; ``progress`` of `finish` hears the share of the rest that is done."""
 
-    def feed(self, message: ImuSample | BlobFrame) -> None: ...
+    def feed(self, message: Sensed) -> None: ...
 
     def finish(self, progress: Callable[[float], None]) -> None: ...
 
@@ -41,7 +52,7 @@ class Output:
     def report(self) -> TrackReport:
         return self._counter.report
 
-    def message(self, message: ImuSample | BlobFrame) -> None:
+    def message(self, message: Sensed) -> None:
         """A message as it was fed; before its estimate."""
         if self._with_sensors:
             self._recorder.write(message)
@@ -86,12 +97,14 @@ class LiveRun:
         self._output, self._changes = output, deque(changes)
         self._next_calibration = -np.inf
 
-    def feed(self, message: ImuSample | BlobFrame) -> None:
+    def feed(self, message: Sensed) -> None:
         while self._changes and self._changes[0][0] <= message.t_arrival:
             self._change(*self._changes.popleft())
         self._output.message(message)
         if isinstance(message, BlobFrame):
             self._pipeline.feed_frame(message)
+        elif isinstance(message, CameraImuSample):
+            self._pipeline.feed_camera_imu(message)
         else:
             self._feed_imu(message)
         self._pipeline.take_results()
@@ -125,10 +138,16 @@ class LiveRun:
 class SmoothRun:
     """Estimates that know the whole session; all are written at the end."""
 
-    def __init__(self, smoother: Smoother, output: Output) -> None:
-        self._smoother, self._output = smoother, output
+    def __init__(self, smoother: Smoother, output: Output, camera: CameraTilt) -> None:
+        self._smoother, self._output, self._camera = smoother, output, camera
 
-    def feed(self, message: ImuSample | BlobFrame) -> None:
+    def feed(self, message: Sensed) -> None:
+        if isinstance(message, CameraImuSample):
+            self._output.message(message)
+            self._camera.feed(message)
+            return
+        if isinstance(message, BlobFrame) and message.pose is None:
+            message = replace(message, pose=self._camera.pose(message.t))
         self._smoother.feed(message)
 
     def finish(self, progress: Callable[[float], None]) -> None:

@@ -14,15 +14,17 @@ import numpy as np
 from tracker import __version__, library
 from tracker.config import from_toml, to_toml
 from tracker.errors import FileError
+from tracker.fusion.camera_tilt import CameraTilt
 from tracker.messages import (
     BlobFrame,
+    CameraImuSample,
     EngineState,
     ImuSample,
     StereoFrame,
 )
 from tracker.offline.detection import detected
 from tracker.offline.report import TrackReport, TruthCheck
-from tracker.offline.runs import LiveRun, Output, Run, SmoothRun
+from tracker.offline.runs import LiveRun, Output, Run, Sensed, SmoothRun
 from tracker.offline.smooth import Smoother
 from tracker.pipeline import ENGINES, Pipeline
 from tracker.session import topics
@@ -95,7 +97,7 @@ def _run(
     if options.smooth:
         if changes:
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
-        return SmoothRun(Smoother(info, settings), output)
+        return SmoothRun(Smoother(info, settings), output, CameraTilt(reader.rig().pose))
 
     def make(engine: str, rig: StereoRig) -> Pipeline:
         return Pipeline(info.hand, info.glove, rig, replace(settings, engine=engine))
@@ -162,7 +164,7 @@ def _sha256(path: Path) -> str:
 
 def _messages(
     reader: SessionReader, info: SessionInfo, options: TrackOptions, threads: int
-) -> Iterator[ImuSample | BlobFrame]:
+) -> Iterator[Sensed]:
     """Packets and blobs in the order of the live run.
 
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
@@ -170,11 +172,11 @@ def _messages(
     """
     has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
     if has_blobs and not options.colours:
-        return reader.messages((ImuSample, BlobFrame))  # type: ignore[return-value]
+        return reader.messages((ImuSample, CameraImuSample, BlobFrame))  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
         what = "no pictures to try other colours on" if has_blobs else "neither blobs nor pictures"
         raise FileError(f"{reader.path} holds {what}.")
-    packed = reader.packed_messages((ImuSample, StereoFrame))
+    packed = reader.packed_messages((ImuSample, CameraImuSample, StereoFrame))
     return detected(packed, make_detector(profile_of(info), info), threads)
 
 

@@ -15,6 +15,7 @@ from tracker.messages import (
     BlobFrame,
     Blobs,
     Calibration,
+    CameraImuSample,
     CameraPose,
     Estimate,
     Event,
@@ -36,6 +37,7 @@ from tracker.session.pictures import PackedFrame
 
 MESSAGE_KINDS: tuple[type, ...] = (
     ImuSample,
+    CameraImuSample,
     StereoFrame,
     BlobFrame,
     Estimate,
@@ -81,6 +83,7 @@ class Decoder:
         side = self._info.side
         table: dict[str, Callable[[RawMessage], list[Decoded]]] = {
             topics.packets(side): self._packet,
+            topics.CAMERA_IMU: self._camera_imu,
             topics.TF: self._transforms,
             topics.CAMERA_POSE: self._exact_pose,
             topics.hand(side, "calibration"): self._calibration,
@@ -103,6 +106,7 @@ class Decoder:
         camera = [topics.TF, topics.CAMERA_POSE]
         table: dict[type, list[str]] = {
             ImuSample: [*imus, topics.packets(side)],
+            CameraImuSample: [topics.CAMERA_IMU],
             StereoFrame: [*(topics.image(c) for c in topics.SIDES), *camera],
             BlobFrame: [*(topics.blobs(c) for c in topics.SIDES), *camera],
             Estimate: [*hand, topics.TF],
@@ -113,10 +117,10 @@ class Decoder:
         return frozenset(t for kind in kinds for t in table.get(kind, ()))
 
     def rank(self, topic: str) -> int:
-        """Order of topics at one log time: IMU before what was seen, the camera's pose between."""
+        """Order of topics at one log time: IMU before what was seen, the camera's own between."""
         if topic.startswith("/glove/"):
             return 0
-        return 1 if topic in (topics.TF, topics.CAMERA_POSE) else 2
+        return 1 if topic in (topics.TF, topics.CAMERA_POSE, topics.CAMERA_IMU) else 2
 
     def remember(self, raw: RawMessage) -> None:
         """Take a message from before the first, for what still holds of it."""
@@ -155,6 +159,11 @@ class Decoder:
         part = sensors.unpack_imu(raw.data)
         self._imus.add(name, part.stamp, raw.log_time, raw.sequence, part)
         return []
+
+    def _camera_imu(self, raw: RawMessage) -> list[Decoded]:
+        part = sensors.unpack_imu(raw.data)
+        t, arrival = self._t(part.stamp), self._t(raw.log_time)
+        return [CameraImuSample(t, arrival, part.gyro.copy(), part.accel.copy())]
 
     def _packet(self, raw: RawMessage) -> list[Decoded]:
         times = sensors.unpack_time_reference(raw.data)

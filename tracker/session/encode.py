@@ -15,6 +15,7 @@ from tracker.geometry import so3
 from tracker.messages import (
     BlobFrame,
     Calibration,
+    CameraImuSample,
     CameraPose,
     Estimate,
     Event,
@@ -66,6 +67,12 @@ class Encoder:
             sensors.TimeReference(stamp, reference, "glove" if known else "")
         )
         yield Out(topics.packets(self._side), sensors.TIME_REFERENCE, log, stamp, data, sequence)
+
+    def camera_imu(self, m: CameraImuSample) -> Iterator[Out]:
+        """What the camera's own IMU measures, in its frame."""
+        stamp, frame = self._wall(m.t), topics.camera_frame("left")
+        data = sensors.pack_imu(sensors.Imu(stamp, frame, m.gyro, m.accel))
+        yield Out(topics.CAMERA_IMU, sensors.IMU, self._wall(m.t_arrival), stamp, data)
 
     def camera_pose(self, t: float, t_arrival: float, pose: CameraPose | None) -> Iterator[Out]:
         """Pose of a moving camera, once per exposure."""

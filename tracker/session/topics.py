@@ -9,6 +9,8 @@ STATUS, EVENTS = "/tracker/status", "/events"
 CAMERA_POSE = "/camera/left/extrinsics"
 """R_GC and p_GC as twelve numbers: a quaternion would not give the matrix back to the last bit."""
 
+CAMERA_IMU = "/camera/imu/data_raw"
+
 
 def imu(side: str, name: str) -> str:
     return f"/glove/{side}/imu/{name}"

@@ -16,6 +16,7 @@ from tracker.errors import ConfigError, FileError
 from tracker.messages import (
     BlobFrame,
     Calibration,
+    CameraImuSample,
     EngineState,
     Estimate,
     Event,
@@ -151,6 +152,8 @@ class SessionRecorder:
         match message:
             case ImuSample():
                 return self._encoder.imu(message)
+            case CameraImuSample():
+                return self._encoder.camera_imu(message)
             case StereoFrame():
                 return self._pictures(message)
             case BlobFrame():
