@@ -7,9 +7,9 @@ from pathlib import Path
 
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
+from tracker.hand.model import HandModel
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
-from tracker.simulation.recorded import load_motion
 from tracker.simulation.render import RenderParams
 from tracker.simulation.scenario import Simulation, SimulationParams
 
@@ -33,8 +33,15 @@ def build(spec: DemoSpec) -> Simulation:
     glove = parse_glove(spec.glove_text, hand)
     motion: Motion
     if spec.motion:
-        motion = load_motion(Path(spec.motion), hand)
+        motion = _recorded(Path(spec.motion), hand)
     else:
         motion = RandomPostures(hand, spec.seed, duration=spec.duration)
     params = SimulationParams(render=RenderParams(exposures=spec.exposures))
     return Simulation(hand, glove, motion, spec.seed, params, fps=spec.fps)
+
+
+def _recorded(path: Path, hand: HandModel) -> Motion:
+    """Imported when asked for: its filters bring all of scipy.signal, and the demo starts first."""
+    from tracker.simulation.recorded import load_motion
+
+    return load_motion(path, hand)
