@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
@@ -20,6 +21,9 @@ from tracker.fusion.engine import Engine
 from tracker.fusion.still_bias import with_gyro_bias
 from tracker.sensors.camera_controls import Locks, locks_text
 from tracker.sensors.picture_input import CameraName, list_cameras
+
+if TYPE_CHECKING:
+    from app.wizards.stereo import StereoWizard
 
 
 class SetUpDesk(QObject):
@@ -59,6 +63,10 @@ class SetUpDesk(QObject):
             board_from(self._store.value.board),
             self._window,
         )
+        self.show_stereo(wizard)
+
+    def show_stereo(self, wizard: StereoWizard) -> None:
+        """Show it, and take what comes out of it."""
         wizard.finished_with.connect(self._calibrated)
         wizard.board_used.connect(lambda spec: self._store.update(board=board_text(spec)))
         self.show_dialog("stereo", wizard)

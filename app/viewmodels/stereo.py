@@ -161,6 +161,16 @@ def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
     ]
 
 
+def check_figures(found: Verification) -> list[tuple[str, str]]:
+    """What all fresh views together say; a shift of all rows means that a camera was tilted."""
+    if len(found.epipolar) == 0:
+        return []
+    return [
+        ("Worst corner", f"{found.worst_px:.2f} px"),
+        ("All rows shifted by", f"{found.offset_px:+.2f} px"),
+    ]
+
+
 def check_rows(found: Verification) -> list[tuple[str, str]]:
     """Each fresh view and its epipolar error."""
     return [(str(i + 1), f"{e:.2f} px") for i, e in enumerate(found.epipolar.tolist())]

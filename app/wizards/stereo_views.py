@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 from app.viewmodels.stereo import (
     VERDICTS,
     Meter,
+    check_figures,
     check_rows,
     corner_shapes,
     meters,
@@ -196,7 +197,6 @@ class CheckPage(QWidget):
         """Check this one from now on."""
         self._rig, self.found, self._seen = rig, None, None
         self._maps = tuple(_rectify_map(c) for c in (rig.left, rig.right))
-        self.figures.setText("\n".join(f"{name}: {text}" for name, text in rig_figures(rig)))
         self.show_views(())
 
     def show_seen(self, seen: Seen | None, views: Sequence[StereoView], trouble: str) -> None:
@@ -217,6 +217,8 @@ class CheckPage(QWidget):
         state, sentence = self.found.verdict()
         look = VERDICTS[state]
         self.words.setText(f"{look.sign}  {sentence}")
+        figures = rig_figures(self._rig) + check_figures(self.found)
+        self.figures.setText("\n".join(f"{name}: {text}" for name, text in figures))
         rows = check_rows(self.found)
         self.table.setRowCount(len(rows))
         for i, cells in enumerate(rows):

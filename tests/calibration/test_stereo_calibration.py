@@ -25,7 +25,7 @@ from tracker.calibration.stereo.checks import (
     rig_problems,
 )
 from tracker.calibration.stereo.collect import Answer, Collector
-from tracker.calibration.stereo.coverage import CoverageParams, advice, coverage, shape_of
+from tracker.calibration.stereo.coverage import advice, coverage, shape_of
 from tracker.calibration.stereo.files import ImportForm, load_rig, save_calibration
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve, view_errors
 from tracker.calibration.stereo.verify import verify
@@ -190,7 +190,6 @@ def test_coverage_and_advice_follow_what_is_shown():
     assert "nearer" in advice(replace(cover, area=0.9, tilted=9))
     good = coverage(views(16, 1), WIDTH, HEIGHT)
     assert good.area > 0.8 and advice(good) == ""
-    assert good.done(CoverageParams()) == 1.0 and cover.done(CoverageParams()) == 0.0
 
 
 def test_tilt_is_seen_without_knowing_the_lens():

@@ -113,6 +113,7 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     assert dialog.pages.currentIndex() == CHECK and not dialog.next.isEnabled()
     qtbot.waitUntil(dialog.next.isEnabled, timeout=60_000)
     assert "Rows agree" in dialog.check.words.text()
+    assert "Worst corner" in dialog.check.figures.text()
     dialog.next.click()
     ((path, real),) = done
     assert real and not dialog.isVisible()
@@ -265,6 +266,33 @@ def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration
     save_calibration(tmp_path / "mine.yml", rig.left, rig.right, rig.R, rig.T)
     assert window.set_up.set_calibration(tmp_path / "mine.yml")
     assert window.checklist.summary.text().startswith("1 of")
+
+
+def test_a_new_calibration_is_used_at_once_where_the_devices_are_in_use(
+    window, store, qtbot, monkeypatch, tmp_path
+):
+    monkeypatch.setattr("app.hardware.serial_ports", list)
+    rig = small_rig()
+    path = tmp_path / "mine.yml"
+    save_calibration(path, rig.left, rig.right, rig.R, rig.T)
+
+    def finish(real: bool) -> None:
+        dialog = StereoWizard(window.tasks, [], tmp_path, SPEC, window)
+        window.set_up.show_stereo(dialog)
+        dialog.finished_with.emit(path, real)
+        dialog.close()
+
+    window.session.adopt(scripted_setup(ScriptedEngine()))
+    with qtbot.assertNotEmitted(window.set_up.restart):
+        finish(False)  # the demo's own
+    assert store.value.calibration == ""
+    with qtbot.assertNotEmitted(window.set_up.restart):
+        finish(True)
+    assert store.value.calibration == str(path)
+    window.session.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
+    with qtbot.waitSignal(window.set_up.restart, timeout=30_000):
+        finish(True)
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
 def test_pictures_may_come_from_the_chosen_camera_all_others_and_a_simulation(window):

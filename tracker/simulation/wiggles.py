@@ -12,7 +12,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.messages import Array, ImuSample
-from tracker.simulation.imu import ImuParams, ImuSimulator
+from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.motion import Poses
 from tracker.simulation.postures import posture
 from tracker.simulation.wearer import Wearer, WearerParams
@@ -68,12 +68,10 @@ def wiggling_wearer(hand: HandModel, glove: GloveModel, part: str, seed: int) ->
 class PlayAlong:
     """Packets of a wearer who does what ``part`` says at the moment; set it at any time."""
 
-    def __init__(
-        self, hand: HandModel, glove: GloveModel, seed: int = 1, params: ImuParams | None = None
-    ) -> None:
+    def __init__(self, hand: HandModel, glove: GloveModel, seed: int = 1) -> None:
         self.part = REST
         self._make: Callable[[str], ImuSimulator] = lambda part: ImuSimulator(
-            wiggling_wearer(hand, glove, part, seed), Wiggle(hand, part), seed, params
+            wiggling_wearer(hand, glove, part, seed), Wiggle(hand, part), seed
         )
 
     def samples(self) -> Iterator[ImuSample]:

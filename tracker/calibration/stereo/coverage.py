@@ -40,16 +40,6 @@ class Coverage:
     tilted: int
     distances: float
 
-    def done(self, params: CoverageParams) -> float:
-        """0..1: how much of what is wanted is there, the least of the four."""
-        shares = (
-            self.views / params.views,
-            self.area / params.area,
-            self.tilted / params.tilted,
-            (self.distances - 1) / (params.distances - 1),
-        )
-        return min(1.0, max(0.0, min(shares)))
-
 
 def coverage(
     views: Sequence[StereoView], width: int, height: int, params: CoverageParams | None = None
