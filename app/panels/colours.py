@@ -176,6 +176,7 @@ class ColoursPanel(Panel):
         self._history = ProfileHistory(kept or setup.profile)
         self._hue = 0
         self._fill_hues(setup.profile)
+        self.fitting.open(setup.glove, setup.profile)
         camera = self.keeper.camera or "replays"
         self.source.set_folder(PictureFolder(self._folder / SETTINGS_PICTURES / camera))
         self.tools.set_cameras(self.keeper.others())
@@ -272,9 +273,9 @@ class ColoursPanel(Panel):
             self.fitting.from_picture(self.source.picture(), self.profile)
 
     def fit_markers(self) -> None:
-        """Fit to the markers that are tracked now."""
+        """Fit to the markers that were tracked lately, while this panel was in sight."""
         if self.profile is not None:
-            self.fitting.from_markers(self.source.view, self.profile)
+            self.fitting.from_markers(self.profile)
 
     def _take_fit(self, profile: ColourProfile, words: str) -> None:
         self._take(profile, words)
@@ -354,6 +355,7 @@ class ColoursPanel(Panel):
         if view is None or self._history is None:
             return
         self.source.take(view)
+        self.fitting.watch(view)
         self._room_age += 1
         if self._room_age >= ROOM_EVERY:
             self._watch_room()

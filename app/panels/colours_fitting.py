@@ -5,11 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal
 
 from app.kept_pictures import Picture
-from app.tasks import Progress, TaskOwner
+from app.tasks import TaskOwner
 from app.viewmodels.colours import fit_words
 from app.viewmodels.snapshot import Snapshot
 from tracker.calibration.colours_fit import FoundHue, fit_picture
-from tracker.calibration.colours_fit_markers import fit_markers, seen_sides
+from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides
+from tracker.glove.model import GloveModel
 from tracker.messages import Tracking
 from tracker.vision.colours import ColourProfile
 
@@ -25,6 +26,8 @@ class ColoursFitting(QObject):
     def __init__(self, tasks: TaskOwner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._tasks = tasks
+        self._samples: MarkerSamples | None = None
+        self._last = float("-inf")
 
     def from_picture(self, picture: Picture | None, profile: ColourProfile) -> None:
         if picture is None:
@@ -32,23 +35,31 @@ class ColoursFitting(QObject):
             return
         self._run(lambda _progress: fit_picture(picture, profile))
 
-    def from_markers(self, view: Snapshot | None, profile: ColourProfile) -> None:
-        if view is None:
-            self.failed.emit(self.tr("Markers are tracked in the live picture: choose that one."))
-            return
+    def watch(self, view: Snapshot) -> None:
+        """Take the markers that are tracked in this exposure, for a fit later on."""
         result, blobs, frame = view.result, view.blobs, view.frame
         if result is None or result.tracking != Tracking.TRACKING or blobs is None or frame is None:
+            return
+        if self._samples is None or frame.t == self._last:
+            return
+        self._last = frame.t
+        sides = seen_sides(frame.left, frame.right, (blobs.left, blobs.right), result)
+        self._samples.take(sides, result.visible)
+
+    def open(self, glove: GloveModel, profile: ColourProfile) -> None:
+        """Begin anew, with another glove."""
+        self._samples, self._last = MarkerSamples(glove, profile.hue_names), float("-inf")
+
+    def from_markers(self, profile: ColourProfile) -> None:
+        """Fit to the markers that were watched lately."""
+        samples = self._samples
+        if samples is None or len(samples) == 0:
             self.failed.emit(
-                self.tr("No markers are tracked now. Fit from the picture alone first.")
+                self.tr("No markers were tracked yet. Fit from the picture alone first.")
             )
             return
-        sides = seen_sides(frame.left, frame.right, (blobs.left, blobs.right), result)
-        glove, visible = view.setup.glove, result.visible
-
-        def job(_progress: Progress) -> Fit:
-            return fit_markers(sides, visible, glove, profile)
-
-        self._run(job)
+        taken = samples.copy()
+        self._run(lambda _progress: taken.fit(profile))
 
     def _run(self, job) -> None:  # type: ignore[no-untyped-def]
         def done(fit: Fit) -> None:

@@ -107,13 +107,13 @@ def test_a_fit_repairs_a_hue_that_is_off_and_is_one_step_back(colours, engine, q
     assert colours.profile == spoilt
 
 
-def test_a_fit_without_a_tracked_hand_says_what_to_do(colours, engine, qtbot):
+def test_a_fit_without_a_tracked_hand_says_what_to_do(window, engine, qtbot):
     engine.tracking = Tracking.SEARCHING
-    qtbot.waitUntil(
-        lambda: colours.source.view.result.tracking == Tracking.SEARCHING, timeout=30_000
-    )
-    colours.fit_markers()
-    assert "Fit from the picture" in colours.window().banner.text()
+    window.session.adopt(setup_of(engine))
+    window.run_command("show_colours")
+    qtbot.waitUntil(lambda: window.colours.source.picture() is not None, timeout=30_000)
+    window.colours.fit_markers()
+    assert "Fit from the picture" in window.banner.text()
 
 
 def test_tuned_colours_come_back_for_the_same_camera_only(window, engine, store, qtbot, no_leaks):

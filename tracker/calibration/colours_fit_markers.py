@@ -6,6 +6,7 @@ misses the patches of a hue (the light has changed) the places where its markers
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -30,12 +31,13 @@ class MarkerFitParams:
     """Which discs of a picture are taken for cloth, and how ranges are drawn around them."""
 
     core: float = 0.35  # of a blob's extent: radius of the disc that is surely cloth
-    least_visible: float = 0.7  # for a marker that no blob was matched with
-    sure: float = 0.5  # of the disc: largest 2σ of an expected marker's place
+    least_visible: float = 0.6  # for a marker that no blob was matched with
+    sure: float = 1.5  # radii of the disc: largest 2σ of an expected marker's place
     least_saturation: int = 60  # of a disc's median, to be cloth at all
     least_share: float = 0.6  # of a disc's median saturation and value, for a pixel of the cloth
     hue_spread: int = 16  # of the middle 80 % of those; more is not one cloth
     rim: int = 3  # of hue, beyond that middle
+    most_exposures: int = 64  # 8 s at the panel's rate
     least_patches: int = 2  # for a hue to be fitted at all
 
 
@@ -72,31 +74,62 @@ def seen_sides(
     )
 
 
-def fit_markers(
-    sides: Sequence[SeenSide],
-    visible: Array,
-    glove: GloveModel,
-    profile: ColourProfile,
-    params: MarkerFitParams | None = None,
-) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
-    """A profile fitted to tracked markers; hues of which too few are seen are kept.
+class MarkerSamples:
+    """Pixels of tracked markers over the last exposures: a hand that moves shows all its patches,
+    in all the light that falls on them."""
 
-    ``visible`` (M,) probability that a marker is seen.
-    """
-    params = params or MarkerFitParams()
-    discs: dict[str, list[Image]] = {h.name: [] for h in profile.hues}
-    for side in sides:
-        _take_side(discs, side, visible, glove, params)
-    hues, found = [], []
-    for old in profile.hues:
-        mine = discs[old.name]
-        if len(mine) < params.least_patches:
-            hues.append(old)
-            continue
-        pixels = np.concatenate(mine)
-        hues.append(fit_samples(old.name, pixels))
-        found.append(FoundHue(hues[-1], len(mine), len(pixels)))
-    return replace(profile, hues=parted(tuple(hues))), tuple(found)
+    def __init__(
+        self, glove: GloveModel, hue_names: Sequence[str], params: MarkerFitParams | None = None
+    ) -> None:
+        self._glove, self._params = glove, params or MarkerFitParams()
+        self._exposures: deque[dict[str, list[Image]]] = deque(maxlen=self._params.most_exposures)
+        self._names = tuple(hue_names)
+
+    def __len__(self) -> int:
+        """Exposures taken so far, of those that are kept."""
+        return len(self._exposures)
+
+    def copy(self) -> MarkerSamples:
+        """What was taken up to now, for a fit in another thread."""
+        out = MarkerSamples(self._glove, self._names, self._params)
+        out._exposures.extend(self._exposures)
+        return out
+
+    def take(self, sides: Sequence[SeenSide], visible: Array) -> None:
+        """One more exposure. ``visible`` (M,) is the probability that a marker is seen."""
+        discs: dict[str, list[Image]] = {name: [] for name in self._names}
+        for side in sides:
+            _take_side(discs, side, visible, self._glove, self._params)
+        self._exposures.append(discs)
+
+    def fit(self, profile: ColourProfile) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
+        """A profile fitted to what was taken; hues of which too few patches were seen are kept."""
+        hues, found = [], []
+        for old in profile.hues:
+            mine = _alike([d for e in self._exposures for d in e[old.name]], self._params)
+            if len(mine) < self._params.least_patches:
+                hues.append(old)
+                continue
+            pixels = np.concatenate(mine)
+            hues.append(fit_samples(old.name, pixels))
+            found.append(FoundHue(hues[-1], len(mine), len(pixels)))
+        return replace(profile, hues=parted(tuple(hues))), tuple(found)
+
+
+def _alike(discs: list[Image], params: MarkerFitParams) -> list[Image]:
+    """Without the discs of another colour than most: a place that was expected wrongly."""
+    if not discs:
+        return discs
+    middles = np.array([_middle_hue(d) for d in discs], np.int64)
+    first, last = hue_interval(middles, 0.25)
+    centre = first + ((last - first) % HUES) / 2
+    away = np.abs((middles - centre + HUES / 2) % HUES - HUES / 2)
+    return [d for d, gap in zip(discs, away, strict=True) if gap <= params.hue_spread]
+
+
+def _middle_hue(pixels: Image) -> int:
+    first, last = hue_interval(pixels[:, 0].astype(np.int64), 0.25)
+    return round(first + ((last - first) % HUES) / 2) % HUES
 
 
 def _take_side(
@@ -119,8 +152,7 @@ def _take_side(
             places[int(m)] = side.expected[m]
     for marker, uv in places.items():
         hue = glove.markers[marker].hue
-        pixels = disc_pixels(side.image, uv, radius)
-        cloth = _cloth(pixels, params)
+        cloth = _cloth(disc_pixels(side.image, uv, radius), params)
         if hue in discs and len(cloth) > 0:
             discs[hue].append(cloth)
 
