@@ -14,6 +14,8 @@ from PySide6.QtWidgets import QApplication
 
 from resources import folder
 from tracker import __version__
+from tracker.errors import GlovetrackError
+from tracker.streaming.params import STREAMS, StreamParams, with_streams
 
 if TYPE_CHECKING:
     from app.crash import CrashWatch
@@ -22,7 +24,12 @@ if TYPE_CHECKING:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Open the window; returns the exit status."""
-    args = _parser().parse_args(sys.argv[1:] if argv is None else list(argv))
+    parser = _parser()
+    args = parser.parse_args(sys.argv[1:] if argv is None else list(argv))
+    try:
+        args.streams = with_streams(StreamParams(), args.stream, args.stream_host)
+    except GlovetrackError as error:
+        parser.error(str(error))
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
     app.setApplicationName("glovetrack")
@@ -62,6 +69,7 @@ def _show(
     # Ctrl+C closes the window as a click does: the file is finished, the devices are freed. The
     # window's own timer gives Python the chance to see the signal.
     signal.signal(signal.SIGINT, lambda *_: window.close())
+    window.outputs.use(args.streams)
     window.show()
     if args.demo:
         window.start_demo()
@@ -74,6 +82,13 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="glovetrack", description="The Glovetrack window.")
     parser.add_argument("session", nargs="?", type=Path, help="a session file to replay")
     parser.add_argument("--demo", action="store_true", help="start the simulated glove and camera")
+    parser.add_argument(
+        "--stream",
+        default="",
+        metavar="NAME[:PORT],…",
+        help=f"outputs to turn on for this run: {', '.join(STREAMS)}",
+    )
+    parser.add_argument("--stream-host", default="", metavar="HOST", help="to or at which address")
     parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
     parser.add_argument("--headless-report", type=float, metavar="SECONDS", default=None)
     parser.add_argument("--out", type=Path, default=Path("demo"), help="folder of the report")

@@ -71,6 +71,17 @@ class Outputs(QObject):
         changes: dict[str, Any] = {name: on}
         self._change(replace(self.params, **changes), [name])
 
+    def use(self, asked: StreamParams) -> None:
+        """Turn on what the command line asks for; not remembered unless something is changed."""
+        for name in (n for n in STREAMS if getattr(asked, n)):
+            port = f"{name}_port"
+            changes: dict[str, Any] = {name: True}
+            if hasattr(asked, port):
+                changes[port] = getattr(asked, port)
+            self.params = replace(self.params, **changes)
+        if asked.host != StreamParams.host:
+            self.params = replace(self.params, host=asked.host)
+
     def move(self, host: str) -> None:
         """To or at another address; what runs is opened again there."""
         self._change(replace(self.params, host=host), [n for n in STREAMS if self.is_on(n)])

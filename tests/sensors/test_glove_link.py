@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -10,7 +11,9 @@ import numpy as np
 import pytest
 
 from tracker.messages import Event, ImuSample
+from tracker.sensors.decoder import Decoder
 from tracker.sensors.glove_link import GloveLink, LinkState, serial_port
+from tracker.sensors.protocol import Haptic
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove, link_to
 
 N = 3
@@ -140,3 +143,48 @@ def test_bunched_bytes_keep_their_times(tmp_path: Path) -> None:
     steps = np.diff([s.t for s in bench.samples[100:]])
     assert np.abs(steps - 0.01).max() < 0.004
     bench.close()
+
+
+def test_motors_may_be_driven_from_another_thread_while_the_cable_goes() -> None:
+    """Frames never mix on the line, and a write that finds the port gone is an unplugged glove."""
+
+    class Fragile:
+        timeout: float | None = 0.0
+        in_waiting = 0
+
+        def __init__(self) -> None:
+            self.writers, self.mixed, self.data, self.left = 0, False, b"", 400
+
+        def read(self, size: int) -> bytes:
+            return b""
+
+        def write(self, data: bytes) -> int:
+            self.writers += 1
+            self.mixed |= self.writers > 1
+            time.sleep(1e-4)
+            self.writers -= 1
+            self.left -= 1
+            if self.left < 0:
+                raise OSError(5, "Input/output error")
+            self.data += data
+            return len(data)
+
+        def close(self) -> None: ...
+
+    port = Fragile()
+    link = GloveLink(lambda: port, 2)
+    link.poll(0.0)
+    threads = [
+        threading.Thread(target=lambda: [link.vibrate(k % 5, 200, 80) for k in range(300)])
+        for _ in range(2)
+    ]
+    for thread in threads:
+        thread.start()
+    texts = []
+    while any(t.is_alive() for t in threads):
+        texts += [e.text for e in link.poll(0.001) if not isinstance(e, ImuSample)]
+    texts += [e.text for e in link.poll(0.0) if not isinstance(e, ImuSample)]
+    assert not port.mixed
+    assert any("was unplugged" in text for text in texts)
+    haptics = [f for f in Decoder().feed(port.data) if isinstance(f, Haptic)]
+    assert len(haptics) > 350 and {h.amplitude for h in haptics} == {200}

@@ -1,11 +1,13 @@
 """The glove on a serial port: handshake, samples, faults, and coming back by itself.
 
-`GloveLink.poll` does all the work and owns no thread. Every fault becomes a counter and, once, an
+`GloveLink.poll` does all the work and owns no thread; `GloveLink.vibrate` may be called from any.
+Every fault becomes a counter and, once, an
 event in plain words.
 """
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -105,6 +107,7 @@ class GloveLink:
             raise ValueError(f"the rate must be one of {RATES_HZ}")
         self._open_port, self._imu_count, self._clock = open_port, imu_count, clock
         self._port: Port | None = None
+        self._writing = threading.RLock()  # two frames must not mix, nor the port go between
         self._events: list[Event] = []
         self._next_open = float("-inf")
         self._told: set[str] = set()
@@ -141,7 +144,7 @@ class GloveLink:
         return self._taken(out)
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> None:
-        """Let a motor run; nothing happens while the glove is away."""
+        """Let a motor run; nothing happens while the glove is away. From any thread."""
         self._send(Haptic(channel, amplitude, duration_ms))
 
     def close(self) -> None:
@@ -178,25 +181,29 @@ class GloveLink:
         self._send(HelloRequest())
 
     def _read(self, timeout: float) -> bytes:
-        assert self._port is not None
-        self._port.timeout = timeout
-        first = self._port.read(1)
-        waiting = self._port.in_waiting if first else 0
-        return first + (self._port.read(min(waiting, 65536)) if waiting else b"")
+        port = self._port
+        if port is None:  # a writer in another thread has just found it gone
+            return b""
+        port.timeout = timeout
+        first = port.read(1)
+        waiting = port.in_waiting if first else 0
+        return first + (port.read(min(waiting, 65536)) if waiting else b"")
 
     def _send(self, frame: Frame) -> None:
-        if self._port is None:
-            return
-        try:
-            self._port.write(encode(frame))
-        except (serial.SerialException, OSError) as error:
-            self._unplugged(error)
+        with self._writing:
+            if self._port is None:
+                return
+            try:
+                self._port.write(encode(frame))
+            except (serial.SerialException, OSError) as error:
+                self._unplugged(error)
 
     def _unplugged(self, error: Exception) -> None:
-        if self._port is None:
-            return
-        self._port.close()
-        self._port = None
+        with self._writing:
+            if self._port is None:
+                return
+            self._port.close()
+            self._port = None
         self.state = LinkState.UNPLUGGED
         self._say(f"The glove was unplugged ({reason(error)}); it is taken up when it returns.")
 
@@ -329,7 +336,8 @@ def reason(error: Exception) -> str:
     if number == 13 or "ermission" in text:
         return (
             "permission denied. Add yourself to the group dialout "
-            "(sudo usermod -aG dialout $USER) and log in again"
+            "(sudo usermod -aG dialout $USER) and log in again, or install the udev rule "
+            "70-glovetrack.rules of the package"
         )
     if number == 2 or "No such file" in text:
         return "it is not there"

@@ -1,0 +1,35 @@
+"""Streams that the command line turns on."""
+
+import json
+import socket
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+
+from app.__main__ import main
+from tracker.streaming.params import StreamParams, with_streams
+
+
+def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
+        listener.bind(("127.0.0.1", 0))
+        listener.setblocking(False)
+        port = listener.getsockname()[1]
+        window.outputs.use(with_streams(StreamParams(), f"udp:{port}"))
+        assert window.store.value.streams == {}, "the next start is as it was"
+        window.session.adopt(scripted_setup(ScriptedEngine()))
+
+        def heard() -> bool:
+            try:
+                return "keypoints" in json.loads(listener.recv(65536))
+            except BlockingIOError:
+                return False
+
+        qtbot.waitUntil(heard, timeout=10_000)
+
+
+def test_a_word_that_is_no_stream_is_wrong_usage(capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(["--demo", "--stream", "ros"])
+    assert ended.value.code == 2
+    assert "There is no stream 'ros'" in capsys.readouterr().err
