@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
+from app.memory import keep_few_arenas
 from resources import folder
 from tracker import __version__
 from tracker.errors import GlovetrackError

@@ -206,8 +206,7 @@ def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
     player = window.session.setup.player
     player.seek(2.0)
-    qtbot.waitUntil(lambda: player.ghost() is not None, timeout=10_000)
-    qtbot.wait(150)
+    qtbot.waitUntil(lambda: player.position >= 2.0 and player._pictures_due == 0, timeout=10_000)
     view = window.session.snapshot()
     wanted = other[round(view.estimate.t, 6)]
     assert view.ghost().p_GB == pytest.approx(wanted.segment_p, abs=1e-6)
