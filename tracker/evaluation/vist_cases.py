@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from tracker.errors import ConfigError
-from tracker.messages import BlobFrame, CameraImuSample, ImuSample, StereoFrame
+from tracker.messages import CameraImuSample, ImuSample
 from tracker.settings import Settings
+from tracker.simulation.scenario import Message
 
 PAPERS = ("free", "object", "device")
 """The experiments of Lee et al. 2021."""
@@ -18,8 +19,7 @@ LEVELS = ("points", "images")
 SETTLING = 5.0
 """Seconds at a trial's beginning that are not judged, as the hand is first found and measured."""
 
-Fed = ImuSample | CameraImuSample | BlobFrame | StereoFrame
-Feed = Iterator[Fed]
+Feed = Iterator[Message]
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Ablation:
 
     ``outage`` (s): pictures are withheld so long, again and again, and errors are judged in the
     last second of each outage, in the dorsum's frame, since the place of the hand is then unknown.
-    ``camera``: its pose is "told" with each picture, or its own "imu" speaks, or "nothing".
+    ``camera`` is what one on the head tells, see `tracker.simulation.head.HeadParams`.
     """
 
     name: str
@@ -55,7 +55,7 @@ class Ablation:
     speed: float = 1.0
     outage: float = 0.0
     experiment: str = "free"
-    camera: str = "told"
+    camera: str = "pose"
 
     @property
     def least_minutes(self) -> float:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import heapq
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from tracker.evaluation.vist_cases import Ablation, Case, Fed, Feed
+from tracker.evaluation.vist_cases import Ablation, Case
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import Array, BlobFrame, StereoFrame
-from tracker.simulation.camera_imu import camera_imu_samples
+from tracker.messages import Array
 from tracker.simulation.extras import OBJECTS, Distractors, FingertipDevices, HeldObject
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Faster, Motion
@@ -67,28 +65,10 @@ def simulation_of(
     fps = case.fps if variant is None or variant.fps is None else variant.fps
     extras = extras_of(case, hand, seed)
     head = MOVING if case.experiment == "head" else HeadParams()
+    if variant is not None:
+        head = replace(head, tells=variant.camera)
     params = SimulationParams(head=head)
     return Simulation(hand, glove, motion, seed, params, fps=fps, extras=extras)
-
-
-def feed_of(simulation: Simulation, images: bool, variant: Ablation | None) -> Feed:
-    """All messages of a trial in the order of arrival."""
-    feed: Feed = simulation.feed(images)
-    if variant is None:
-        return feed
-    if variant.camera != "told":
-        feed = map(_without_pose, feed)
-    if variant.camera == "imu":
-        head, end = simulation.scene.head, simulation.duration
-        samples = camera_imu_samples(head, simulation.seed, end)
-        feed = heapq.merge(samples, feed, key=lambda m: m.t_arrival)
-    return variant.feed(feed)
-
-
-def _without_pose(message: Fed) -> Fed:
-    if isinstance(message, BlobFrame | StereoFrame):
-        return replace(message, pose=None)
-    return message
 
 
 def extras_of(case: Case, hand: HandModel, seed: int) -> Sequence[Extra]:

@@ -13,7 +13,7 @@ import resources
 from tracker.evaluation.metrics import KEYPOINTS, Trial
 from tracker.evaluation.vist_cases import Ablation, Case, ablation_of
 from tracker.evaluation.vist_judge import Judge, Record
-from tracker.evaluation.vist_scenes import feed_of, motion_of, simulation_of
+from tracker.evaluation.vist_scenes import motion_of, simulation_of
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -22,7 +22,6 @@ from tracker.messages import (
     Array,
     BlobFrame,
     CameraImuSample,
-    CameraPose,
     FrameResult,
     ImuSample,
     StereoFrame,
@@ -72,7 +71,8 @@ def _track(
     record = Record()
     check = MatchCheck(simulation)
     search, images = PictureSearch(simulation), case.level == "images"
-    for message in feed_of(simulation, images, variant):
+    feed = simulation.messages(images)
+    for message in feed if variant is None else variant.feed(feed):
         begin = time.process_time()
         if isinstance(message, ImuSample):
             record.estimates.append(pipeline.feed_imu(message))
@@ -93,17 +93,9 @@ def _track(
             record.wrong += wrong
         if isinstance(message, ImuSample):
             record.seen.append(record.latest_seen)
-            record.poses.append(_believed(simulation, pipeline, variant, message.t))
+            told = simulation.scene.reported_pose(message.t)
+            record.poses.append(told or pipeline.camera_pose(message.t))
     return record
-
-
-def _believed(
-    simulation: Simulation, pipeline: Pipeline, variant: Ablation | None, t: float
-) -> CameraPose:
-    """Where the tracker takes the camera to be."""
-    told = variant is None or variant.camera == "told"
-    pose = simulation.scene.reported_pose(t) if told else None
-    return pose or pipeline.camera_pose(t)
 
 
 class PictureSearch:

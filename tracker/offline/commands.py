@@ -32,6 +32,12 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--glove", default="vist-small", help="name or file")
     parser.add_argument("--hand", default="", help="name or file; the glove's own if not given")
     parser.add_argument("--blobs-only", action="store_true", help="blobs instead of pictures")
+    parser.add_argument(
+        "--camera",
+        choices=("stand", "head", "head-imu"),
+        default="stand",
+        help="on the wearer's head it moves and tells its pose, or only what its own IMU measures",
+    )
     parser.set_defaults(func=_simulate)
 
 
@@ -63,6 +69,7 @@ def _simulate(args: argparse.Namespace) -> int:
         duration=args.duration,
         fps=args.fps,
         pictures=not args.blobs_only,
+        camera=args.camera,
     )
     simulate(args.out, options, progress_line("simulating"))
     return 0

@@ -15,9 +15,10 @@ from tracker.geometry import so3
 from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validity
 from tracker.session.description import SessionInfo, describe
 from tracker.session.writer import RecorderParams, SessionRecorder
+from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
-from tracker.simulation.scenario import Simulation, Truth
+from tracker.simulation.scenario import Simulation, SimulationParams, Truth
 
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
 MONOTONIC_NS = 0
@@ -35,6 +36,7 @@ class SimulateOptions:
     fps: float = 60.0
     pictures: bool = True
     jpeg_quality: int = 90
+    camera: str = "stand"  # or head, head-imu: on the wearer's head, telling its pose or its IMU
 
 
 def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
@@ -55,9 +57,17 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
         simulated=True,
         notes=f"seed {options.seed}, motion {Path(options.motion).name or 'random postures'}",
     )
+    params = SimulationParams(head=_head(options.camera))
     motion = _motion(options, info)
-    sim = Simulation(info.hand, info.glove, motion, options.seed, fps=options.fps)
-    return sim, replace(info, rig=sim.rig)
+    sim = Simulation(info.hand, info.glove, motion, options.seed, params, options.fps)
+    return sim, replace(info, rig=sim.rig, moving_camera=options.camera == "head")
+
+
+def _head(camera: str) -> HeadParams:
+    known = {"stand": HeadParams(), "head": MOVING, "head-imu": replace(MOVING, tells="imu")}
+    if camera not in known:
+        raise ConfigError(f"The camera can be {', '.join(known)}, not {camera!r}.")
+    return known[camera]
 
 
 def _motion(options: SimulateOptions, info: SessionInfo) -> Motion:
@@ -77,7 +87,7 @@ def simulate(
     params = RecorderParams(pictures=pictures, jpeg_quality=options.jpeg_quality, sync=False)
     end = min(sim.duration, options.duration)
     with SessionRecorder(out, info, params) as recorder:
-        for message in sim.feed(images=options.pictures):
+        for message in sim.messages(images=options.pictures):
             if message.t > end:
                 break
             recorder.write(message)

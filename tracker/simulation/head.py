@@ -13,7 +13,10 @@ from tracker.simulation.smooth import SmoothNoise, rng_for
 
 @dataclass(frozen=True)
 class HeadParams:
-    """Standard deviations along or about each axis; all zero is a stand."""
+    """Standard deviations along or about each axis; all zero is a stand.
+
+    ``tells``: its "pose" with each picture, what its "imu" measures, or "nothing".
+    """
 
     sway_mm: float = 0.0
     sway_deg: float = 0.0
@@ -21,6 +24,7 @@ class HeadParams:
     error_mm: float = 0.0  # of the reported pose
     error_deg: float = 0.0
     error_time: float = 1.5
+    tells: str = "pose"
 
 
 MOVING = HeadParams(sway_mm=15.0, sway_deg=3.0, error_mm=3.0, error_deg=0.5)
@@ -48,8 +52,8 @@ class Head:
         return _moved(self._stand, self._sway(np.array([t]))[0], p.sway_mm, p.sway_deg)
 
     def reported(self, t: float) -> CameraPose | None:
-        """The pose as the camera's odometry has it; None for one on a stand."""
-        if not self.moves:
+        """The pose as the camera's odometry has it; None for one on a stand or without any."""
+        if not self.moves or self._params.tells != "pose":
             return None
         p = self._params
         return _moved(self.pose(t), self._error(np.array([t]))[0], p.error_mm, p.error_deg)

@@ -13,7 +13,8 @@ import numpy as np
 from tracker.clock import nanoseconds, seconds
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import Array, BlobFrame, ImuSample, StereoFrame
+from tracker.messages import Array, BlobFrame, CameraImuSample, ImuSample, StereoFrame
+from tracker.simulation.camera_imu import CameraImuParams, camera_imu_samples
 from tracker.simulation.head import Head, HeadParams
 from tracker.simulation.imu import ImuParams, ImuSimulator
 from tracker.simulation.motion import Motion
@@ -23,6 +24,7 @@ from tracker.simulation.smooth import rng_for
 from tracker.simulation.wearer import Wearer, WearerParams
 from tracker.vision.rig import StereoRig, ideal_rig
 
+Message = ImuSample | CameraImuSample | BlobFrame | StereoFrame
 MARGIN = 0.01
 """Nothing is sampled in the last 10 ms of a motion, s."""
 
@@ -36,6 +38,7 @@ class SimulationParams:
     blobs: BlobParams = field(default_factory=BlobParams)
     render: RenderParams = field(default_factory=RenderParams)
     head: HeadParams = field(default_factory=HeadParams)
+    camera_imu: CameraImuParams = field(default_factory=CameraImuParams)
     delay_least: float = 0.030  # s from the middle of an exposure to its arrival
     delay_most: float = 0.050
 
@@ -109,6 +112,15 @@ class Simulation:
     def feed(self, images: bool = False) -> Iterator[ImuSample | BlobFrame | StereoFrame]:
         """All messages in the order of arrival; IMU packets first where two arrive together."""
         return heapq.merge(self.imu_samples(), self.frames(images), key=lambda m: m.t_arrival)
+
+    def messages(self, images: bool = False) -> Iterator[Message]:
+        """`feed`, and what the camera's own IMU says if that is what it tells of its motion."""
+        feed: Iterator[Message] = self.feed(images)
+        if self.params.head.tells != "imu":
+            return feed
+        end = self.duration - MARGIN
+        samples = camera_imu_samples(self.scene.head, self.seed, end, self.params.camera_imu)
+        return heapq.merge(samples, feed, key=lambda m: m.t_arrival)
 
     def truth(self, t: float) -> Truth:
         """The true hand at the time t (s)."""
