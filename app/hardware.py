@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -37,29 +38,54 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     chosen = choose(settings, rig.left.width, rig.left.height, FPS)
     progress(0.7, "engine")
     hand, glove = library.load(settings.glove, settings.hand)
-    colours_text = library.text("colours", library.DEFAULT_COLOURS)
-    profile = parse_profile(colours_text)
     pipeline = Pipeline(hand, glove, rig)
+    info = _info(settings, pipeline)
+    profile = parse_profile(info.colours_text)
 
     def make_detector(colours: ColourProfile) -> Detector:
         return Detector(colours, float(glove.marker_size.mean()), rig.fx)
 
-    camera = StereoCamera(chosen.source, rig)
     link = GloveLink(serial_port(port), len(glove.imus))
-    anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
-    info = SessionInfo(
+    camera = StereoCamera(chosen.source, rig)
+    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
+    return EngineSetup(
+        name=f"glove at {port}",
+        engine=tracker,
         hand=hand,
         glove=glove,
+        rig=rig,
+        profile=profile,
+        anchor=info.anchor,
+        close=lambda: None,
+        make_recorder=_recorder_maker(tracker, info),
+        vibrate=link.vibrate,
+        command=tracker.command,
+        shadowing=tracker,
+        # a calibration file's name holds a ZED's serial number
+        camera=f"{chosen.title} {Path(settings.calibration).stem}",
+        camera_controls=chosen.controls,
+    )
+
+
+def _info(settings: Settings, pipeline: Pipeline) -> SessionInfo:
+    """What a recording of these devices is about."""
+    return SessionInfo(
+        hand=pipeline.hand,
+        glove=pipeline.glove,
         hand_text=library.text("hands", settings.hand),
         glove_text=library.text("gloves", settings.glove),
-        anchor=anchor,
-        rig=rig,
-        colours_text=colours_text,
+        anchor=ClockAnchor(time.time_ns(), time.monotonic_ns()),
+        rig=pipeline.rig,
+        colours_text=library.text("colours", library.DEFAULT_COLOURS),
         settings_text=to_toml(pipeline.settings),
         engine=pipeline.settings.engine,
     )
 
-    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
+
+def _recorder_maker(
+    tracker: LiveTracker, info: SessionInfo
+) -> Callable[[RecordingRequest], Recorder]:
+    """Recordings hold the engine, settings and colours of the instant they begin at."""
 
     def make_recorder(request: RecordingRequest) -> Recorder:
         named = replace(
@@ -72,23 +98,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
         )
         return SessionRecorder(request.path, named)
 
-    return EngineSetup(
-        name=f"glove at {port}",
-        engine=tracker,
-        hand=hand,
-        glove=glove,
-        rig=rig,
-        profile=profile,
-        anchor=anchor,
-        close=lambda: None,
-        make_recorder=make_recorder,
-        vibrate=link.vibrate,
-        command=tracker.command,
-        shadowing=tracker,
-        # a calibration file's name holds a ZED's serial number
-        camera=f"{chosen.title} {Path(settings.calibration).stem}",
-        camera_controls=chosen.controls,
-    )
+    return make_recorder
 
 
 def find_port(progress: Progress, last: str) -> str:
