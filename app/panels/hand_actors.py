@@ -61,10 +61,16 @@ class HandActors:
             for k, colour in enumerate(AXIS_COLOURS)
         ]
         self._marker_segment = setup.glove.marker_segment(setup.hand)
+        # Nothing has its place before the first hand; a ball of unit size would fill the view.
+        for body in (*self._segments, *self._ghosts, *self._markers, *self._tips, *self._axes):
+            body.show(False)
+        self._camera.show(False)
+        self._trail.show(False)
 
     def update(self, scene: HandScene, show: Show) -> None:
         """Move every actor to ``scene``."""
         for i, body in enumerate(self._segments):
+            body.show(True)
             body.move(scene.segment_R[i], scene.segment_p[i])
             self._dress(i, int(scene.segment_state[i]))
         self._update_ghosts(scene, show.truth)

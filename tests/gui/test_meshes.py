@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
 
+from app.panels.hand_actors import HandActors
 from app.widgets.meshes import Mesh, ball, capsule, disc, lines, rounded_block
 from app.widgets.orbit import Orbit
 
@@ -79,4 +81,18 @@ def test_a_scene_shows_bodies_where_they_are() -> None:
     assert np.nonzero(green())[0].mean() < rows.mean() - 2  # rows count from the top
     body.show(False)
     assert not green().any()
+    scene.close()
+
+
+def test_nothing_is_drawn_before_there_is_a_hand() -> None:
+    """A fingertip's ball has unit size until it is placed, and would fill the view."""
+    vtk_scene = pytest.importorskip("app.widgets.vtk_scene")
+    try:
+        scene = vtk_scene.VtkScene()
+    except RuntimeError:
+        pytest.skip("no OpenGL here")
+    scene.set_background("#102030")
+    HandActors(scene, scripted_setup(ScriptedEngine()), {})
+    pixels = scene.render(Orbit(), 80, 60).reshape(-1, 3)
+    assert (pixels == pixels[0]).all()
     scene.close()
