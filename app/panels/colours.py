@@ -141,8 +141,8 @@ class ColoursPanel(Panel):
         self._halves.addLayout(ranges, 5)
         self._halves.addLayout(picture, 4)
         column = QVBoxLayout(self)
-        column.setContentsMargins(8, 8, 8, 8)
-        column.setSpacing(6)
+        column.setContentsMargins(8, 6, 8, 6)
+        column.setSpacing(4)
         column.addLayout(self._halves, 1)
         column.addWidget(self.tools)
 
@@ -197,6 +197,7 @@ class ColoursPanel(Panel):
             button = QRadioButton(hue.name)
             self._group.addButton(button, i)
             chip = Chip()
+            chip.setMinimumWidth(self.fontMetrics().horizontalAdvance("● 9.5 of 99") + 12)
             self._chips.append(chip)
             self._hues.addWidget(button, i // 2, 2 * (i % 2))
             self._hues.addWidget(chip, i // 2, 2 * (i % 2) + 1)

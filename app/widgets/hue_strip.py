@@ -25,7 +25,7 @@ class HueStrip(QWidget):
         self.setAccessibleName(self.tr("Histogram of hues"))
 
     def sizeHint(self) -> QSize:
-        return QSize(240, 72)
+        return QSize(240, 58)
 
     def show_hues(
         self, histogram: NDArray[np.float64], intervals: Sequence[tuple[int, int, str]]

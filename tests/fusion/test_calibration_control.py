@@ -12,6 +12,7 @@ from tracker.fusion.params import ChainParams
 from tracker.fusion.prior import initial_covariance
 from tracker.fusion.state import initial_state
 from tracker.pipeline import Pipeline
+from tracker.session.engine_state import pack, unpack
 
 FIELDS = ("scale", "mounting", "gyro_bias", "accel_bias")
 
@@ -108,6 +109,20 @@ def test_a_frozen_state_goes_on_identically(hand, glove, tracked, pipeline):
     twin.set_state(pipeline.get_state())
     part = rest[: len(rest) // 4]
     ours, theirs = feed(pipeline, part), feed(twin, part)
+    np.testing.assert_array_equal(ours[-1].keypoints, theirs[-1].keypoints)
+
+
+def test_a_profile_put_on_belongs_to_the_state(hand, glove, tracked, pipeline):
+    """A recording that begins before the hand is found starts with the same profile again."""
+    sim, _, rest = tracked
+    waiting = Pipeline(hand, glove, sim.rig)
+    waiting.engine.put_on(pipeline.engine.profile())
+    twin = Pipeline(hand, glove, sim.rig)
+    engine, state = unpack(pack("chain", waiting.get_state()))
+    twin.set_state(state)
+    part = rest[: len(rest) // 4]
+    ours, theirs = feed(waiting, part), feed(twin, part)
+    assert engine == "chain" and np.isfinite(ours[-1].keypoints).all()
     np.testing.assert_array_equal(ours[-1].keypoints, theirs[-1].keypoints)
 
 

@@ -80,7 +80,7 @@ class _Track:
 class ChainEngine(LaggedEngine[ChainState]):
     """Visual-inertial filter on a chain of segments. One instance per hand."""
 
-    _KEPT = (*LaggedEngine._KEPT, "_track", "_held", "_guide")
+    _KEPT = (*LaggedEngine._KEPT, "_track", "_held", "_known", "_guide")
 
     def __init__(
         self, hand: HandModel, glove: GloveModel, rig: StereoRig, params: ChainParams
@@ -390,6 +390,15 @@ class ChainEngine(LaggedEngine[ChainState]):
             shown = control.with_held(self._state, self._layout, self._held)
             return calibration_of(self._layout, shown)
         return calibration_of(self._layout, self._state)
+
+    @property
+    def _known(self) -> WearerProfile | None:
+        """What every new start begins with."""
+        return self._starter.profile
+
+    @_known.setter
+    def _known(self, profile: WearerProfile | None) -> None:
+        self._starter.profile = profile
 
     def profile(self) -> WearerProfile:
         """What has been learned of the wearer."""
