@@ -5,7 +5,8 @@
 # make screenshots  pictures of the window for the documentation
 # make docs         the documentation as a static site, build/site/index.html
 # make package      dist/glovetrack, a program that needs no Python, and packages of it
-# make bench        speed and accuracy against the goals, into bench.json
+# make bench        speed and accuracy against the goals, into bench.json; ten minutes for the app
+# make bench-peers  MediaPipe Hands for it, in an environment of its own (it wants numpy 1)
 # make lock         requirements.lock anew, from what is installed
 # make clean        removes what was built and measured, and the virtual environment
 #
@@ -18,13 +19,14 @@ READY := $(VENV)/.ready
 SCREEN := $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname -s)))
 OFFSCREEN := QT_QPA_PLATFORM=offscreen
 FIRMWARE_BUILD := build/firmware
+PEERS := build/peers
 
 # Recordings that some tests read lie beside the checkout, where they are present at all.
 ifneq ($(wildcard ../shared/data),)
 export GLOVETRACK_DATA ?= $(abspath ../shared/data)
 endif
 
-.PHONY: demo test lint firmware screenshots docs package bench lock clean
+.PHONY: demo test lint firmware screenshots docs package bench bench-peers lock clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -58,7 +60,15 @@ package: $(READY)
 	if command -v dpkg-deb >/dev/null; then packaging/debian.sh dist; fi
 
 bench: $(READY)
+	-$(MAKE) --no-print-directory bench-peers
 	$(OFFSCREEN) $(BIN)/python -m tracker.evaluation.bench --json bench.json
+
+bench-peers: $(PEERS)/.ready
+
+$(PEERS)/.ready:
+	python3.11 -m venv $(PEERS)
+	$(PEERS)/bin/pip install --quiet 'mediapipe==0.10.21' 'numpy<2'
+	touch $@
 
 lock: $(READY)
 	packaging/lock.sh $(VENV)

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from tracker.errors import FileError, GlovetrackError
 from tracker.evaluation import bench_history, bench_output
+from tracker.evaluation.bench_app import app_rows
 from tracker.evaluation.bench_fusion import fusion_rows
 from tracker.evaluation.bench_inertial import inertial_rows
 from tracker.evaluation.bench_rows import BenchRow
@@ -28,6 +29,7 @@ GROUPS: dict[str, Group] = {
     "fusion": fusion_rows,
     "inertial": inertial_rows,
     "schedule": schedule_rows,
+    "app": app_rows,
 }
 
 
