@@ -39,8 +39,9 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     progress(0.7, "engine")
     hand, glove = library.load(settings.glove, settings.hand)
     pipeline = Pipeline(hand, glove, rig)
-    info = _info(settings, pipeline)
-    profile = parse_profile(info.colours_text)
+    colours_text = library.text("colours", library.DEFAULT_COLOURS)
+    info = _info(settings, pipeline, colours_text)
+    profile = parse_profile(colours_text)
 
     def make_detector(colours: ColourProfile) -> Detector:
         return Detector(colours, float(glove.marker_size.mean()), rig.fx)
@@ -67,7 +68,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     )
 
 
-def _info(settings: Settings, pipeline: Pipeline) -> SessionInfo:
+def _info(settings: Settings, pipeline: Pipeline, colours_text: str) -> SessionInfo:
     """What a recording of these devices is about."""
     return SessionInfo(
         hand=pipeline.hand,
@@ -76,7 +77,7 @@ def _info(settings: Settings, pipeline: Pipeline) -> SessionInfo:
         glove_text=library.text("gloves", settings.glove),
         anchor=ClockAnchor(time.time_ns(), time.monotonic_ns()),
         rig=pipeline.rig,
-        colours_text=library.text("colours", library.DEFAULT_COLOURS),
+        colours_text=colours_text,
         settings_text=to_toml(pipeline.settings),
         engine=pipeline.settings.engine,
     )
