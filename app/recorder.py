@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from app.engine import Recorder
-from tracker.messages import Calibration, Event, Message
+from tracker.messages import Calibration, EngineState, Event, Message
 
 
 class PausableRecorder:
-    """Passes messages on to ``inner`` unless ``paused``; events and calibration always."""
+    """Passes messages on to ``inner`` unless ``paused``; what happens only once always."""
 
     def __init__(self, inner: Recorder) -> None:
         self._inner = inner
         self.paused = False
 
     def write(self, message: Message, overloaded: bool = False) -> None:
-        if not self.paused or isinstance(message, Event | Calibration):
+        if not self.paused or isinstance(message, Event | Calibration | EngineState):
             self._inner.write(message, overloaded)
 
     def close(self) -> None:

@@ -140,6 +140,9 @@ class ReplayEngine(Transport):
     def set_engine(self, name: str) -> None:
         """A replay shows what was tracked when it was recorded."""
 
+    def keep_state(self) -> None:
+        """A replay has no engine whose state could be kept."""
+
     def set_recorder(self, recorder: Recorder | None) -> None:
         """A replay is not recorded again."""
 

@@ -155,6 +155,8 @@ class Session(QObject):
         """Hold the file back or let it go on."""
         if self._recorder is not None:
             self._recorder.paused = paused
+            if not paused and self._setup is not None:
+                self._setup.engine.keep_state()  # it has gone on meanwhile
             self.recording_changed.emit(True)
 
     def stop_recording(self) -> None:

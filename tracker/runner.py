@@ -281,6 +281,11 @@ class LiveTracker:
                 self._record_state()
             self._say("recording", "Recording.")
 
+    def keep_state(self) -> None:
+        """Record what the engine knows: after a pause in the file, for one."""
+        with self._whole:
+            self._record_state()
+
     # ---- what there is to see
 
     def latest_estimate(self) -> Estimate | None:

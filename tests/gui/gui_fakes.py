@@ -58,6 +58,7 @@ class ScriptedEngine:
         self.tracking = tracking
         self.profiles: list = []
         self.engines: list[str] = []
+        self.kept_states = 0
         self.recorder = None
         self.started = self.stopped = 0
         self.lost: tuple[int, ...] = ()
@@ -167,6 +168,9 @@ class ScriptedEngine:
         if self.recorder is not None:
             self.recorder.close()
         self.recorder = recorder
+
+    def keep_state(self) -> None:
+        self.kept_states += 1
 
     def note(self, text: str) -> None:
         event = Event(1.0, "note", text)

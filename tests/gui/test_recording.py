@@ -68,6 +68,13 @@ def test_pause_holds_back_streams_and_keeps_notes(engine, tmp_path, recorders):
     assert kinds == ["Estimate", "Event", "Estimate"]
 
 
+def test_after_a_pause_the_file_hears_what_the_engine_knows(recording, engine):
+    recording.session.pause(True)
+    assert engine.kept_states == 0
+    recording.session.pause(False)
+    assert engine.kept_states == 1
+
+
 def test_an_impossible_folder_is_said_and_nothing_is_recorded(window, engine, tmp_path):
     window.session.adopt(scripted_setup(engine))
     blocker = tmp_path / "file"
