@@ -183,7 +183,7 @@ def _vote_one(
     return Pose(R, shift, score / float(weight.sum()), support)
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _best_shift(points, hue, markers, marker_hue, weight, radius, most):  # type: ignore[no-untyped-def]
     """The translation with the largest weighted support, refined to the mean of its supporters."""
     n, m = len(points), len(markers)
@@ -210,7 +210,7 @@ def _best_shift(points, hue, markers, marker_hue, weight, radius, most):  # type
     return _refine(points, hue, markers, marker_hue, weight, radius, best_shift)
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _support(points, hue, marker, marker_hue, t, radius):  # type: ignore[no-untyped-def]
     """1 at the marker, 0 at ``radius`` and beyond, for the nearest point of the marker's hue."""
     best = radius * radius
@@ -225,7 +225,7 @@ def _support(points, hue, marker, marker_hue, t, radius):  # type: ignore[no-unt
     return 1.0 - best / (radius * radius)
 
 
-@numba.njit(cache=True)
+@numba.njit(cache=True, nogil=True)
 def _refine(points, hue, markers, marker_hue, weight, radius, shift):  # type: ignore[no-untyped-def]
     """Two rounds of weighted mean over supported markers. Returns shift, score, support."""
     score, support = 0.0, 0
