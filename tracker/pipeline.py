@@ -29,6 +29,7 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.settings import Settings
+from tracker.vision.lenses import check_lenses, through
 from tracker.vision.outlook import Outlook
 from tracker.vision.rig import StereoRig
 from tracker.vision.rig_watch import RigState, RigWatch
@@ -67,6 +68,7 @@ class Pipeline:
             raise ConfigError(
                 f"There is no engine {self.settings.engine!r}; there are {', '.join(ENGINES)}."
             )
+        check_lenses(self.settings.lenses, self.settings.engine)
         self._engine = build(hand, glove, rig, self.settings)
         self._watch = RigWatch(rig)
         self._camera = CameraTilt(rig.pose)
@@ -94,6 +96,7 @@ class Pipeline:
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen in a picture; see `take_results`. Swapped pictures are not used."""
+        frame = through(frame, self.settings.lenses)
         if self._watch.usable(frame):
             self._engine.feed_frame(self._posed(self._timing.corrected(frame)))
             self._collect()

@@ -13,9 +13,10 @@ from tracker.streaming.params import StreamParams
 
 @dataclass(frozen=True)
 class Settings:
-    """``engine`` is one of `tracker.pipeline.ENGINES`."""
+    """``engine`` is one of `tracker.pipeline.ENGINES`, ``lenses`` of `tracker.vision.lenses`."""
 
     engine: str = "chain"
+    lenses: str = "both"
     chain: ChainParams = field(default_factory=ChainParams)
     hybrid: HybridParams = field(default_factory=HybridParams)
     vist: VistParams = field(default_factory=VistParams)

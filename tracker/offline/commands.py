@@ -50,6 +50,9 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--hand", default="", help="name or file")
     parser.add_argument("--glove", default="", help="name or file")
     parser.add_argument("--colours", default="", help="name or file")
+    parser.add_argument(
+        "--lenses", default="", choices=("left", "right"), help="use the pictures of one lens alone"
+    )
     parser.add_argument("--smooth", action="store_true", help="use what comes later, too")
     parser.add_argument("--with-sensors", action="store_true", help="copy the sensor topics too")
     parser.add_argument("--json", default="", metavar="FILE", help="report; - is standard output")
@@ -86,6 +89,7 @@ def _track(args: argparse.Namespace) -> int:
         args.colours,
         args.with_sensors,
         smooth=args.smooth,
+        lenses=args.lenses,
     )
     jobs = plan(args.sources, args.out)
     if len(jobs) > 1 or args.dask or args.out.is_dir():

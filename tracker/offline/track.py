@@ -8,12 +8,13 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from tracker import __version__, library
 from tracker.config import from_toml, to_toml
-from tracker.errors import FileError
+from tracker.errors import ConfigError, FileError
 from tracker.fusion.camera_tilt import CameraTilt
 from tracker.messages import (
     BlobFrame,
@@ -50,6 +51,7 @@ class TrackOptions:
     with_sensors: bool = False
     settings: str = ""  # path of a TOML file of `tracker.settings.Settings`
     smooth: bool = False  # estimates that know the whole session
+    lenses: str = ""  # left or right: track with that one alone
 
 
 def track(
@@ -95,6 +97,8 @@ def _run(
 ) -> Run:
     changes: list[tuple[float, EngineState | StereoRig]] = list(reader.rig_changes())
     if options.smooth:
+        if settings.lenses != "both":
+            raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
         if changes:
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
         return SmoothRun(Smoother(info, settings), output, CameraTilt(reader.rig().pose))
@@ -141,7 +145,8 @@ def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
     settings = from_toml(Settings, text, options.settings or SETTINGS) if text else Settings()
     if not text and reader.info.engine in ENGINES:
         settings = replace(settings, engine=reader.info.engine)
-    return replace(settings, engine=options.engine) if options.engine else settings
+    changes: dict[str, Any] = {"engine": options.engine, "lenses": options.lenses}
+    return replace(settings, **{name: value for name, value in changes.items() if value})
 
 
 def _output_info(

@@ -1,0 +1,55 @@
+"""One lens of two, or a camera with only one."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker.cli import main
+from tracker.errors import ConfigError
+from tracker.messages import BlobFrame, Blobs
+from tracker.pipeline import Pipeline
+from tracker.settings import Settings
+from tracker.vision.lenses import one_lens_rig, through
+from tracker.vision.rig import ideal_rig
+
+FRAME = BlobFrame(1.0, 1.1, ("red",), Blobs.empty(), Blobs.empty())
+
+
+def test_what_the_lenses_in_use_see() -> None:
+    assert through(FRAME, "both") is FRAME
+    left, right = through(FRAME, "left"), through(FRAME, "right")
+    assert left.left is FRAME.left and left.right is None
+    assert right.right is FRAME.right and right.left is None
+
+
+@pytest.mark.parametrize(
+    ("engine", "lenses", "said"),
+    [("vist", "left", "needs both lenses"), ("chain", "middle", "it may be both, left, right")],
+)
+def test_what_cannot_be_is_said(hand, glove, engine: str, lenses: str, said: str) -> None:
+    with pytest.raises(ConfigError, match=said):
+        Pipeline(hand, glove, ideal_rig(), Settings(engine=engine, lenses=lenses))
+
+
+def test_a_camera_with_one_lens_projects_as_it_did() -> None:
+    camera, pose = ideal_rig().left, ideal_rig().pose
+    rig = one_lens_rig(camera, pose)
+    p_C = np.array([[0.05, -0.02, 0.4]])
+    assert np.array_equal(rig.project(p_C), ideal_rig().project(p_C))
+    assert rig.fx == ideal_rig().fx
+
+
+def test_a_recording_is_tracked_with_one_lens(tmp_path: Path) -> None:
+    source, out, report = (tmp_path / n for n in ("in.mcap", "out.mcap", "r.json"))
+    short = ["--duration", "3", "--fps", "20", "--blobs-only", "--seed", "4"]
+    assert main(["simulate", "-o", str(source), *short]) == 0
+    command = ["track", str(source), "-o", str(out), "--lenses", "left", "--json", str(report)]
+    assert main(command) == 0
+    result = json.loads(report.read_text())
+    assert result["lost_s"] < 0.5
+    assert 1.0 < result["error_mm"]["mean"] < 30.0
+    assert main([*command, "--smooth"]) == 1

@@ -1,0 +1,43 @@
+"""Tracking with one lens of two, or with a camera that has only one.
+
+A camera with one lens is a `StereoRig` whose other lens gives no pictures: see `one_lens_rig`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from tracker.errors import ConfigError
+from tracker.messages import BlobFrame, CameraPose
+from tracker.vision.rig import Camera, StereoRig
+
+LENSES = ("both", "left", "right")
+"""What `tracker.settings.Settings.lenses` may say."""
+UNUSED_BASELINE = 0.06  # m, of the lens that is not there
+
+
+def check_lenses(lenses: str, engine: str) -> None:
+    """Raises ConfigError for a word that is none of `LENSES`, and for `vist` with one lens."""
+    if lenses not in LENSES:
+        raise ConfigError(f"lenses is {lenses!r}; it may be {', '.join(LENSES)}.")
+    if lenses != "both" and engine == "vist":
+        raise ConfigError("The engine vist needs both lenses; with one, use the engine chain.")
+
+
+def through(frame: BlobFrame, lenses: str) -> BlobFrame:
+    """What the lenses in use see of it."""
+    if lenses == "left" and frame.right is not None:
+        return replace(frame, right=None, rejected_right=None)
+    if lenses == "right" and frame.left is not None:
+        return replace(frame, left=None, rejected_left=None)
+    return frame
+
+
+def one_lens_rig(camera: Camera, pose: CameraPose) -> StereoRig:
+    """A rig for a camera with one lens, the left one; R of ``camera`` has to be the identity."""
+    P_left = np.column_stack([camera.P[:, :3], np.zeros(3)])
+    P_right = P_left.copy()
+    P_right[0, 3] = -UNUSED_BASELINE * P_left[0, 0]
+    return StereoRig(replace(camera, P=P_left), replace(camera, P=P_right), pose)
