@@ -84,6 +84,7 @@ class CameraSetup(QDialog):
         form.addRow("", self.exchanged)
         self.use = QPushButton(self.tr("&Use this camera"))
         self.use.setProperty("role", "primary")
+        self.use.setDefault(True)
         self.use.clicked.connect(self._use)
         stop = QPushButton(self.tr("Close"))
         stop.clicked.connect(self.close)

@@ -70,6 +70,7 @@ class GloveSetup(QDialog):
         self.state = QLabel()
         self.use = QPushButton(self.tr("&Use this glove"))
         self.use.setProperty("role", "primary")
+        self.use.setDefault(True)
         self.stop = QPushButton(self.tr("Close"))
         row = QHBoxLayout()
         row.addWidget(self.state, 1)

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+from PySide6.QtCore import Qt
 
 from app.set_up_desk import board_from, board_text
 from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
@@ -122,13 +123,16 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
 
 
 def test_exchanged_cameras_are_refused_on_the_result_page(wizard, qtbot):
-    dialog = wizard(StillBoard(swapped=True))
+    source = StillBoard(swapped=True)
+    dialog = wizard(source)
     collect(dialog, qtbot, 8)
     dialog.next.click()
     qtbot.waitUntil(lambda: "exchanged" in dialog.outcome.reasons.text(), timeout=30_000)
     assert dialog.outcome.reasons.isVisible() and not dialog.next.isEnabled()
     dialog.back.click()
     assert dialog.pages.currentIndex() == VIEWS
+    qtbot.keyClick(dialog, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: source.closed, timeout=30_000)
 
 
 def test_a_baseline_that_is_known_finds_squares_of_another_size(wizard, qtbot):
