@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from tracker import library
-from tracker.messages import Array, Estimate, Event, ImuSample, Tracking
+from tracker.messages import Array, Estimate, Event, ImuSample, Tracking, Validity
 from tracker.pipeline import Pipeline
 from tracker.sensors.camera import CameraParams, StereoCamera
 from tracker.sensors.glove_link import GloveLink, LinkState
@@ -46,7 +46,8 @@ class DrillParams:
     rest_shortest: float = 0.2  # between two faults, tracking all the while
     rest_longest: float = 0.6
     back: float = 0.030  # mean error of the four keypoints at which the hand is tracked again
-    wrong: float = 0.050  # error of a keypoint that is shown as measured, while tracking
+    wrong: float = 0.050  # error of a keypoint that is shown as measured, while tracking,
+    doubt: float = 3.0  # and at least so many of the standard deviations that are shown with it
     silent_for: float = 0.25  # that long it may be shown before something is said
     noticed: float = 0.6  # a shorter fault that showed nothing wrong may pass without a word
     patience: float = 5.0  # longest wait for tracking
@@ -75,7 +76,11 @@ class DrillReport:
         return {
             "faults": dict(self.faults),
             "recovery_s": {
-                kind: {"median": float(np.median(t)), "worst": max(t)}
+                kind: {
+                    "median": float(np.median(t)),
+                    "worst": max(t),
+                    "over_1_s": sum(x > 1.0 for x in t),
+                }
                 for kind, t in sorted(self.recovery.items())
             },
             "unsaid": dict(self.unsaid),
@@ -177,6 +182,16 @@ class Bench:
         error: Array = np.linalg.norm(self.estimate.keypoints[self._rows] - true, axis=1)
         return error
 
+    def is_wrong(self, p: DrillParams) -> bool:
+        """Whether a keypoint that is shown as measured is far from where it is."""
+        e = self.estimate
+        if e is None:
+            return False
+        measured = e.keypoint_state[self._rows] == Validity.MEASURED
+        sd = np.sqrt(3.0) * e.keypoint_sd[self._rows]  # along three axes together
+        error = self.errors()
+        return bool(np.any(measured & (error > p.wrong) & (error > p.doubt * sd)))
+
     def tracked(self, back: float) -> bool:
         """Whether the hand is tracked, by a glove and a camera that are both there."""
         e = self.estimate
@@ -258,7 +273,7 @@ class _LieDetector:
         self._next_look = bench.now + LOOK_EVERY
         e = bench.estimate
         shown = e is not None and e.tracking == Tracking.TRACKING
-        wrong = shown and bool(np.nanmax(bench.errors(), initial=0.0) > p.wrong)
+        wrong = shown and bench.is_wrong(p)
         self._wrong_since = min(self._wrong_since, bench.now) if wrong else float("inf")
         if bench.now - self._wrong_since > p.silent_for and not self.words:
             self.lied = True

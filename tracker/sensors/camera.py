@@ -20,7 +20,7 @@ class CameraParams:
     """``delay``: s from the middle of an exposure to the picture's arrival."""
 
     delay: float = 0.035
-    retry: float = 1.0  # s between attempts to open a camera that is gone
+    retry: float = 0.4  # s between attempts to open a camera that is gone
     slow: float = 0.8  # of the asked frame rate: below, the user is told
     watch: WatchParams = field(default_factory=WatchParams)
 
