@@ -31,6 +31,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         args.streams = with_streams(StreamParams(), args.stream, args.stream_host)
     except GlovetrackError as error:
         parser.error(str(error))
+    keep_few_arenas()
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
     app.setApplicationName("glovetrack")
@@ -73,7 +74,7 @@ def _show(
     window.outputs.use(args.streams)
     window.show()
     if args.demo:
-        window.start_demo()
+        window.start_demo(args.fps)
     elif args.session is not None:
         window.open_session(args.session)
     return app.exec()

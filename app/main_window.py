@@ -178,7 +178,7 @@ class MainWindow(QMainWindow):
         self.set_up.restart.connect(self.start_hardware)
         self.set_up.changed.connect(self._show_set_up)
         self.cameras.set_up_asked.connect(self.set_up.open_camera)
-        self.start_page.demo.connect(self.start_demo)
+        self.start_page.demo.connect(lambda: self.start_demo())
         self.start_page.connect_devices.connect(self.start_hardware)
         self.start_page.open_session.connect(self.choose_session)
         self.library.replay.connect(self.open_session)
@@ -214,8 +214,8 @@ class MainWindow(QMainWindow):
 
     # --- engines
 
-    def start_demo(self) -> None:
-        self._open(self.tr("Starting the demo"), demo_factory())
+    def start_demo(self, fps: float = 30.0) -> None:
+        self._open(self.tr("Starting the demo"), demo_factory(fps=fps))
 
     def start_hardware(self) -> None:
         settings = self.store.value

@@ -52,12 +52,13 @@ class Instance(QObject):
         self._server.setSocketOptions(QLocalServer.SocketOption.UserAccessOption)
         self._server.newConnection.connect(self._connected)
         name = name or server_name()
-        if not self._server.listen(name):
-            QLocalServer.removeServer(name)  # left by a crash: nobody has answered on it
+        if not _is_served(name):  # Qt would take the name away from who has it
+            QLocalServer.removeServer(name)  # left by a crash
             self._server.listen(name)
 
     @property
     def listening(self) -> bool:
+        """False where another window was first: a demo may run beside it."""
         return self._server.isListening()
 
     def _connected(self) -> None:
@@ -95,3 +96,12 @@ class Instance(QObject):
             socket.abort()
         self._sockets.clear()
         self._server.close()
+
+
+def _is_served(name: str) -> bool:
+    """Whether somebody takes connections there."""
+    socket = QLocalSocket()
+    socket.connectToServer(name)
+    served = socket.waitForConnected(WAIT_MS)
+    socket.abort()
+    return bool(served)

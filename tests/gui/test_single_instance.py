@@ -89,6 +89,18 @@ def test_what_a_crashed_window_left_behind_does_not_stop_the_next(qtbot):
         instance.close()
 
 
+def test_a_window_beside_the_first_leaves_it_its_place(qtbot):
+    name = f"glovetrack-test-{uuid.uuid4().hex}"
+    first, asked = Instance(name), []
+    first.asked.connect(asked.append)
+    second = Instance(name)
+    try:
+        assert (first.listening, second.listening) == (True, False)
+    finally:
+        second.close()
+        first.close()
+
+
 def test_nonsense_on_the_socket_is_turned_away(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
     instance, asked = Instance(name), []
