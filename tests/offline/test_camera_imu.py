@@ -11,7 +11,7 @@ from tracker.offline.track import TrackOptions, track
 from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
 
-OPTIONS = SimulateOptions(seed=4, duration=4.0, fps=20.0, pictures=False, camera="head-imu")
+OPTIONS = SimulateOptions(seed=4, duration=2.5, fps=20.0, pictures=False, camera="head-imu")
 
 
 @pytest.fixture(scope="module")
@@ -23,10 +23,10 @@ def session(tmp_path_factory):
 
 def test_the_samples_are_read_back_to_the_last_bit(session):
     sim, _ = build(OPTIONS)
-    fed = [m for m in sim.messages() if isinstance(m, CameraImuSample) and m.t <= 4.0]
+    fed = [m for m in sim.messages() if isinstance(m, CameraImuSample) and m.t <= 2.5]
     with SessionReader(session) as reader:
         read = list(reader.messages((CameraImuSample,)))
-    assert len(read) == len(fed) > 700
+    assert len(read) == len(fed) > 450
     for one, other in zip(fed, read, strict=True):
         assert (one.t, one.t_arrival) == (other.t, other.t_arrival)
         np.testing.assert_array_equal(one.gyro, other.gyro)
@@ -76,7 +76,7 @@ def estimates(path):
 def test_a_pipeline_saved_between_goes_on_identically():
     sim, info = build(OPTIONS)
     one, other = (Pipeline(info.hand, info.glove, sim.rig) for _ in range(2))
-    messages = [m for m in sim.messages() if m.t < 2.5]
+    messages = [m for m in sim.messages() if m.t < 1.6]
     half = len(messages) // 2
     for m in messages[:half]:
         feed(one, m)
@@ -84,8 +84,8 @@ def test_a_pipeline_saved_between_goes_on_identically():
     for m in messages[half:]:
         feed(one, m)
         feed(other, m)
-    np.testing.assert_array_equal(one.predict(2.5).keypoints, other.predict(2.5).keypoints)
-    np.testing.assert_array_equal(one.camera_pose(2.4).R_GC, other.camera_pose(2.4).R_GC)
+    np.testing.assert_array_equal(one.predict(1.6).keypoints, other.predict(1.6).keypoints)
+    np.testing.assert_array_equal(one.camera_pose(1.5).R_GC, other.camera_pose(1.5).R_GC)
 
 
 def test_an_unknown_camera_is_refused():
