@@ -43,7 +43,7 @@ def _plain(value: Any) -> Any:
 
 
 HEAD = (
-    "experiment  engine  variant                    mean ± sd      pck20  pck35  seen  wrong%  "
+    "experiment  engine  variant                            mean ± sd      pck20  pck35  seen  wrong%  "
     "nees  core"
 )
 
@@ -51,7 +51,7 @@ HEAD = (
 def line_of(case: Case, summary: Summary) -> str:
     """One row for people."""
     return (
-        f"{case.experiment:<11} {case.engine:<7} {_variant(case):<24} "
+        f"{case.experiment:<11} {case.engine:<7} {_variant(case):<32} "
         f"{summary.mean_mm:6.2f} ± {summary.sd_mm:5.2f} mm {summary.pck20:6.1f} "
         f"{summary.pck35:6.1f} {summary.matched_mean:5.1f} "
         f"{100 * summary.wrong_match_rate:7.2f} {summary.nees_per_dof:5.2f} "
@@ -75,6 +75,6 @@ def paper_line(experiment: str) -> str:
     spread = f"± {sd:5.2f} mm" if isinstance(sd, float) else "          "
     seen = p.get("matched_mean")
     return (
-        f"{experiment:<11} {'paper':<7} {'(people)':<24} {p['mean_mm']:6.2f} {spread} "
+        f"{experiment:<11} {'paper':<7} {'(people)':<32} {p['mean_mm']:6.2f} {spread} "
         f"{p['pck20']:6.1f} {p['pck35']:6.1f} {seen if seen is not None else '':>5}"
     )
