@@ -43,8 +43,8 @@ def _plain(value: Any) -> Any:
 
 
 HEAD = (
-    "experiment  engine  variant                            mean ± sd      pck20  pck35  seen  wrong%  "
-    "nees  core"
+    "experiment  engine  variant                            mean ± sd      pck20  pck35  "
+    "seen  wrong%  nees  core"
 )
 
 
