@@ -27,7 +27,8 @@ from app.settings import SettingsStore
 from app.tasks import TaskOwner
 from app.wizards.sizing import fit_to_screen
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
-from tracker.sensors.picture_input import CameraName, list_cameras
+from tracker.sensors.camera_plugins import all_cameras
+from tracker.sensors.picture_input import CameraName
 
 TICK_MS = 300
 NAMES = {"exposure": "Exposure", "gain": "Gain", "white_balance": "White balance"}
@@ -45,7 +46,7 @@ class CameraSetup(QDialog):
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QWidget | None = None,
-        find: Callable[[], list[CameraName]] = list_cameras,
+        find: Callable[[], list[CameraName]] = all_cameras,
     ) -> None:
         super().__init__(parent)
         self._session, self._store, self._tasks, self._find = session, store, tasks, find

@@ -28,7 +28,7 @@ from tracker.calibration.stereo.board import BoardSpec, page_size, print_picture
 from tracker.errors import ConfigError
 from tracker.sensors.picture_input import PictureInput
 
-DPI = 300
+DPI, PREVIEW_DPI = 300, 110
 
 
 @dataclass(frozen=True)
@@ -198,7 +198,7 @@ class BoardPreview(QWidget):
         self.setAccessibleName(self.tr("Board"))
 
     def show_board(self, spec: BoardSpec | None) -> None:
-        self._image = None if spec is None else _grey_image(print_picture(spec, 60)[0])
+        self._image = None if spec is None else _grey_image(print_picture(spec, PREVIEW_DPI)[0])
         self.update()
 
     def paintEvent(self, event: object) -> None:
