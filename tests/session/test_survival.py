@@ -10,6 +10,7 @@ from pathlib import Path
 import lz4.frame
 import numpy as np
 import pytest
+import zstandard
 
 from tests.session.kill_drill import drill
 from tracker.cli import main
@@ -94,6 +95,38 @@ def test_a_chunk_that_swells_is_refused(tmp_path: Path, session: Path) -> None:
     source = McapInput(path)
     assert "another amount" in source.contents.damage[0].what
     source.close()
+
+
+@pytest.mark.parametrize("kind", ["lz4", "zstd"])
+def test_a_chunk_that_admits_to_swell_is_not_unpacked(
+    tmp_path: Path, kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    size, zeros = 2**27, bytes(2**20)
+    if kind == "lz4":
+        packed = lz4.frame.compress(zeros)
+    else:
+        packed = zstandard.ZstdCompressor().compress(zeros)
+    monkeypatch.setattr("tracker.session.mcap_input.decompress", lambda *_: pytest.fail("unpacked"))
+    body = struct.pack("<QQQII", 0, 1, size, 0, len(kind)) + kind.encode()
+    body += struct.pack("<Q", len(packed)) + packed
+    path = tmp_path / "bomb.mcap"
+    header = b"\x01" + struct.pack("<Q", 8) + bytes(8)
+    path.write_bytes(b"\x89MCAP0\r\n" + header + b"\x06" + struct.pack("<Q", len(body)) + body)
+    found = verify(path)
+    assert any(f"says it holds {size} bytes" in f.what for f in found) and not is_ok(found)
+
+
+def test_names_of_attachments_lead_nowhere(tmp_path: Path, session_info) -> None:
+    out = McapOutput(tmp_path / "a.mcap", sync=False)
+    for name in ("../hand.toml", "/etc/glove.toml", "..\\colours.toml", "C:\\hand.toml"):
+        out.attach(name, "x = 1", 0)
+    out.attach("glove.toml", session_info.glove_text, 0)
+    out.finish()
+    with SessionReader(tmp_path / "a.mcap") as reader:
+        assert list(reader.attachments) == ["glove.toml"]
+        with pytest.raises(FileError, match=r"no attachment hand\.toml"):
+            reader.attachment("hand.toml")
+    assert sorted(p.name for p in tmp_path.rglob("*")) == ["a.mcap"]
 
 
 @pytest.mark.parametrize("content", [b"", b"\x89MCAP0\r\n", b"not a session", bytes(5000)])

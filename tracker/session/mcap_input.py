@@ -29,6 +29,8 @@ from tracker.session.spans import Run, Span, Spans
 
 MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20
+INNOCENT = 4 * 2**20  # bytes that a chunk may unpack to whatever its packed size
+MOST_SWELLING = 250  # times its packed size beyond that; sensors' data swell ten times at most
 FOREVER = 2**64 - 1
 _MESSAGE = struct.Struct("<HIQQ")
 _CHUNK = struct.Struct("<QQQI")
@@ -262,7 +264,7 @@ class McapInput:
             _, _, size, crc, n = struct.unpack_from("<QQQII", body)
             name = body[32 : 32 + n].decode()
             packed = body[40 + n :]
-            if size > LIMIT:
+            if size > LIMIT or size > max(INNOCENT, MOST_SWELLING * len(packed)):
                 raise FileError(f"{where}: it says it holds {size} bytes.")
             data = decompress(name, packed, size)
         except (*_BAD_RECORD, RuntimeError, zstandard.ZstdError) as error:
