@@ -38,11 +38,13 @@ class SegmentFilters:
 
     def __init__(self, n: int, dt: float, params: SegmentParams | None = None) -> None:
         self.params = params or SegmentParams()
-        self._coefficients = _coefficients(dt, self.params)
-        self._state = np.zeros((n, kernel.SIZE))
+        memory = np.zeros((n + 1, kernel.SIZE))
+        coefficients = _coefficients(dt, self.params)
+        memory[n, : len(coefficients)] = coefficients
+        self._memory, self._state = memory, memory[:n]
         self._state[:, kernel.Q + 3] = 1.0
         # bound once: at half a microsecond an update, looking names up would show
-        self._step = partial(kernel.step, self._state, self._coefficients)
+        self._step = partial(kernel.step, memory)
 
     @property
     def state(self) -> Array:
@@ -77,7 +79,7 @@ class SegmentFilters:
     def run(self, gyro: Array, accel: Array) -> Array:
         """q_GB (m, n, 4) of m samples (m, n, 3): the same as m calls of `update`."""
         out = np.empty((*gyro.shape[:2], 4))
-        kernel.run(self._state, self._coefficients, gyro, accel, out)
+        kernel.run(self._memory, gyro, accel, out)
         return out
 
 

@@ -1,4 +1,5 @@
-"""The filter of `tracker.inertial.segments`, compiled; a row of the state is one IMU.
+"""The filter of `tracker.inertial.segments`, compiled; a row of the state is one IMU, the last
+row its coefficients.
 
 No fast-math: reassociation would fold the test for NaN away, and a batch would no longer equal the
 same samples one by one.
@@ -31,9 +32,14 @@ DT, K_TILT, EVERY, K_OFFSET, REST_TIME, K_REST, REST_GYRO, REST_ACCEL, K_REST_OF
 
 
 @njit(cache=True, error_model="numpy")
-def step(state: Array, c: Array, gyro: Array, accel: Array) -> None:
-    """One sample of every IMU."""
-    for i in range(len(state)):
+def step(state: Array, gyro: Array, accel: Array) -> None:
+    """One sample of every IMU.
+
+    The row of ``state`` below those of the IMUs holds the coefficients: to hand one more array to
+    compiled code would take a tenth of the whole call.
+    """
+    c = state[len(state) - 1]
+    for i in range(len(state) - 1):
         # rows are not taken out here: a view each would cost as much as the arithmetic
         g_x, g_y, g_z = gyro[i, 0], gyro[i, 1], gyro[i, 2]
         a_x, a_y, a_z = accel[i, 0], accel[i, 1], accel[i, 2]
@@ -197,8 +203,8 @@ def _turn_vector(s: Array, at: int, x: float, y: float, w: float) -> None:
 
 
 @njit(cache=True)
-def run(state: Array, c: Array, gyro: Array, accel: Array, out: Array) -> None:
+def run(state: Array, gyro: Array, accel: Array, out: Array) -> None:
     """`step` over m samples; q_GB (m, n, 4) into ``out``."""
     for k in range(len(gyro)):
-        step(state, c, gyro[k], accel[k])
-        out[k] = state[:, Q : Q + 4]
+        step(state, gyro[k], accel[k])
+        out[k] = state[:-1, Q : Q + 4]
