@@ -10,6 +10,7 @@ import pytest
 from tracker.errors import ConfigError
 from tracker.evaluation.commands import add_commands
 from tracker.evaluation.metrics import Trial
+from tracker.evaluation.report import write_report
 from tracker.evaluation.vist_cases import (
     ABLATIONS,
     Case,
@@ -20,6 +21,7 @@ from tracker.evaluation.vist_cases import (
 )
 from tracker.evaluation.vist_command import cases_of
 from tracker.evaluation.vist_run import Progress, run_cases
+from tracker.evaluation.vist_table import row_of
 from tracker.evaluation.vist_trial import owners
 from tracker.messages import BlobFrame, ImuSample
 from tracker.settings import Settings
@@ -81,6 +83,18 @@ def test_ctrl_c_keeps_what_is_finished(monkeypatch, capsys, tmp_path):
     assert row["mean_mm"] == pytest.approx(4.0)
     assert "Stopped after 1 of 18 trials" in capsys.readouterr().out
     assert (tmp_path / "report.html").is_file()
+
+
+def test_variants_have_a_table_and_a_figure_of_their_own(tmp_path):
+    cases = cases_of(parse("--experiments", "free", "--ablations", "loose,camera-imu"))
+    results = [(case, [a_trial(0), a_trial(1)]) for case in cases]
+    page = write_report(tmp_path, results, [row_of(*result) for result in results]).read_text()
+    assert [c.experiment for c in cases] == ["free"] * 4 + ["head"] * 2
+    assert "Variants, free motion" in page
+    assert "Variants, camera on the head" in page
+    assert page.count("segment poses from vision alone") == 2
+    assert (tmp_path / "free-variants.png").is_file()
+    assert (tmp_path / "head-variants.png").is_file()
 
 
 def a_trial(participant: int) -> Trial:

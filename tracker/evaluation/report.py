@@ -10,7 +10,7 @@ from typing import Any
 
 from tracker.errors import FileError
 from tracker.evaluation.metrics import KEYPOINTS, Trial
-from tracker.evaluation.report_figures import FIGURES, Group
+from tracker.evaluation.report_figures import FIGURES, Group, variants
 from tracker.evaluation.vist_cases import ABLATIONS, Case
 from tracker.evaluation.vist_paper import CAVEAT, HEAD_NOTE, PAPER
 
@@ -34,11 +34,14 @@ COLUMNS = (
     ("lost", "lost", 3),
     ("core_s_per_s", "core s/s", 3),
 )
+Results = Sequence[tuple[Case, Sequence[Trial]]]
 STYLE = """
-body { font: 15px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; color: #222 }
+body { font: 15px/1.5 system-ui, sans-serif; max-width: 76rem; margin: 2rem auto; color: #222 }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums }
 th, td { padding: .3rem .6rem; border-bottom: 1px solid #ddd; text-align: right }
 th:first-child, td:first-child { text-align: left }
+td { white-space: nowrap } td:first-child { white-space: normal; min-width: 9rem }
+.variants td:first-child { min-width: 22rem }
 tr.paper td { color: #666; font-style: italic }
 img { max-width: 100%; margin: .5rem 0 }
 .caveat { border-left: 4px solid #c8553d; padding-left: 1rem }
@@ -48,7 +51,7 @@ figure { display: inline-block; width: 48%; margin: 0; vertical-align: top }
 
 def write_report(
     folder: Path,
-    results: Sequence[tuple[Case, Sequence[Trial]]],
+    results: Results,
     rows: Sequence[dict[str, Any]],
 ) -> Path:
     """Figures and ``report.html`` in ``folder``; returns the page. Raises FileError.
@@ -61,7 +64,7 @@ def write_report(
         page = [_head(cases, trials)]
         for experiment in dict.fromkeys(c.experiment for c in cases):
             page.append(_experiment(folder, experiment, cases, trials, rows))
-        page.append(_ablations(rows))
+        page.append(_ablations(folder, results, rows))
         path = folder / "report.html"
         path.write_text(_page("".join(page)), encoding="utf-8")
     except OSError as error:
@@ -110,8 +113,13 @@ def _experiment(
 def _figure(folder: Path, experiment: str, name: str, group: Group) -> str:
     path = folder / f"{experiment}-{name}.png"
     FIGURES[name](group, path)
+    return _image(path, f"{experiment}, {name}")
+
+
+def _image(path: Path, text: str) -> str:
+    """The picture itself, within the page."""
     data = base64.b64encode(path.read_bytes()).decode("ascii")
-    return f'<figure><img alt="{experiment}, {name}" src="data:image/png;base64,{data}"></figure>'
+    return f'<figure><img alt="{text}" src="data:image/png;base64,{data}"></figure>'
 
 
 def _table(rows: Sequence[dict[str, Any]], experiment: str) -> str:
@@ -122,19 +130,22 @@ def _table(rows: Sequence[dict[str, Any]], experiment: str) -> str:
     return f"<table><tr><th>{head}{body}</table>"
 
 
-def _ablations(rows: Sequence[dict[str, Any]]) -> str:
-    """A table of variants for each experiment that has some."""
-    chosen = [r for r in rows if r["ablation"]]
+def _ablations(folder: Path, results: Results, rows: Sequence[dict[str, Any]]) -> str:
+    """A table and a figure of variants for each experiment that has some."""
     head = "".join(f"<th>{title}" for _, title, _ in COLUMNS)
     parts = []
-    for experiment in dict.fromkeys(r["experiment"] for r in chosen):
+    for experiment in dict.fromkeys(r["experiment"] for r in rows if r["ablation"]):
+        chosen = [r for r in rows if r["experiment"] == experiment and r["ablation"]]
         body = "".join(
-            _row(f"{r['engine']}: {ABLATIONS[r['ablation']].text}", r, "")
-            for r in chosen
-            if r["experiment"] == experiment
+            _row(f"{r['engine']}: {ABLATIONS[r['ablation']].text}", r, "") for r in chosen
         )
         title = TITLES[experiment].lower()
-        parts.append(f"<h2>Variants, {title}</h2><table><tr><th>{head}{body}</table>")
+        parts.append(f"<h2>Variants, {title}</h2>")
+        parts.append(f'<table class="variants"><tr><th>{head}{body}</table>')
+        group = [(case, trials) for case, trials in results if case.experiment == experiment]
+        path = folder / f"{experiment}-variants.png"
+        variants(group, path)
+        parts.append(_image(path, f"{experiment}, variants"))
     return "".join(parts)
 
 

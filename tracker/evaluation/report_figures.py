@@ -24,6 +24,8 @@ from tracker.messages import Array
 
 Group = Sequence[tuple[Case, Sequence[Trial]]]
 COLOURS = {"chain": "#1b6ca8", "vist": "#c8553d"}
+LINES = {"chain": "-", "vist": "--"}  # for those who do not tell the colours apart
+HATCHES = {"vist": "//"}
 OTHER = "#6b7280"
 PAPER_COLOUR = "#333333"
 
@@ -31,6 +33,11 @@ PAPER_COLOUR = "#333333"
 def colour_of(case: Case) -> str:
     """One colour per engine."""
     return COLOURS.get(case.engine, OTHER)
+
+
+def line_of(case: Case) -> str:
+    """One kind of line per engine."""
+    return LINES.get(case.engine, ":")
 
 
 def keypoints(group: Group, path: Path) -> None:
@@ -43,8 +50,10 @@ def keypoints(group: Group, path: Path) -> None:
         mean = np.array([s.keypoints[k] for k in KEYPOINTS])
         ci = np.array([s.keypoints_ci95_mm[k] for k in KEYPOINTS])
         half = np.nan_to_num((ci[:, 1] - ci[:, 0]) / 2)
+        whisker = [np.minimum(half, mean), half]  # no error is below zero
         place = x + (i - (len(group) - 1) / 2) * width
-        ax.bar(place, mean, width, yerr=half, capsize=3, color=colour_of(case), label=case.engine)
+        ax.bar(place, mean, width, yerr=whisker, capsize=3, color=colour_of(case),
+               hatch=HATCHES.get(case.engine), edgecolor="white", label=case.engine)  # fmt: skip
     _paper_line(ax, group)
     ax.set_xticks(x, [k.replace("_", " ") for k in KEYPOINTS])
     ax.set_ylabel("mean error, mm (bars: 95 % CI)")
@@ -55,7 +64,8 @@ def pck(group: Group, path: Path) -> None:
     """3D-PCK over the bound, with the paper's two published points (fig. 3D)."""
     figure, ax = _axes()
     for case, trials in group:
-        ax.plot(PCK_BOUNDS_MM, pck_curve(trials), color=colour_of(case), label=case.engine)
+        ax.plot(PCK_BOUNDS_MM, pck_curve(trials), line_of(case), color=colour_of(case),
+                label=case.engine)  # fmt: skip
     published = PAPER.get(group[0][0].experiment)
     if published is not None:
         shares = [float(str(published[k])) for k in ("pck20", "pck35")]
@@ -74,10 +84,11 @@ def seen(group: Group, path: Path) -> None:
         b = by_seen(trials)
         share.step(b.seen, 100 * b.share, where="mid", color=colour_of(case), alpha=0.35)
         known = np.isfinite(b.mean_mm)
-        ax.plot(b.seen[known], b.mean_mm[known], "o-", ms=3, color=colour_of(case),
+        ax.plot(b.seen[known], b.mean_mm[known], f"o{line_of(case)}", ms=3, color=colour_of(case),
                 label=case.engine)  # fmt: skip
     ax.set_xlabel("markers matched in both pictures")
     ax.set_ylabel("mean error, mm")
+    ax.set_ylim(bottom=0)
     share.set_ylabel("share of instants, % (steps)")
     _save(figure, ax, path)
 
@@ -108,9 +119,31 @@ def over_time(group: Group, path: Path) -> None:
         median = np.full(shortest, np.nan)
         given = np.isfinite(error).any(axis=0)
         median[given] = np.nanmedian(error[:, given], axis=0)
-        ax.plot(trials[0].t[:shortest], _smooth(median), color=colour_of(case), label=case.engine)
+        ax.plot(trials[0].t[:shortest], _smooth(median), line_of(case), color=colour_of(case),
+                label=case.engine)  # fmt: skip
+    ax.set_ylim(bottom=0)
     ax.set_xlabel("time, s")
     ax.set_ylabel("mean error of four keypoints, mm (1 s median)")
+    _save(figure, ax, path)
+
+
+def variants(group: Group, path: Path) -> None:
+    """Mean error of every variant of an experiment, the usual way first."""
+    names = list(dict.fromkeys(case.ablation or "as usual" for case, _ in group))
+    engines = list(dict.fromkeys(case.engine for case, _ in group))
+    figure, ax = _axes(height=1.2 + 0.45 * len(names))
+    height = 0.8 / len(engines)
+    named: set[str] = set()
+    for case, trials in group:
+        i = engines.index(case.engine)
+        place = names.index(case.ablation or "as usual") + (i - (len(engines) - 1) / 2) * height
+        label = None if case.engine in named else case.engine
+        named.add(case.engine)
+        ax.barh(place, summarise(trials).mean_mm, height, color=colour_of(case), edgecolor="white",
+                hatch=HATCHES.get(case.engine), label=label)  # fmt: skip
+    ax.set_yticks(range(len(names)), names)
+    ax.invert_yaxis()
+    ax.set_xlabel("mean error of four keypoints, mm")
     _save(figure, ax, path)
 
 
@@ -137,8 +170,9 @@ def _smooth(values: Array, window: int = 100) -> Array:
     return np.where(known, total / np.maximum(count, 1), np.nan)
 
 
-def _axes() -> tuple[Figure, Axes]:
-    figure = Figure(figsize=(6.4, 4.0), layout="constrained")
+def _axes(height: float = 4.0) -> tuple[Figure, Axes]:
+    """``height`` in inches."""
+    figure = Figure(figsize=(6.4, height), layout="constrained")
     FigureCanvasAgg(figure)
     ax = figure.add_subplot()
     ax.grid(alpha=0.25)
