@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from tracker.fusion import calibration_control as control
+from tracker.fusion.bundle.keyframes import keyframe_of
+from tracker.fusion.bundle.solver import Bundle, BundleWork, adopt
 from tracker.fusion.chain_kinematics import marker_positions, segment_positions, tip_sd
 from tracker.fusion.constraints import Constraints
 from tracker.fusion.imu_buffer import Intervals
@@ -56,6 +58,7 @@ MANY_MARKERS = 6  # in a picture that shows the hand
 SEEN_LATELY = 0.5  # s
 IN_VAIN = 0.3  # s of pictures with markers in which a lost hand is not found as it was last
 KEEP_CALIBRATION = 5.0  # s after which a hand that is still lost is looked for without it
+AROUND = (-0.01, 0.0, 0.01)  # s: neighbours that give an angular acceleration
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
@@ -80,7 +83,7 @@ class _Track:
 class ChainEngine(LaggedEngine[ChainState]):
     """Visual-inertial filter on a chain of segments. One instance per hand."""
 
-    _KEPT = (*LaggedEngine._KEPT, "_track", "_held", "_known", "_guide")
+    _KEPT = (*LaggedEngine._KEPT, "_track", "_held", "_known", "_guide", "_work")
 
     def __init__(
         self, hand: HandModel, glove: GloveModel, rig: StereoRig, params: ChainParams
@@ -100,6 +103,7 @@ class ChainEngine(LaggedEngine[ChainState]):
         self._loose = LooseRows(layout, rig, params.noise)
         self._constraints = Constraints(layout, params.constraint)
         self._starter = Starter(layout, rig, params)
+        self._bundle, self._work = Bundle(layout, rig, params), BundleWork()
         self._output = HandOutput(layout)
         self._track = _Track(
             seen=np.full(len(glove.markers), -np.inf),
@@ -150,7 +154,7 @@ class ChainEngine(LaggedEngine[ChainState]):
         t = self._state.t
         if t - self._track.last_tilt < self._params.constraint.period:
             return
-        before, now, after = (self._buffer.at(t + d) for d in (-0.01, 0.0, 0.01))
+        before, now, after = (self._buffer.at(t + d) for d in AROUND)
         if before is None or now is None or after is None or not before.t < now.t < after.t:
             return
         rows = tilt_rows(self._state, self._layout, self._params.constraint, before, now, after)
@@ -186,6 +190,19 @@ class ChainEngine(LaggedEngine[ChainState]):
         looked = self.tracking == Tracking.LOST and max(len(s.uv) for s in seen) >= MANY_MARKERS
         since = min(self._track.in_vain_since, frame.t)
         self._track.in_vain_since = since if looked else np.inf
+        if self._params.bundle.enabled and self._held is None:
+            self._calibrate(seen, match, pose)
+
+    def _calibrate(self, seen: tuple[SeenBlobs, ...], match: IntArray, pose: CameraPose) -> None:
+        """Remember this posture if it is worth it, and go a step on with the keyframes' bundle."""
+        around = tuple(self._buffer.at(self._state.t + d) for d in AROUND)
+        frame = keyframe_of(
+            self._state, self._layout, seen, match, pose, around, self._params.bundle
+        )
+        self._bundle.offer(self._work, frame)
+        found = self._bundle.step(self._work, self._state)
+        if found is not None:
+            adopt(self._state, self._layout, found)
 
     def _search_again(
         self,

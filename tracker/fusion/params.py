@@ -70,6 +70,23 @@ class MatchParams:
 
 
 @dataclass(frozen=True)
+class BundleParams:
+    """Calibration over keyframes in the background, at growing intervals."""
+
+    enabled: bool = True
+    keyframes: int = 40
+    least_keyframes: int = 15
+    least_blobs: int = 16  # in both pictures together
+    apart: float = 0.35  # rad, all joints together, between two keyframes
+    first_after: float = 12.0  # s of tracking; the next after twice as long, and so on
+    sweeps: int = 5
+    slip: float = 0.0015  # m, of a marker's cloth
+    rotation: float = 0.10  # rad: no twist, no abduction of a hinge
+    orientation: float = 0.15  # rad, of a keyframe's segments about the filter's
+    wobble: float = 0.02  # rad, of an IMU on soft tissue
+
+
+@dataclass(frozen=True)
 class ChainParams:
     """The chain engine's settings. ``guide`` and ``coupling``: see `tracker.fusion.variants`."""
 
@@ -79,3 +96,4 @@ class ChainParams:
     prior: PriorParams = field(default_factory=PriorParams)
     constraint: ConstraintParams = field(default_factory=ConstraintParams)
     match: MatchParams = field(default_factory=MatchParams)
+    bundle: BundleParams = field(default_factory=BundleParams)

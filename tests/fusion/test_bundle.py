@@ -1,0 +1,153 @@
+"""Calibration over keyframes: against a dense solution, and on a simulated wearer."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.fusion.test_chain_engine import feed, simulation
+from tracker.fusion.bundle import solver
+from tracker.fusion.bundle.keyframes import Keyframe, Keyframes
+from tracker.fusion.bundle.rows import KeyframeRows
+from tracker.fusion.bundle.solver import Bundle, BundleWork, adopt
+from tracker.fusion.chain import ChainEngine
+from tracker.fusion.params import BundleParams, ChainParams
+from tracker.fusion.profile import profile_of
+from tracker.fusion.state import ChainState
+from tracker.geometry import so3
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array
+from tracker.pipeline import Pipeline
+from tracker.settings import Settings
+from tracker.simulation.scenario import Simulation
+from tracker.simulation.wearer import Wearer
+
+EARLY = BundleParams(first_after=3.0, least_keyframes=5, apart=0.2, sweeps=3)
+
+
+def with_bundle(params: BundleParams) -> Settings:
+    settings = Settings()
+    return replace(settings, chain=replace(settings.chain, bundle=params))
+
+
+@pytest.fixture(scope="module")
+def sim(hand: HandModel, glove: GloveModel) -> Simulation:
+    return simulation(hand, glove, 2, 11.0)
+
+
+@pytest.fixture(scope="module")
+def engine(sim: Simulation) -> ChainEngine:
+    """A filter that has remembered postures and solved nothing yet."""
+    waiting = replace(EARLY, first_after=1e6)
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(waiting))
+    feed(pipeline, sim.feed())
+    assert isinstance(pipeline.engine, ChainEngine)
+    return pipeline.engine
+
+
+def kept(engine: ChainEngine) -> list[Keyframe]:
+    return engine.get_state()["_work"].keyframes.kept
+
+
+def state_of(engine: ChainEngine) -> ChainState:
+    return engine.get_state()["_state"]
+
+
+def marker_error(state: ChainState, wearer: Wearer) -> float:
+    """Mean distance (m) of markers from where the wearer's really sit, in their segment's frame."""
+    true = np.einsum("mki,mk->mi", wearer._tangents, wearer._marker_place)
+    return float(np.linalg.norm(state.marker - true, axis=1).mean())
+
+
+def test_one_sweep_is_the_least_squares_solution(engine: ChainEngine, sim: Simulation) -> None:
+    """Poses eliminated one by one, against all unknowns in one dense system."""
+    lay, params = engine.layout, ChainParams(bundle=replace(EARLY, sweeps=1, least_keyframes=3))
+    frames, state = kept(engine)[:3], state_of(engine)
+    work = BundleWork(next_at=0.0, pause=1.0, keyframes=Keyframes(list(frames)))
+    bundle = Bundle(lay, sim.rig, params)
+    found = None
+    while found is None:
+        found = bundle.step(work, state)
+
+    rows, n = KeyframeRows(lay, sim.rig, params), lay.n_dynamic
+    moves = np.r_[0:3, lay.theta : n]
+    d, c = len(moves), lay.size - n
+    A, b = np.zeros((3 * d + c, 3 * d + c)), np.zeros(3 * d + c)
+    A[3 * d :, 3 * d :] = bundle._information
+    b[3 * d :] = -bundle._information @ bundle._off_nominal(state)
+    for k, frame in enumerate(frames):
+        H, r = rows(replace(state, p=frame.p, R_GB=frame.R_GB), frame)
+        J = np.zeros((len(H), len(b)))
+        J[:, k * d : (k + 1) * d], J[:, 3 * d :] = H[:, moves], H[:, n:]
+        A += J.T @ J
+        b += J.T @ r
+        own = np.arange(k * d, (k + 1) * d)
+        A[own, own] += np.r_[np.full(3, solver.POSITION_SD**-2), np.full(d - 3, 0.15**-2)]
+    dense = np.linalg.solve(A, b)[3 * d :]
+    scale = dense[lay.scale - n : lay.joint - n].reshape(-1, 2)
+    assert np.allclose(found.scale, np.clip(state.scale + scale, 0.6, 1.5), atol=1e-9)
+    marker = dense[lay.marker - n :].reshape(-1, 3)
+    assert np.allclose(found.marker, state.marker + marker, atol=1e-9)
+
+
+def test_markers_are_placed_better_than_by_the_filter(engine: ChainEngine, sim: Simulation) -> None:
+    state = state_of(engine)
+    work = BundleWork(next_at=0.0, pause=1.0, keyframes=Keyframes(kept(engine)))
+    bundle = Bundle(engine.layout, sim.rig, ChainParams(bundle=EARLY))
+    found = None
+    while found is None:
+        found = bundle.step(work, state)
+    better = state.copy()
+    adopt(better, engine.layout, found)
+    assert marker_error(better, sim.wearer) < 0.95 * marker_error(state, sim.wearer)
+
+
+def test_imus_stay_in_the_room_when_the_calibration_is_replaced(engine: ChainEngine) -> None:
+    state, lay = state_of(engine), engine.layout
+    other = state.copy()
+    other.R_IB = state.R_IB @ so3.exp(np.full((len(state.R_IB), 3), 0.05))
+    adopt(state, lay, profile_of(other, lay))
+    before = state_of(engine)
+
+    def R_GI(s: ChainState) -> Array:
+        return s.R_GB[lay.imu_segment] @ s.R_IB.swapaxes(1, 2)
+
+    assert np.allclose(R_GI(state), R_GI(before), atol=1e-12)
+    assert np.array_equal(state.bg, before.bg)
+    assert np.linalg.eigvalsh(state.P).min() > -1e-12
+
+
+def test_postures_grow_more_different(engine: ChainEngine) -> None:
+    """At the limit a newcomer never makes the two most alike more alike."""
+    params, store = replace(EARLY, keyframes=5, apart=0.05), Keyframes()
+    closest = 0.0
+    for frame in kept(engine):
+        store.offer(frame, params)
+        assert len(store.kept) <= 5
+        if len(store.kept) == 5:
+            apart = [
+                np.linalg.norm(a.relative - b.relative)
+                for i, a in enumerate(store.kept)
+                for b in store.kept[:i]
+            ]
+            assert min(apart) >= closest - 1e-12
+            closest = min(apart)
+    assert len(store.kept) == 5
+
+
+def test_a_saved_state_goes_on_in_the_middle_of_a_solution(sim: Simulation) -> None:
+    messages = list(sim.feed())
+    whole = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(EARLY))
+    assert isinstance(whole.engine, ChainEngine)
+    coming = iter(messages)
+    while whole.engine._work.sweep != 2:
+        feed(whole, [next(coming)])  # StopIteration: no solution was begun
+    state, rest = whole.get_state(), list(coming)
+    other = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(EARLY))
+    other.set_state(state)
+    for a, b in zip(feed(whole, rest), feed(other, rest), strict=True):
+        assert np.array_equal(a.keypoints, b.keypoints)
+    assert whole.engine._work.calibration is None, "the solution was not finished"

@@ -1,0 +1,1 @@
+"""Calibration from keyframes, in the background of the chain filter."""
