@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import logging
+import time
 from collections import deque
 from collections.abc import Callable
 
@@ -19,11 +20,12 @@ from app.tasks import Progress, TaskOwner
 from app.viewmodels.snapshot import Snapshot, nearest
 from tracker.errors import GlovetrackError
 from tracker.fusion.engine import Engine
-from tracker.messages import Estimate, Message
+from tracker.messages import Estimate, Message, Status
 from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
 SetupFactory = Callable[[Progress], EngineSetup]
+STATUS_PERIOD = 0.1  # s
 RECENT_ESTIMATES = 60
 """One second at the window's rate: more than any picture is late."""
 
@@ -47,6 +49,8 @@ class Session(QObject):
         self._recorder: PausableRecorder | None = None
         self._request: RecordingRequest | None = None
         self._recent: deque[Estimate] = deque(maxlen=RECENT_ESTIMATES)
+        self._status: Status | None = None
+        self._status_due = 0.0
         self._factory: tuple[str, SetupFactory] | None = None
         self._spent = False  # the engine has been stopped and cannot start again
         self.running = False
@@ -118,6 +122,7 @@ class Session(QObject):
         if not self._spent:
             setup.engine.stop()  # one that never ran holds its devices too
         self._recent.clear()
+        self._status = None
         setup.close()
         self.closed.emit()
 
@@ -201,6 +206,13 @@ class Session(QObject):
         found: list[Message] = [*self._setup.engine.recent_imu(), *self._recent]
         return sorted(found, key=lambda m: getattr(m, "t_arrival", m.t))
 
+    def _status_of(self, setup: EngineSetup) -> Status:
+        """A few times a second: its medians and percentiles cost more than the rest of a look."""
+        now = time.monotonic()
+        if self._status is None or now >= self._status_due:
+            self._status, self._status_due = setup.engine.status(), now + STATUS_PERIOD
+        return self._status
+
     def snapshot(self) -> Snapshot | None:
         """The latest of everything, and the events since the last call by signal."""
         setup = self._setup
@@ -222,6 +234,6 @@ class Session(QObject):
             blobs=blobs,
             result=result,
             calibration=setup.engine.calibration(),
-            status=setup.engine.status(),
+            status=self._status_of(setup),
             imu=setup.engine.recent_imu(),
         )
