@@ -12,7 +12,7 @@ import queue
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -109,6 +109,11 @@ class _Dask:
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         future: Future[Any] = self.executor.submit(function, *arguments)
         return future
+
+
+def some_workers(count: int, dask: str = "") -> AbstractContextManager[Workers]:
+    """Processes of this machine, or the cluster at the address ``dask``."""
+    return dask_workers(dask) if dask else local_workers(count)
 
 
 def run_all(

@@ -108,3 +108,12 @@ def test_a_cluster_that_is_not_there_is_told_in_words(monkeypatch: pytest.Monkey
     monkeypatch.setattr("tracker.workers.DASK_PATIENCE", 0.5)
     with pytest.raises(DeviceError, match="No Dask scheduler"), dask_workers("127.0.0.1:9"):
         pass
+
+
+def test_a_folder_is_verified_at_once(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", str(folder), "--json", "-"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    ok = {Path(name).name: said["ok"] for name, said in found["files"].items()}
+    assert ok == {"a.mcap": True, "b.mcap": True, "c.mcap": False} and not found["ok"]
+    assert main(["verify", str(folder / "a.mcap"), str(folder / "monday")]) == 0
+    assert "b.mcap is all right." in capsys.readouterr().out

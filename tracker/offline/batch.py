@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tracker.errors import ConfigError, FileError
+from tracker.errors import ConfigError
 from tracker.offline.track import TrackOptions, TrackReport, track
 from tracker.session.disk import disk_error
+from tracker.session.folders import sessions_in
 from tracker.workers import (
     Outcome,
     Task,
-    Workers,
-    dask_workers,
-    local_workers,
     run_all,
+    some_workers,
     usable_cores,
 )
 
@@ -30,25 +28,6 @@ class Job:
 
     source: Path
     out: Path
-
-
-def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:
-    """(session, name for what is made of it) of files and folders; folders with all below them.
-
-    ``leave_out`` is a folder that is not looked into. Raises FileError for a folder without any.
-    """
-    found: list[tuple[Path, Path]] = []
-    for source in sources:
-        if not source.is_dir():
-            found.append((source, Path(source.name)))
-            continue
-        inside = [
-            p for p in sorted(source.rglob("*.mcap")) if leave_out not in p.parents and p.is_file()
-        ]
-        if not inside:
-            raise FileError(f"There is no session in {source}.")
-        found += [(p, p.relative_to(source)) for p in inside]
-    return found
 
 
 def plan(sources: Sequence[Path], out: Path) -> list[Job]:
@@ -87,7 +66,7 @@ def track_all(
         Task(_track_one, (j.source.absolute(), j.out.absolute(), options), _size(j.source))
         for j in jobs
     ]
-    with _workers(min(processes or usable_cores(), len(jobs)), dask) as workers:
+    with some_workers(min(processes or usable_cores(), len(jobs)), dask) as workers:
         return run_all(tasks, workers, progress)
 
 
@@ -96,10 +75,6 @@ def _make_folder(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise disk_error(folder, error) from error
-
-
-def _workers(processes: int, dask: str) -> AbstractContextManager[Workers]:
-    return dask_workers(dask) if dask else local_workers(processes)
 
 
 def _size(path: Path) -> float:

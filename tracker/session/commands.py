@@ -7,9 +7,12 @@ import json
 import math
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tracker.session.disk import disk_error
+
+if TYPE_CHECKING:
+    from tracker.session.verify import Finding
 
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -21,7 +24,10 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
         ("recover", _recover, "make a whole file of a broken recording"),
     ):
         command = subparsers.add_parser(name, help=text)
-        command.add_argument("file", type=Path, metavar="FILE")
+        if name == "verify":
+            command.add_argument("files", type=Path, nargs="+", metavar="FILE")
+        else:
+            command.add_argument("file", type=Path, metavar="FILE")
         _add_json(command)
         command.set_defaults(func=func)
         if name == "recover":
@@ -98,15 +104,44 @@ def _info(args: argparse.Namespace) -> int:
 
 
 def _verify(args: argparse.Namespace) -> int:
+    from tracker.session.folders import sessions_in
+    from tracker.session.verify import verify
+
+    paths = [path for path, _ in sessions_in(args.files)]
+    if len(paths) == 1:
+        result, lines = _verdict(paths[0], verify(paths[0]))
+    else:
+        result, lines = _verify_many(paths)
+    _finish(args, result, lines)
+    return 0 if result["ok"] else 1
+
+
+def _verdict(path: Path, findings: list[Finding]) -> tuple[dict[str, Any], list[str]]:
+    """For programs and for people."""
     from dataclasses import asdict
 
-    from tracker.session.verify import is_ok, verify
+    from tracker.session.verify import is_ok
 
-    findings = verify(args.file)
+    ok = is_ok(findings)
     lines = [f"{f.severity}: {f.where}: {f.what}" for f in findings]
-    lines.append(f"{args.file} is {'all right' if is_ok(findings) else 'damaged'}.")
-    _finish(args, {"ok": is_ok(findings), "findings": [asdict(f) for f in findings]}, lines)
-    return 0 if is_ok(findings) else 1
+    lines.append(f"{path} is {'all right' if ok else 'damaged'}.")
+    return {"ok": ok, "findings": [asdict(f) for f in findings]}, lines
+
+
+def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
+    """All at once, on all cores; a file that is no session counts as damaged."""
+    from tracker.session.verify import Finding, verify_one
+    from tracker.workers import Task, run_all, some_workers, usable_cores
+
+    tasks = [Task(verify_one, (path.absolute(),)) for path in paths]
+    with some_workers(min(usable_cores(), len(paths))) as workers:
+        outcomes = run_all(tasks, workers, lambda share: None)
+    files, lines = {}, []
+    for path, outcome in zip(paths, outcomes, strict=True):
+        findings = [Finding("error", outcome.error, "file")] if outcome.error else outcome.value
+        files[str(path)], said = _verdict(path, findings)
+        lines += said
+    return {"ok": all(f["ok"] for f in files.values()), "files": files}, lines
 
 
 def _recover(args: argparse.Namespace) -> int:

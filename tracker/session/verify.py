@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import statistics
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -59,6 +60,11 @@ def verify(path: Path) -> list[Finding]:
             out += _judge(topic, track)
         out += _missing(reader, tracks)
         return out
+
+
+def verify_one(path: Path, progress: Callable[[float], None]) -> list[Finding]:
+    """`verify` as a task of `tracker.workers`."""
+    return verify(path)
 
 
 def is_ok(findings: list[Finding]) -> bool:
