@@ -1,7 +1,8 @@
 """Which camera the user chose, as the settings hold it, and how it is opened.
 
 ``""`` the first camera; ``name:NAME`` a camera by its name, so that it is found on another port;
-``pair:LEFT|RIGHT`` two cameras by name; a number an index; anything else a file or an address.
+``pair:LEFT|RIGHT`` two cameras by name; a number an index; ``driver://id`` a plug-in's camera;
+anything else a file or an address.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from pathlib import Path
 from app.settings import Settings
 from tracker.errors import DeviceError
 from tracker.sensors.camera_controls import ControlledInput, Locks, locks_from
+from tracker.sensors.camera_plugins import all_cameras, is_plugin, open_plugin
 from tracker.sensors.picture_input import (
     CameraName,
     CaptureFormat,
@@ -19,7 +21,6 @@ from tracker.sensors.picture_input import (
     PictureInput,
     SideBySideInput,
     TwoCameraInput,
-    list_cameras,
 )
 
 NAME, PAIR = "name:", "pair:"
@@ -76,7 +77,7 @@ def choose(
 
     Raises DeviceError where it is not there.
     """
-    known = list_cameras() if cameras is None else cameras
+    known = all_cameras() if cameras is None else cameras
     locks = locks_from(settings.camera_locks)
     found = _choose(settings.camera, width, height, fps, locks, known)
     if not settings.camera_exchanged:
@@ -94,10 +95,15 @@ def _choose(
         two = TwoCameraInput(pair[0].index, pair[1].index, CaptureFormat(width, height, fps))
         controls = ControlledInput(two, locks)
         return ChosenCamera(controls, f"{pair[0].name} and {pair[1].name}", controls)
+    one_eye = CaptureFormat(width, height, fps)
+    if is_plugin(chosen):
+        return ChosenCamera(open_plugin(chosen, one_eye), chosen, None)
     if chosen and not chosen.isdigit() and not chosen.startswith(NAME):
         live = not Path(chosen).is_file()
         return ChosenCamera(SideBySideInput(chosen, side_by_side, live), chosen, None)
     camera = _find(chosen.removeprefix(NAME), known)
+    if is_plugin(camera.path):
+        return ChosenCamera(open_plugin(camera.path, one_eye), camera.name, None)
     controls = ControlledInput(SideBySideInput(camera.index, side_by_side), locks)
     return ChosenCamera(controls, camera.name, controls)
 

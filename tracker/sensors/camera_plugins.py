@@ -1,0 +1,68 @@
+"""Cameras with a driver package of their own: depthai, pyrealsense2, the ZED SDK.
+
+Such a package is a plug-in: it names a `CameraDriver` under the entry-point group
+``glovetrack.cameras`` and is installed beside Glovetrack. See docs/camera-plugins.md.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from importlib.metadata import EntryPoint, entry_points
+from typing import Protocol
+
+from tracker.errors import DeviceError
+from tracker.sensors.picture_input import CameraName, CaptureFormat, PictureInput, list_cameras
+
+GROUP = "glovetrack.cameras"
+_log = logging.getLogger(__name__)
+
+
+class CameraDriver(Protocol):
+    """What a plug-in offers; made without arguments, anew for each question."""
+
+    def cameras(self) -> Sequence[tuple[str, str]]:
+        """Cameras that are there: an id, the same each time, and a name for people."""
+
+    def open(self, camera: str, want: CaptureFormat) -> PictureInput:
+        """The camera of that id, not open yet. ``want`` is for one eye's picture."""
+
+
+def plugin_cameras() -> list[CameraName]:
+    """All cameras of all plug-ins. ``path`` is ``driver://id``; a driver that fails has none."""
+    out: list[CameraName] = []
+    for entry in entry_points(group=GROUP):
+        try:
+            found = _driver(entry).cameras()
+            out += [CameraName(-1, name, f"{entry.name}://{camera}") for camera, name in found]
+        except Exception as error:  # noqa: BLE001 - a stranger's code must not end ours
+            _log.warning("The camera plug-in %s does not work: %s", entry.name, error)
+    return out
+
+
+def all_cameras() -> list[CameraName]:
+    """The system's cameras and those of plug-ins."""
+    return [*list_cameras(), *plugin_cameras()]
+
+
+def is_plugin(address: str) -> bool:
+    """Whether an address such as ``folder:///home/me/pictures`` is a plug-in's."""
+    return address.partition("://")[0] in {e.name for e in entry_points(group=GROUP)}
+
+
+def open_plugin(address: str, want: CaptureFormat) -> PictureInput:
+    """The picture input behind ``driver://id``. Raises DeviceError in words."""
+    name, _, camera = address.partition("://")
+    for entry in entry_points(group=GROUP, name=name):
+        try:
+            return _driver(entry).open(camera, want)
+        except DeviceError:
+            raise
+        except Exception as error:
+            raise DeviceError(f"The camera plug-in {name} does not work: {error}") from error
+    raise DeviceError(f"There is no camera plug-in {name}: install its package.")
+
+
+def _driver(entry: EntryPoint) -> CameraDriver:
+    driver: CameraDriver = entry.load()()
+    return driver
