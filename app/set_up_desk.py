@@ -20,7 +20,8 @@ from tracker.fusion.chain import ChainEngine
 from tracker.fusion.engine import Engine
 from tracker.fusion.still_bias import with_gyro_bias
 from tracker.sensors.camera_controls import Locks, locks_text
-from tracker.sensors.picture_input import CameraName, list_cameras
+from tracker.sensors.camera_plugins import all_cameras
+from tracker.sensors.picture_input import CameraName
 
 if TYPE_CHECKING:
     from app.wizards.stereo import StereoWizard
@@ -47,7 +48,7 @@ class SetUpDesk(QObject):
         """The stereo calibration. The cameras' names are asked for in the background."""
         if not self._raise("stereo"):
             self._tasks.run(
-                self.tr("Looking for cameras"), lambda _progress: list_cameras(), self._open_stereo
+                self.tr("Looking for cameras"), lambda _progress: all_cameras(), self._open_stereo
             )
 
     def _open_stereo(self, cameras: list[CameraName]) -> None:

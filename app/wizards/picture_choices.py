@@ -68,7 +68,11 @@ def picture_choices(
             title, lambda _spec: choose(wanted, WIDTH, HEIGHT, FPS, cameras).source
         )
 
-    found = [choice(f"{c.name} ({c.path or c.index})", str(c.index)) for c in cameras]
+    found = [
+        # a plug-in's camera has no index
+        choice(f"{c.name} ({c.path or c.index})", str(c.index) if c.index >= 0 else c.path)
+        for c in cameras
+    ]
     if settings.camera:
         words = settings.camera.removeprefix(NAME).removeprefix(PAIR).replace("|", " and ")
         found.insert(0, choice(f"Chosen camera: {words}", settings.camera))

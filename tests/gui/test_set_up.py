@@ -309,6 +309,10 @@ def test_pictures_may_come_from_the_chosen_camera_all_others_and_a_simulation(wi
         "ZED-M (/dev/video2)",
         "Simulated board (demo)",
     ]
+    plugged = CameraName(-1, "Depth camera", "depth://7")
+    (other, *_) = picture_choices(window.session, replace(window.store.value, camera=""), [plugged])
+    with pytest.raises(DeviceError, match="depth://7"):
+        other.make(SPEC).open()  # by its address: there is no such plug-in here
     window.session.adopt(scripted_setup(ScriptedEngine()))
     first = picture_choices(window.session, window.store.value, cameras)[0]
     assert first.simulated
