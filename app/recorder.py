@@ -12,10 +12,12 @@ class PausableRecorder:
     def __init__(self, inner: Recorder) -> None:
         self._inner = inner
         self.paused = False
+        self.written = 0  # messages so far
 
     def write(self, message: Message, overloaded: bool = False) -> None:
         if not self.paused or isinstance(message, Event | Calibration | EngineState):
             self._inner.write(message, overloaded)
+            self.written += 1
 
     def close(self) -> None:
         self._inner.close()

@@ -141,6 +141,11 @@ class Session(QObject):
     def paused(self) -> bool:
         return self._recorder is not None and self._recorder.paused
 
+    @property
+    def written(self) -> int:
+        """Messages that the recording holds so far."""
+        return self._recorder.written if self._recorder is not None else 0
+
     def record(self, request: RecordingRequest) -> bool:
         """Begin a file; False, with an `error`, where that is impossible."""
         setup = self._setup

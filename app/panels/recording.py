@@ -27,6 +27,7 @@ from app.viewmodels.recording import (
     disk,
     duration_text,
     free_bytes,
+    losses_text,
     size_text,
 )
 from app.viewmodels.snapshot import Snapshot
@@ -41,7 +42,7 @@ class RecordingPanel(Panel):
     ) -> None:
         super().__init__(session, parent)
         self._store = store
-        self._rate = RateMeter()
+        self._rate, self._messages = RateMeter(), RateMeter()
         self._started = 0.0
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 12, 12, 12)
@@ -98,6 +99,8 @@ class RecordingPanel(Panel):
         self.file_label.setWordWrap(True)
         self.time_label = QLabel("–")
         self.size_label = QLabel("–")
+        self.messages_label = QLabel("–")
+        self.losses_label = QLabel("–")
         self.disk_label = QLabel("–")
         self.warning = QLabel()
         self.warning.setProperty("role", "warning")
@@ -106,6 +109,8 @@ class RecordingPanel(Panel):
         form.addRow(self.tr("File"), self.file_label)
         form.addRow(self.tr("Time"), self.time_label)
         form.addRow(self.tr("Size"), self.size_label)
+        form.addRow(self.tr("Messages"), self.messages_label)
+        form.addRow(self.tr("Losses"), self.losses_label)
         form.addRow(self.tr("Disk"), self.disk_label)
         form.addRow(self.warning)
         return form
@@ -159,7 +164,7 @@ class RecordingPanel(Panel):
             self._started = self._started or time.monotonic()
         if not on:
             self._started = 0.0
-            self._rate = RateMeter()
+            self._rate, self._messages = RateMeter(), RateMeter()
         self._enable()
 
     def _enable(self) -> None:
@@ -173,17 +178,24 @@ class RecordingPanel(Panel):
 
     def refresh(self, view: Snapshot | None) -> None:
         request = self.session.recording
-        rate = 0.0
-        if request is not None:
-            size = request.path.stat().st_size if request.path.exists() else 0
-            now = time.monotonic()
-            rate = self._rate.add(now, size)
-            self.file_label.setText(request.path.name)
-            self.time_label.setText(duration_text(self.elapsed()))
-            self.size_label.setText(f"{size_text(size)}  ({size_text(rate)}/s)")
+        rate = self._show_growth(request.path) if request is not None else 0.0
+        if request is not None and view is not None and view.status is not None:
+            self.losses_label.setText(losses_text(view.status.values))
         room = disk(free_bytes(Path(self.folder.text())), rate)
         self.disk_label.setText(room.text)
         self.warning.setText(room.warning)
         self.warning.setVisible(bool(room.warning))
         if room.full and request is not None:
             self.session.stop_recording()
+
+    def _show_growth(self, path: Path) -> float:
+        """Name, time, size and messages of the file being written; returns its bytes per second."""
+        size = path.stat().st_size if path.exists() else 0
+        now = time.monotonic()
+        rate = self._rate.add(now, size)
+        messages = self._messages.add(now, self.session.written)
+        self.file_label.setText(path.name)
+        self.time_label.setText(duration_text(self.elapsed()))
+        self.size_label.setText(f"{size_text(size)}  ({size_text(rate)}/s)")
+        self.messages_label.setText(f"{self.session.written}  ({messages:.0f}/s)")
+        return rate

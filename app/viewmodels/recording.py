@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -56,6 +57,17 @@ def place_text(seconds: float) -> str:
     return f"{duration_text(hundredths // 100)}.{hundredths % 100:02d}"
 
 
+def losses_text(values: Mapping[str, float]) -> str:
+    """What the status counts as lost, from the start of tracking on."""
+    lost = round(values.get("imu_lost", 0))
+    thinned = round(values.get("pictures_thinned", 0))
+    overflow = round(values.get("imu_overflow", 0))
+    out = [f"{lost} packets", f"{thinned} pictures not recorded"]
+    if overflow:
+        out.append(f"{overflow} messages that the computer had no time for")
+    return ", ".join(out)
+
+
 @dataclass(frozen=True)
 class Disk:
     """Room left and what to say about it."""
@@ -79,7 +91,7 @@ def disk(free: int, bytes_per_second: float) -> Disk:
 
 
 class RateMeter:
-    """Bytes per second of a growing file, over the last few looks."""
+    """How fast a file or a count grows per second, over the last few looks."""
 
     def __init__(self, looks: int = 8) -> None:
         self._looks: list[tuple[float, int]] = []

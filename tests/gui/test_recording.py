@@ -14,6 +14,7 @@ from app.viewmodels.recording import (
     automatic_path,
     disk,
     duration_text,
+    losses_text,
     size_text,
 )
 from tracker.messages import Event
@@ -47,6 +48,15 @@ def test_a_note_reaches_the_file(recording, recorders, qtbot):
     recording.recording._note()
     assert [m.text for m in recorders[0].messages if isinstance(m, Event)] == ["gripped the cup"]
     qtbot.waitUntil(lambda: recording.log.model.entries("note", "gripped") != [], timeout=30_000)
+
+
+def test_the_panel_tells_what_was_written_and_what_was_lost(recording, engine, qtbot):
+    recording.run_command("show_recording")
+    for _ in range(7):
+        engine.recorder.write(engine.latest_estimate())
+    shown = recording.recording.messages_label
+    qtbot.waitUntil(lambda: shown.text().startswith("7  ("), timeout=30_000)
+    assert recording.recording.losses_label.text() == "0 packets, 0 pictures not recorded"
 
 
 def test_closing_the_window_while_recording_closes_the_file(recording, engine, recorders):
@@ -129,6 +139,12 @@ def test_figures_as_people_write_them():
     assert duration_text(3725) == "1:02:05"
     assert size_text(999) == "999 B"
     assert size_text(1_500_000) == "1.5 MB"
+
+
+def test_losses_are_named_for_what_they_are():
+    values = {"imu_lost": 3.0, "pictures_thinned": 2.0}
+    assert losses_text(values) == "3 packets, 2 pictures not recorded"
+    assert "4 messages" in losses_text({**values, "imu_overflow": 4.0})
 
 
 def test_rate_meter_measures_growth():
