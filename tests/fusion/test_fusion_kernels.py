@@ -8,7 +8,8 @@ from tracker.fusion.kalman import update
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.output import INFERRED_SD, HandOutput, Sensed
 from tracker.fusion.pixels_kernel import innovation_covariance, pixel_jacobians, stack_rows
-from tracker.fusion.sparse import times
+from tracker.fusion.reports import _details
+from tracker.fusion.sparse import joined, times
 from tracker.fusion.state import initial_state
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -162,3 +163,35 @@ def test_spread_of_the_tips_is_the_trace(hand: HandModel, glove: GloveModel) -> 
     H = point_jacobians(state, layout, rows, layout.tip, np.zeros_like(layout.tip), none)
     plain = [np.sqrt(np.trace(h @ state.P @ h.T) / 3) for h in H]
     assert np.allclose(tip_sd(state, layout), plain)
+
+
+def test_joined_measurements_stand_side_by_side() -> None:
+    rng = np.random.default_rng(13)
+    first = (rng.normal(size=(4, 9)), rng.normal(size=(4, 9)), rng.normal(size=4))
+    second = (rng.normal(size=(3, 9)), rng.normal(size=(3, 9)), rng.normal(size=3))
+    R_1, variance = rng.normal(size=(4, 4)), rng.random(3)
+    *stacked, R = joined(*first, R_1, *second, variance)
+    for got, a, b in zip(stacked, first, second, strict=True):
+        assert np.array_equal(got, np.concatenate([a, b]))
+    assert np.array_equal(R[:4, :4], R_1) and np.array_equal(R[4:, 4:], np.diag(variance))
+    assert not R[:4, 4:].any() and not R[4:, :4].any()
+
+
+def test_details_of_a_picture_are_the_plain_ones() -> None:
+    """Residuals, sources, covariances and counts, marker by marker."""
+    rng = np.random.default_rng(14)
+    m, blobs = 6, 5
+    uv, prior = rng.normal(size=(2, m, 2)), rng.random((2, m))
+    match = np.array([[0, -1, 3, 2, -1, 4], [1, 2, -1, 0, -1, 3]])
+    seen, source = rng.normal(size=(2, blobs, 2)), rng.permutation(2 * blobs).reshape(2, blobs)
+    rows, S = np.array([0, 2, 3, 5]), rng.normal(size=(4, 2, 2))
+    residual, sources, cov, visible, stereo = _details(
+        uv, prior, rows, S, match, seen[0], source[0], seen[1], source[1]
+    )
+    for c in range(2):
+        hit = match[c] >= 0
+        assert np.array_equal(residual[hit, 2 * c : 2 * c + 2], (seen[c][match[c]] - uv[c])[hit])
+        assert np.isnan(residual[~hit, 2 * c : 2 * c + 2]).all()
+        assert np.array_equal(sources[c], np.where(hit, source[c][match[c]], -1))
+    assert np.array_equal(cov[rows], S) and np.isnan(np.delete(cov, rows, axis=0)).all()
+    assert np.array_equal(visible, prior.max(axis=0)) and stereo == 3

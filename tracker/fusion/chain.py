@@ -35,7 +35,7 @@ from tracker.fusion.prior import initial_covariance, reset_pose
 from tracker.fusion.profile import WearerProfile, profile_of, wear
 from tracker.fusion.propagate import carry, propagate
 from tracker.fusion.reports import calibration_of, frame_result
-from tracker.fusion.sparse import times
+from tracker.fusion.sparse import joined, times
 from tracker.fusion.start import Starter
 from tracker.fusion.state import ChainState, initial_state, inject
 from tracker.fusion.tilt import tilt_rows
@@ -280,20 +280,12 @@ class ChainEngine(LaggedEngine[ChainState]):
     ) -> None:
         """One stacked update: what was seen and anatomy, linearised at the same place."""
         H, r, variance = self._constraints.rows(self._state)
-        HP, R = times(H, self._state.P), np.diag(variance * self._how_often())
+        HP, variance = times(H, self._state.P), variance * self._how_often()
         if np.any(match >= 0):
-            H_px, HP_px, r_px, R_px = self._seen_rows(prediction, seen, match, pose)
-            H, HP, r = (
-                np.concatenate([H_px, H]),
-                np.concatenate([HP_px, HP]),
-                np.concatenate([r_px, r]),
-            )
-            R_px, R = R, R_px
-            both = np.zeros((len(r), len(r)))
-            both[: len(R), : len(R)] = R
-            both[len(R) :, len(R) :] = R_px
-            R = both
-        self._learn(H, HP, r, R)
+            rows = self._seen_rows(prediction, seen, match, pose)
+            self._learn(*joined(*rows, H, HP, r, variance))
+        else:
+            self._learn(H, HP, r, np.diag(variance))
         self._track.last_constraint = self._state.t
 
     def _seen_rows(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
@@ -67,28 +68,49 @@ def frame_result(
     match: IntArray,
 ) -> FrameResult:
     """What was made of a picture, in raw pixels."""
-    m = prediction.uv.shape[1]
-    residual = np.full((m, 4), np.nan)
-    source = np.full((2, m), -1, np.int64)
-    for c in range(2):
-        hit = np.flatnonzero(match[c] >= 0)
-        blob = match[c, hit]
-        residual[hit, 2 * c : 2 * c + 2] = seen[c].uv[blob] - prediction.uv[c, hit]
-        source[c, hit] = seen[c].source[blob]
-    cov = np.full((m, 2, 2), np.nan)
-    cov[prediction.rows] = prediction.S[0]
+    residual, source, cov, visible, stereo_points = _details(
+        prediction.uv, prediction.prior, prediction.rows, prediction.S[0], match,
+        seen[0].uv, seen[0].source, seen[1].uv, seen[1].source,
+    )  # fmt: skip
     return FrameResult(
         t=frame.t,
         tracking=tracking,
         predicted_left=_raw(rig.left, prediction.uv[0]),
         predicted_right=_raw(rig.right, prediction.uv[1]),
         predicted_cov=cov,
-        visible=np.maximum(*prediction.prior),
+        visible=visible,
         match_left=source[0],
         match_right=source[1],
         residual=residual,
-        stereo_points=int(np.count_nonzero((match[0] >= 0) & (match[1] >= 0))),
+        stereo_points=stereo_points,
     )
+
+
+@numba.njit(cache=True, nogil=True)
+def _details(  # type: ignore[no-untyped-def]
+    uv, prior, rows, S_left, match, left_uv, left_source, right_uv, right_source
+):  # fmt: skip
+    """residual (M, 4), source (2, M), cov (M, 2, 2), visible (M,), markers matched in both.
+
+    uv (2, M, 2) px and prior (2, M) expected, S_left (n, 2, 2) of the markers ``rows``, match
+    (2, M) rows of the blobs that each side's uv (k, 2) and source (k,) are of.
+    """
+    m = uv.shape[1]
+    residual, source = np.full((m, 4), np.nan), np.full((2, m), -1, np.int64)
+    cov, visible, stereo_points = np.full((m, 2, 2), np.nan), np.empty(m), 0
+    for j in range(m):
+        visible[j] = max(prior[0, j], prior[1, j])
+        stereo_points += match[0, j] >= 0 and match[1, j] >= 0
+        for c in range(2):
+            k = match[c, j]
+            if k >= 0:
+                blob = left_uv[k] if c == 0 else right_uv[k]
+                residual[j, 2 * c] = blob[0] - uv[c, j, 0]
+                residual[j, 2 * c + 1] = blob[1] - uv[c, j, 1]
+                source[c, j] = left_source[k] if c == 0 else right_source[k]
+    for k in range(len(rows)):
+        cov[rows[k]] = S_left[k]
+    return residual, source, cov, visible, stereo_points
 
 
 def _raw(camera: Camera, uv: Array) -> Array:
