@@ -57,6 +57,16 @@ def test_tracking_again_is_the_live_run_and_tells_the_same_twice(session, tmp_pa
         np.testing.assert_array_equal(live, [e.keypoints for e in estimates(path)])
 
 
+def test_smoothing_takes_the_same_poses(session, tmp_path):
+    live, smooth = tmp_path / "live.mcap", tmp_path / "smooth.mcap"
+    track(session, live, TrackOptions())
+    track(session, smooth, TrackOptions(smooth=True))
+    one, other = (np.array([e.keypoints for e in estimates(p)]) for p in (live, smooth))
+    assert one.shape == other.shape
+    late = len(one) // 2
+    assert np.nanmean(np.linalg.norm(one - other, axis=2)[late:]) < 0.004
+
+
 FED = ("ImuSample", "CameraImuSample", "BlobFrame")
 
 
