@@ -9,6 +9,8 @@ from app.tasks import Job, Progress
 from app.viewmodels.compare import Comparison
 from tracker.errors import FileError
 
+USUAL_SETTINGS = "usual"
+"""`tracker.offline.track.USUAL`, whose import takes a second."""
 TRACKING_SHARE = 0.9  # of the bar; the rest is the comparison
 
 
@@ -20,7 +22,8 @@ class TrackRequest:
     hand: str = ""
     glove: str = ""
     colours: str = ""
-    settings: str = ""
+    settings: str = ""  # a TOML file, or `USUAL_SETTINGS`
+    smooth: bool = False  # estimates that know the whole session
 
 
 def track_job(source: Path, out: Path, wanted: TrackRequest) -> Job:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QDialog,
     QDialogButtonBox,
@@ -13,14 +14,13 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QHBoxLayout,
     QLabel,
-    QLineEdit,
     QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.engine import ENGINES
-from app.track_again import TrackRequest
+from app.track_again import USUAL_SETTINGS, TrackRequest
 from tracker import library
 
 
@@ -40,8 +40,10 @@ class TrackDialog(QDialog):
         self.hand = self._choice("hands")
         self.glove = self._choice("gloves")
         self.colours = self._choice("colours")
-        self.settings = QLineEdit()
-        self.settings.setPlaceholderText(self.tr("the recorded ones"))
+        self.settings = QComboBox()
+        self.settings.addItem(self.tr("as recorded"), "")
+        self.settings.addItem(self.tr("the usual ones"), USUAL_SETTINGS)
+        self.smooth = QCheckBox(self.tr("every estimate knows the whole session (chain)"))
         column = QVBoxLayout(self)
         column.addWidget(self._about())
         column.addLayout(self._form())
@@ -71,7 +73,7 @@ class TrackDialog(QDialog):
         row = QHBoxLayout()
         row.addWidget(self.settings, 1)
         row.addWidget(choose)
-        settings = QLabel(self.tr("&Settings (TOML)"))
+        settings = QLabel(self.tr("&Settings"))
         settings.setBuddy(self.settings)
         form = QFormLayout()
         form.addRow(self.tr("&Engine"), self.engine)
@@ -79,6 +81,7 @@ class TrackDialog(QDialog):
         form.addRow(self.tr("&Glove"), self.glove)
         form.addRow(self.tr("&Colours"), self.colours)
         form.addRow(settings, row)
+        form.addRow(self.tr("S&mooth"), self.smooth)
         return form
 
     def _buttons(self) -> QDialogButtonBox:
@@ -92,7 +95,8 @@ class TrackDialog(QDialog):
     def _choose_settings(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, self.tr("Settings"), "", "*.toml")
         if path:
-            self.settings.setText(path)
+            self.settings.addItem(Path(path).name, path)
+            self.settings.setCurrentIndex(self.settings.count() - 1)
 
     def _start(self) -> None:
         self.wanted.emit(self.source, self.request())
@@ -105,5 +109,6 @@ class TrackDialog(QDialog):
             hand=self.hand.currentData(),
             glove=self.glove.currentData(),
             colours=self.colours.currentData(),
-            settings=self.settings.text().strip(),
+            settings=self.settings.currentData(),
+            smooth=self.smooth.isChecked(),
         )

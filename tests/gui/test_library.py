@@ -14,11 +14,13 @@ from app.export import CANCELLED, DONE, FAILED, WAITING, ExportQueue, ExportRequ
 from app.panels.compare_dialog import CompareDialog
 from app.panels.export_dialog import ExportDialog
 from app.panels.track_dialog import TrackDialog
-from app.tasks import TaskOwner
+from app.tasks import Progress, TaskOwner
+from app.track_again import USUAL_SETTINGS, TrackRequest, track_job
 from app.viewmodels.library import session_row
+from tracker.errors import ConfigError
 from tracker.messages import Estimate
 from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import TrackOptions, track
+from tracker.offline.track import USUAL, TrackOptions, track
 from tracker.pipeline import ENGINES as PIPELINE_ENGINES
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
@@ -169,7 +171,7 @@ def test_exports_wait_for_each_other_and_can_be_cancelled(qtbot, tmp_path, monke
 
 def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
     from app.export import export_job
-    from app.tasks import Cancelled, Progress
+    from app.tasks import Cancelled
 
     told = []
     progress = Progress(lambda share, _text: told.append(share))
@@ -237,5 +239,21 @@ def test_the_file_being_recorded_is_not_called_broken(recorded):
     assert not row.recoverable
 
 
+def test_settings_of_another_version_are_said_and_the_usual_ones_serve(recorded, tmp_path):
+    old = tmp_path / "old.mcap"
+    with SessionReader(recorded) as reader:
+        info = replace(reader.info, rig=reader.rig(), settings_text="[chain]\nwarp = 9\n")
+        with SessionRecorder(old, info, RecorderParams(sync=False)) as recorder:
+            for message in reader.messages():
+                recorder.write(message)
+    job = track_job(old, tmp_path / "new.mcap", TrackRequest())
+    with pytest.raises(ConfigError, match="Another version recorded old.mcap"):
+        job(Progress(lambda *_: None))
+    assert not (tmp_path / "new.mcap").exists()
+    usual = track_job(old, tmp_path / "new.mcap", TrackRequest(settings=USUAL_SETTINGS))
+    assert usual(Progress(lambda *_: None)).figures["compared"] > 200
+
+
 def test_the_dialog_offers_the_engines_that_there_are():
     assert set(ENGINES) == set(PIPELINE_ENGINES)
+    assert USUAL_SETTINGS == USUAL

@@ -39,6 +39,8 @@ from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.rig import StereoRig
 from tracker.workers import usable_cores
 
+USUAL = "usual"  # in place of a settings file: those of this version
+
 
 @dataclass(frozen=True)
 class TrackOptions:
@@ -49,7 +51,7 @@ class TrackOptions:
     glove: str = ""
     colours: str = ""
     with_sensors: bool = False
-    settings: str = ""  # path of a TOML file of `tracker.settings.Settings`
+    settings: str = ""  # path of a TOML file of `tracker.settings.Settings`, or `USUAL`
     smooth: bool = False  # estimates that know the whole session
     lenses: str = ""  # left or right: track with that one alone
 
@@ -106,7 +108,8 @@ def _run(
     def make(engine: str, rig: StereoRig) -> Pipeline:
         return Pipeline(info.hand, info.glove, rig, replace(settings, engine=engine))
 
-    same = settings == _settings(reader, TrackOptions()) and info.version == __version__
+    same = not options.settings and settings == _settings(reader, TrackOptions())
+    same = same and info.version == __version__
     if same and not (options.hand or options.glove or options.colours):
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
@@ -141,12 +144,26 @@ def _replacements(options: TrackOptions) -> dict[str, str]:
 
 def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
     """The recorded settings or those asked for, with another engine where one is asked for."""
-    text = read_text(Path(options.settings)) if options.settings else reader.info.settings_text
-    settings = from_toml(Settings, text, options.settings or SETTINGS) if text else Settings()
-    if not text and reader.info.engine in ENGINES:
-        settings = replace(settings, engine=reader.info.engine)
+    if options.settings and options.settings != USUAL:
+        settings = from_toml(Settings, read_text(Path(options.settings)), options.settings)
+    else:
+        settings = _recorded_settings(reader, options.settings == USUAL)
     changes: dict[str, Any] = {"engine": options.engine, "lenses": options.lenses}
     return replace(settings, **{name: value for name, value in changes.items() if value})
+
+
+def _recorded_settings(reader: SessionReader, engine_alone: bool) -> Settings:
+    """Raises ConfigError that says what to do where another version wrote them."""
+    text, engine = reader.info.settings_text, reader.info.engine
+    if engine_alone or not text:
+        return replace(Settings(), engine=engine) if engine in ENGINES else Settings()
+    try:
+        return from_toml(Settings, text, SETTINGS)
+    except ConfigError as error:
+        raise ConfigError(
+            f"Another version recorded {reader.path.name}, with settings that this one does not "
+            f"know ({str(error).rstrip('.')}). Track it with the usual settings."
+        ) from error
 
 
 def _output_info(
