@@ -66,9 +66,11 @@ def colours(theme: str) -> Colours:
 def apply(app: QApplication, theme: str) -> Colours:
     """Dress the whole application; returns what it wears now."""
     c = colours(theme)
-    app.setStyle("Fusion")
-    app.setPalette(_palette(c))
-    app.setStyleSheet(_style_sheet(c))
+    sheet = _style_sheet(c)
+    if app.styleSheet() != sheet:  # else it wears this already, and dressing takes half a second
+        app.setStyle("Fusion")
+        app.setPalette(_palette(c))
+        app.setStyleSheet(sheet)
     return c
 
 
