@@ -16,8 +16,8 @@ from tracker.calibration.stereo.files import save_calibration
 from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
 
-PICTURES = 4
-SECONDS = 4.0
+PICTURES = 2
+SECONDS = 2.0
 
 
 @pytest.fixture
@@ -31,10 +31,10 @@ def device():
     glove_device.stop()
 
 
-@pytest.fixture
-def film(tmp_path):
+@pytest.fixture(scope="module")
+def film(tmp_path_factory):
     """A side-by-side film of the simulated hand."""
-    path = tmp_path / "stereo.avi"
+    path = tmp_path_factory.mktemp("film") / "stereo.avi"
     size = (2 * 1280, 720)
     writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, size)
     pairs = [frame_and_blobs(30 + i)[0] for i in range(PICTURES)]
