@@ -50,11 +50,15 @@ opens() { # name, then the command: seconds until its window is there; the progr
     timeout 120 xdotool search --sync --onlyvisible --name Glovetrack >/dev/null
     LC_ALL=C printf '%-12s %6.2f s\n' "$what" "$(bc <<<"$EPOCHREALTIME - $begun")"
     kill $program && { wait $program || true; }
-    while xdotool search --onlyvisible --name Glovetrack >/dev/null; do sleep 0.1; done
+    for _ in {1..100}; do # until the window is gone
+        xdotool search --onlyvisible --name Glovetrack >/dev/null || break
+        sleep 0.1
+    done
 }
 
 source_run() { # the same program from this checkout, for comparison
-    HOME=$out/home DISPLAY=$display .venv/bin/python -m app
+    export HOME=$out/home
+    exec .venv/bin/python -m app # so that it is this program that is killed
 }
 
 step version inside glovetrack --version
