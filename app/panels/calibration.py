@@ -22,6 +22,7 @@ from app.panels.wearer_row import WearerRow
 from app.session import Session
 from app.settings import SettingsStore
 from app.viewmodels.calibration import CalibrationView, Cell, calibration_view
+from app.viewmodels.camera_time import camera_time
 from app.viewmodels.snapshot import Snapshot
 from app.wearers import WearerStore
 from app.widgets.meter import SHARE_ROLE, MeterDelegate
@@ -60,6 +61,11 @@ class CalibrationPanel(Panel):
     def _make_widgets(self) -> None:
         self.length = QLabel("–")
         self.length.setProperty("role", "figure")
+        self.camera_time = QLabel("–")
+        self.camera_time.setProperty("role", "figure")
+        self.camera_time.setToolTip(
+            self.tr("How late pictures are stamped, from the motion of the hand and its gyroscope")
+        )
         self.overall = QProgressBar()
         self.overall.setRange(0, 100)
         self.overall.setFormat(self.tr("settled: %p %"))
@@ -73,6 +79,8 @@ class CalibrationPanel(Panel):
         head.setSpacing(12)
         head.addWidget(QLabel(self.tr("Hand length")))
         head.addWidget(self.length)
+        head.addWidget(QLabel(self.tr("Pictures")))
+        head.addWidget(self.camera_time)
         head.addStretch(1)
         head.addWidget(self.overall)
         column = QVBoxLayout(self)
@@ -204,6 +212,7 @@ class CalibrationPanel(Panel):
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or view.calibration is None:
             return
+        self.camera_time.setText(camera_time(view.status))
         self._latest = view.calibration
         self.wearer.set_segments(view.calibration.segments)
         self._draw()
