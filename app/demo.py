@@ -130,8 +130,6 @@ def _info(
 
 def _warm_up(simulation: Simulation, detector: Detector) -> None:
     """A picture and a second of points: kernels are compiled before the clock runs."""
-    index, t, arrival = next(simulation.exposures())
-    detect_frame(detector, simulation.renderer.frame(t, arrival, index))
     hand, glove = simulation.hand, simulation.glove
     motion = RandomPostures(hand, simulation.seed, duration=WARM_UP)
     short = Simulation(hand, glove, motion, simulation.seed, fps=30.0)
@@ -142,6 +140,12 @@ def _warm_up(simulation: Simulation, detector: Detector) -> None:
         elif isinstance(message, BlobFrame):
             pipeline.feed_frame(message)
     pipeline.calibration()
+    index, t, arrival = next(simulation.exposures())
+    frame, names = simulation.renderer.frame(t, arrival, index), detector.profile.hue_names
+    detect_frame(detector, frame)
+    expected = pipeline.outlook(short.duration)
+    if expected is not None:
+        detect_frame(detector, frame, expected.hints(short.rig, expected.t, short.rig.pose, names))
 
 
 class TruthfulRecorder:
