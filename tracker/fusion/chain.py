@@ -190,7 +190,7 @@ class ChainEngine(LaggedEngine[ChainState]):
         looked = self.tracking == Tracking.LOST and max(len(s.uv) for s in seen) >= MANY_MARKERS
         since = min(self._track.in_vain_since, frame.t)
         self._track.in_vain_since = since if looked else np.inf
-        if self._params.bundle.enabled and self._held is None:
+        if self._params.bundle.enabled and self._held is None and self._known is None:
             self._calibrate(seen, match, pose)
 
     def _calibrate(self, seen: tuple[SeenBlobs, ...], match: IntArray, pose: CameraPose) -> None:
@@ -423,6 +423,7 @@ class ChainEngine(LaggedEngine[ChainState]):
         """Forget what was learned of some segments, or (None) of all of them."""
         if self._held is not None:
             wear(self._state, self._layout, self._held)
+        self._work = BundleWork()
         names = self._layout.names if segments is None else segments
         control.reset_calibration(self._state, self._layout, self._params.prior, names)
         known = segments is not None and self._starter.profile is not None
