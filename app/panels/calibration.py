@@ -62,7 +62,6 @@ class CalibrationPanel(Panel):
         self.length = QLabel("–")
         self.length.setProperty("role", "figure")
         self.camera_time = QLabel("–")
-        self.camera_time.setProperty("role", "figure")
         self.camera_time.setToolTip(
             self.tr("How late pictures are stamped, from the motion of the hand and its gyroscope")
         )
