@@ -1,6 +1,7 @@
 """From the demo to an exported file through the window's own commands, on the real engine."""
 
 import csv
+import multiprocessing
 
 import numpy as np
 import pytest
@@ -64,6 +65,17 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     half = 0.5 * player.duration
     qtbot.waitUntil(lambda: half - 0.01 <= player.position <= player.duration, timeout=30_000)
     assert not demo.commands.actions["record"].isEnabled()
+
+
+@pytest.mark.timeout(180)
+def test_a_camera_process_that_is_killed_is_said_and_the_glove_goes_on(demo, qtbot):
+    [camera] = [p for p in multiprocessing.active_children() if "camera" in p.name]
+    camera.kill()
+    entries = demo.log.model.entries
+    qtbot.waitUntil(lambda: entries("device", "camera has ended") != [], timeout=20_000)
+    before = demo.session.snapshot().estimate.t
+    qtbot.waitUntil(lambda: demo.session.snapshot().estimate.t > before + 0.5, timeout=20_000)
+    assert demo.session.running
 
 
 @pytest.mark.timeout(180)

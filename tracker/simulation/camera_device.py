@@ -74,6 +74,7 @@ class SimulatedCamera:
     def read(self, timeout: float) -> StereoFrame | None:
         """The next picture pair at its time of arrival; None if none comes within ``timeout``."""
         if self._closed:
+            time.sleep(timeout)  # whoever asks in a loop shall not spin
             return None
         try:
             if not self._pipe.poll(timeout):
@@ -87,7 +88,8 @@ class SimulatedCamera:
         if wait > 0:
             time.sleep(min(wait, 1.0))
         frame = self._frame(drawn, max(due, seconds(time.monotonic_ns())))
-        self._pipe.send(drawn.slot)
+        with contextlib.suppress(OSError):  # ended meanwhile: the next call says so
+            self._pipe.send(drawn.slot)
         return frame
 
     def _frame(self, drawn: _Drawn, arrival: float) -> StereoFrame:
