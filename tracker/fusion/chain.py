@@ -195,11 +195,12 @@ class ChainEngine(LaggedEngine[ChainState]):
 
     def _calibrate(self, seen: tuple[SeenBlobs, ...], match: IntArray, pose: CameraPose) -> None:
         """Remember this posture if it is worth it, and go a step on with the keyframes' bundle."""
-        around = tuple(self._buffer.at(self._state.t + d) for d in AROUND)
-        frame = keyframe_of(
-            self._state, self._layout, seen, match, pose, around, self._params.bundle
-        )
-        self._bundle.offer(self._work, frame)
+        if self._bundle.wants(self._work, self._state.t):
+            around = tuple(self._buffer.at(self._state.t + d) for d in AROUND)
+            frame = keyframe_of(
+                self._state, self._layout, seen, match, pose, around, self._params.bundle
+            )
+            self._bundle.offer(self._work, frame)
         found = self._bundle.step(self._work, self._state)
         if found is not None:
             adopt(self._state, self._layout, found)

@@ -22,6 +22,7 @@ from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.vision.rig import StereoRig
 
+ASK_EVERY = 0.1  # s
 POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filter had it
 
 
@@ -29,6 +30,7 @@ POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filte
 class BundleWork:
     """What changes: remembered postures and, while a solution is made, the sums so far."""
 
+    asked_at: float = -np.inf
     next_at: float = np.nan
     pause: float = 0.0
     keyframes: Keyframes = field(default_factory=Keyframes)
@@ -54,6 +56,13 @@ class Bundle:
         self._moves = np.r_[0:3, layout.theta : n]
         self._stiff: Array = np.full(len(self._moves), params.bundle.orientation**-2)
         self._stiff[:3] = POSITION_SD**-2
+
+    def wants(self, work: BundleWork, t: float) -> bool:
+        """Whether it is time to look at a posture: hands do not bend much faster."""
+        if t - work.asked_at < ASK_EVERY:
+            return False
+        work.asked_at = t
+        return True
 
     def offer(self, work: BundleWork, frame: Keyframe | None) -> None:
         """Remember a posture."""
