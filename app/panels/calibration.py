@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QProgressBar,
@@ -25,6 +24,7 @@ from app.viewmodels.calibration import CalibrationView, Cell, calibration_view
 from app.viewmodels.camera_time import camera_time
 from app.viewmodels.snapshot import Snapshot
 from app.wearers import WearerStore
+from app.widgets.flow_layout import FlowLayout
 from app.widgets.meter import SHARE_ROLE, MeterDelegate
 from tracker.errors import GlovetrackError
 from tracker.fusion.profile_file import WearerFile
@@ -74,13 +74,11 @@ class CalibrationPanel(Panel):
         self.table = self._table()
 
     def _lay_out(self) -> None:
-        head = QHBoxLayout()
-        head.setSpacing(12)
+        head = FlowLayout(spacing=12)
         head.addWidget(QLabel(self.tr("Hand length")))
         head.addWidget(self.length)
         head.addWidget(QLabel(self.tr("Pictures")))
         head.addWidget(self.camera_time)
-        head.addStretch(1)
         head.addWidget(self.overall)
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 8, 8, 8)

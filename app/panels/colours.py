@@ -9,11 +9,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
-    QButtonGroup,
     QFileDialog,
-    QGridLayout,
     QLabel,
-    QRadioButton,
     QVBoxLayout,
     QWidget,
 )
@@ -22,6 +19,7 @@ from app.colour_store import ColourStore, write_text_safely
 from app.engine import EngineSetup
 from app.kept_pictures import Picture, PictureFolder
 from app.panels.colours_fitting import ColoursFitting
+from app.panels.colours_hues import ColoursHues
 from app.panels.colours_source import ColoursSource
 from app.panels.colours_tools import ColoursTools
 from app.panels.panel import Panel
@@ -46,7 +44,6 @@ from app.viewmodels.colours import (
     with_range,
 )
 from app.viewmodels.snapshot import Snapshot
-from app.widgets.chip import Chip
 from app.widgets.hue_strip import HueStrip
 from app.widgets.overlay import Ring
 from app.widgets.picture_view import PictureView
@@ -105,11 +102,8 @@ class ColoursPanel(Panel):
     # --- widgets
 
     def _make_widgets(self) -> None:
-        self._hues = QGridLayout()
-        self._hues.setHorizontalSpacing(4)
-        self._group = QButtonGroup(self)
-        self._group.idClicked.connect(self.choose_hue)
-        self._chips: list[Chip] = []
+        self.hues = ColoursHues()
+        self.hues.chosen.connect(self.choose_hue)
         self.strip = HueStrip()
         self.mask_view = PictureView(self.tr("Mask"), self.tr("No picture yet"))
         self.mask_view.picked.connect(self._picked)
@@ -127,7 +121,7 @@ class ColoursPanel(Panel):
         """Ranges beside the picture where the panel is wide, above it where it is narrow."""
         ranges, picture = QVBoxLayout(), QVBoxLayout()
         ranges.setSpacing(4)
-        ranges.addLayout(self._hues)
+        ranges.addWidget(self.hues)
         for row in self.rows.values():
             ranges.addWidget(row)
         ranges.addWidget(self.strip)
@@ -175,7 +169,7 @@ class ColoursPanel(Panel):
         kept = self.keeper.open(setup.camera, setup.profile)
         self._history = ProfileHistory(kept or setup.profile)
         self._hue = 0
-        self._fill_hues(setup.profile)
+        self.hues.fill(setup.profile.hue_names)
         self.fitting.open(setup.glove, setup.profile)
         camera = self.keeper.camera or "replays"
         self.source.set_folder(PictureFolder(self._folder / SETTINGS_PICTURES / camera))
@@ -185,26 +179,9 @@ class ColoursPanel(Panel):
         if kept is not None:
             self.session.set_profile(kept)
 
-    def _fill_hues(self, profile: ColourProfile) -> None:
-        """A button and a chip for each hue."""
-        for button in self._group.buttons():
-            self._group.removeButton(button)
-            button.deleteLater()
-        for chip in self._chips:
-            chip.deleteLater()
-        self._chips = []
-        for i, hue in enumerate(profile.hues):
-            button = QRadioButton(hue.name)
-            self._group.addButton(button, i)
-            chip = Chip()
-            chip.setMinimumWidth(self.fontMetrics().horizontalAdvance("● 9.5 of 99") + 12)
-            self._chips.append(chip)
-            self._hues.addWidget(button, i // 2, 2 * (i % 2))
-            self._hues.addWidget(chip, i // 2, 2 * (i % 2) + 1)
-
     def choose_hue(self, index: int) -> None:
         self._hue = index
-        self._group.button(index).setChecked(True)
+        self.hues.choose(index)
         self._show_ranges()
         self._draw()
 
@@ -390,8 +367,7 @@ class ColoursPanel(Panel):
         if current is None or profile is None:
             return
         rows = self._rows()
-        for chip, row in zip(self._chips, rows, strict=True):
-            chip.show_state(row.look.colour, row.look.sign, row.count, row.clash or row.tip)
+        self.hues.show_rows(rows)
         self._show_warnings(rows)
         picture = self.source.picture()
         if picture is None:

@@ -160,7 +160,7 @@ def test_a_kept_picture_is_tuned_on_while_the_live_one_moves(colours, engine, qt
     size = float(models()[1].marker_size.mean())
     fx = colours.session.setup.rig.fx
     found = Detector(colours.profile, size, fx).detect(picture.right)[0]
-    assert colours._chips[0].text() == f"{int((found.hue == 0).sum())}"
+    assert colours.hues.chips[0].text() == f"{int((found.hue == 0).sum())}"
     colours.source.choice.setCurrentIndex(0)
     qtbot.waitUntil(
         lambda: colours.source.picture() is frame_and_blobs(60)[0].right, timeout=30_000
