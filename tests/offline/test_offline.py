@@ -8,9 +8,11 @@ import pytest
 
 from tracker.cli import main
 from tracker.errors import FileError
-from tracker.messages import Estimate
+from tracker.messages import Estimate, StereoFrame
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import TrackOptions, track
+from tracker.session.compare import compare
+from tracker.session.pictures import PackedFrame
 from tracker.session.reader import SessionReader
 
 
@@ -24,6 +26,14 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def estimates(path: Path) -> list[Estimate]:
     with SessionReader(path) as reader:
         return [m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)]
+
+
+def pictures(path: Path) -> list[bytes]:
+    with SessionReader(path) as reader:
+        frames = reader.packed_messages((StereoFrame,))
+        found = [p.data for f in frames if isinstance(f, PackedFrame) for p in f.parts.values()]
+    assert len(found) > 50
+    return found
 
 
 def test_tracks_a_simulated_session(session: Path, tmp_path: Path) -> None:
@@ -60,8 +70,13 @@ def test_another_engine_by_command_line(
 def test_pictures_are_searched_where_there_are_no_blobs(tmp_path: Path) -> None:
     path = tmp_path / "pictures.mcap"
     simulate(path, SimulateOptions(seed=2, duration=2.0, fps=15))
-    report = track(path, tmp_path / "out.mcap", TrackOptions(colours="fabric-default"))
+    options = TrackOptions(colours="fabric-default", with_sensors=True)
+    report = track(path, tmp_path / "out.mcap", options)
     assert report.error_mm["mean"] < 12 and report.frames > 25
+    assert pictures(path) == pictures(tmp_path / "out.mcap"), "copied byte for byte"
+    track(tmp_path / "out.mcap", tmp_path / "again.mcap", TrackOptions(with_sensors=True))
+    assert pictures(path) == pictures(tmp_path / "again.mcap")
+    assert compare(tmp_path / "out.mcap", tmp_path / "again.mcap")["identical"]
 
 
 @pytest.mark.parametrize(

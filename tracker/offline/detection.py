@@ -16,19 +16,23 @@ AHEAD = 12  # pairs of pictures unpacked before the engine asks for them: 65 MB 
 
 
 def detected(
-    messages: Iterable[Decoded], detector: Detector, threads: int
-) -> Iterator[_Packet | BlobFrame]:
+    messages: Iterable[Decoded], detector: Detector, threads: int, keep: bool = False
+) -> Iterator[_Packet | PackedFrame | BlobFrame]:
     """Packets as they are and what is found in the pictures, in the order of ``messages``.
+
+    With ``keep`` each pair of pictures comes too, before what is found in it.
 
     Unpacking and detection hold no interpreter lock and depend on nothing but their picture, so
     the result is the same with any number of ``threads``.
     """
-    waiting: deque[_Packet | Future[BlobFrame]] = deque()
+    waiting: deque[_Packet | PackedFrame | Future[BlobFrame]] = deque()
     pictures = 0
     pool = ThreadPoolExecutor(threads, "glovetrack-detect")
     try:
         for message in messages:
             if isinstance(message, PackedFrame):
+                if keep:
+                    waiting.append(message)
                 waiting.append(pool.submit(_find, detector, message))
                 pictures += 1
             elif isinstance(message, ImuSample | CameraImuSample):
@@ -46,5 +50,7 @@ def _find(detector: Detector, frame: PackedFrame) -> BlobFrame:
     return detect_frame(detector, frame.unpack())
 
 
-def _ready(item: _Packet | Future[BlobFrame]) -> _Packet | BlobFrame:
+def _ready(
+    item: _Packet | PackedFrame | Future[BlobFrame],
+) -> _Packet | PackedFrame | BlobFrame:
     return item.result() if isinstance(item, Future) else item

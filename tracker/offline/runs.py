@@ -24,10 +24,11 @@ from tracker.offline.report import Counter, TrackReport, TruthCheck
 from tracker.offline.smooth import Smoother
 from tracker.pipeline import Pipeline
 from tracker.session import engine_state
+from tracker.session.pictures import PackedFrame
 from tracker.session.writer import SessionRecorder
 from tracker.vision.rig import StereoRig
 
-Sensed = ImuSample | CameraImuSample | BlobFrame
+Sensed = ImuSample | CameraImuSample | BlobFrame | PackedFrame
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
 
@@ -54,6 +55,9 @@ class Output:
 
     def message(self, message: Sensed) -> None:
         """A message as it was fed; before its estimate."""
+        if isinstance(message, PackedFrame):
+            self._recorder.write_packed(message)
+            return
         if self._with_sensors:
             self._recorder.write(message)
         self.report.frames += isinstance(message, BlobFrame)
@@ -101,6 +105,8 @@ class LiveRun:
         while self._changes and self._changes[0][0] <= message.t_arrival:
             self._change(*self._changes.popleft())
         self._output.message(message)
+        if isinstance(message, PackedFrame):
+            return
         if isinstance(message, BlobFrame):
             self._pipeline.feed_frame(message)
         elif isinstance(message, CameraImuSample):
@@ -142,6 +148,9 @@ class SmoothRun:
         self._smoother, self._output, self._camera = smoother, output, camera
 
     def feed(self, message: Sensed) -> None:
+        if isinstance(message, PackedFrame):
+            self._output.message(message)
+            return
         if isinstance(message, CameraImuSample):
             self._output.message(message)
             self._camera.feed(message)

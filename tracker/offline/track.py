@@ -193,13 +193,15 @@ def _messages(
     there are none, the pictures are searched.
     """
     has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
+    keep = options.with_sensors
     if has_blobs and not options.colours:
-        return reader.messages((ImuSample, CameraImuSample, BlobFrame))  # type: ignore[return-value]
+        kinds = (ImuSample, CameraImuSample, BlobFrame, *((StereoFrame,) if keep else ()))
+        return reader.packed_messages(kinds)  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
         what = "no pictures to try other colours on" if has_blobs else "neither blobs nor pictures"
         raise FileError(f"{reader.path} holds {what}.")
     packed = reader.packed_messages((ImuSample, CameraImuSample, StereoFrame))
-    return detected(packed, make_detector(profile_of(info), info), threads)
+    return detected(packed, make_detector(profile_of(info), info), threads, keep)
 
 
 def profile_of(info: SessionInfo) -> ColourProfile:

@@ -31,6 +31,7 @@ from tracker.session.container import COMPRESSION, McapOutput
 from tracker.session.description import METADATA, SessionInfo
 from tracker.session.disk import DiskError, automatic_path, free_bytes
 from tracker.session.encode import Encoder, Out
+from tracker.session.pictures import PackedFrame
 from tracker.vision.rig import StereoRig
 
 PICTURES = ("jpeg", "png", "none")
@@ -168,6 +169,17 @@ class SessionRecorder:
                 return self._encoder.event(message)
             case FrameResult() | EngineState():
                 return iter(())
+
+    def write_packed(self, frame: PackedFrame) -> None:
+        """Pictures of another session, byte for byte."""
+        self._guarded(lambda out: self._put(out, self._packed(frame)))
+
+    def _packed(self, frame: PackedFrame) -> Iterator[Out]:
+        yield from self._encoder.camera_pose(frame.t, frame.t_arrival, frame.pose)
+        for camera, part in frame.parts.items():
+            yield self._encoder.image(
+                camera, frame.t, frame.t_arrival, frame.index, part.format, part.data
+            )
 
     def write_truth(self, truth: Estimate) -> None:
         """What a simulated hand really did at an instant."""
