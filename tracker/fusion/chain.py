@@ -6,14 +6,13 @@ in `tilt`, from anatomy in `constraints`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from tracker.fusion import calibration_control as control
-from tracker.fusion.bundle.keyframes import keyframe_of
-from tracker.fusion.bundle.solver import Bundle, BundleWork, adopt
+from tracker.fusion.bundle.solver import Bundle, BundleWork
+from tracker.fusion.chain_calibration import AROUND, CalibratedChain
 from tracker.fusion.chain_kinematics import marker_positions, segment_positions, tip_sd
 from tracker.fusion.constraints import Constraints
 from tracker.fusion.imu_buffer import Intervals
@@ -34,7 +33,7 @@ from tracker.fusion.previous import Previous
 from tracker.fusion.prior import initial_covariance, reset_pose
 from tracker.fusion.profile import WearerProfile, profile_of, wear
 from tracker.fusion.propagate import carry, propagate
-from tracker.fusion.reports import calibration_of, frame_result
+from tracker.fusion.reports import frame_result
 from tracker.fusion.sparse import joined, times
 from tracker.fusion.start import Starter
 from tracker.fusion.state import ChainState, initial_state, inject
@@ -45,7 +44,6 @@ from tracker.hand.model import HandModel
 from tracker.messages import (
     Array,
     BlobFrame,
-    Calibration,
     CameraPose,
     Estimate,
     ImuSample,
@@ -58,7 +56,6 @@ MANY_MARKERS = 6  # in a picture that shows the hand
 SEEN_LATELY = 0.5  # s
 IN_VAIN = 0.3  # s of pictures with markers in which a lost hand is not found as it was last
 KEEP_CALIBRATION = 5.0  # s after which a hand that is still lost is looked for without it
-AROUND = (-0.01, 0.0, 0.01)  # s: neighbours that give an angular acceleration
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
@@ -80,7 +77,7 @@ class _Track:
     tip_sd: Array = field(default_factory=lambda: np.zeros(0))  # (A,)
 
 
-class ChainEngine(LaggedEngine[ChainState]):
+class ChainEngine(CalibratedChain):
     """Visual-inertial filter on a chain of segments. One instance per hand."""
 
     _KEPT = (*LaggedEngine._KEPT, "_track", "_held", "_known", "_guide", "_work")
@@ -91,7 +88,7 @@ class ChainEngine(LaggedEngine[ChainState]):
         check_variant(params.guide, params.coupling)
         self._params, self._rig = params, rig
         self._still = control.without_walks(params)
-        self._held: WearerProfile | None = None  # the calibration while it is frozen
+        self._held = None
         self._guide: Previous | None = None  # only where correspondence is made from it
         self._layout = layout = ChainLayout(hand, glove)
         state = initial_state(layout)
@@ -192,18 +189,6 @@ class ChainEngine(LaggedEngine[ChainState]):
         self._track.in_vain_since = since if looked else np.inf
         if self._params.bundle.enabled and self._held is None and self._known is None:
             self._calibrate(seen, match, pose)
-
-    def _calibrate(self, seen: tuple[SeenBlobs, ...], match: IntArray, pose: CameraPose) -> None:
-        """Remember this posture if it is worth it, and go a step on with the keyframes' bundle."""
-        if self._bundle.wants(self._work, self._state.t):
-            around = tuple(self._buffer.at(self._state.t + d) for d in AROUND)
-            frame = keyframe_of(
-                self._state, self._layout, seen, match, pose, around, self._params.bundle
-            )
-            self._bundle.offer(self._work, frame)
-        found = self._bundle.step(self._work, self._state)
-        if found is not None:
-            adopt(self._state, self._layout, found)
 
     def _search_again(
         self,
@@ -394,57 +379,3 @@ class ChainEngine(LaggedEngine[ChainState]):
         p_G = marker_positions(self._head_at(t), self._layout)
         sd = self._track.tip_sd[self._layout.marker_segment]
         return p_G, sd, np.arange(len(p_G))
-
-    def calibration(self) -> Calibration:
-        if self._held is not None:
-            shown = control.with_held(self._state, self._layout, self._held)
-            return calibration_of(self._layout, shown)
-        return calibration_of(self._layout, self._state)
-
-    @property
-    def _known(self) -> WearerProfile | None:
-        """What every new start begins with."""
-        return self._starter.profile
-
-    @_known.setter
-    def _known(self, profile: WearerProfile | None) -> None:
-        self._starter.profile = profile
-
-    def profile(self) -> WearerProfile:
-        """What has been learned of the wearer."""
-        return self._held or profile_of(self._state, self._layout)
-
-    def put_on(self, profile: WearerProfile) -> None:
-        """Take what is known of the wearer, now and at each new start."""
-        self._starter.profile = profile
-        wear(self._state, self._layout, profile)
-        self._keep_frozen()
-
-    def reset_calibration(self, segments: Sequence[str] | None = None) -> None:
-        """Forget what was learned of some segments, or (None) of all of them."""
-        if self._held is not None:
-            wear(self._state, self._layout, self._held)
-        self._work = BundleWork()
-        names = self._layout.names if segments is None else segments
-        control.reset_calibration(self._state, self._layout, self._params.prior, names)
-        known = segments is not None and self._starter.profile is not None
-        self._starter.profile = profile_of(self._state, self._layout) if known else None
-        self._keep_frozen()
-
-    def freeze_calibration(self, on: bool) -> None:
-        """Hold the calibration as it is now, or go on estimating it from there."""
-        if not on and self._held is not None:
-            wear(self._state, self._layout, self._held)
-        self._held = profile_of(self._state, self._layout) if on else None
-        self._keep_frozen()
-
-    def _keep_frozen(self) -> None:
-        """After a change of the calibration: hold the new one if it is frozen."""
-        if self._held is not None:
-            self._held = profile_of(self._state, self._layout)
-            control.hold_calibration(self._state, self._layout)
-        self._rebuild_head()
-
-    @property
-    def layout(self) -> ChainLayout:
-        return self._layout
