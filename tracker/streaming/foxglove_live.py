@@ -11,6 +11,7 @@ entity's metadata tells every keypoint's state in words.
 
 from __future__ import annotations
 
+import socket
 import time
 from typing import Any
 
@@ -25,6 +26,7 @@ from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import LOOPBACK, STATE_WORDS, Names, StreamError
 
 DEFAULT_PORT = 8765  # where Foxglove looks by itself
+CLOSE_WAIT = 1.0  # s
 BACKLOG = 64  # messages kept per client; the oldest go first
 FRAME = "world"
 LIFETIME = fg.Duration(1)  # of a hand in the view after the last estimate
@@ -65,7 +67,7 @@ class FoxglovePublisher:
         topic = f"/glovetrack/{names.side}"
         self._json = foxglove.Channel(topic, schema=json_schema(names), context=context)
         self._scene = SceneUpdateChannel(f"{topic}/scene", context=context)
-        self._closed = False
+        self._closed, self._host = False, host
         self.port = self._server.port
         self.name = f"Foxglove at {host}:{self.port}"
 
@@ -89,6 +91,17 @@ class FoxglovePublisher:
             self._json.close()
             self._scene.close()
             self._server.stop()
+            self._wait_until_free()
+
+    def _wait_until_free(self) -> None:
+        """The SDK frees its port a moment after `stop`; whoever opens it next must not find it."""
+        end = time.monotonic() + CLOSE_WAIT
+        while time.monotonic() < end:
+            try:
+                socket.create_connection((self._host, self.port), 0.1).close()
+            except OSError:
+                return
+            time.sleep(0.02)
 
     def _update(self, e: Estimate, stamp: int) -> fg.SceneUpdate:
         states = [Validity(int(s)) for s in e.keypoint_state]
