@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tracker.geometry import so3
 from tracker.glove.model import GloveModel, Imu, Marker
 from tracker.hand.model import HandModel
 
@@ -48,11 +49,13 @@ def with_imus(hand: HandModel, glove: GloveModel, count: int) -> GloveModel:
 
 
 def with_markers(glove: GloveModel, count: int) -> GloveModel:
-    """``count`` markers: the glove's own again and again, each time 4 mm further along."""
+    """``count`` markers: the glove's own again, each time a quarter turn about the segment's axis.
+
+    So they do not overlap those that are there already.
+    """
     markers: list[Marker] = []
     for k in range(count):
         again, m = divmod(k, len(glove.markers))
-        old = glove.markers[m]
-        position = old.position + [0.004 * again, 0.0, 0.0]
-        markers.append(replace(old, id=k, position=position))
+        old, turn = glove.markers[m], so3.rx(again * np.pi / 2)
+        markers.append(replace(old, id=k, position=turn @ old.position, normal=turn @ old.normal))
     return replace(glove, markers=tuple(markers))
