@@ -3,13 +3,14 @@
 import argparse
 import io
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tracker.errors import ConfigError
 from tracker.evaluation.commands import add_commands
-from tracker.evaluation.metrics import Trial
+from tracker.evaluation.metrics import Trial, summarise
 from tracker.evaluation.report import write_report
 from tracker.evaluation.vist_cases import (
     ABLATIONS,
@@ -21,7 +22,7 @@ from tracker.evaluation.vist_cases import (
 )
 from tracker.evaluation.vist_command import cases_of
 from tracker.evaluation.vist_run import Progress, run_cases
-from tracker.evaluation.vist_table import row_of
+from tracker.evaluation.vist_table import line_of, row_of
 from tracker.evaluation.vist_trial import owners
 from tracker.messages import BlobFrame, ImuSample
 from tracker.settings import Settings
@@ -95,6 +96,14 @@ def test_variants_have_a_table_and_a_figure_of_their_own(tmp_path):
     assert page.count("segment poses from vision alone") == 2
     assert (tmp_path / "free-variants.png").is_file()
     assert (tmp_path / "head-variants.png").is_file()
+
+
+def test_what_is_not_known_is_a_dash_in_the_table():
+    unknown = replace(a_trial(0), sd=np.full((200, 4), np.nan), matches=0)
+    line = line_of(Case("free", "vist", ablation="imu-only-5s"), summarise([unknown]))
+    assert "nan" not in line
+    assert line.count("–") == 2
+    assert "–" not in line_of(Case("free", "vist"), summarise([a_trial(0)]))
 
 
 def a_trial(participant: int) -> Trial:

@@ -54,9 +54,14 @@ def line_of(case: Case, summary: Summary) -> str:
         f"{case.experiment:<11} {case.engine:<7} {_variant(case):<32} "
         f"{summary.mean_mm:6.2f} ± {summary.sd_mm:5.2f} mm {summary.pck20:6.1f} "
         f"{summary.pck35:6.1f} {summary.matched_mean:5.1f} "
-        f"{100 * summary.wrong_match_rate:7.2f} {summary.nees_per_dof:5.2f} "
+        f"{_known(100 * summary.wrong_match_rate, 7)} {_known(summary.nees_per_dof, 5)} "
         f"{summary.core_s_per_s:5.3f}"
     )
+
+
+def _known(value: float, width: int) -> str:
+    """Two digits, or a dash where there is nothing to tell, as of a place nobody saw."""
+    return f"{value:{width}.2f}" if math.isfinite(value) else f"{'–':>{width}}"
 
 
 def _variant(case: Case) -> str:
