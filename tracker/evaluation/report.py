@@ -84,7 +84,7 @@ def _head(cases: Sequence[Case], trials: Sequence[Sequence[Trial]]) -> str:
     people = max((len(t) for t in trials), default=0)
     minutes = sorted({round(c.minutes, 2) for c in cases})
     return (
-        f"<p>The protocol of Lee et al. 2021 with {people} simulated participants, "
+        f"<p>The protocol of Lee et al. 2021 with {people} simulated participant{'s' * (people != 1)}, "
         f"{' and '.join(f'{m:g}' for m in minutes)} minutes a trial. Errors are of four keypoints "
         f"({', '.join(k.replace('_', ' ') for k in KEYPOINTS)}); 3D-PCK is the share of instants "
         "at which the worst of the four is within the bound; an instant that the tracker calls "
@@ -155,7 +155,7 @@ def _row(name: str, values: dict[str, Any], kind: str) -> str:
 
 
 def _cell(value: Any, digits: int) -> str:
-    if value is None:
+    if value is None or value == [None, None]:
         return "–"
     if isinstance(value, list | tuple):
         return " to ".join(_cell(v, digits) for v in value)
