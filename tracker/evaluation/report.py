@@ -84,7 +84,8 @@ def _head(cases: Sequence[Case], trials: Sequence[Sequence[Trial]]) -> str:
     people = max((len(t) for t in trials), default=0)
     minutes = sorted({round(c.minutes, 2) for c in cases})
     return (
-        f"<p>The protocol of Lee et al. 2021 with {people} simulated participant{'s' * (people != 1)}, "
+        f"<p>The protocol of Lee et al. 2021 with {people} simulated "
+        f"participant{'s' * (people != 1)}, "
         f"{' and '.join(f'{m:g}' for m in minutes)} minutes a trial. Errors are of four keypoints "
         f"({', '.join(k.replace('_', ' ') for k in KEYPOINTS)}); 3D-PCK is the share of instants "
         "at which the worst of the four is within the bound; an instant that the tracker calls "
