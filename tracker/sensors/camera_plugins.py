@@ -46,7 +46,7 @@ def all_cameras() -> list[CameraName]:
 
 
 def is_plugin(address: str) -> bool:
-    """Whether an address such as ``folder:///home/me/pictures`` is a plug-in's."""
+    """Whether an address such as ``folder:///srv/pictures`` is a plug-in's."""
     return address.partition("://")[0] in {e.name for e in entry_points(group=GROUP)}
 
 
