@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
-from app.memory import keep_few_arenas
+from app.process import prepare_process
 from resources import folder
 from tracker import __version__
 from tracker.errors import GlovetrackError
@@ -31,7 +31,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         args.streams = with_streams(StreamParams(), args.stream, args.stream_host)
     except GlovetrackError as error:
         parser.error(str(error))
-    keep_few_arenas()
+    prepare_process()
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
     app.setApplicationName("glovetrack")

@@ -25,7 +25,7 @@ import psutil
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication
 
-from app.memory import keep_few_arenas
+from app.process import prepare_process
 
 STARTED = psutil.Process().create_time()
 MB = 1e6
@@ -71,7 +71,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--minutes", type=float, default=0.0)
     parser.add_argument("--json", type=Path, default=None, help="a file for the figures")
     args = parser.parse_args(argv)
-    keep_few_arenas()
+    prepare_process()
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
     app.setApplicationName("glovetrack")
