@@ -11,7 +11,7 @@ from tracker.fusion.completion import Completion
 from tracker.fusion.layout import ChainLayout
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
-INFERRED_SD = 0.004  # m that each segment beyond the last estimated one adds
+INFERRED_SD = 0.0037  # m that each segment beyond the last estimated one adds
 
 
 @dataclass(frozen=True, eq=False)
