@@ -14,9 +14,8 @@ import math
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Protocol, runtime_checkable
 
 import numpy as np
 
@@ -38,8 +37,9 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.pipeline import Pipeline
-from tracker.sensors.glove_link import LinkFigures
+from tracker.recording import Recorder, RecordingThread
 from tracker.sensors.picture_watch import SilenceWatch
+from tracker.sensors.sources import CameraSource, GloveSource, ReportingGlove
 from tracker.settings import Settings
 from tracker.shadow import Shadow
 from tracker.telemetry import Telemetry
@@ -52,7 +52,6 @@ SILENCE = 0.1  # s without packets after which the screen follows the pictures a
 HISTORY_S = 10.0
 SURE_SHARE = 0.5  # of the markers expected; with fewer the whole picture is searched
 MAX_FRAMES_BEHIND = 3
-MAX_PICTURES_WAITING = 24  # 130 MB at 720p
 TRACKING_WORDS = {
     Tracking.SEARCHING: "Looking for the hand.",
     Tracking.TRACKING: "The hand is tracked.",
@@ -64,44 +63,6 @@ TRACKING_WORDS = {
 def monotonic() -> float:
     """Seconds of the host's monotonic clock, a whole number of nanoseconds."""
     return seconds(time.monotonic_ns())
-
-
-class GloveSource(Protocol):
-    """A glove, real or simulated."""
-
-    def poll(self, timeout: float) -> Sequence[ImuSample | Event]:
-        """What came, after waiting at most ``timeout`` s for anything."""
-
-    def close(self) -> None:
-        """Free the port."""
-
-
-@runtime_checkable
-class ReportingGlove(Protocol):
-    """A glove that tells how it is."""
-
-    figures: LinkFigures
-
-
-class CameraSource(Protocol):
-    """A stereo camera, real or simulated."""
-
-    def read(self, timeout: float) -> StereoFrame | None:
-        """The next picture pair; None if none came within ``timeout`` s."""
-
-    def take_events(self) -> Sequence[Event]:
-        """What happened to the device since the last call."""
-
-    def close(self) -> None:
-        """Free the device."""
-
-
-class Recorder(Protocol):
-    """Takes messages to disk; see `tracker.session.writer.SessionRecorder`."""
-
-    def write(self, message: Message, overloaded: bool = False) -> None: ...
-
-    def close(self) -> None: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,7 +129,7 @@ class LiveTracker:
         self._plan = SearchPlan()
         self._outlook: Outlook | None = None  # of the engine, for the vision thread
         self._order = _Order()
-        self._disk: _Disk | None = None
+        self._disk: RecordingThread | None = None
         self._shadow: Shadow | None = None
         self._history: deque[ImuSample] = deque()
         self._estimate: Estimate | None = None
@@ -277,7 +238,7 @@ class LiveTracker:
             self._say("recording", "The recording is finished.")
         if recorder is not None:
             with self._whole:
-                self._disk = _Disk(recorder, self._say)
+                self._disk = RecordingThread(recorder, self._say)
                 self._record_state()
             self._say("recording", "Recording.")
 
@@ -539,59 +500,3 @@ class LiveTracker:
         disk = self._disk
         if disk is not None:
             disk.put(message)
-
-
-class _Disk:
-    """A recorder behind a bounded queue and its own thread: never in the way of tracking."""
-
-    def __init__(self, recorder: Recorder, say: Callable[[str, str], None]) -> None:
-        self._recorder, self._say = recorder, say
-        self._queue: Fifo[tuple[Message, bool]] = Fifo(20_000)
-        self._pictures = 0
-        self._lock = threading.Lock()
-        self.thinned = 0
-        self._thread = threading.Thread(target=self._run, name="glovetrack-disk", daemon=True)
-        self._thread.start()
-
-    def put(self, message: Message) -> None:
-        """Queue a message; a picture that the disk has no time for goes without its pixels."""
-        overloaded = False
-        if isinstance(message, StereoFrame):
-            with self._lock:
-                overloaded = self._pictures >= MAX_PICTURES_WAITING
-                self._pictures += not overloaded
-            if overloaded:
-                self.thinned += 1
-                message = replace(message, left=None, right=None)
-        self._queue.put((message, overloaded))
-
-    def finish(self) -> None:
-        """Write what waits, then close the file."""
-        self._queue.close()
-        if self._thread is not threading.current_thread():
-            self._thread.join()
-
-    def _run(self) -> None:
-        try:
-            while True:
-                item = self._queue.get(None)
-                if item is not None:
-                    self._write(*item)
-        except Closed:
-            self._close()
-        except (GlovetrackError, OSError) as error:
-            self._queue.close()
-            self._close()
-            self._say("error", f"The recording has ended: {error}")
-
-    def _write(self, message: Message, overloaded: bool) -> None:
-        self._recorder.write(message, overloaded)
-        if isinstance(message, StereoFrame) and not overloaded:
-            with self._lock:
-                self._pictures -= 1
-
-    def _close(self) -> None:
-        try:
-            self._recorder.close()
-        except (GlovetrackError, OSError) as error:
-            self._say("error", f"The recording could not be finished: {error}")

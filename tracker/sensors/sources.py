@@ -1,0 +1,39 @@
+"""What the live tracker asks of a glove and of a camera, real, recorded or simulated."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol, runtime_checkable
+
+from tracker.messages import Event, ImuSample, StereoFrame
+from tracker.sensors.glove_link import LinkFigures
+
+
+class GloveSource(Protocol):
+    """A glove, real or simulated."""
+
+    def poll(self, timeout: float) -> Sequence[ImuSample | Event]:
+        """What came, after waiting at most ``timeout`` s for anything."""
+
+    def close(self) -> None:
+        """Free the port."""
+
+
+@runtime_checkable
+class ReportingGlove(Protocol):
+    """A glove that tells how it is."""
+
+    figures: LinkFigures
+
+
+class CameraSource(Protocol):
+    """A stereo camera, real or simulated."""
+
+    def read(self, timeout: float) -> StereoFrame | None:
+        """The next picture pair; None if none came within ``timeout`` s."""
+
+    def take_events(self) -> Sequence[Event]:
+        """What happened to the device since the last call."""
+
+    def close(self) -> None:
+        """Free the device."""
