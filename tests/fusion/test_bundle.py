@@ -151,3 +151,15 @@ def test_a_saved_state_goes_on_in_the_middle_of_a_solution(sim: Simulation) -> N
     for a, b in zip(feed(whole, rest), feed(other, rest), strict=True):
         assert np.array_equal(a.keypoints, b.keypoints)
     assert whole.engine._work.calibration is None, "the solution was not finished"
+
+
+def test_postures_of_something_else_teach_nothing(engine: ChainEngine, sim: Simulation) -> None:
+    """Blobs of other pictures under each posture: the solution is thrown away, and they with it."""
+    frames = kept(engine)
+    mixed = [replace(a, uv=b.uv) for a, b in zip(frames, frames[1:] + frames[:1], strict=True)]
+    state, work = state_of(engine), BundleWork(0.0, 0.0, 1.0, Keyframes(mixed))
+    bundle = Bundle(engine.layout, sim.rig, ChainParams(bundle=EARLY))
+    found = [bundle.step(work, state) for _ in range(1 + EARLY.sweeps * len(mixed))]
+    assert found == [None] * len(found)
+    assert work.calibration is None
+    assert work.keyframes.kept == []

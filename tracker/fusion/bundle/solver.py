@@ -22,7 +22,11 @@ from tracker.geometry import so3
 from tracker.messages import Array
 from tracker.vision.rig import StereoRig
 
-ASK_EVERY = 0.1  # s
+ASK_EVERY = 0.03  # s
+MOST_MISFIT = 1.5  # mean square of whitened residuals; about 0.2 for a hand tracked well
+MOST_SCALE = 0.35  # beyond the file's size
+MOST_TURN = 0.7  # rad of a mounting, about each axis
+MOST_SHIFT = 0.008  # m of a marker, along each axis
 POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filter had it
 
 
@@ -42,6 +46,8 @@ class BundleWork:
     sweep: int = 0
     N: Array = field(default_factory=lambda: np.zeros(0))
     g: Array = field(default_factory=lambda: np.zeros(0))
+    misfit: float = 0.0  # summed squares of the whitened residuals of this sweep
+    rows: int = 0
 
 
 class Bundle:
@@ -58,7 +64,7 @@ class Bundle:
         self._stiff[:3] = POSITION_SD**-2
 
     def wants(self, work: BundleWork, t: float) -> bool:
-        """Whether it is time to look at a posture: hands do not bend much faster."""
+        """Whether it is time to look at a posture: no more than in thirty pictures a second."""
         if t - work.asked_at < ASK_EVERY:
             return False
         work.asked_at = t
@@ -101,7 +107,7 @@ class Bundle:
     def _begin_sweep(self, work: BundleWork) -> None:
         """The sums start with what is known beforehand of hands and fittings."""
         assert work.calibration is not None
-        work.back = []
+        work.back, work.misfit, work.rows = [], 0.0, 0
         work.N = self._information.copy()
         work.g = -self._information @ self._off_nominal(work.calibration)
 
@@ -124,6 +130,7 @@ class Bundle:
         assert work.calibration is not None
         frame, n = work.frames[k], self._layout.n_dynamic
         H, r = self._rows(replace(work.calibration, p=work.p[k], R_GB=work.R_GB[k]), frame)
+        work.misfit, work.rows = work.misfit + float(r @ r), work.rows + len(r)
         D, G = H[:, self._moves], H[:, n:]
         away = np.concatenate(
             [work.p[k] - frame.p, so3.log(frame.R_GB.swapaxes(1, 2) @ work.R_GB[k]).ravel()]
@@ -136,24 +143,51 @@ class Bundle:
         work.back.append(back)
 
     def _move_on(self, work: BundleWork) -> WearerProfile | None:
-        """Solve for the calibration, move it and all poses; the wearer after the last sweep."""
+        """Solve for the calibration, move it and all poses; the wearer after the last sweep.
+
+        Postures that do not fit are dropped before the calibration can bend to them.
+        """
         assert work.calibration is not None
-        lay, n = self._layout, self._layout.n_dynamic
-        change = np.linalg.solve(work.N, work.g)
-        for k, back in enumerate(work.back):
-            pose = np.zeros(lay.size)
-            pose[self._moves] = back[:, -1] - back[:, :-1] @ change
-            moved = replace(work.calibration.copy(), p=work.p[k].copy(), R_GB=work.R_GB[k])
-            inject(moved, lay, pose)
-            work.p[k], work.R_GB[k] = moved.p, moved.R_GB
-        inject(work.calibration, lay, np.concatenate([np.zeros(n), change]))
+        if work.misfit > MOST_MISFIT * work.rows:
+            self._drop(work)
+            return None
+        self._move(work, work.calibration)
         work.sweep += 1
         if work.sweep < self._params.sweeps:
             self._begin_sweep(work)
             return None
-        solved = work.calibration
+        solved, N = work.calibration, work.N
+        if not self._believable(solved):
+            self._drop(work)
+            return None
+        self._end(work)
+        return self._profile(solved, np.asarray(np.linalg.inv(N), float))
+
+    def _move(self, work: BundleWork, calibration: ChainState) -> None:
+        lay = self._layout
+        change = np.linalg.solve(work.N, work.g)
+        for k, back in enumerate(work.back):
+            pose = np.zeros(lay.size)
+            pose[self._moves] = back[:, -1] - back[:, :-1] @ change
+            moved = replace(calibration.copy(), p=work.p[k].copy(), R_GB=work.R_GB[k])
+            inject(moved, lay, pose)
+            work.p[k], work.R_GB[k] = moved.p, moved.R_GB
+        inject(calibration, lay, np.concatenate([np.zeros(lay.n_dynamic), change]))
+
+    def _end(self, work: BundleWork) -> None:
         work.calibration, work.frames, work.p, work.R_GB, work.back = None, [], [], [], []
-        return self._profile(solved, np.asarray(np.linalg.inv(work.N), float))
+
+    def _drop(self, work: BundleWork) -> None:
+        """Some postures show something else than this hand: begin to collect anew."""
+        self._end(work)
+        work.keyframes.kept.clear()
+
+    def _believable(self, solved: ChainState) -> bool:
+        """Whether a person could wear the glove like this."""
+        far = so3.log(self._layout.R_IB.swapaxes(1, 2) @ solved.R_IB)
+        largest = (np.abs(far).max(initial=0.0), np.abs(solved.marker).max(initial=0.0))
+        within = np.abs(solved.scale - 1).max() < MOST_SCALE
+        return bool(within and largest[0] < MOST_TURN and largest[1] < MOST_SHIFT)
 
     def _profile(self, solved: ChainState, P: Array) -> WearerProfile:
         """What was found, with the fittings' wobble added to its covariance."""
