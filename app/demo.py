@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.engine import EngineSetup, Recorder, RecordingRequest, Truth
+from app.recorder import recorder_maker
 from app.tasks import Progress
 from tracker import library
 from tracker.clock import ClockAnchor
@@ -26,7 +27,7 @@ from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.scenario import Truth as SimulatedTruth
-from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
+from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, detect_frame
 
 DURATION = 900.0
@@ -47,7 +48,7 @@ def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
     camera = SimulatedCamera(spec)  # its own process gets ready beside us
     try:
         return _setup_with(progress, spec, camera)
-    except BaseException:
+    except BaseException:  # Ctrl+C too must not leave the camera's process behind
         camera.close()
         raise
 
@@ -80,16 +81,10 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
         true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
         return Truth(true.keypoints, true.R_GB, true.p_GB)
 
+    record = recorder_maker(tracker, info)
+
     def make_recorder(request: RecordingRequest) -> Recorder:
-        named = replace(
-            info,
-            participant=request.participant,
-            notes=request.task,
-            engine=tracker.settings.engine,
-            settings_text=to_toml(tracker.settings),
-            colours_text=profile_to_toml(tracker.profile),
-        )
-        return TruthfulRecorder(SessionRecorder(request.path, named), simulation, t_0)
+        return TruthfulRecorder(record(request), simulation, t_0)
 
     return EngineSetup(
         name="demo",

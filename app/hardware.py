@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 from app.camera_choice import choose
-from app.engine import EngineSetup, Recorder, RecordingRequest
+from app.engine import EngineSetup
+from app.recorder import recorder_maker
 from app.settings import Settings
 from app.tasks import Progress
 from tracker import library
@@ -22,8 +21,7 @@ from tracker.sensors.camera import StereoCamera
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo
-from tracker.session.writer import SessionRecorder
-from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
+from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig
 
@@ -58,7 +56,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
         profile=profile,
         anchor=info.anchor,
         close=lambda: None,
-        make_recorder=_recorder_maker(tracker, info),
+        make_recorder=recorder_maker(tracker, info),
         vibrate=link.vibrate,
         command=tracker.command,
         shadowing=tracker,
@@ -81,25 +79,6 @@ def _info(settings: Settings, pipeline: Pipeline, colours_text: str) -> SessionI
         settings_text=to_toml(pipeline.settings),
         engine=pipeline.settings.engine,
     )
-
-
-def _recorder_maker(
-    tracker: LiveTracker, info: SessionInfo
-) -> Callable[[RecordingRequest], Recorder]:
-    """Recordings hold the engine, settings and colours of the instant they begin at."""
-
-    def make_recorder(request: RecordingRequest) -> Recorder:
-        named = replace(
-            info,
-            participant=request.participant,
-            notes=request.task,
-            engine=tracker.settings.engine,
-            settings_text=to_toml(tracker.settings),
-            colours_text=profile_to_toml(tracker.profile),
-        )
-        return SessionRecorder(request.path, named)
-
-    return make_recorder
 
 
 def find_port(progress: Progress, last: str) -> str:

@@ -1,9 +1,17 @@
-"""A recorder that can hold back: a pause leaves a gap in the file, not a second file."""
+"""Recorders: made for a live engine, and held back in a pause, which leaves a gap in the file."""
 
 from __future__ import annotations
 
-from app.engine import Recorder
+from collections.abc import Callable
+from dataclasses import replace
+
+from app.engine import Recorder, RecordingRequest
+from tracker.config import to_toml
 from tracker.messages import Calibration, EngineState, Event, Message
+from tracker.runner import LiveTracker
+from tracker.session.description import SessionInfo
+from tracker.session.writer import SessionRecorder
+from tracker.vision.colours import profile_to_toml
 
 
 class PausableRecorder:
@@ -21,3 +29,22 @@ class PausableRecorder:
 
     def close(self) -> None:
         self._inner.close()
+
+
+def recorder_maker(
+    tracker: LiveTracker, info: SessionInfo
+) -> Callable[[RecordingRequest], SessionRecorder]:
+    """Recordings hold the engine, settings and colours of the instant they begin at."""
+
+    def make_recorder(request: RecordingRequest) -> SessionRecorder:
+        named = replace(
+            info,
+            participant=request.participant,
+            notes=request.task,
+            engine=tracker.settings.engine,
+            settings_text=to_toml(tracker.settings),
+            colours_text=profile_to_toml(tracker.profile),
+        )
+        return SessionRecorder(request.path, named)
+
+    return make_recorder

@@ -8,6 +8,7 @@ import uuid
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QDir
 from PySide6.QtNetwork import QLocalSocket
 
 from app.single_instance import Instance, hand_over
@@ -78,7 +79,7 @@ def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, q
 
 def test_what_a_crashed_window_left_behind_does_not_stop_the_next(qtbot):
     name = f"glovetrack-test-{uuid.uuid4().hex}"
-    stale = Path(f"/tmp/{name}")
+    stale = Path(QDir.tempPath()) / name  # where Qt puts such sockets
     if sys.platform != "win32":
         stale.write_bytes(b"")
     assert not hand_over(None, name)
@@ -87,6 +88,7 @@ def test_what_a_crashed_window_left_behind_does_not_stop_the_next(qtbot):
         assert instance.listening
     finally:
         instance.close()
+        stale.unlink(missing_ok=True)
 
 
 def test_a_window_beside_the_first_leaves_it_its_place(qtbot):
