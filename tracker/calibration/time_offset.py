@@ -17,13 +17,13 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-import numba
 import numpy as np
 
 from tracker.geometry import so3
 from tracker.geometry.kernels import act3, exp3, mul3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.kernels import kernel
 from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, IntArray
 from tracker.vision.rig import StereoRig
 
@@ -240,7 +240,7 @@ def rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
     return _rigid(np.ascontiguousarray(p_out), np.ascontiguousarray(p_in))
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
     """Compiled: numpy's checks would take longer than the arithmetic."""
     n = len(p_out)

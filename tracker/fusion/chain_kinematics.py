@@ -7,12 +7,12 @@ Arrays are those of `ChainLayout` and `ChainState`; A active segments, n points.
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.state import ChainState
 from tracker.geometry.kernels import act3
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
 
@@ -92,7 +92,7 @@ def tip_sd(state: ChainState, layout: ChainLayout) -> Array:
     return _spread(H, state.P)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def turned(R, segment, v):  # type: ignore[no-untyped-def]
     """(n, 3) v in G, of v (n, 3) given in the B of ``segment`` (n,), with R_GB (A, 3, 3)."""
     out = np.empty((len(v), 3))
@@ -103,7 +103,7 @@ def turned(R, segment, v):  # type: ignore[no-untyped-def]
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _points(p_GB, R, scale, segment, nominal, offset):  # type: ignore[no-untyped-def]
     out = turned(R, segment, scale[segment] * nominal + offset)
     for k in range(len(out)):
@@ -111,7 +111,7 @@ def _points(p_GB, R, scale, segment, nominal, offset):  # type: ignore[no-untype
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _origins(parent, origin, joint, scale, R, p, lever):  # type: ignore[no-untyped-def]
     out = np.empty((len(parent), 3))
     for i in range(len(parent)):
@@ -123,7 +123,7 @@ def _origins(parent, origin, joint, scale, R, p, lever):  # type: ignore[no-unty
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _add_lever(H, R, x, column, sign):  # type: ignore[no-untyped-def]
     """H[:, column:column+3] += sign * (-R [x]x)."""
     for r in range(3):
@@ -132,14 +132,14 @@ def _add_lever(H, R, x, column, sign):  # type: ignore[no-untyped-def]
         H[r, column + 2] -= sign * (R[r, 0] * x[1] - R[r, 1] * x[0])
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _add_scale(H, R, nominal, column, sign):  # type: ignore[no-untyped-def]
     for r in range(3):
         H[r, column] += sign * R[r, 0] * nominal[0]
         H[r, column + 1] += sign * (R[r, 1] * nominal[1] + R[r, 2] * nominal[2])
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _jacobians(  # type: ignore[no-untyped-def]
     parent, origin, joint, base_of, scale, R, lever, segment, nominal, offset, offset_column,
     theta, scale_column, joint_column, size,
@@ -167,7 +167,7 @@ def _jacobians(  # type: ignore[no-untyped-def]
     return H
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _spread(H, P):  # type: ignore[no-untyped-def]
     """(n,) root of a third of the trace of H P H^T, of H (n, 3, N) with few entries a row."""
     n, size = len(H), len(P)

@@ -5,11 +5,11 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
 from tracker.geometry.kernels import act3, joint_angles3, mul3, tmul3
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 
@@ -53,7 +53,7 @@ class Completion:
         )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _rotation(a, b, c):  # type: ignore[no-untyped-def]
     """Rz(a) Ry(b) Rx(c)."""
     ca, sa, cb, sb, cc, sc = np.cos(a), np.sin(a), np.cos(b), np.sin(b), np.cos(c), np.sin(c)
@@ -66,7 +66,7 @@ def _rotation(a, b, c):  # type: ignore[no-untyped-def]
     )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _complete(  # type: ignore[no-untyped-def]
     parent, origin, R_rest, columns, limits, links, gains, row, R, p, scale3
 ):  # fmt: skip

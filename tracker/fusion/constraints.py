@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ConstraintParams
 from tracker.fusion.state import ChainState
 from tracker.geometry.kernels import act3, cross3, tact3, tmul3, zyx3
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 E_X, E_Y, E_Z = np.eye(3)
@@ -84,12 +84,12 @@ class Constraints:
         )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _relative(parent, R_rest, R_GB, child):  # type: ignore[no-untyped-def]
     return tmul3(R_rest[child], tmul3(R_GB[parent[child]], R_GB[child]))
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _put(h, parent, theta, child, J_a, J_c, gain):  # type: ignore[no-untyped-def]
     """Add a row's derivatives by the parent's and the child's orientation."""
     for r in range(3):
@@ -97,7 +97,7 @@ def _put(h, parent, theta, child, J_a, J_c, gain):  # type: ignore[no-untyped-de
         h[theta + 3 * child + r] += gain * J_c[r]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _put_flexion(h, parent, R_rest, R_GB, theta, child, gain):  # type: ignore[no-untyped-def]
     """Flexion turns about the child's own y (its twist being small)."""
     y = np.array([0.0, 1.0, 0.0])
@@ -105,7 +105,7 @@ def _put_flexion(h, parent, R_rest, R_GB, theta, child, gain):  # type: ignore[n
     _put(h, parent, theta, child, -act3(R_rest[child], act3(R, y)), y, gain)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _rows(  # type: ignore[no-untyped-def]
     parent, R_rest, R_GB, axis_child, axis_e, axis_f, axis_var,
     flexion_child, flexion_source, flexion_numbers, limit_var, synergy_var, theta, size,

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, ImuSample, IntArray
 
 STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
@@ -41,7 +41,7 @@ class ImuHealth:
         self._last, self._same = state[0].copy(), state[1].copy()
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _judge(accel, gyro, valid, last, same, stuck_after):  # type: ignore[no-untyped-def]
     """Which IMUs (n,) can be believed, and whether these are all that say so and are finite.
 

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.kernels import kernel
 from tracker.messages import Array, ImuSample
 
 LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
@@ -94,8 +94,9 @@ class ImuBuffer:
             column[:count] = rows
         self._first, self._end = 0, count
 
-    def _used(self) -> tuple[Array, ...]:
-        return tuple(column[self._first : self._end] for column in self._table)
+    def _used(self) -> tuple[Array, Array, Array, Array]:
+        t, accel, gyro, valid = (column[self._first : self._end] for column in self._table)
+        return t, accel, gyro, valid
 
     def covers(self, t: float) -> bool:
         """Whether a packet at or after ``t`` has come."""
@@ -141,7 +142,7 @@ def interpolate(a: ImuSample, b: ImuSample, t: float) -> ImuSample:
     )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _intervals(t, accel, gyro, valid, start, end):  # type: ignore[no-untyped-def]
     """The fields of `Intervals` from the packets t (m,), accel, gyro (m, n, 3), valid (m, n)."""
     m, n = valid.shape

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from scipy.linalg.blas import dsyrk, dtrsm
 from scipy.linalg.lapack import dpotrf
 
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 
@@ -32,7 +32,7 @@ def update_with(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> tuple[Ar
     return dx, out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _mirror(P):  # type: ignore[no-untyped-def]
     """Copy the lower triangle to the upper one, in tiles that stay in the cache."""
     n, tile = len(P), 32

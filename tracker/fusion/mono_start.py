@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 
 from tracker.fusion.chain_kinematics import marker_positions
@@ -21,6 +20,7 @@ from tracker.fusion.prior import initial_covariance
 from tracker.fusion.search import Pose
 from tracker.fusion.state import ChainState
 from tracker.geometry import so3
+from tracker.kernels import kernel
 from tracker.messages import Array, CameraPose, IntArray
 
 SIZE_KEPT = 0.1  # of the size's standard deviation at a start with one lens
@@ -143,7 +143,7 @@ def _vote_one(
     return Pose(R, p_G, score / float(weight.sum()), support)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def best_place(
     seen: Array,
     hue: IntArray,
@@ -177,7 +177,7 @@ def best_place(
     return _fit(seen, hue, markers, marker_hue, weight, radius, place)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _nearest(seen, hue, marker, marker_hue, t):  # type: ignore[no-untyped-def]
     """Squared distance (m²) across the ray of the nearest blob of the marker's hue, and its row."""
     z = max(marker[2] + t[2], 0.02)
@@ -191,7 +191,7 @@ def _nearest(seen, hue, marker, marker_hue, t):  # type: ignore[no-untyped-def]
     return best, row
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _fit(seen, hue, markers, marker_hue, weight, radius, place):  # type: ignore[no-untyped-def]
     """Rounds of least squares over supported markers, in the place's three directions."""
     t, score, support = place.copy(), 0.0, 0

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
 from tracker.geometry.kernels import quats
+from tracker.kernels import kernel
 from tracker.messages import Validity
 
 LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Validity.MEASURED)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def keypoint_places(segment, offset, R, p, scale):  # type: ignore[no-untyped-def]
     """Keypoints (K, 3) m in G and their quaternions (K, 4).
 
@@ -30,7 +30,7 @@ def keypoint_places(segment, offset, R, p, scale):  # type: ignore[no-untyped-de
     return points, q
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def segment_states(row, sensed):  # type: ignore[no-untyped-def]
     """(S,) measured where the active segment of ``row`` (S,), -1 for none, is sensed (A,)."""
     out = np.full(len(row), INFERRED)
@@ -40,7 +40,7 @@ def segment_states(row, sensed):  # type: ignore[no-untyped-def]
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def angle_states(segment_state, child, parent, column, known):  # type: ignore[no-untyped-def]
     """(J,) measured where an angle is known and both its segments (J,) are."""
     out = np.full(len(known), INFERRED)
@@ -51,7 +51,7 @@ def angle_states(segment_state, child, parent, column, known):  # type: ignore[n
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def keypoint_states(segment_state, segment, end_of, coasting):  # type: ignore[no-untyped-def]
     """(K,) as the segment (K,) it moves with, or the one it is the far end of, -1 for none.
 
@@ -66,7 +66,7 @@ def keypoint_states(segment_state, segment, end_of, coasting):  # type: ignore[n
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def keypoint_spread(segment, ancestor, steps, active_sd, inferred_sd):  # type: ignore[no-untyped-def]
     """(K,) m: of the nearest estimated ancestor's (S,), and of the steps (S,) from it."""
     out = np.empty(len(segment))

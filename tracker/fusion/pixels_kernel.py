@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 
-@numba.njit(cache=True, nogil=True)
+
+@kernel
 def pixel_jacobians(p_C, R_GC, fx, fy, baseline):  # type: ignore[no-untyped-def]
     """(2, n, 2, 3) d uv / d p_G of both cameras, of points p_C (n, 3)."""
     n = len(p_C)
@@ -23,7 +24,7 @@ def pixel_jacobians(p_C, R_GC, fx, fy, baseline):  # type: ignore[no-untyped-def
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def innovation_covariance(H, HP, A, sd_marker, sd_pixel):  # type: ignore[no-untyped-def]
     """(2, n, 2, 2) px² of n markers in both cameras; shapes as in `stack_rows`."""
     n, size = len(H), H.shape[2]
@@ -46,7 +47,7 @@ def innovation_covariance(H, HP, A, sd_marker, sd_pixel):  # type: ignore[no-unt
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def spread(S):  # type: ignore[no-untyped-def]
     """Median of ln det of S (n, 2, 2)."""
     out = np.empty(len(S))
@@ -55,7 +56,7 @@ def spread(S):  # type: ignore[no-untyped-def]
     return np.median(out)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def stack_rows(H, HP, A, residual, sd_marker, sd_pixel, threshold):  # type: ignore[no-untyped-def]
     """H, HP (m, N), r (m,) and noise (m, m) of the markers that are matched.
 
@@ -94,14 +95,14 @@ def stack_rows(H, HP, A, residual, sd_marker, sd_pixel, threshold):  # type: ign
     return rows_H, rows_HP, r, R
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _huber(r, S, threshold):  # type: ignore[no-untyped-def]
     """Factor on the noise: 1 up to the threshold, then growing with the distance."""
     distance = np.sqrt(_mahalanobis2(S, r) / len(r))
     return max(1.0, distance / threshold) ** 2
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _mahalanobis2(S, r):  # type: ignore[no-untyped-def]
     """r^T S^-1 r of a small positive definite S, by its Cholesky factor."""
     n, total = len(r), 0.0

@@ -6,16 +6,16 @@ of those columns.
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
 from tracker import GRAVITY
 from tracker.geometry.kernels import act3, exp3, mul3, skew3, tact3, tmul3, turn_all
+from tracker.kernels import kernel
 
 COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def body_rates(  # type: ignore[no-untyped-def]
     imu_of, parent, source, gain, R_GB, R_IB, bg, gyro, valid
 ):  # fmt: skip
@@ -34,7 +34,7 @@ def body_rates(  # type: ignore[no-untyped-def]
     return w
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def root_force(imu_of, R_IB, ba, accel, valid):  # type: ignore[no-untyped-def]
     """(3,) m/s² specific force of the root's IMU in its B, and whether it answers."""
     j = imu_of[0]
@@ -43,7 +43,7 @@ def root_force(imu_of, R_IB, ba, accel, valid):  # type: ignore[no-untyped-def]
     return tact3(R_IB[j], accel[j] - ba[j]), True
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def move_nominal(p, v, R_GB, w, f, felt, dt, coasting):  # type: ignore[no-untyped-def]
     """p, v and R_GB after ``dt``, in new arrays; ``felt`` says whether f (3,) counts."""
     p_new, v_new = np.empty(3), np.empty(3)
@@ -62,7 +62,7 @@ def move_nominal(p, v, R_GB, w, f, felt, dt, coasting):  # type: ignore[no-untyp
     return p_new, v_new, turn_all(R_GB, w * dt)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def transition(  # type: ignore[no-untyped-def]
     imu_of, parent, R_GB, R_IB, valid, w, f, felt, dt, theta, bg, phi, ba, width
 ):  # fmt: skip
@@ -91,7 +91,7 @@ def transition(  # type: ignore[no-untyped-def]
     return Phi
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _root_rows(Phi, R, R_IB, f, dt, theta, phi, ba):  # type: ignore[no-untyped-def]
     """p and v against the root's orientation, mounting and accelerometer bias."""
     J_a_theta = -mul3(R, skew3(f))
@@ -105,7 +105,7 @@ def _root_rows(Phi, R, R_IB, f, dt, theta, phi, ba):  # type: ignore[no-untyped-
                 Phi[first + r, ba + c] = J_a_ba[r, c] * gain
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def move_covariance(P, Phi, q):  # type: ignore[no-untyped-def]
     """P <- Phi P Phi^T + diag(q) in place, touching only the dynamic rows and columns."""
     D, n = len(Phi), len(P)
@@ -130,7 +130,7 @@ def move_covariance(P, Phi, q):  # type: ignore[no-untyped-def]
         P[i, i] += q[i]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _columns(Phi):  # type: ignore[no-untyped-def]
     """How many entries of each row are not zero, and their columns (D, most)."""
     D, width = Phi.shape
@@ -143,7 +143,7 @@ def _columns(Phi):  # type: ignore[no-untyped-def]
     return count, column
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def add_turn_noise(P, R_GB, parent, imu_of, valid, theta, var, free, free_root):  # type: ignore[no-untyped-def]
     """Noise of the orientations, in place: a segment without an IMU takes its parent's along.
 
@@ -171,7 +171,7 @@ def add_turn_noise(P, R_GB, parent, imu_of, valid, theta, var, free, free_root):
                     P[theta + 3 * i + r, theta + 3 * k + c] += C[i, k, r, c]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def step(  # type: ignore[no-untyped-def]
     imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, P, accel, gyro, valid,
     dt, coasting, theta, bg_at, phi_at, ba_at, width, q, var, free, free_root,
@@ -187,7 +187,7 @@ def step(  # type: ignore[no-untyped-def]
     return move_nominal(p, v, R_GB, w, f, felt, dt, coasting)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def carry(  # type: ignore[no-untyped-def]
     imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, start, stop, accel, gyro, valid,
     coasting,

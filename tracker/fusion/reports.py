@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.pixels import Prediction, SeenBlobs
 from tracker.fusion.state import ChainState
 from tracker.geometry import so3
+from tracker.kernels import kernel
 from tracker.messages import Array, BlobFrame, Calibration, FrameResult, IntArray, Tracking
 from tracker.vision.rig import Camera, StereoRig
 
@@ -86,7 +86,7 @@ def frame_result(
     )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _details(  # type: ignore[no-untyped-def]
     uv, prior, rows, S_left, match, left_uv, left_source, right_uv, right_source
 ):  # fmt: skip

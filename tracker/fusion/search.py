@@ -12,13 +12,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 
 from tracker.fusion.chain_kinematics import marker_positions
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.state import ChainState
 from tracker.geometry import so3
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
 TILT_SD = 0.15  # rad: bias, mounting and motion in one accelerometer direction
@@ -183,7 +183,7 @@ def _vote_one(
     return Pose(R, shift, score / float(weight.sum()), support)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _best_shift(points, hue, markers, marker_hue, weight, radius, most):  # type: ignore[no-untyped-def]
     """The translation with the largest weighted support, refined to the mean of its supporters."""
     n, m = len(points), len(markers)
@@ -210,7 +210,7 @@ def _best_shift(points, hue, markers, marker_hue, weight, radius, most):  # type
     return _refine(points, hue, markers, marker_hue, weight, radius, best_shift)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _support(points, hue, marker, marker_hue, t, radius):  # type: ignore[no-untyped-def]
     """1 at the marker, 0 at ``radius`` and beyond, for the nearest point of the marker's hue."""
     best = radius * radius
@@ -225,7 +225,7 @@ def _support(points, hue, marker, marker_hue, t, radius):  # type: ignore[no-unt
     return 1.0 - best / (radius * radius)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _refine(points, hue, markers, marker_hue, weight, radius, shift):  # type: ignore[no-untyped-def]
     """Two rounds of weighted mean over supported markers. Returns shift, score, support."""
     score, support = 0.0, 0

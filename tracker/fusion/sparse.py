@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 
-@numba.njit(cache=True, nogil=True)
+
+@kernel
 def times(H, P):  # type: ignore[no-untyped-def]
     """H P of H (m, N), few entries a row, and P (N, k)."""
     out = np.zeros((len(H), P.shape[1]))
@@ -19,7 +20,7 @@ def times(H, P):  # type: ignore[no-untyped-def]
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def joined(H_1, HP_1, r_1, R_1, H_2, HP_2, r_2, variance):  # type: ignore[no-untyped-def]
     """H, H P, r and R of two independent measurements; R_1 (m, m), the second's noise ``variance``
     (k,) on the diagonal."""

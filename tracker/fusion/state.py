@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numba
 import numpy as np
 
 from tracker.fusion.layout import ChainLayout
 from tracker.geometry.kernels import turn_all
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 SCALE_LIMITS = (0.6, 1.5)
@@ -90,7 +90,7 @@ def inject(state: ChainState, layout: ChainLayout, dx: Array) -> None:
     )  # fmt: skip
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _inject(  # type: ignore[no-untyped-def]
     p, v, R_GB, bg, R_IB, ba, scale, joint, marker, dx,
     theta_at, bg_at, phi_at, ba_at, scale_at, joint_at, marker_at,

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
 from tracker.geometry.kernels import act3, cross3, mul3, skew3, tact3
+from tracker.kernels import kernel
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def stacked_rows(  # type: ignore[no-untyped-def]
     imu_segment, imu_position, parent, origin, joint, root_lever, scale3, R_GB, R_IB, ba,
     accel, valid, w, alpha, f_0, root_imu, theta, phi, ba_at, size, sd, sd_kinematic,
@@ -35,7 +35,7 @@ def stacked_rows(  # type: ignore[no-untyped-def]
     return H[:end], r[:end], var[:end]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _row(  # type: ignore[no-untyped-def]
     h, j, segment, position, parent, origin, joint, root_lever, scale3, R_GB, R_IB, ba,
     w, alpha, f_0, root_imu, theta, phi, ba_at,
@@ -71,7 +71,7 @@ def _row(  # type: ignore[no-untyped-def]
     return act3(R_IB[j], s) + ba[j], np.sqrt(np.sum(kinematic_G**2))
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _add(h, column, block, sign):  # type: ignore[no-untyped-def]
     """h[:, column : column + 3] += sign * block."""
     for r in range(3):

@@ -1,12 +1,12 @@
 """Compiled twins of `so3` for single rotations, used inside the filters' loops."""
 
-import numba
 import numpy as np
 
 from tracker.geometry.so3 import NEAREST_ROUNDS
+from tracker.kernels import kernel
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def exp3(v):  # type: ignore[no-untyped-def]
     """Rotation matrix (3, 3) of a rotation vector (3,)."""
     x, y, z = v[0], v[1], v[2]
@@ -28,7 +28,7 @@ def exp3(v):  # type: ignore[no-untyped-def]
     return R
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def mul3(A, B):  # type: ignore[no-untyped-def]
     """A B of two (3, 3): BLAS takes four times as long for so little."""
     out = np.empty((3, 3))
@@ -38,13 +38,13 @@ def mul3(A, B):  # type: ignore[no-untyped-def]
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def tmul3(A, B):  # type: ignore[no-untyped-def]
     """A^T B of two (3, 3)."""
     return mul3(A.T, B)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def act3(A, v):  # type: ignore[no-untyped-def]
     """A v of (3, 3) and (3,)."""
     out = np.empty(3)
@@ -53,13 +53,13 @@ def act3(A, v):  # type: ignore[no-untyped-def]
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def tact3(A, v):  # type: ignore[no-untyped-def]
     """A^T v of (3, 3) and (3,)."""
     return act3(A.T, v)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def turn_all(R, v):  # type: ignore[no-untyped-def]
     """R (n, 3, 3) times Exp of v (n, 3)."""
     out = np.empty_like(R)
@@ -68,13 +68,13 @@ def turn_all(R, v):  # type: ignore[no-untyped-def]
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def skew3(v):  # type: ignore[no-untyped-def]
     """The cross-product matrix of v (3,)."""
     return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def cross3(a, b):  # type: ignore[no-untyped-def]
     """a x b of two (3,) vectors."""
     return np.array(
@@ -82,7 +82,7 @@ def cross3(a, b):  # type: ignore[no-untyped-def]
     )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def zyx3(R):  # type: ignore[no-untyped-def]
     """(abduction, flexion, twist) of R = Rz Ry Rx, as `so3.zyx_from_matrix`."""
     a = np.arctan2(R[1, 0], R[0, 0])
@@ -94,7 +94,7 @@ def zyx3(R):  # type: ignore[no-untyped-def]
     return a, b, c
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def joint_angles3(R, abducts, twists):  # type: ignore[no-untyped-def]
     """(abduction, flexion, twist) of one joint rotation, as `so3.joint_angles`."""
     if twists:
@@ -108,12 +108,12 @@ def joint_angles3(R, abducts, twists):  # type: ignore[no-untyped-def]
     return a, b, 0.0
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _wrap(a):  # type: ignore[no-untyped-def]
     return (a + np.pi) % (2 * np.pi) - np.pi
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def quats(R):  # type: ignore[no-untyped-def]
     """Unit quaternions (n, 4) xyzw, w >= 0, of matrices (n, 3, 3)."""
     out = np.empty((len(R), 4))

@@ -7,16 +7,16 @@ Lemak et al. 2020 (section 2.3): the flexion plane's normal in place of the magn
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
 from tracker.inertial.geometry3d import to_body
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 NORMAL_B = np.array([0.0, 1.0, 0.0])  # a phalanx's flexion axis
 UP_G = np.array([0.0, 0.0, 1.0])
 
 
-@njit(cache=True)
+@kernel
 def integrate_rates(q: Array, w: Array, dt: float) -> None:
     """q ← q ⊗ exp(ω dt / 2) for rows of q_GB (n, 4) xyzw and ``w`` (n, 3) rad/s in B."""
     for i in range(len(q)):
@@ -26,7 +26,7 @@ def integrate_rates(q: Array, w: Array, dt: float) -> None:
         _multiply(q[i], f * half, np.cos(n))
 
 
-@njit(cache=True)
+@kernel
 def descend(q: Array, force_G: Array, f_B: Array, normal_G: Array, step: Array) -> None:
     """Turn each q by ``step`` (n,) rad down the gradient of its misfit to two vectors.
 
@@ -41,7 +41,7 @@ def descend(q: Array, force_G: Array, f_B: Array, normal_G: Array, step: Array) 
             _multiply(q[i], -0.5 * turn / size * g, np.sqrt(1 - 0.25 * turn**2))
 
 
-@njit(cache=True)
+@kernel
 def gradient(q: Array, a_G: Array, b_B: Array) -> Array:
     """Gradient (3,) of ½|a - b|² by a small turn δ of B, for unit vectors a = Rᵀ a_G and b.
 
@@ -54,7 +54,7 @@ def gradient(q: Array, a_G: Array, b_B: Array) -> Array:
     return np.cross(to_body(q, a_G), b_B) / size
 
 
-@njit(cache=True)
+@kernel
 def plain_madgwick(gyro: Array, accel: Array, dt: float, beta: float) -> Array:
     """q_GB (n, 4) xyzw of one IMU by the filter of 2011 without magnetometer, level at first."""
     out = np.empty((len(gyro), 4))
@@ -70,7 +70,7 @@ def plain_madgwick(gyro: Array, accel: Array, dt: float, beta: float) -> Array:
     return out
 
 
-@njit(cache=True)
+@kernel
 def _multiply(q: Array, v: Array, w: float) -> None:
     """q ← q ⊗ (v, w), normalised."""
     vector = q[3] * v + w * q[:3] + np.cross(q[:3], v)

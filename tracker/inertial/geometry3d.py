@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 
@@ -43,13 +43,13 @@ def force_at(dorsum: DorsumMotion, alpha_B: Array, place: Array) -> Array:
     return dorsum.f_B + lever_acceleration(dorsum.w_B, alpha_B, place - dorsum.point)
 
 
-@njit(cache=True)
+@kernel
 def lever_acceleration(w: Array, alpha: Array, lever: Array) -> Array:
     """Acceleration (3,) of the end of a lever fixed to a body, from that of its start, in B."""
     return np.cross(alpha, lever) + np.cross(w, np.cross(w, lever))
 
 
-@njit(cache=True)
+@kernel
 def chain_accelerations(
     q_GB: Array, w: Array, alpha: Array, sensor_0: Array, joint_1: Array, sensor_1: Array
 ) -> Array:
@@ -64,14 +64,14 @@ def chain_accelerations(
     return out
 
 
-@njit(cache=True)
+@kernel
 def to_global(q_GB: Array, v_B: Array) -> Array:
     """R v of the unit quaternion xyzw."""
     t = 2 * np.cross(q_GB[:3], v_B)
     return v_B + q_GB[3] * t + np.cross(q_GB[:3], t)
 
 
-@njit(cache=True)
+@kernel
 def to_body(q_GB: Array, v_G: Array) -> Array:
     """Rᵀ v of the unit quaternion xyzw."""
     t = 2 * np.cross(v_G, q_GB[:3])

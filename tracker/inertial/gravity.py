@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from tracker.inertial.planar import PlanarReadings, copied
 from tracker.inertial.plane import SENSORS, ComplexArray, gravity_angle
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 
@@ -42,13 +42,13 @@ class Gravity:
         return out
 
 
-@njit(cache=True)
+@kernel
 def _step(state: GravityState, accel: ComplexArray, root: complex) -> None:
     for k in range(SENSORS):
         state.theta[k] = gravity_angle(root, accel[k])
 
 
-@njit(cache=True)
+@kernel
 def _run(state: GravityState, accel: ComplexArray, root: ComplexArray, out: Array) -> None:
     for i in range(len(root)):
         _step(state, accel[i], root[i])

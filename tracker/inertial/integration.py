@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from tracker.inertial.planar import PlanarReadings, copied, start_angles
 from tracker.inertial.plane import SENSORS, ComplexArray, runge_kutta
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 
@@ -49,7 +49,7 @@ class Integration:
         return out
 
 
-@njit(cache=True)
+@kernel
 def integrate(state: IntegrationState, gyro: Array, dt: float) -> None:
     """Advance θ by one sample. The first sample stands at the known start and moves nothing."""
     last, older = state.rate[0], state.rate[1]
@@ -62,7 +62,7 @@ def integrate(state: IntegrationState, gyro: Array, dt: float) -> None:
     state.samples[0] += 1
 
 
-@njit(cache=True)
+@kernel
 def _run(state: IntegrationState, gyro: Array, dt: float, out: Array) -> None:
     for i in range(len(gyro)):
         integrate(state, gyro[i], dt)

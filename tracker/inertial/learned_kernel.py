@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers, kinematic, runge_kutta
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 SIZE = 4  # θ, b_g, b_x (along), b_z (palmar)
@@ -58,7 +58,7 @@ def start(theta: Array, variances: tuple[float, ...]) -> LearnedState:
     )  # fmt: skip
 
 
-@njit(cache=True)
+@kernel
 def step(
     state: LearnedState, model: Model, gyro: Array, accel: ComplexArray, root: complex
 ) -> None:
@@ -79,13 +79,13 @@ def step(
     state.samples[0] += 1
 
 
-@njit(cache=True)
+@kernel
 def correct_angle(state: LearnedState, k: int, theta: float, variance: float) -> None:
     """An angle of sensor ``k`` that something else knows."""
     _update(state, k, 0, theta - state.x[k, 0], variance)
 
 
-@njit(cache=True)
+@kernel
 def _watch_rest(state: LearnedState, model: Model, gyro: Array, accel: ComplexArray) -> None:
     """Count samples since both sensors began to stand still; end the static start in time."""
     still = True
@@ -105,7 +105,7 @@ def _watch_rest(state: LearnedState, model: Model, gyro: Array, accel: ComplexAr
         state.static[0] = 0.0
 
 
-@njit(cache=True)
+@kernel
 def _learn_static(
     state: LearnedState, model: Model, gyro: Array, accel: ComplexArray, root: complex
 ) -> None:
@@ -115,7 +115,7 @@ def _learn_static(
         _update_accel(state, k, accel[k], root, model.accel_sd**2)
 
 
-@njit(cache=True)
+@kernel
 def _correct_accel(state: LearnedState, model: Model, gyro: Array) -> None:
     """Compare the last sample's accelerometers with the chain at that instant."""
     omega = state.gyro[0] - state.x[:, 1]
@@ -127,7 +127,7 @@ def _correct_accel(state: LearnedState, model: Model, gyro: Array) -> None:
         _update_accel(state, k, state.accel[k], state.root[0] + mu, variance)
 
 
-@njit(cache=True)
+@kernel
 def _propagate(state: LearnedState, model: Model, gyro: Array) -> None:
     """From the last sample to this one."""
     dt = model.dt
@@ -144,7 +144,7 @@ def _propagate(state: LearnedState, model: Model, gyro: Array) -> None:
         P[3, 3] += dt * model.accel_walk**2
 
 
-@njit(cache=True)
+@kernel
 def _update_accel(state: LearnedState, k: int, f: complex, force: complex, variance: float) -> None:
     """Both components of a reading f = exp(-iθ) force + b, one after the other."""
     x, P = state.x[k], state.P[k]
@@ -166,7 +166,7 @@ def _update_accel(state: LearnedState, k: int, f: complex, force: complex, varia
                 P[i, j] -= K[i] * Ph[j]
 
 
-@njit(cache=True)
+@kernel
 def _update(state: LearnedState, k: int, i: int, innovation: float, variance: float) -> None:
     """A scalar measurement of component ``i`` of sensor ``k``."""
     x, P = state.x[k], state.P[k]
@@ -178,7 +178,7 @@ def _update(state: LearnedState, k: int, i: int, innovation: float, variance: fl
             P[a, b] -= K[a] * Ph[b]
 
 
-@njit(cache=True)
+@kernel
 def run(
     state: LearnedState,
     model: Model,

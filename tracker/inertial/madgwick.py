@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from tracker.inertial.integration import IntegrationState, integrate
 from tracker.inertial.planar import PlanarReadings, copied
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers, kinematic
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 
@@ -92,7 +92,7 @@ def _copied(state: MadgwickState) -> MadgwickState:
     return MadgwickState(copied(state.integrator), state.accel.copy(), state.root.copy())
 
 
-@njit(cache=True)
+@kernel
 def _step(
     state: MadgwickState,
     gains: _Gains,
@@ -118,7 +118,7 @@ def _step(
     state.root[0] = root
 
 
-@njit(cache=True)
+@kernel
 def _descend(
     theta: Array,
     gains: _Gains,
@@ -140,7 +140,7 @@ def _descend(
         theta[k] += 2 * beta * gains.dt * np.sign(error)  # |dq| = β dt turns by twice that
 
 
-@njit(cache=True)
+@kernel
 def _run(
     state: MadgwickState,
     gains: _Gains,

@@ -10,9 +10,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 ComplexArray = NDArray[np.complex128]
@@ -41,7 +41,7 @@ class Levers(NamedTuple):
     sensor_1: complex  # joint 1 to the sensor on phalanx 1
 
 
-@njit(cache=True)
+@kernel
 def arm_factors(theta: Array, omega: Array, alpha: Array) -> tuple[complex, complex]:
     """Acceleration per metre of lever on each phalanx, in P: (iα - ω²) exp(iθ)."""
     c_0 = (1j * alpha[0] - omega[0] ** 2) * np.exp(1j * theta[0])
@@ -49,7 +49,7 @@ def arm_factors(theta: Array, omega: Array, alpha: Array) -> tuple[complex, comp
     return c_0, c_1
 
 
-@njit(cache=True)
+@kernel
 def kinematic(
     levers: Levers, theta: Array, omega: Array, alpha: Array
 ) -> tuple[complex, complex]:  # eq. 2 without a_0
@@ -58,7 +58,7 @@ def kinematic(
     return levers.sensor_0 * c_0, levers.length_0 * c_0 + levers.sensor_1 * c_1
 
 
-@njit(cache=True)
+@kernel
 def gravity_angle(root: complex, f: complex) -> float:
     """The angle that turns the reading ``f`` onto ``root``, within half a turn of MIDDLE."""
     angle = np.angle(root * f.conjugate())
@@ -67,7 +67,7 @@ def gravity_angle(root: complex, f: complex) -> float:
     return angle
 
 
-@njit(cache=True)
+@kernel
 def runge_kutta(new: float, old: float, older: float, dt: float) -> float:
     """Increment of θ over one sample of angular rates (section 2.2.3).
 

@@ -8,8 +8,8 @@ same samples one by one.
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 # Columns of the state.
@@ -31,7 +31,7 @@ DT, K_TILT, EVERY, K_OFFSET, REST_TIME, K_REST, REST_GYRO, REST_ACCEL, K_REST_OF
 )
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def step(state: Array, gyro: Array, accel: Array) -> None:
     """One sample of every IMU.
 
@@ -59,7 +59,7 @@ def step(state: Array, gyro: Array, accel: Array) -> None:
             state[i, TICKS] = 0
 
 
-@njit(cache=True)
+@kernel
 def _start(s: Array, g: Array, a: Array) -> None:
     """Level on the first sample."""
     s[MEAN_GYRO : MEAN_GYRO + 3] = g
@@ -69,7 +69,7 @@ def _start(s: Array, g: Array, a: Array) -> None:
         _turn_to_up(s, a[0] / norm, a[1] / norm, a[2] / norm)
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def _turn(state: Array, i: int, dt: float, g_x: float, g_y: float, g_z: float) -> None:
     """q ← q ⊗ exp(ω dt / 2), by series: a half angle below 0.3 rad leaves 1e-7."""
     h = 0.5 * dt
@@ -87,7 +87,7 @@ def _turn(state: Array, i: int, dt: float, g_x: float, g_y: float, g_z: float) -
     state[i, 0], state[i, 1], state[i, 2], state[i, 3] = m * n_x, m * n_y, m * n_z, m * n_w
 
 
-@njit(cache=True, error_model="numpy")
+@kernel(error_model="numpy")
 def _filter(state: Array, i: int, k: float, a_x: float, a_y: float, a_z: float) -> None:
     """Specific force into G and through both low passes; plain averages while these are young."""
     x, y, z, w = state[i, 0], state[i, 1], state[i, 2], state[i, 3]
@@ -107,7 +107,7 @@ def _filter(state: Array, i: int, k: float, a_x: float, a_y: float, a_z: float) 
     state[i, 12] += k * (state[i, 9] - state[i, 12])
 
 
-@njit(cache=True)
+@kernel
 def _judge_rest(s: Array, c: Array, g: Array, a: Array) -> None:
     """Rest is when the samples at levellings stay close to their slow averages."""
     off_gyro, off_accel = 0.0, 0.0
@@ -129,7 +129,7 @@ def _judge_rest(s: Array, c: Array, g: Array, a: Array) -> None:
             s[OFFSET + j] += c[K_REST_OFFSET] * (s[MEAN_GYRO + j] - s[OFFSET + j])
 
 
-@njit(cache=True)
+@kernel
 def _level(s: Array, c: Array) -> None:
     """Turn G, by the shortest way, until the averaged specific force points up."""
     norm = np.sqrt(s[10] ** 2 + s[11] ** 2 + s[12] ** 2)
@@ -144,7 +144,7 @@ def _level(s: Array, c: Array) -> None:
     _turn_vector(s, SECOND, x, y, w)
 
 
-@njit(cache=True)
+@kernel
 def _average_rows(s: Array, c: Array) -> None:
     """The horizontal rows of R_GB through the same low passes as the specific force."""
     x, y, z, w = s[0], s[1], s[2], s[3]
@@ -160,7 +160,7 @@ def _average_rows(s: Array, c: Array) -> None:
         s[ROWS + 6 + j] += k * (s[ROWS + j] - s[ROWS + 6 + j])
 
 
-@njit(cache=True)
+@kernel
 def _learn_offset(s: Array, c: Array, r_x: float, r_y: float) -> None:
     """A levelling (r_x, r_y, 0) rad in G shows what the offset has turned the IMU by.
 
@@ -177,7 +177,7 @@ def _learn_offset(s: Array, c: Array, r_x: float, r_y: float) -> None:
         s[OFFSET + j] = min(max(b, -c[LIMIT]), c[LIMIT])
 
 
-@njit(cache=True)
+@kernel
 def _turn_to_up(s: Array, u_x: float, u_y: float, u_z: float) -> tuple[float, float, float]:
     """Turn q by the shortest rotation of the unit vector u to z; its quaternion (x, y, 0, w)."""
     w = np.sqrt(max(0.5 * (1 + u_z), 1e-12))
@@ -192,7 +192,7 @@ def _turn_to_up(s: Array, u_x: float, u_y: float, u_z: float) -> tuple[float, fl
     return x, y, w
 
 
-@njit(cache=True)
+@kernel
 def _turn_vector(s: Array, at: int, x: float, y: float, w: float) -> None:
     """Rotate the vector that starts at column ``at`` by the quaternion (x, y, 0, w)."""
     v_x, v_y, v_z = s[at], s[at + 1], s[at + 2]
@@ -202,7 +202,7 @@ def _turn_vector(s: Array, at: int, x: float, y: float, w: float) -> None:
     s[at + 2] = v_z + w * t_z + x * t_y - y * t_x
 
 
-@njit(cache=True)
+@kernel
 def run(state: Array, gyro: Array, accel: Array, out: Array) -> None:
     """`step` over m samples; q_GB (m, n, 4) into ``out``."""
     for k in range(len(gyro)):

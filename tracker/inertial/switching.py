@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from tracker.inertial.integration import IntegrationState, integrate
 from tracker.inertial.planar import PlanarReadings, copied
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers, gravity_angle
+from tracker.kernels import kernel
 from tracker.messages import Array
 
 
@@ -91,7 +91,7 @@ def _copied(state: SwitchingState) -> SwitchingState:
     return SwitchingState(copied(state.integrator), state.bound.copy(), state.fast.copy())
 
 
-@njit(cache=True)
+@kernel
 def _acceleration_bounds(
     state: SwitchingState, bounds: _Bounds, gyro: Array
 ) -> tuple[float, float]:
@@ -107,7 +107,7 @@ def _acceleration_bounds(
     return arm, 2 * arm  # eq. 6
 
 
-@njit(cache=True)
+@kernel
 def _step(
     state: SwitchingState, bounds: _Bounds, gyro: Array, accel: ComplexArray, root: complex
 ) -> None:
@@ -126,7 +126,7 @@ def _step(
         state.fast[k] = 0.0 if gravity_bound < drift_bound else 1.0
 
 
-@njit(cache=True)
+@kernel
 def _run(
     state: SwitchingState,
     bounds: _Bounds,

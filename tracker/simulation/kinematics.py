@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
 from tracker.geometry import so3
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
 
-@numba.njit(cache=True)
+@kernel
 def forward_many(
     parent: IntArray,
     origin: Array,
@@ -42,7 +42,7 @@ def forward_many(
     return R, p
 
 
-@numba.njit(cache=True)
+@kernel
 def _joint_rotation(column: IntArray, twist_per_flexion: float, angles: Array, out: Array) -> None:
     """Rz(abduction) Ry(flexion) Rx(twist), the twist with what flexion brings along."""
     a = angles[column[0]] if column[0] >= 0 else 0.0

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
 CIRCLE, SQUARE = 0, 1
@@ -22,7 +22,7 @@ def sample_pattern() -> Array:
     return np.stack([circle, square])
 
 
-@numba.njit(cache=True)
+@kernel
 def view_patches(
     eye: Array,
     K: Array,
@@ -94,14 +94,14 @@ def view_patches(
     return uv, extent, facing, whole
 
 
-@numba.njit(cache=True)
+@kernel
 def _turn(R: Array, i: int, v: Array, out: Array) -> None:
     """R[i] v, without a BLAS call for three numbers."""
     for c in range(3):
         out[c] = R[i, c, 0] * v[0] + R[i, c, 1] * v[1] + R[i, c, 2] * v[2]
 
 
-@numba.njit(cache=True)
+@kernel
 def _carry(R: Array, p: Array, i: int, v: Array, out: Array) -> None:
     """R[i] v + p[i]."""
     _turn(R, i, v, out)
@@ -109,7 +109,7 @@ def _carry(R: Array, p: Array, i: int, v: Array, out: Array) -> None:
         out[c] += p[i, c]
 
 
-@numba.njit(cache=True)
+@kernel
 def _on_surface(
     position: Array, normal: Array, s: Array, flat: bool, point: Array, n_out: Array
 ) -> None:
@@ -125,7 +125,7 @@ def _on_surface(
     n_out[0], n_out[1], n_out[2] = 0.0, c, d
 
 
-@numba.njit(cache=True)
+@kernel
 def _on_plane(position: Array, n: Array, s: Array, point: Array) -> None:
     along = np.array([1.0, 0.0, 0.0]) if abs(n[0]) <= 0.9 else np.array([0.0, 0.0, 1.0])
     along -= (along[0] * n[0] + along[1] * n[1] + along[2] * n[2]) * n
@@ -134,7 +134,7 @@ def _on_plane(position: Array, n: Array, s: Array, point: Array) -> None:
     point[:] = position + s[0] * along + s[1] * across
 
 
-@numba.njit(cache=True)
+@kernel
 def near_ray(
     eye: Array,
     x: Array,
@@ -155,7 +155,7 @@ def near_ray(
     return count
 
 
-@numba.njit(cache=True)
+@kernel
 def hidden(
     eye: Array,
     x: Array,
@@ -183,7 +183,7 @@ def hidden(
     return False
 
 
-@numba.njit(cache=True)
+@kernel
 def _segments_closer(p: Array, q: Array, a: Array, b: Array, i: int, r: float) -> bool:
     """Whether pq and capsule i's axis come nearer than r (Ericson 2005, section 5.1.9)."""
     d0, d1, d2 = q[0] - p[0], q[1] - p[1], q[2] - p[2]
@@ -210,7 +210,7 @@ def _segments_closer(p: Array, q: Array, a: Array, b: Array, i: int, r: float) -
     return g0 * g0 + g1 * g1 + g2 * g2 < r * r
 
 
-@numba.njit(cache=True)
+@kernel
 def _crosses_box(p: Array, q: Array, R: Array, centre: Array, half: Array, i: int) -> bool:
     """Whether the segment pq meets box i (slab method)."""
     low, high = 0.0, 1.0

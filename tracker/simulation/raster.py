@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 from tracker.simulation.solids import Solids
 
@@ -39,7 +39,7 @@ def _box_of(points: Array, radius: Array, K: Array) -> Array:
     return np.concatenate([low * K[:2] + K[2:], high * K[:2] + K[2:]], axis=1)
 
 
-@numba.njit(cache=True, fastmath=True, nogil=True)
+@kernel(fastmath=True)
 def draw(
     rays: Float32,
     jitter: Array,
@@ -78,7 +78,7 @@ def draw(
                     ident[row, column] = i
 
 
-@numba.njit(cache=True, fastmath=True, inline="always")
+@kernel(fastmath=True, inline="always")
 def _capsule(eye: Array, x: float, y: float, a: Array, b: Array, radius: Array, i: int) -> float:
     """Depth z at which the ray eye + z (x, y, 1) enters capsule i, FAR if it misses."""
     r = radius[i]
@@ -112,7 +112,7 @@ def _capsule(eye: Array, x: float, y: float, a: Array, b: Array, radius: Array, 
     return z if z > 0.02 else FAR
 
 
-@numba.njit(cache=True, fastmath=True, inline="always")
+@kernel(fastmath=True, inline="always")
 def _box(eye: Array, x: float, y: float, R: Array, centre: Array, half: Array, i: int) -> float:
     """Depth z at which the ray eye + z (x, y, 1) enters box i, FAR if it misses (slab method)."""
     low, high = 0.02, FAR

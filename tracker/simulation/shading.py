@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 from tracker.simulation.raster import Float32, Int16
 
 
-@numba.njit(cache=True, fastmath=True, nogil=True)
+@kernel(fastmath=True)
 def shade(
     rays: Float32,
     jitter: Array,
@@ -77,7 +77,7 @@ def shade(
                 total[row, column, c] += base * bright
 
 
-@numba.njit(cache=True, fastmath=True, inline="always")
+@kernel(fastmath=True, inline="always")
 def _capsule_normal(q: Array, a: Array, b: Array, radius: Array, i: int, n: Array) -> None:
     """Outward normal at the point q of capsule i."""
     e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
@@ -89,7 +89,7 @@ def _capsule_normal(q: Array, a: Array, b: Array, radius: Array, i: int, n: Arra
     n[2] = (w2 - share * e2) / radius[i]
 
 
-@numba.njit(cache=True, fastmath=True, inline="always")
+@kernel(fastmath=True, inline="always")
 def _box_normal(q: Array, R: Array, centre: Array, half: Array, i: int, n: Array) -> None:
     """Outward normal of the face of box i that the point q lies on."""
     best, face, sign = -1e9, 0, 1.0
@@ -103,7 +103,7 @@ def _box_normal(q: Array, R: Array, centre: Array, half: Array, i: int, n: Array
         n[c] = sign * R[i, c, face]
 
 
-@numba.njit(cache=True, fastmath=True, inline="always")
+@kernel(fastmath=True, inline="always")
 def _patch_at(
     q: Array,
     R: Array,
@@ -141,7 +141,7 @@ def _patch_at(
     return -1
 
 
-@numba.njit(cache=True, fastmath=True, inline="always")
+@kernel(fastmath=True, inline="always")
 def _around(y: float, z: float, my: float, mz: float) -> float:
     """Arc from the marker's middle to the point, both at the marker's distance from the bone."""
     rho = np.sqrt(my * my + mz * mz)
@@ -149,7 +149,7 @@ def _around(y: float, z: float, my: float, mz: float) -> float:
     return rho * angle
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def develop(
     total: Float32,
     exposures: int,

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def assign(cost: Array, alone: float) -> IntArray:
     """(m,) row of cost (n, m) for each column, -1 for none, with the least total cost.
 
@@ -40,7 +40,7 @@ def assign(cost: Array, alone: float) -> IntArray:
     return row_of[:m]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _relax(
     cost: Array,
     alone: float,
@@ -68,7 +68,7 @@ def _relax(
     return nearest
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _reprice(
     first: int,
     reached: float,

@@ -7,10 +7,10 @@ out, bit for bit, save those so small that the grid misses them.
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.kernels import kernel
 from tracker.messages import Array
 from tracker.vision.hue_table import Table, pixel_class
 
@@ -19,13 +19,13 @@ Runs = NDArray[np.int32]
 """(n, 3): row, first and last column of each run of a region."""
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def room(extent: int) -> Runs:
     """Memory for the runs of one region of at most ``extent`` px, and of what is looked at next."""
     return np.empty(((extent + 4) * (extent // 2 + 4), 3), np.int32)
 
 
-@numba.njit(cache=True, nogil=True, inline="always")
+@kernel(inline="always")
 def _run(
     image: _Bytes,
     visited: _Bytes,
@@ -49,7 +49,7 @@ def _run(
     return first, last
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def fill(
     image: _Bytes,
     visited: _Bytes,
@@ -104,7 +104,7 @@ def fill(
     return n, whole
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def moments(runs: Runs) -> tuple[float, float, float, float, float, float]:
     """Area, centroid u and v, and central second moments uu, uv, vv (px²) of a region.
 
@@ -128,13 +128,13 @@ def moments(runs: Runs) -> tuple[float, float, float, float, float, float]:
     return area, u + u0, v + v0, uu, suv / area - u * v, vv
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def bounds(runs: Runs) -> tuple[int, int, int, int]:
     """Least and greatest column, least and greatest row."""
     return runs[:, 1].min(), runs[:, 2].max(), runs[:, 0].min(), runs[:, 0].max()
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def hull(runs: Runs) -> tuple[float, float]:
     """Pixels inside the convex hull of a region's pixel centres, and the region's girth (px).
 
@@ -162,7 +162,7 @@ def hull(runs: Runs) -> tuple[float, float]:
     return pixels, girth
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _chain(x: NDArray[np.int64], sign: int, chain: NDArray[np.int64]) -> int:
     """Rows of the hull's vertices along one side, from top to bottom (Andrew's monotone chain)."""
     n = 0
@@ -177,14 +177,14 @@ def _chain(x: NDArray[np.int64], sign: int, chain: NDArray[np.int64]) -> int:
     return n
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _gcd(a: int, b: int) -> int:
     while b:
         a, b = b, a % b
     return a
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def axes(uu: float, uv: float, vv: float) -> tuple[float, float, float]:
     """Full lengths (px) of the ellipse with these second moments, and its long axis' angle."""
     mean, half = 0.5 * (uu + vv), np.hypot(0.5 * (uu - vv), uv)
@@ -195,7 +195,7 @@ def axes(uu: float, uv: float, vv: float) -> tuple[float, float, float]:
     )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def waist(runs: Runs, u: float, v: float, angle: float) -> tuple[float, float]:
     """Where a region is narrowest across its long axis, and how narrow.
 
@@ -218,7 +218,7 @@ def waist(runs: Runs, u: float, v: float, angle: float) -> tuple[float, float]:
     return _narrowest(width, half)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _narrowest(width: Array, half: int) -> tuple[float, float]:
     n = len(width)
     smooth = np.zeros(n)
@@ -232,7 +232,7 @@ def _narrowest(width: Array, half: int) -> tuple[float, float]:
     return place, ratio
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def cut(runs: Runs, u: float, v: float, angle: float, place: float) -> tuple[Runs, int]:
     """Runs parted by the line across the long axis at ``place``: first those before it.
 

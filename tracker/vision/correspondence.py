@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 from tracker.vision.assignment import assign
 from tracker.vision.cpd import translation_em
@@ -72,7 +72,7 @@ def assign_gated(
     )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _assigned(
     uv: Array,
     hue: IntArray,
@@ -93,7 +93,7 @@ def _assigned(
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _gated_costs(
     uv: Array,
     hue: IntArray,
@@ -183,7 +183,7 @@ def match_translation(
     return TranslationMatch(marker, eta, posterior)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _normalised(prior: Array, hue: IntArray) -> Array:
     """Priors that sum to one within each hue; a hue of zeros stays so."""
     out = np.zeros(len(prior))
@@ -197,7 +197,7 @@ def _normalised(prior: Array, hue: IntArray) -> Array:
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _likeliest(
     P: Array, points: Array, markers: Array, eta: Array, min_posterior: float, reach: float
 ) -> tuple[IntArray, Array]:

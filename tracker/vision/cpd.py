@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import math
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def parallax_em(
     left: Array,
     left_hue: IntArray,
@@ -64,7 +64,7 @@ def parallax_em(
     return zeta, s
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def translation_em(
     points: Array,
     hue: IntArray,
@@ -112,7 +112,7 @@ def translation_em(
     return eta, P
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _expect(
     row: Array,
     point: Array,
@@ -138,7 +138,7 @@ def _expect(
             row[j] = scale * prior[j] * math.exp(-0.5 * d2)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _maximise(
     p: float, W: Array, point: Array, marker: Array, information: Array, weighted: Array
 ) -> None:
@@ -149,7 +149,7 @@ def _maximise(
             weighted[r] += p * W[r, c] * (point[c] - marker[c])
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _inverse3(cov: Array, extra: float, out: Array) -> float:
     """out = (cov + extra I)^-1 of a symmetric matrix by cofactors; returns the determinant."""
     a, b, c = cov[0, 0] + extra, cov[0, 1], cov[0, 2]
@@ -162,7 +162,7 @@ def _inverse3(cov: Array, extra: float, out: Array) -> float:
     return det
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _solve3(M: Array, y: Array, out: Array) -> None:
     """out = M^-1 y of a symmetric positive definite M."""
     inverse = np.empty((3, 3))

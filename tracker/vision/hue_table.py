@@ -7,11 +7,11 @@ faster than the arithmetic. It is filled in 50 ms by OpenCV's own integer arithm
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
 from tracker.errors import ConfigError
+from tracker.kernels import kernel
 from tracker.vision.colours import HUES, LEVELS, ColourProfile
 
 MAX_HUES = 30  # bits of a mask
@@ -54,7 +54,7 @@ def _masks(profile: ColourProfile) -> _Masks:
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def exact_class(b: int, g: int, r: int, masks: _Masks) -> int:
     """Class of one colour, with the fixed-point HSV of OpenCV's cvtColor."""
     v = max(b, g, r)
@@ -79,14 +79,14 @@ def exact_class(b: int, g: int, r: int, masks: _Masks) -> int:
     return 0
 
 
-@numba.njit(cache=True, nogil=True, inline="always")
+@kernel(inline="always")
 def pixel_class(image: _Bytes, y: int, x: int, table: Table) -> int:
     """Class of one pixel of a BGR image."""
     b, g, r = np.int64(image[y, x, 0]), np.int64(image[y, x, 1]), np.int64(image[y, x, 2])
     return int(table[(b << 16) | (g << 8) | r])
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _full_table(masks: _Masks) -> Table:
     out = np.empty(LEVELS**3, np.int8)
     k = 0

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import cv2
-import numba
 import numpy as np
 
 from tracker.errors import ConfigError
+from tracker.kernels import kernel
 from tracker.messages import Array, CameraPose
 
 NEAREST = 0.01  # m in front of the lens, below which nothing is projected
@@ -112,7 +112,7 @@ class StereoRig:
         return np.column_stack([x, y, z])
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _project(p_C, shift, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
     """(n, 2) rectified pixels of p_C (n, 3), seen from ``shift`` m to the right."""
     out = np.empty((len(p_C), 2))

@@ -19,9 +19,9 @@ from collections import deque
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, BlobFrame, Blobs, FrameResult, IntArray, Tracking
 from tracker.vision.rig import StereoRig
 
@@ -187,7 +187,7 @@ class RigWatch:
         )
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def median_residual(residual: Array) -> tuple[int, Array]:
     """How many rows of residual (M, 4) px are finite, and the median of these, column by column."""
     finite = np.empty(residual.shape)
@@ -202,7 +202,7 @@ def median_residual(residual: Array) -> tuple[int, Array]:
     return n, out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def row_votes(
     left: Array,
     left_hue: IntArray,

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.kernels import kernel
 from tracker.messages import Array
 from tracker.vision.components import Runs, axes, bounds, cut, fill, hull, moments, room, waist
 from tracker.vision.hue_table import Table, pixel_class
@@ -22,7 +22,7 @@ SPLIT_THICKNESS = 5.0  # px; pixels carve waists into thinner regions
 SPLIT_CONVEXITY = 0.88  # of each half
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def find_regions(
     image: _Bytes,
     visited: _Bytes,
@@ -57,7 +57,7 @@ def find_regions(
     return out[:n]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _measure_parts(
     runs: Runs, hue: int, min_area: float, shape: tuple[int, int, int], rows: Array
 ) -> int:
@@ -82,7 +82,7 @@ def _measure_parts(
     return 2
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _measure(
     runs: Runs, hue: int, min_area: float, shape: tuple[int, int, int], row: Array
 ) -> bool:

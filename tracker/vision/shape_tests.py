@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 from tracker.vision import search
 
 SIZE, CONVEXITY, CIRCULARITY, EDGE = range(4)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def first_failure(
     rows: Array,
     extent: tuple[float, float],
@@ -46,7 +46,7 @@ def first_failure(
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _suits(
     row: Array,
     size: tuple[float, float],
@@ -68,7 +68,7 @@ def _suits(
     return not expected
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def windows_around(uv: Array, radius: Array, width: int, height: int, stride: int) -> IntArray:
     """(k, 5) first and last column, first and last row, stride: squares cut to the picture.
 

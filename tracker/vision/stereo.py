@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 from tracker.vision.cpd import parallax_em
 from tracker.vision.rig import StereoRig
@@ -125,7 +125,7 @@ def _matches(i: IntArray, j: IntArray, left: Array, right: Array, rig: StereoRig
     return StereoMatches(i[ok], j[ok], p_C[ok])
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def commonest_parallax(
     left: Array,
     left_hue: IntArray,
@@ -154,7 +154,7 @@ def commonest_parallax(
     return best
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _votes(
     left: Array,
     left_hue: IntArray,
@@ -175,7 +175,7 @@ def _votes(
     return total
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _mutual_nearest(
     left: Array,
     left_hue: IntArray,

@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-import numba
 import numpy as np
 
 from tracker.hand.model import HandModel
+from tracker.kernels import kernel
 from tracker.messages import Array, CameraPose, IntArray
 from tracker.vision.rig import Camera, StereoRig
 
@@ -97,7 +97,7 @@ def facing(p_G: Array, normal_G: Array, centre_G: Array, params: VisibilityParam
     return _facing(p_G, normal_G, centre_G, params.facing_full_deg, params.facing_none_deg)
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _facing(p: Array, normal: Array, centre: Array, full_deg: float, none_deg: float) -> Array:
     out = np.empty(len(p))
     for j in range(len(p)):
@@ -136,7 +136,7 @@ def _recorded(camera: Camera, uv: Array) -> Array:
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _inside(uv: Array, sd: Array, right: float, bottom: float) -> Array:
     """Phi(d / sigma) with d the signed distance to the nearest edge, sigma along it."""
     out = np.zeros(len(uv))
@@ -150,7 +150,7 @@ def _inside(uv: Array, sd: Array, right: float, bottom: float) -> Array:
     return out
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _weaken_hidden(
     prior: Array,
     factor: float,
@@ -181,7 +181,7 @@ def _weaken_hidden(
             prior[j] *= factor
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _into(R: Array, origin: Array, p_G: Array, out: Array) -> None:
     """p_B = R_GB^T (p_G - p_GB)."""
     for i in range(3):
@@ -190,7 +190,7 @@ def _into(R: Array, origin: Array, p_G: Array, out: Array) -> None:
             out[i] += R[k, i] * (p_G[k] - origin[k])
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _cuts_slab(a: Array, b: Array, length: float, half_width: float, half_height: float) -> bool:
     """Whether the line a-b meets the box 0..length, ±half_width, ±half_height (slab method)."""
     low, high = 0.0, 1.0
@@ -207,7 +207,7 @@ def _cuts_slab(a: Array, b: Array, length: float, half_width: float, half_height
     return low < high
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _cuts_capsule(a: Array, b: Array, length: float, radius: float) -> bool:
     """Whether the line a-b comes within ``radius`` of the axis (0, 0, 0)-(length, 0, 0).
 

@@ -11,7 +11,6 @@ so nine rows and columns of each segment move and Phi P Phi^T needs no dense pro
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +19,7 @@ from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, P, V, VistL
 from tracker.fusion.vist.params import VistNoise
 from tracker.fusion.vist.state import VistState
 from tracker.geometry.kernels import exp3
+from tracker.kernels import kernel
 from tracker.messages import Array, ImuSample, IntArray
 
 Bools = NDArray[np.bool_]
@@ -54,7 +54,7 @@ def propagate(
     state.t += dt
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _move_nominal(  # type: ignore[no-untyped-def]
     parent: IntArray, p, v, R, w, f, valid, dt
 ):
@@ -77,7 +77,7 @@ def _move_nominal(  # type: ignore[no-untyped-def]
     return p_new, v_new, R_new
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _error_blocks(R, w, f, valid, dt):  # type: ignore[no-untyped-def]
     """A_th (n, 3, 3), E = Exp(w dt)^T (n, 3, 3), and A_ba (n, 3, 3); zeros where silent."""
     n = len(R)
@@ -96,7 +96,7 @@ def _error_blocks(R, w, f, valid, dt):  # type: ignore[no-untyped-def]
     return A_th, A_ba, E
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def move_covariance(P_, R, w, f, valid, dt):  # type: ignore[no-untyped-def]
     """P <- Phi P Phi^T in place; P (21 n, 21 n), R (n, 3, 3), w, f (n, 3), valid (n,) bool."""
     A_th, A_ba, E = _error_blocks(R, w, f, valid, dt)

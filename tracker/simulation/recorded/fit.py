@@ -70,12 +70,13 @@ def _solve(
     coupling = np.array(
         [[index[s.angle], index[s.of], s.ratio, s.offset] for s in hand.synergies]
     ).reshape(-1, 4)
+    angles, R, p_root = (np.ascontiguousarray(x) for x in start)
     weights = 1 / np.array([p.point, p.rest, p.change, p.synergy])
     return Fit(
         *solve_frames(
             *_tree(hand),
             hand.angle_limits, coupling, segment, local, np.ascontiguousarray(points),
-            *(np.ascontiguousarray(x) for x in start), weights, p.iterations,
+            angles, R, p_root, weights, p.iterations,
         )
     )  # fmt: skip
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import numba
-import numpy as np
+from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 from tracker.simulation.kinematics import forward_many
 
 
-@numba.njit(cache=True)
+@kernel
 def solve_frames(
     parent: IntArray,
     origin: Array,
@@ -59,7 +62,7 @@ def solve_frames(
     return out_a, out_R, out_p, residual
 
 
-@numba.njit(cache=True)
+@kernel
 def _normal_equations(
     parent: IntArray,
     R_rest: Array,
@@ -96,7 +99,7 @@ def _normal_equations(
     return H, g
 
 
-@numba.njit(cache=True)
+@kernel
 def _joint_columns(
     J: Array, base: Array, R: Array, column: IntArray, angles: Array, arm: Array
 ) -> None:
@@ -111,7 +114,7 @@ def _joint_columns(
         J[:, 6 + column[2]] = np.cross(R[:, 0], arm)
 
 
-@numba.njit(cache=True)
+@kernel
 def _priors(H: Array, g: Array, a: Array, before: Array, coupling: Array, weights: Array) -> None:
     """Rest, steadiness and synergies: what decides where no point does."""
     for j in range(len(a)):
@@ -131,8 +134,8 @@ def _priors(H: Array, g: Array, a: Array, before: Array, coupling: Array, weight
         H[j, j] += 1e-6
 
 
-@numba.njit(cache=True)
-def _turned(step: Array, R: Array) -> Array:
+@kernel
+def _turned(step: NDArray[Any], R: Array) -> Array:
     """Exp(step) R, made orthonormal again."""
     angle = np.sqrt(step[0] ** 2 + step[1] ** 2 + step[2] ** 2)
     K = np.array([[0.0, -step[2], step[1]], [step[2], 0.0, -step[0]], [-step[1], step[0], 0.0]])
