@@ -97,7 +97,7 @@ def machine() -> dict[str, str]:
         "memory": f"{psutil.virtual_memory().total / 1e9:.1f} GB",
         "qt": qVersion(),
         **{f"package {name}": number for name, number in packages.items()},
-        **_optional(("websockets", "pylsl", "foxglove-sdk")),
+        **_optional(("websockets", "pylsl")),
     }
 
 

@@ -16,7 +16,8 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
 from tracker.streaming.publisher import Names, StreamError
-from tracker.streaming.websocket import MAX_CLIENTS, WebSocketPublisher
+from tracker.streaming.server_thread import MAX_CLIENTS
+from tracker.streaming.websocket import WebSocketPublisher
 
 
 @pytest.fixture

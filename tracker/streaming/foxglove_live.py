@@ -1,41 +1,46 @@
 """A Foxglove live server: the estimate as JSON for plots and as a scene for the 3D panel.
 
-The protocol is spoken by foxglove-sdk, in threads of its own. Topics, per hand:
+Topics, per hand:
 
     /glovetrack/right         the JSON of `payload`, with its schema
-    /glovetrack/right/scene   foxglove.SceneUpdate in the frame ``world`` (G, z up)
+    /glovetrack/right/scene   foxglove.SceneUpdate in the frame ``world``; see `foxglove_scene`
 
-In the scene a bone or joint that is lost is left out, an inferred one is small and pale, and the
-entity's metadata tells every keypoint's state in words.
+A client that reads slowly loses the oldest of `BACKLOG` waiting messages.
 """
 
 from __future__ import annotations
 
-import socket
+import asyncio
+import contextlib
+import json
 import time
-from typing import Any
+from collections import deque
+from collections.abc import Callable
 
-import foxglove
-import numpy as np
-from foxglove import messages as fg
-from foxglove.channels import SceneUpdateChannel
+from websockets.asyncio.server import ServerConnection
+from websockets.exceptions import ConnectionClosed
+from websockets.typing import Subprotocol
 
-from tracker.hand.names import KEYPOINTS
-from tracker.messages import Array, Estimate, Validity
+from tracker.messages import Estimate
+from tracker.streaming.foxglove_protocol import (
+    SUBPROTOCOLS,
+    Channel,
+    ProtocolError,
+    Subscriptions,
+    advertise,
+    error,
+    message_data,
+    server_info,
+)
+from tracker.streaming.foxglove_scene import Scene, estimate_schema, scene_schema
 from tracker.streaming.payload import to_json
-from tracker.streaming.publisher import LOOPBACK, STATE_WORDS, Names, StreamError
+from tracker.streaming.publisher import LOOPBACK, Names, StreamError
+from tracker.streaming.server_thread import ServerThread
 
 DEFAULT_PORT = 8765  # where Foxglove looks by itself
-CLOSE_WAIT = 1.0  # s
-BACKLOG = 64  # messages kept per client; the oldest go first
-FRAME = "world"
-LIFETIME = fg.Duration(1)  # of a hand in the view after the last estimate
-SIZE_M = {Validity.MEASURED: 0.010, Validity.INFERRED: 0.006}
-COLOURS = {
-    Validity.MEASURED: fg.Color(r=0.12, g=0.47, b=0.71, a=1.0),
-    Validity.INFERRED: fg.Color(r=0.85, g=0.60, b=0.20, a=0.6),
-}
-STATE_SCHEMA = {"enum": list(STATE_WORDS.values())}
+BACKLOG = 64  # messages kept per client
+MAX_SAID = 2**16  # bytes of a client's message
+ESTIMATE, SCENE = 1, 2  # channels
 
 
 class FoxglovePublisher:
@@ -49,170 +54,98 @@ class FoxglovePublisher:
         wall_offset: float | None = None,
     ) -> None:
         """``wall_offset``: s since 1970 at the monotonic clock's zero; by default as of now."""
-        self._names, self._bones = names, bones(names)
         self._wall = time.time() - time.monotonic() if wall_offset is None else wall_offset
-        self._audience = _Audience()
-        context = self._context = foxglove.Context()  # kept: channels die with it
-        try:
-            self._server = foxglove.start_server(
-                name="Glovetrack",
-                host=host,
-                port=port,
-                context=context,
-                server_listener=self._audience,
-                message_backlog_size=BACKLOG,
-            )
-        except (RuntimeError, OSError, OverflowError) as error:
-            raise StreamError(f"No Foxglove server at {host}:{port}: {error}.") from error
-        topic = f"/glovetrack/{names.side}"
-        self._json = foxglove.Channel(topic, schema=json_schema(names), context=context)
-        self._scene = SceneUpdateChannel(f"{topic}/scene", context=context)
-        self._closed, self._host = False, host
+        self._greeting = _greeting(names, session_id=str(time.time_ns()))
+        scene = Scene(names)
+        self._encoders: dict[int, Callable[[Estimate, int], str]] = {
+            ESTIMATE: lambda e, _: to_json(e, names),
+            SCENE: lambda e, stamp_ns: json.dumps(scene.update(e, stamp_ns), allow_nan=False),
+        }
+        self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, never changed
+        self._closed = False
+        subprotocols = [Subprotocol(s) for s in SUBPROTOCOLS]
+        self._server = ServerThread(
+            "Foxglove", self._serve, host, port, subprotocols=subprotocols, max_size=MAX_SAID
+        )
         self.port = self._server.port
         self.name = f"Foxglove at {host}:{self.port}"
 
     @property
     def clients(self) -> int:
         """How many have subscribed to something."""
-        return self._audience.count
+        return sum(bool(c.wants.by_channel) for c in self._clients)
 
     def send(self, estimate: Estimate) -> None:
         if self._closed:
             raise StreamError("the Foxglove server is closed")
-        stamp = round((estimate.t + self._wall) * 1e9)
-        if self._json.has_sinks():
-            self._json.log(to_json(estimate, self._names).encode(), log_time=stamp)
-        if self._scene.has_sinks():
-            self._scene.log(self._update(estimate, stamp), log_time=stamp)
+        stamp_ns = round((estimate.t + self._wall) * 1e9)
+        wanted = {channel for c in self._clients for channel in tuple(c.wants.by_channel)}
+        for channel in sorted(wanted):
+            payload = self._encoders[channel](estimate, stamp_ns).encode()
+            self._server.call(self._hand_out, channel, stamp_ns, payload)
 
     def close(self) -> None:
-        if not self._closed:
-            self._closed = True
-            self._json.close()
-            self._scene.close()
-            self._server.stop()
-            self._wait_until_free()
+        self._closed = True
+        self._server.close()
 
-    def _wait_until_free(self) -> None:
-        """The SDK frees its port a moment after `stop`; whoever opens it next must not find it."""
-        end = time.monotonic() + CLOSE_WAIT
-        while time.monotonic() < end:
+    # ---- in the server's own thread
+
+    def _hand_out(self, channel: int, stamp_ns: int, payload: bytes) -> None:
+        for client in self._clients:
+            client.offer(channel, stamp_ns, payload)
+
+    async def _serve(self, connection: ServerConnection) -> None:
+        for text in self._greeting:
+            await connection.send(text)
+        client = _Client(connection)
+        self._clients += (client,)
+        sending = asyncio.create_task(client.send())
+        try:
+            await client.listen()
+        finally:
+            self._clients = tuple(c for c in self._clients if c is not client)
+            sending.cancel()
+
+
+class _Client:
+    """One connection: what it wants, and what waits to be sent."""
+
+    def __init__(self, connection: ServerConnection) -> None:
+        self._connection = connection
+        self.wants = Subscriptions({ESTIMATE, SCENE})
+        self._waiting: deque[bytes] = deque(maxlen=BACKLOG)
+        self._fresh = asyncio.Event()
+
+    def offer(self, channel: int, stamp_ns: int, payload: bytes) -> None:
+        """Leave a message, where the client wants this channel's."""
+        subscription = self.wants.by_channel.get(channel)
+        if subscription is not None:
+            self._waiting.append(message_data(subscription, stamp_ns, payload))
+            self._fresh.set()
+
+    async def listen(self) -> None:
+        """Hear the client until it leaves."""
+        async for text in self._connection:
             try:
-                socket.create_connection((self._host, self.port), 0.1).close()
-            except OSError:
-                return
-            time.sleep(0.02)
+                self.wants.hear(text)
+            except ProtocolError as trouble:
+                await self._connection.send(error(str(trouble)))
 
-    def _update(self, e: Estimate, stamp: int) -> fg.SceneUpdate:
-        states = [Validity(int(s)) for s in e.keypoint_state]
-        entity = fg.SceneEntity(
-            timestamp=fg.Timestamp(stamp // 10**9, stamp % 10**9),
-            frame_id=FRAME,
-            id=f"hand {self._names.side}",
-            lifetime=LIFETIME,
-            metadata=[
-                fg.KeyValuePair(key="tracking", value=e.tracking.name.lower()),
-                *(
-                    fg.KeyValuePair(key=n, value=STATE_WORDS[s])
-                    for n, s in zip(self._names.keypoints, states, strict=True)
-                ),
-            ],
-            spheres=_spheres(e.keypoints, states),
-            lines=self._lines(e.keypoints, states),
-        )
-        return fg.SceneUpdate(entities=[entity])
-
-    def _lines(self, points: Array, states: list[Validity]) -> list[fg.LinePrimitive]:
-        """A bone is as sure as the less sure of its ends."""
-        out = []
-        for state in SIZE_M:
-            ends = [
-                _point(points[i])
-                for bone in self._bones
-                if min(states[bone[0]], states[bone[1]]) == state
-                for i in bone
-            ]
-            if ends:
-                out.append(
-                    fg.LinePrimitive(
-                        type=fg.LinePrimitiveLineType.LineList,
-                        thickness=SIZE_M[state] / 2,
-                        points=ends,
-                        color=COLOURS[state],
-                    )
-                )
-        return out
+    async def send(self) -> None:
+        """Send what waits, for ever; a slow client is waited for here."""
+        with contextlib.suppress(ConnectionClosed):
+            while True:
+                while self._waiting:
+                    await self._connection.send(self._waiting.popleft())
+                self._fresh.clear()
+                await self._fresh.wait()
 
 
-class _Audience(foxglove.ServerListener):
-    """Who listens. Called by the server's threads."""
-
-    def __init__(self) -> None:
-        self._subscribed: set[tuple[int, int]] = set()
-
-    @property
-    def count(self) -> int:
-        return len({client for client, _ in self._subscribed.copy()})
-
-    def on_subscribe(self, client: Any, channel: Any) -> None:
-        self._subscribed.add((client.id, channel.id))
-
-    def on_unsubscribe(self, client: Any, channel: Any) -> None:
-        self._subscribed.discard((client.id, channel.id))
-
-
-def bones(names: Names) -> list[tuple[int, int]]:
-    """Rows of keypoints that a bone joins: along each finger, and from the wrist to it."""
-    row = {n: i for i, n in enumerate(names.keypoints)}
-    wrist, out, before = row["wrist"], [], row["wrist"]
-    for name in KEYPOINTS:
-        if name == "wrist" or name not in row:
-            continue
-        out.append((before, row[name]))
-        before = wrist if name.endswith("_tip") else row[name]
-    return out
-
-
-def json_schema(names: Names) -> dict[str, Any]:
-    """JSON schema of `payload`, so that Foxglove lists every keypoint and angle for plots."""
-    number: dict[str, Any] = {"type": ["number", "null"]}
-    numbers: dict[str, Any] = {"type": ["array", "null"], "items": {"type": "number"}}
-    point = {"state": STATE_SCHEMA, "position": numbers, "orientation_xyzw": numbers, "sd": number}
-    angle = {"state": STATE_SCHEMA, "value": number}
-    return {
-        "title": "glovetrack.Estimate",
-        "type": "object",
-        "properties": {
-            "schema": {"type": "integer"},
-            "side": {"type": "string"},
-            "t": {"type": "number"},
-            "tracking": {"type": "string"},
-            "keypoints": _objects(names.keypoints, point),
-            "angles": _objects(names.angles, angle),
-        },
-    }
-
-
-def _objects(keys: tuple[str, ...], properties: dict[str, Any]) -> dict[str, Any]:
-    one = {"type": "object", "properties": properties}
-    return {"type": "object", "properties": dict.fromkeys(keys, one)}
-
-
-def _spheres(points: Array, states: list[Validity]) -> list[fg.SpherePrimitive]:
-    """One per keypoint that is known."""
-    upright = fg.Quaternion(x=0.0, y=0.0, z=0.0, w=1.0)
-    out = []
-    for p, state in zip(points, states, strict=True):
-        if state == Validity.LOST or not np.isfinite(p).all():
-            continue
-        x, y, z = p.tolist()
-        d = SIZE_M[state]
-        pose = fg.Pose(position=fg.Vector3(x=x, y=y, z=z), orientation=upright)
-        size = fg.Vector3(x=d, y=d, z=d)
-        out.append(fg.SpherePrimitive(pose=pose, size=size, color=COLOURS[state]))
-    return out
-
-
-def _point(p: Array) -> fg.Point3:
-    x, y, z = p.tolist()
-    return fg.Point3(x=x, y=y, z=z)
+def _greeting(names: Names, session_id: str) -> tuple[str, str]:
+    """What every client hears first."""
+    topic = f"/glovetrack/{names.side}"
+    channels = (
+        Channel(ESTIMATE, topic, "glovetrack.Estimate", estimate_schema(names)),
+        Channel(SCENE, f"{topic}/scene", "foxglove.SceneUpdate", scene_schema()),
+    )
+    return server_info("Glovetrack", session_id), advertise(channels)

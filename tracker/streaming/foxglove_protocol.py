@@ -1,0 +1,106 @@
+"""The words of Foxglove's WebSocket protocol that a server of a few fixed channels needs.
+
+Source: github.com/foxglove/ws-protocol, docs/spec.md. ``foxglove.sdk.v1`` is what Foxglove speaks
+today, ``foxglove.websocket.v1`` what it and its descendants (Lichtblick) spoke before; what is used
+here is the same in both. Text is JSON with an ``op``; data is binary and little-endian.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+SUBPROTOCOLS = ("foxglove.sdk.v1", "foxglove.websocket.v1")
+MESSAGE_DATA = 1
+"""Opcode of a binary message: subscription's number (uint32), time in ns (uint64), payload."""
+ERROR_LEVEL = 2  # of a status: 0 info, 1 warning
+
+
+class ProtocolError(Exception):
+    """A client said what the protocol does not know; the text is for the client."""
+
+
+@dataclass(frozen=True)
+class Channel:
+    """A topic whose messages are JSON. ``schema`` is the JSON schema of one."""
+
+    id: int
+    topic: str
+    schema_name: str
+    schema: dict[str, Any]
+
+
+def server_info(name: str, session_id: str) -> str:
+    """What a client hears first. No capabilities: clients can subscribe and nothing else."""
+    return json.dumps(
+        {"op": "serverInfo", "name": name, "capabilities": [], "sessionId": session_id}
+    )
+
+
+def advertise(channels: Iterable[Channel]) -> str:
+    """What there is to subscribe to."""
+    told = [
+        {
+            "id": c.id,
+            "topic": c.topic,
+            "encoding": "json",
+            "schemaName": c.schema_name,
+            "schemaEncoding": "jsonschema",
+            "schema": json.dumps(c.schema),
+        }
+        for c in channels
+    ]
+    return json.dumps({"op": "advertise", "channels": told})
+
+
+def error(text: str) -> str:
+    """A status that Foxglove shows to its user."""
+    return json.dumps({"op": "status", "level": ERROR_LEVEL, "message": text})
+
+
+def message_data(subscription: int, stamp_ns: int, payload: bytes) -> bytes:
+    """One message of a channel, for the client that calls its subscription so."""
+    return struct.pack("<BIQ", MESSAGE_DATA, subscription, stamp_ns) + payload
+
+
+class Subscriptions:
+    """What one client wants: at most one subscription a channel, numbered by the client."""
+
+    def __init__(self, channels: Collection[int]) -> None:
+        self._known = channels
+        self.by_channel: dict[int, int] = {}
+        """The client's number for each channel it wants."""
+
+    def hear(self, text: str | bytes) -> None:
+        """Take what the client says. Raises ProtocolError; what came before it is kept."""
+        try:
+            said = json.loads(text)
+            op = said["op"]
+            if op == "subscribe":
+                for one in said["subscriptions"]:
+                    self._add(_uint32(one["id"]), _uint32(one["channelId"]))
+            elif op == "unsubscribe":
+                gone = {_uint32(number) for number in said["subscriptionIds"]}
+                self.by_channel = {c: s for c, s in self.by_channel.items() if s not in gone}
+            else:
+                raise ProtocolError(f"Glovetrack has no operation {op!r}.")
+        except (ValueError, KeyError, TypeError) as error:
+            raise ProtocolError(f"This message is not understood: {error!r}.") from error
+
+    def _add(self, subscription: int, channel: int) -> None:
+        if channel not in self._known:
+            raise ProtocolError(f"There is no channel {channel}.")
+        if channel in self.by_channel or subscription in self.by_channel.values():
+            raise ProtocolError(
+                f"Subscription {subscription} to channel {channel} is a second one."
+            )
+        self.by_channel[channel] = subscription
+
+
+def _uint32(value: object) -> int:
+    if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value < 2**32:
+        raise ValueError(f"{value!r} is not a number from 0 to 4294967295")
+    return value

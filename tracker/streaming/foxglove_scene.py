@@ -1,0 +1,168 @@
+"""A hand for Foxglove's 3D panel: foxglove.SceneUpdate as JSON, and the schemas of our channels.
+
+Source: docs.foxglove.dev/docs/sdk/schemas/scene-update. What a scene leaves out has Foxglove's
+defaults: an upright pose, no shapes of that kind.
+
+A schema keeps to what Foxglove reads of JSON schema (parseJsonSchema.ts of its mcap-support): one
+``type`` a field, so "or null" cannot be said; a choice only as numbers.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tracker.hand.names import KEYPOINTS
+from tracker.messages import Array, Estimate, Validity
+from tracker.streaming.payload import DECIMALS
+from tracker.streaming.publisher import STATE_WORDS, Names
+
+Json = dict[str, Any]
+
+FRAME = "world"  # G, z up
+LIFETIME = {"sec": 1, "nsec": 0}  # of a hand in the view after the last estimate
+LINE_LIST = 2  # foxglove.LinePrimitive's type: points 0-1, 2-3, ...
+SIZE_M = {Validity.MEASURED: 0.010, Validity.INFERRED: 0.006}
+COLOURS = {
+    Validity.MEASURED: {"r": 0.12, "g": 0.47, "b": 0.71, "a": 1.0},
+    Validity.INFERRED: {"r": 0.85, "g": 0.60, "b": 0.20, "a": 0.6},
+}
+
+
+class Scene:
+    """Scenes of one hand: a sphere per keypoint, a line per bone.
+
+    What is lost is left out, what is inferred is small and pale, and the entity's metadata tells
+    every keypoint's state in words.
+    """
+
+    def __init__(self, names: Names) -> None:
+        self._names, self._bones = names, bones(names)
+
+    def update(self, e: Estimate, stamp_ns: int) -> Json:
+        """``e`` as a scene; ``stamp_ns`` since 1970."""
+        states = [Validity(int(s)) for s in e.keypoint_state]
+        words = (STATE_WORDS[s] for s in states)
+        told = [("tracking", e.tracking.name.lower())]
+        told += zip(self._names.keypoints, words, strict=True)
+        entity = {
+            "timestamp": {"sec": stamp_ns // 10**9, "nsec": stamp_ns % 10**9},
+            "frame_id": FRAME,
+            "id": f"hand {self._names.side}",
+            "lifetime": LIFETIME,
+            "frame_locked": False,
+            "metadata": [{"key": key, "value": value} for key, value in told],
+            "spheres": _spheres(e.keypoints, states),
+            "lines": self._lines(e.keypoints, states),
+        }
+        return {"deletions": [], "entities": [entity]}
+
+    def _lines(self, points: Array, states: list[Validity]) -> list[Json]:
+        """A bone is as sure as the less sure of its ends."""
+        out = []
+        for state, size in SIZE_M.items():
+            ends = [
+                _xyz(points[i])
+                for bone in self._bones
+                if min(states[bone[0]], states[bone[1]]) == state
+                for i in bone
+            ]
+            look = {"type": LINE_LIST, "thickness": size / 2, "color": COLOURS[state]}
+            if ends:
+                out.append({**look, "points": ends})
+        return out
+
+
+def bones(names: Names) -> list[tuple[int, int]]:
+    """Rows of keypoints that a bone joins: along each finger, and from the wrist to it."""
+    row = {n: i for i, n in enumerate(names.keypoints)}
+    wrist, out, before = row["wrist"], [], row["wrist"]
+    for name in KEYPOINTS:
+        if name == "wrist" or name not in row:
+            continue
+        out.append((before, row[name]))
+        before = wrist if name.endswith("_tip") else row[name]
+    return out
+
+
+def _spheres(points: Array, states: list[Validity]) -> list[Json]:
+    """One per keypoint that is known."""
+    out = []
+    for p, state in zip(points, states, strict=True):
+        if state == Validity.LOST or not np.isfinite(p).all():
+            continue
+        size = dict.fromkeys("xyz", SIZE_M[state])
+        out.append({"pose": {"position": _xyz(p)}, "size": size, "color": COLOURS[state]})
+    return out
+
+
+def _xyz(p: Array) -> dict[str, float]:
+    return {axis: round(v, DECIMALS) for axis, v in zip("xyz", p.tolist(), strict=True)}
+
+
+NUMBER = {"type": "number"}
+STRING = {"type": "string"}
+INTEGER = {"type": "integer"}
+
+
+def _object(title: str = "", /, **properties: Json) -> Json:
+    out = {"type": "object", "properties": properties}
+    return {"title": title, **out} if title else out
+
+
+def _array(items: Json) -> Json:
+    return {"type": "array", "items": items}
+
+
+def estimate_schema(names: Names) -> Json:
+    """JSON schema of `payload`, so that Foxglove lists every keypoint and angle for plots.
+
+    What is lost is null in a message, whatever its type here.
+    """
+    numbers = _array(NUMBER)
+    point = _object(state=STRING, position=numbers, orientation_xyzw=numbers, sd=NUMBER)
+    angle = _object(state=STRING, value=NUMBER)
+    return _object(
+        "glovetrack.Estimate",
+        schema=INTEGER,
+        side=STRING,
+        t=NUMBER,
+        tracking=STRING,
+        keypoints=_object(**dict.fromkeys(names.keypoints, point)),
+        angles=_object(**dict.fromkeys(names.angles, angle)),
+    )
+
+
+def scene_schema() -> Json:
+    """JSON schema of what `Scene.update` says of foxglove.SceneUpdate."""
+    stamp = {"sec": INTEGER, "nsec": INTEGER}
+    xyz = dict.fromkeys("xyz", NUMBER)
+    vector, colour = _object("foxglove.Vector3", **xyz), dict.fromkeys("rgba", NUMBER)
+    look = {"color": _object("foxglove.Color", **colour)}
+    sphere = _object(
+        "foxglove.SpherePrimitive",
+        pose=_object("foxglove.Pose", position=vector),
+        size=vector,
+        **look,
+    )
+    line_type = {"oneOf": [{"title": "LINE_LIST", "const": LINE_LIST}]}
+    points = _array(_object("foxglove.Point3", **xyz))
+    line = _object(
+        "foxglove.LinePrimitive", type=line_type, thickness=NUMBER, points=points, **look
+    )
+    entity = _object(
+        "foxglove.SceneEntity",
+        timestamp=_object("time", **stamp),
+        frame_id=STRING,
+        id=STRING,
+        lifetime=_object("duration", **stamp),
+        frame_locked={"type": "boolean"},
+        metadata=_array(_object("foxglove.KeyValuePair", key=STRING, value=STRING)),
+        spheres=_array(sphere),
+        lines=_array(line),
+    )
+    deletion = _object(
+        "foxglove.SceneEntityDeletion", timestamp=_object("time", **stamp), id=STRING
+    )
+    return _object("foxglove.SceneUpdate", deletions=_array(deletion), entities=_array(entity))

@@ -1,0 +1,88 @@
+"""A WebSocket server with an event loop in a thread of its own, for the outputs that need one."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections.abc import Awaitable, Callable
+from concurrent.futures import Future
+from typing import Any
+
+from websockets.asyncio.server import Server, ServerConnection, serve
+from websockets.exceptions import ConnectionClosed
+
+from tracker.streaming.publisher import StreamError
+
+MAX_CLIENTS = 16
+START_WAIT = 5.0  # s
+CLOSE_WAIT = 0.5  # s for a client's answer to our farewell
+TRY_AGAIN_LATER = 1013  # close code
+
+Client = Callable[[ServerConnection], Awaitable[None]]
+
+
+class ServerThread:
+    """Serves ws://host:port/. Port 0 takes any free one; ``port`` says which.
+
+    ``client`` is called in the thread for each connection and ends with it; its ConnectionClosed is
+    expected. Raises StreamError, which calls the server ``kind``, where the port cannot be had.
+    """
+
+    def __init__(self, kind: str, client: Client, host: str, port: int, **options: Any) -> None:
+        """``options`` go to `websockets.asyncio.server.serve`."""
+        self._client, self._options = client, options
+        self._ending = False
+        self.connected = 0
+        """How many clients there are."""
+        started: Future[int] = Future()
+        self._thread = threading.Thread(
+            target=lambda: asyncio.run(self._serve(host, port, started)),
+            name=f"glovetrack-{kind.lower()}",
+            daemon=True,
+        )
+        self._thread.start()
+        try:
+            self.port = started.result(START_WAIT)
+        except (OSError, OverflowError) as error:
+            raise StreamError(f"No {kind} server at {host}:{port}: {error}.") from error
+
+    def call(self, function: Callable[..., object], *args: object) -> None:
+        """Have ``function`` called in the thread, soon; not after `close`."""
+        if not self._ending:
+            self._loop.call_soon_threadsafe(function, *args)
+
+    def close(self) -> None:
+        """Say farewell to all clients and free the port. May be called again."""
+        self.call(self._ended.set)
+        self._ending = True
+        self._thread.join()
+
+    async def _serve(self, host: str, port: int, started: Future[int]) -> None:
+        self._loop, self._ended = asyncio.get_running_loop(), asyncio.Event()
+        try:
+            server: Server = await serve(
+                self._welcome,
+                host,
+                port,
+                compression=None,
+                close_timeout=CLOSE_WAIT,
+                **self._options,
+            )
+        except (OSError, OverflowError) as error:
+            started.set_exception(error)
+            return
+        async with server:
+            started.set_result(next(iter(server.sockets)).getsockname()[1])
+            await self._ended.wait()
+
+    async def _welcome(self, connection: ServerConnection) -> None:
+        if self.connected >= MAX_CLIENTS:
+            await connection.close(TRY_AGAIN_LATER, "too many clients")
+            return
+        self.connected += 1
+        try:
+            await self._client(connection)
+        except ConnectionClosed:
+            return
+        finally:
+            self.connected -= 1
