@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from tracker.calibration.frame_timing import FrameTiming, TimingParams
-from tracker.calibration.time_offset import Offset, TimeOffset
+from tracker.calibration.time_offset import FLAT, Offset, TimeOffset, _point, rigid
+from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking
@@ -142,3 +143,27 @@ def test_the_pipeline_corrects_its_camera(hand: HandModel, glove: GloveModel) ->
     offset = pipeline.timing.offset
     assert abs(offset.value - 0.020) < min(3 * offset.sd, 0.006)
     assert pipeline.timing.applied == pytest.approx(offset.value, abs=0.001)
+
+
+def test_a_point_of_the_line_is_the_plain_one() -> None:
+    """Two views of which five markers are common, as the formulas read."""
+    rng = np.random.default_rng(4)
+    nominal, R_GB = rng.normal(0, 0.03, (9, 3)), so3.exp(rng.normal(size=3))
+    gyro = so3.exp(rng.normal(0, 0.2, (2, 3)))
+    rate = rng.normal(size=(2, 3))
+    first, second = np.array([0, 2, 3, 5, 7, 8]), np.array([1, 2, 3, 5, 6, 7, 8])
+    p_0 = nominal[first] @ R_GB.T + rng.normal(0, 1e-4, (6, 3))
+    p_1 = nominal[second] @ so3.exp(rng.normal(0, 0.2, 3)).T + rng.normal(0, 1e-4, (7, 3))
+    views = first, p_0, R_GB, second, p_1
+    turns = gyro[0], rate[0], gyro[1], rate[1]
+    fits, a, e = _point(nominal, *views, *turns, 5, 0.004)
+    both, i, j = np.intersect1d(first, second, return_indices=True)
+    R_turn, _ = rigid(p_1[j], p_0[i])
+    D, b = gyro[0].T @ gyro[1], nominal[both] - nominal[both].mean(axis=0)
+    information = ((b**2).sum() + FLAT) * np.eye(3) - b.T @ b
+    whiten = np.linalg.cholesky(information).T
+    assert fits
+    assert np.allclose(a, whiten @ (D.T @ rate[0] - rate[1]), atol=1e-12)
+    assert np.allclose(e, whiten @ so3.log(D.T @ R_GB.T @ R_turn @ R_GB), atol=1e-12)
+    assert not _point(nominal, *views, *turns, 6, 0.004)[0]  # too few in common
+    assert not _point(nominal, *views, *turns, 5, 1e-6)[0]  # they do not fit

@@ -27,3 +27,13 @@ def test_small_products() -> None:
     assert np.allclose(kernels.tmul3(A, B), A.T @ B, atol=1e-14)
     assert np.allclose(kernels.act3(A, v), A @ v, atol=1e-14)
     assert np.allclose(kernels.tact3(A, v), A.T @ v, atol=1e-14)
+
+
+def test_rotation_vectors() -> None:
+    R = Rotation.random(31, rng=2).as_matrix()
+    R[3], R[4] = np.eye(3), so3.rx(np.pi)
+    for M in R:
+        assert np.allclose(kernels.log3(M), so3.log(M), atol=1e-12)
+    parent = np.maximum((np.arange(len(R)) - 1) // 2, -1)
+    plain = so3.log(R[parent[1:]].swapaxes(1, 2) @ R[1:])
+    assert np.allclose(kernels.relative_turns(R, parent), plain, atol=1e-12)

@@ -16,7 +16,7 @@ from tracker.simulation.extras import Distractors
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.rig import ideal_rig
-from tracker.vision.rig_watch import SHIFTS, RigWatch, row_votes
+from tracker.vision.rig_watch import SHIFTS, RigWatch, leaders, row_votes
 
 MARKERS = 37
 LENS_5_MM_PX = 640 * 0.005 / 0.4  # at the hand's distance
@@ -175,3 +175,17 @@ def test_pictures_as_far_apart_as_is_looked_for(frames, rows: float) -> None:
     watch = RigWatch(ideal_rig())
     for frame in frames[:20]:
         assert watch.usable(shifted(frame, right=(0, rows)))
+
+
+def test_leaders_of_a_vote() -> None:
+    """The first of equals leads; its neighbours within three rows are no rivals."""
+    rng = np.random.default_rng(3)
+    for _ in range(50):
+        counts, means = (
+            rng.integers(0, 9, (2, 2 * SHIFTS + 1)),
+            rng.normal(size=(2, 2 * SHIFTS + 1)),
+        )
+        best = int(np.argmax(counts[0]))
+        others = np.delete(counts[0], range(max(best - 3, 0), min(best + 4, counts.shape[1]))).max()
+        expected = counts[0, best], counts[1].max(), others, means[0, best]
+        assert leaders(counts, means) == expected

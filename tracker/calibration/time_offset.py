@@ -19,8 +19,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tracker.geometry import so3
-from tracker.geometry.kernels import act3, exp3, mul3
+from tracker.geometry.kernels import act3, exp3, log3, mul3, tact3, tmul3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.kernels import kernel
@@ -126,7 +125,7 @@ class TimeOffset:
             gyro.append(_Turn(sample.t, np.eye(3), rate))
             return
         last = gyro[-1]
-        R = mul3(last.R, exp3((last.rate + rate) / 2 * (sample.t - last.t)))
+        R = _turned(last.R, last.rate, rate, sample.t - last.t)
         gyro.append(_Turn(sample.t, R, rate))
         while gyro[-1].t - gyro[0].t > 2 * self._params.most + 0.5:
             gyro.popleft()
@@ -193,18 +192,15 @@ class TimeOffset:
     def _pair(self, before: _View, now: _View) -> None:
         """The turn that the same markers made, so that their placement does not matter."""
         gyro_0, gyro_1 = self._turn_at(before.t), self._turn_at(now.t)
-        i, j = np.nonzero(before.marker[:, None] == now.marker)
-        marker = now.marker[j]
-        if gyro_0 is None or gyro_1 is None or len(marker) < self._params.markers:
+        if gyro_0 is None or gyro_1 is None:
             return
-        R_turn, misfit = rigid(now.p_G[j], before.p_G[i])
-        if misfit > self._params.misfit:
-            return
-        D = gyro_0.R.T @ gyro_1.R
-        e = so3.log(D.T @ before.R_GB.T @ R_turn @ before.R_GB)
-        a = D.T @ gyro_0.rate - gyro_1.rate
-        whiten = np.linalg.cholesky(_information(self._nominal[marker])).T
-        self._take(now.t, whiten @ a, whiten @ e)
+        fits, a, e = _point(
+            self._nominal, before.marker, before.p_G, before.R_GB, now.marker, now.p_G,
+            gyro_0.R, gyro_0.rate, gyro_1.R, gyro_1.rate,
+            self._params.markers, self._params.misfit,
+        )  # fmt: skip
+        if fits:
+            self._take(now.t, a, e)
 
     def _turn_at(self, t: float) -> _Turn | None:
         """Of the gyroscope, between two packets."""
@@ -214,7 +210,7 @@ class TimeOffset:
                 a, b = gyro[k - 1], gyro[k]
                 w = (t - a.t) / (b.t - a.t)
                 rate = (1 - w) * a.rate + w * b.rate
-                return _Turn(t, mul3(a.R, exp3((a.rate + rate) / 2 * (t - a.t))), rate)
+                return _Turn(t, _turned(a.R, a.rate, rate, t - a.t), rate)
         return None
 
     def _take(self, t: float, a: Array, e: Array) -> None:
@@ -255,9 +251,56 @@ def _rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
     return R, float(np.sqrt(np.sum((a - b @ R.T) ** 2) / n))
 
 
+@kernel
+def _turned(R: Array, rate_0: Array, rate_1: Array, dt: float) -> Array:
+    """R (3, 3) after ``dt`` with a rate (3,) rad/s that goes from one to the other."""
+    return mul3(R, exp3((rate_0 + rate_1) / 2 * dt))
+
+
+@kernel
+def _point(
+    nominal: Array,
+    marker_0: IntArray,
+    p_0: Array,
+    R_GB: Array,
+    marker_1: IntArray,
+    p_1: Array,
+    gyro_0: Array,
+    rate_0: Array,
+    gyro_1: Array,
+    rate_1: Array,
+    least: int,
+    most_misfit: float,
+) -> tuple[bool, Array, Array]:
+    """A point of the line: whether two views fit, and a, e (3,) of e = o a, of equal variance.
+
+    Views as in `_View`, R_GB of the earlier one; ``gyro`` (3, 3) and rates (3,) as in `_Turn`;
+    ``nominal`` (M, 3) m in B of all markers.
+    """
+    rows = np.empty((2, len(marker_0)), np.int64)
+    n = 0
+    for i in range(len(marker_0)):
+        for j in range(len(marker_1)):
+            if marker_0[i] == marker_1[j]:
+                rows[0, n], rows[1, n] = i, j
+                n += 1
+    if n < least:
+        return False, np.zeros(3), np.zeros(3)
+    R_turn, misfit = _rigid(p_1[rows[1, :n]], p_0[rows[0, :n]])
+    if misfit > most_misfit:
+        return False, np.zeros(3), np.zeros(3)
+    D = tmul3(gyro_0, gyro_1)
+    e = log3(tmul3(D, tmul3(R_GB, mul3(R_turn, R_GB))))
+    a = tact3(D, rate_0) - rate_1
+    L = np.linalg.cholesky(_information(nominal[marker_0[rows[0, :n]]]))
+    return True, tact3(L, a), tact3(L, e)
+
+
+@kernel
 def _information(p_B: Array) -> Array:
     """(3, 3) m²: of a rotation of points (n, 3), in B. Points near one line leave the turn about
     it open."""
-    b = p_B - p_B.mean(axis=0)
-    information: Array = (b**2).sum() * np.eye(3) - b.T @ b + FLAT * np.eye(3)
-    return information
+    b = p_B.copy()
+    for k in range(3):
+        b[:, k] -= p_B[:, k].mean()
+    return (np.sum(b**2) + FLAT) * np.eye(3) - b.T @ b

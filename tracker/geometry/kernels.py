@@ -118,25 +118,50 @@ def quats(R):  # type: ignore[no-untyped-def]
     """Unit quaternions (n, 4) xyzw, w >= 0, of matrices (n, 3, 3)."""
     out = np.empty((len(R), 4))
     for i in range(len(R)):
-        M = R[i]
-        trace = M[0, 0] + M[1, 1] + M[2, 2]
-        k = 3
-        best = trace
-        for r in range(3):
-            if M[r, r] > best:
-                best, k = M[r, r], r
-        q = out[i]
-        if k == 3:
-            q[0], q[1] = M[2, 1] - M[1, 2], M[0, 2] - M[2, 0]
-            q[2], q[3] = M[1, 0] - M[0, 1], 1 + trace
-        else:
-            j, n = (k + 1) % 3, (k + 2) % 3
-            q[k] = 1 - trace + 2 * M[k, k]
-            q[j], q[n] = M[j, k] + M[k, j], M[n, k] + M[k, n]
-            q[3] = M[n, j] - M[j, n]
-        norm = np.sqrt(q[0] ** 2 + q[1] ** 2 + q[2] ** 2 + q[3] ** 2)
-        if q[3] < 0:
-            norm = -norm
-        for r in range(4):
-            q[r] /= norm
+        out[i] = quat3(R[i])
+    return out
+
+
+@kernel
+def quat3(M):  # type: ignore[no-untyped-def]
+    """Unit quaternion (4,) xyzw, w >= 0, of a matrix (3, 3), as `so3.quat_from_matrix`."""
+    trace = M[0, 0] + M[1, 1] + M[2, 2]
+    k, best, q = 3, trace, np.empty(4)
+    for r in range(3):
+        if M[r, r] > best:
+            best, k = M[r, r], r
+    if k == 3:
+        q[0], q[1] = M[2, 1] - M[1, 2], M[0, 2] - M[2, 0]
+        q[2], q[3] = M[1, 0] - M[0, 1], 1 + trace
+    else:
+        j, n = (k + 1) % 3, (k + 2) % 3
+        q[k] = 1 - trace + 2 * M[k, k]
+        q[j], q[n] = M[j, k] + M[k, j], M[n, k] + M[k, n]
+        q[3] = M[n, j] - M[j, n]
+    norm = np.sqrt(q[0] ** 2 + q[1] ** 2 + q[2] ** 2 + q[3] ** 2)
+    if q[3] < 0:
+        norm = -norm
+    for r in range(4):
+        q[r] /= norm
+    return q
+
+
+@kernel
+def log3(R):  # type: ignore[no-untyped-def]
+    """Rotation vector (3,), angle in [0, pi], of a matrix (3, 3), as `so3.log`."""
+    q = quat3(R)
+    n = np.sqrt(q[0] ** 2 + q[1] ** 2 + q[2] ** 2)
+    gain = 2.0 if n < 1e-8 else 2 * np.arctan2(n, q[3]) / n
+    return gain * q[:3]
+
+
+@kernel
+def relative_turns(R, parent):  # type: ignore[no-untyped-def]
+    """(n - 1, 3) rotation vectors of matrices (n, 3, 3), but for the first, against their parents.
+
+    ``parent`` (n,) is the row of each.
+    """
+    out = np.empty((len(R) - 1, 3))
+    for i in range(1, len(R)):
+        out[i - 1] = log3(tmul3(R[parent[i]], R[i]))
     return out

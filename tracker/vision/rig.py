@@ -104,12 +104,7 @@ class StereoRig:
 
     def triangulate(self, left: Array, right: Array) -> Array:
         """Rectified pixel pairs (n, 2), (n, 2) to points (n, 3) of C; NaN where disparity ≤ 0."""
-        disparity = left[:, 0] - right[:, 0]
-        disparity = np.where(disparity > 0, disparity, np.nan)
-        z = self.fx * self.baseline / disparity
-        x = (left[:, 0] - self.cx) * z / self.fx
-        y = ((left[:, 1] + right[:, 1]) / 2 - self.cy) * z / self.fy
-        return np.column_stack([x, y, z])
+        return _triangulate(left, right, self.baseline, self.fx, self.fy, self.cx, self.cy)
 
 
 @kernel
@@ -122,6 +117,19 @@ def _project(p_C, shift, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
             z = np.nan
         out[k, 0] = fx * (x - shift) / z + cx
         out[k, 1] = fy * y / z + cy
+    return out
+
+
+@kernel
+def _triangulate(left, right, baseline, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
+    """(n, 3) of C, of rectified pixels left and right (n, 2)."""
+    out = np.empty((len(left), 3))
+    for k in range(len(left)):
+        disparity = left[k, 0] - right[k, 0]
+        z = fx * baseline / disparity if disparity > 0 else np.nan
+        out[k, 0] = (left[k, 0] - cx) * z / fx
+        out[k, 1] = ((left[k, 1] + right[k, 1]) / 2 - cy) * z / fy
+        out[k, 2] = z
     return out
 
 

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass, replace
+from statistics import median
 from typing import Any
 
 import numpy as np
@@ -76,13 +77,12 @@ class RigWatch:
         """Whether left is left in this picture, as far as it shows. Depends on it alone."""
         if frame.left is None or frame.right is None:
             return True
-        counts, means = self._votes(frame.left, frame.right)
-        right, wrong = int(counts[RIGHT_WAY].max()), int(counts[WRONG_WAY].max())
+        right, wrong, others, shift = leaders(*self._votes(frame.left, frame.right))
         p = self._params
         swapped = wrong >= p.votes and wrong > p.clear * right
         self._note_order(swapped, right >= p.votes and right > wrong)
-        if not swapped:
-            self._note_shift(counts[RIGHT_WAY], means[RIGHT_WAY])
+        if not swapped and right >= p.votes and right > p.clear * others:
+            self._note_shift(shift)
         return not swapped
 
     def packet(self, t: float) -> None:
@@ -134,17 +134,13 @@ class RigWatch:
             self._set(swapped=False)
             self._words.append("The left and the right picture are in order again.")
 
-    def _note_shift(self, counts: IntArray, means: Array) -> None:
+    def _note_shift(self, shift: float) -> None:
         """The median over pictures that show one row shift clearly."""
-        best = int(np.argmax(counts))
-        others = max(counts[: max(best - 3, 0)].max(initial=0), counts[best + 4 :].max(initial=0))
         p = self._params
-        if counts[best] < p.votes or counts[best] <= p.clear * others:
-            return
-        self._shifts.append(float(means[best]))
+        self._shifts.append(shift)
         if len(self._shifts) < p.shift_pictures:
             return
-        shift = float(np.median(self._shifts))
+        shift = median(self._shifts)
         limit = p.shift_px * self._scale * (0.6 if self.state.moved else 1.0)
         self._say_moved(abs(shift) > limit, shift)
         self._set(row_shift_px=shift, moved=abs(shift) > limit)
@@ -200,6 +196,23 @@ def median_residual(residual: Array) -> tuple[int, Array]:
     for k in range(4 if n else 0):
         out[k] = np.median(finite[:n, k])
     return n, out
+
+
+@kernel
+def leaders(counts: IntArray, means: Array) -> tuple[int, int, int, float]:
+    """Of `row_votes`: the most votes for one shift the right way round, the most the wrong way
+    round, the most the right way round more than three rows from the first, and its mean shift px.
+    """
+    best, wrong, others = 0, 0, 0
+    n = counts.shape[1]
+    for k in range(n):
+        if counts[RIGHT_WAY, k] > counts[RIGHT_WAY, best]:
+            best = k
+        wrong = max(wrong, counts[WRONG_WAY, k])
+    for k in range(n):
+        if abs(k - best) > 3:
+            others = max(others, counts[RIGHT_WAY, k])
+    return counts[RIGHT_WAY, best], wrong, others, means[RIGHT_WAY, best]
 
 
 @kernel

@@ -10,7 +10,7 @@ from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import BundleParams
 from tracker.fusion.pixels import SeenBlobs
 from tracker.fusion.state import ChainState
-from tracker.geometry import so3
+from tracker.geometry.kernels import relative_turns
 from tracker.messages import Array, CameraPose, ImuSample, IntArray
 
 MAX_RATE = 4.0  # rad/s: faster than this a picture smears and the accelerometers feel the motion
@@ -75,5 +75,5 @@ def keyframe_of(
         hit = np.flatnonzero(match[c] >= 0)
         uv[c, hit] = seen[c].uv[match[c, hit]]
     R = state.R_GB.copy()
-    relative = so3.log(R[layout.parent[1:]].swapaxes(1, 2) @ R[1:])
-    return Keyframe(state.p.copy(), R, uv, pose, (before, now, after), relative)
+    turns = relative_turns(R, layout.parent)
+    return Keyframe(state.p.copy(), R, uv, pose, (before, now, after), turns)
