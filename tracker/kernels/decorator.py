@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from typing import Any, TypeVar, overload
 
-import numba
+from tracker.kernels.library import Library, load
+from tracker.kernels.mode import MODE
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -21,10 +23,31 @@ def kernel(
 
 
 def kernel(function: F | None = None, /, **options: Any) -> F | Callable[[F], F]:
-    """Compile a function for the types with which it is called. The options are numba's."""
+    """Compile a function, ahead of time or when it is first called. The options are numba's."""
 
     def make(function: F) -> F:
-        compiled: F = numba.njit(cache=True, nogil=True, **options)(function)
-        return compiled
+        made: F = _make(function, options)
+        return made
 
     return make(function) if function is not None else make
+
+
+def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:
+    if _library is not None:
+        return _library.kernel(function, options)
+    from tracker.kernels.jit import compiled
+
+    made = compiled(function, options, cache=_mode != "build")
+    if _mode != "record":
+        return made
+    from tracker.kernels.record import Recorded
+
+    return Recorded(made)
+
+
+def _chosen(mode: str) -> Library | None:
+    return load() if mode not in ("numba", "record", "build") else None
+
+
+_mode = os.environ.get(MODE, "")
+_library = _chosen(_mode)

@@ -1,0 +1,77 @@
+"""A kernel's fingerprint changes with what its compiled code depends on, and with nothing else."""
+
+import types
+
+import pytest
+
+from tracker.kernels.fingerprint import fingerprint
+
+SOURCE = """
+import numpy as np
+
+SCALE = 2.0
+TABLE = np.arange(3.0)
+
+@kernel
+def inner(x):
+    return x + 1
+
+def outer(x):
+    '''What it does.'''
+    return SCALE * inner(x) * TABLE[0]
+"""
+
+
+def kernel(function=None, **options):
+    """The decorator, without a compiler."""
+
+    def make(function):
+        function.py_func, function.options = function, options
+        return function
+
+    return make(function) if function else make
+
+
+def made(source, options=None):
+    module = types.ModuleType("made")
+    module.kernel = kernel
+    exec(compile(source, "made.py", "exec"), module.__dict__)
+    return fingerprint(module.outer, options or {})
+
+
+@pytest.mark.parametrize(
+    "old, new",
+    [
+        ("SCALE = 2.0", "SCALE = 3.0"),
+        ("np.arange(3.0)", "np.arange(4.0)"),
+        ("x + 1", "x + 2"),
+        ("x + 1", "x - 1"),
+        ("@kernel", "@kernel(fastmath=True)"),
+        ("return SCALE", "return -SCALE"),
+    ],
+)
+def test_changes_with_code_constants_and_the_kernels_it_calls(old, new):
+    assert old in SOURCE
+    assert made(SOURCE.replace(old, new)) != made(SOURCE)
+
+
+def test_changes_with_options():
+    assert made(SOURCE, {"fastmath": True}) != made(SOURCE)
+
+
+@pytest.mark.parametrize(
+    "old, new",
+    [("What it does.", "Said otherwise."), ("@kernel", "# a remark\n\n@kernel")],
+)
+def test_does_not_change_with_words(old, new):
+    assert made(SOURCE.replace(old, new)) == made(SOURCE)
+
+
+def test_a_kernel_that_calls_itself_has_one():
+    recursive = SOURCE.replace("return x + 1", "return x + 1 if x > 3 else inner(x + 1)")
+    assert made(recursive) == made(recursive) != made(SOURCE)
+
+
+def test_a_global_that_may_change_unseen_is_refused():
+    with pytest.raises(TypeError, match="list"):
+        made(SOURCE.replace("SCALE = 2.0", "SCALE = [2.0]"))

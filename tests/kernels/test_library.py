@@ -1,0 +1,153 @@
+"""The library of compiled kernels: what runs for which types, and what runs in place of it."""
+
+import sys
+import types
+
+import numpy as np
+import pytest
+
+from tracker.kernels import library as library_module
+from tracker.kernels.decorator import kernel
+from tracker.kernels.fingerprint import fingerprint
+from tracker.kernels.kinds import kinds_of
+from tracker.kernels.library import Library
+from tracker.kernels.record import SIGNATURES, Recorded, merge
+
+dispatch = pytest.importorskip(
+    "tracker.kernels._dispatch", reason="the library was not built: no C++ compiler here"
+)
+
+
+def total(x, k=1):
+    return float(np.sum(x) * k)
+
+
+def library_with(**functions):
+    """A library in which ``functions`` stand for compiled ones, by kinds with _ for blanks."""
+    symbols = types.SimpleNamespace(**{f"k{i}": f for i, f in enumerate(functions.values())})
+    made_of = fingerprint(total, {})
+    name = f"{total.__module__}.{total.__qualname__}"
+    kinds = [k.replace("_", " ") for k in functions]
+    lines = [f"k{i} {made_of} {name} {k}" for i, k in enumerate(kinds)]
+    return Library(dispatch.Kernel, symbols, "\n".join(lines))
+
+
+@pytest.mark.parametrize(
+    "args",
+    [
+        (np.zeros(3), 1), (np.zeros((2, 3)), 1.0), (np.zeros((2, 3)).T, True), ((1, 2.0), None),
+        (np.zeros(4)[::2], np.int32(1)), (np.zeros(4, np.float32), np.float32(1)), ((), ()),
+        (np.zeros((2, 2, 2), np.uint8), ((1, np.zeros(2)), 3)),
+    ],
+    ids=kinds_of,
+)  # fmt: skip
+def test_a_function_runs_for_its_own_types_and_no_others(args):
+    made = dispatch.Kernel(None)
+    made.add(kinds_of(args), lambda *a: "compiled")
+    assert made(*args) == "compiled"
+    others = [np.zeros((2, 2), "i2"), 1 + 0j, "word", np.zeros(2, ">f8"), (1, 2), 2**70, np.int8(1)]
+    for other in others:
+        assert not made.finds(other, args[1])
+        assert not made.finds(args[0], other)
+    assert not made.finds(*args, 1)
+    assert not made.finds(args[0])
+
+
+def test_a_read_only_array_goes_only_where_nothing_is_written():
+    frozen, made = np.zeros(3), dispatch.Kernel(None)
+    frozen.setflags(write=False)
+    made.add("f8[1C]", lambda x: "may write")
+    assert not made.finds(frozen)
+    made.add("f8[1Cr]", lambda x: "only reads")
+    assert made(frozen) == "only reads"
+    assert made(np.zeros(3)) == "may write"
+
+
+@pytest.mark.parametrize("words", ["f9", "f8[", "f8[2X]", "(f8", "f8 what", "f8[2C"])
+def test_words_that_are_none(words):
+    with pytest.raises(ValueError, match="no kinds"):
+        dispatch.Kernel(None).add(words, total)
+
+
+def test_the_narrowest_function_is_taken():
+    functions = {"f8[1A]_i8": lambda x, k: "any", "f8[1C]_i8": lambda x, k: "in a row"}
+    made = library_with(**functions).kernel(total, {})
+    assert made(np.zeros(3), 1) == "in a row"
+    assert made(np.zeros(6)[::2], 1) == "any"
+
+
+def test_arguments_by_name():
+    made = library_with(**{"f8[1C]_i8": lambda x, k: ("compiled", k)}).kernel(total, {})
+    assert made(np.zeros(2), k=3) == ("compiled", 3)
+    with pytest.raises(TypeError, match="wants x, k"):
+        made(other=1)
+
+
+def test_other_types_are_compiled_by_numba():
+    made = library_with(**{"f8[1C]_i8": lambda x, k: "compiled"}).kernel(total, {})
+    assert made(np.ones((2, 2)), 2) == 8.0
+    assert made(np.ones(2), 2) == "compiled"
+
+
+def test_a_library_of_another_source_is_left_alone():
+    made = library_with(**{"f8[1C]_i8": lambda x, k: "old"}).kernel(total, {"fastmath": True})
+    assert made(np.ones(2), 2) == 4.0
+
+
+def test_without_numba_python_itself_runs_and_the_log_says_so(monkeypatch, caplog):
+    monkeypatch.setitem(sys.modules, "tracker.kernels.jit", None)
+    made = library_with().kernel(total, {})
+    assert made(np.ones(3), 2) == 6.0
+    assert "runs uncompiled" in caplog.text
+
+
+def test_a_failure_inside_comes_out():
+    def fails(x, k):
+        raise ZeroDivisionError("as the kernel said")
+
+    made = library_with(**{"f8[1C]_i8": fails}).kernel(total, {})
+    with pytest.raises(ZeroDivisionError, match="as the kernel said"):
+        made(np.ones(2), 2)
+
+
+def test_numba_can_call_a_kernel_of_the_library():
+    from numba import njit
+
+    made = library_with().kernel(total, {})
+    assert njit(lambda x: made(x, 3))(np.ones(2)) == 6.0
+
+
+def test_no_library_is_no_failure(monkeypatch, tmp_path):
+    monkeypatch.setattr(library_module, "TABLE", tmp_path / "missing.txt")
+    assert library_module.load() is None
+
+
+def test_the_shipped_list_names_kernels_and_was_compiled_from_them():
+    import importlib
+
+    for line in SIGNATURES.read_text("utf-8").splitlines():
+        module, _, function = line.split(" ")[0].rpartition(".")
+        made = getattr(importlib.import_module(module), function)
+        assert callable(made.py_func), line
+
+
+def test_recording_notes_each_kind_of_call_once(monkeypatch, tmp_path):
+    calls = tmp_path / "calls.txt"
+    monkeypatch.setenv("GLOVETRACK_KERNEL_CALLS", str(calls))
+    from tracker.kernels.jit import compiled
+
+    made = Recorded(compiled(total, {}, cache=False))
+    for x in (np.ones(2), np.ones(3), np.ones((2, 2))):
+        made(x, 1)
+    name = f"{total.__module__}.total"
+    assert merge(str(calls), str(calls)) == [f"{name} f8[1C] i8", f"{name} f8[2C] i8"]
+
+
+def test_the_decorator_keeps_name_and_words():
+    @kernel(error_model="numpy")
+    def half(x):
+        """Half of x."""
+        return x / 2
+
+    assert (half.__name__, half.__doc__) == ("half", "Half of x.")
+    assert half(3.0) == 1.5

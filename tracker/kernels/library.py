@@ -1,0 +1,117 @@
+"""The library of kernels that were compiled ahead of time, and what runs in place of a missing one.
+
+`tracker.kernels.build` leaves three files beside this one: `_compiled`, an extension module with a
+function for each line of signatures.txt; `_dispatch`, which picks one by the types of a call; and
+`_compiled.txt`, which says what each function was compiled from.
+"""
+
+from __future__ import annotations
+
+import functools
+import logging
+from collections import defaultdict
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from tracker.kernels.fingerprint import fingerprint
+
+_log = logging.getLogger(__name__)
+
+TABLE = Path(__file__).with_name("_compiled.txt")
+"""Lines: function in `_compiled`, fingerprint of the kernel, its name, kinds of its arguments."""
+
+Function = Callable[..., Any]
+
+
+class Library:
+    """Makes kernels that run ``functions`` wherever these were made from the same source."""
+
+    def __init__(self, kernel_type: type, functions: ModuleType, table: str) -> None:
+        self._kernel_type = kernel_type
+        self._functions = functions
+        self._lines: dict[str, list[tuple[str, str, str]]] = defaultdict(list)
+        for line in table.splitlines():
+            symbol, print_, name, *kinds = line.split(" ")
+            self._lines[name].append((symbol, print_, " ".join(kinds)))
+
+    def kernel(self, function: Function, options: dict[str, Any]) -> Any:
+        """A callable for ``function``; what it runs is decided when it is first called."""
+        made = self._kernel_type(self)
+        functools.update_wrapper(made, function)
+        made.py_func, made.options, made.fallback = function, options, None
+        return made
+
+    # --- what a kernel asks
+
+    def miss(self, kernel: Any, args: tuple[Any, ...], named: dict[str, Any]) -> Any:
+        """A call that no function of the kernel fits: the first one, or one of other types."""
+        if named:
+            return kernel(*args, *_in_order(kernel.py_func, len(args), named))
+        if kernel.fallback is None:
+            kernel.fallback = self._fallback(kernel)
+            self._fill(kernel)
+            if kernel.finds(*args):
+                return kernel(*args)
+        return kernel.fallback(*args)
+
+    def numba_type(self, kernel: Any) -> Any:
+        """numba compiles a kernel that calls this one: to it, this is a function of its own."""
+        return self._by_numba(kernel)._numba_type_
+
+    def _fill(self, kernel: Any) -> None:
+        """Give a kernel its functions, those for the narrowest types first."""
+        lines = self._lines[f"{kernel.__module__}.{kernel.__qualname__}"]
+        wanted = fingerprint(kernel.py_func, kernel.options) if lines else ""
+        for symbol, print_, kinds in sorted(lines, key=lambda line: _breadth(line[2])):
+            if print_ == wanted:
+                kernel.add(kinds, getattr(self._functions, symbol))
+
+    def _fallback(self, kernel: Any) -> Function:
+        """What runs for types that are not in the library."""
+
+        def run(*args: Any) -> Any:
+            if not told:
+                told.append(True)
+                _log.debug("%s is not in the library for its arguments", kernel.__qualname__)
+            return self._by_numba(kernel)(*args)
+
+        told: list[bool] = []
+        return run
+
+    def _by_numba(self, kernel: Any) -> Any:
+        if "jit" not in kernel.__dict__:
+            try:
+                from tracker.kernels.jit import compiled
+            except ImportError:
+                _log.warning("%s runs uncompiled, so slowly", kernel.__qualname__)
+                kernel.jit = kernel.py_func
+            else:
+                kernel.jit = compiled(kernel.py_func, kernel.options)
+        return kernel.jit
+
+
+def load() -> Library | None:
+    """The library, or None where it was not built or does not fit this Python."""
+    try:
+        from tracker.kernels import _compiled, _dispatch  # type: ignore[attr-defined]
+
+        return Library(_dispatch.Kernel, _compiled, TABLE.read_text("utf-8"))
+    except (ImportError, OSError) as error:
+        _log.debug("kernels are compiled as they are needed: %s", error)
+        return None
+
+
+def _breadth(kinds: str) -> int:
+    """How many arrays may be of any order or read-only."""
+    return kinds.count("A") + kinds.count("r")
+
+
+def _in_order(function: Function, given: int, named: dict[str, Any]) -> list[Any]:
+    """Named arguments in the order of the function's own."""
+    code = function.__code__
+    names = code.co_varnames[given : code.co_argcount]
+    if set(named) != set(names):
+        raise TypeError(f"{function.__qualname__}() wants {', '.join(names)}")
+    return [named[name] for name in names]
