@@ -7,9 +7,9 @@ from tracker.fusion.chain_kinematics import point_jacobians, tip_sd
 from tracker.fusion.kalman import update
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.output import INFERRED_SD, HandOutput, Sensed
-from tracker.fusion.pixels_kernel import innovation_covariance, pixel_jacobians, stack_rows
+from tracker.fusion.pixels_kernel import pixel_jacobians, stack_rows
 from tracker.fusion.reports import _details
-from tracker.fusion.sparse import joined, times
+from tracker.fusion.sparse import joined, products, times
 from tracker.fusion.state import initial_state
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -124,21 +124,6 @@ def test_rows_of_few_entries_are_multiplied_like_any_others() -> None:
     assert np.allclose(times(H, P), H @ P, atol=1e-12)
 
 
-def test_innovation_covariance_is_the_plain_product() -> None:
-    rng = np.random.default_rng(10)
-    n, size = 5, 30
-    H = np.where(rng.random((n, 3, size)) < 0.3, rng.normal(size=(n, 3, size)), 0.0)
-    root = rng.normal(size=(size, size))
-    HP = (H.reshape(-1, size) @ root @ root.T).reshape(H.shape)
-    A = rng.normal(size=(2, n, 2, 3))
-    got = innovation_covariance(H, HP, A, SD_MARKER, SD_PIXEL)
-    for c in range(2):
-        for k in range(n):
-            cov = HP[k] @ H[k].T + np.eye(3) * SD_MARKER**2
-            plain = A[c, k] @ cov @ A[c, k].T + np.eye(2) * SD_PIXEL**2
-            assert np.allclose(got[c, k], plain, atol=1e-10)
-
-
 def test_pixel_jacobians_are_the_projections_slopes() -> None:
     """Against central differences of the rig's own projection, both cameras."""
     rig, rng = ideal_rig(), np.random.default_rng(11)
@@ -167,14 +152,17 @@ def test_spread_of_the_tips_is_the_trace(hand: HandModel, glove: GloveModel) -> 
 
 def test_joined_measurements_stand_side_by_side() -> None:
     rng = np.random.default_rng(13)
-    first = (rng.normal(size=(4, 9)), rng.normal(size=(4, 9)), rng.normal(size=4))
-    second = (rng.normal(size=(3, 9)), rng.normal(size=(3, 9)), rng.normal(size=3))
-    R_1, variance = rng.normal(size=(4, 4)), rng.random(3)
-    *stacked, R = joined(*first, R_1, *second, variance)
-    for got, a, b in zip(stacked, first, second, strict=True):
-        assert np.array_equal(got, np.concatenate([a, b]))
+    root = rng.normal(size=(9, 9))
+    P, H_1, H_2 = root @ root.T, rng.normal(size=(4, 9)), rng.normal(size=(3, 9))
+    r_1, r_2, R_1, variance = (rng.normal(size=n) for n in (4, 3, (4, 4), 3))
+    H, HP, HPH, r, R = joined(H_1, H_1 @ P, r_1, R_1, H_2, r_2, variance, P)
+    assert np.array_equal(H, np.concatenate([H_1, H_2]))
+    assert np.allclose(HP, H @ P) and np.allclose(HPH, H @ P @ H.T)
+    assert np.array_equal(r, np.concatenate([r_1, r_2]))
     assert np.array_equal(R[:4, :4], R_1) and np.array_equal(R[4:, 4:], np.diag(variance))
     assert not R[:4, 4:].any() and not R[4:, :4].any()
+    alone = products(H, P)
+    assert np.allclose(alone[0], H @ P) and np.allclose(alone[1], H @ P @ H.T)
 
 
 def test_details_of_a_picture_are_the_plain_ones() -> None:

@@ -37,3 +37,9 @@ def test_rotation_vectors() -> None:
     parent = np.maximum((np.arange(len(R)) - 1) // 2, -1)
     plain = so3.log(R[parent[1:]].swapaxes(1, 2) @ R[1:])
     assert np.allclose(kernels.relative_turns(R, parent), plain, atol=1e-12)
+
+
+def test_inverse() -> None:
+    root = np.random.default_rng(3).normal(size=(20, 3, 3))
+    for M in root @ root.swapaxes(1, 2):
+        assert np.allclose(kernels.inverse3(M) @ M, np.eye(3), atol=1e-8)

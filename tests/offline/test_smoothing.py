@@ -53,7 +53,7 @@ def test_going_back_gives_the_least_squares_answer() -> None:
         if k:
             x, P = A @ x, A @ P @ A.T + Q
             tape.append(Step(A[:D]))
-        tape.append(Update(H, H @ P, z - H @ x, R))
+        tape.append(Update(H, H @ P, H @ P @ H.T + R, z - H @ x))
         K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
         x, P = x + K @ (z - H @ x), P - K @ H @ P
         kept.append((x, P))

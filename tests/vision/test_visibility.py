@@ -37,7 +37,9 @@ def test_facing_follows_eq_4(angle_deg: float, expected: float) -> None:
     a = np.deg2rad(angle_deg)
     normal = np.array([[np.sin(a), 0.0, np.cos(a)]])
     p = np.array([[0.0, 0.0, -0.4]])
-    assert facing(p, normal, np.zeros(3), VisibilityParams()) == pytest.approx(expected, abs=1e-3)
+    v = VisibilityParams()
+    limits = v.facing_full_deg, v.facing_none_deg
+    assert facing(p, normal, np.zeros(3), *limits) == pytest.approx(expected, abs=1e-3)
 
 
 def test_facing_marker_in_the_middle_is_seen_and_one_turned_away_is_not() -> None:

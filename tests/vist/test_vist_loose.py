@@ -103,8 +103,7 @@ def chain(hand, glove):
     pixels, loose = PixelModel(layout, rig, NoiseParams()), LooseRows(layout, rig, NoiseParams())
 
     def rows_of(s):
-        R_all = np.tile(np.eye(3), (len(hand.segments), 1, 1))
-        prediction = pixels.predict(s, rig.pose, R_all, np.full((len(R_all), 3), 9.0))
+        prediction = pixels.predict(s, rig.pose)
         return loose(s, prediction, seen, np.stack([rows, rows]), rig.pose)
 
     return layout, state, rows_of

@@ -16,7 +16,7 @@ from tracker.fusion.chain_calibration import AROUND, CalibratedChain
 from tracker.fusion.chain_kinematics import marker_positions, segment_positions, tip_sd
 from tracker.fusion.constraints import Constraints
 from tracker.fusion.imu_buffer import Intervals
-from tracker.fusion.kalman import update_with
+from tracker.fusion.kalman import correct
 from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.loose import LooseRows
@@ -34,7 +34,7 @@ from tracker.fusion.prior import initial_covariance, reset_pose
 from tracker.fusion.profile import WearerProfile, profile_of, wear
 from tracker.fusion.propagate import carry, propagate
 from tracker.fusion.reports import frame_result
-from tracker.fusion.sparse import joined, times
+from tracker.fusion.sparse import joined, products
 from tracker.fusion.start import Starter
 from tracker.fusion.state import ChainState, initial_state, inject
 from tracker.fusion.tilt import tilt_rows
@@ -164,11 +164,12 @@ class ChainEngine(CalibratedChain):
         self._update(*self._constraints.rows(self._state))
 
     def _update(self, H: Array, r: Array, variance: Array) -> None:
-        self._learn(H, times(H, self._state.P), r, np.diag(variance))
+        HP, HPH = products(H, self._state.P)
+        self._learn(H, HP, HPH, r, np.diag(variance))
 
-    def _learn(self, H: Array, HP: Array, r: Array, R: Array) -> None:
-        """One update with H (m, N), H P, innovation r (m,) and its noise R (m, m)."""
-        dx, self._state.P = update_with(self._state.P, HP, HP @ H.T, r, R)
+    def _learn(self, H: Array, HP: Array, HPH: Array, r: Array, R: Array) -> None:
+        """One update with H (m, N), H P, H P Hᵀ, innovation r (m,) and its noise R (m, m)."""
+        dx = correct(self._state.P, HP, HPH, r, R)
         inject(self._state, self._layout, dx)
 
     def _process(self, frame: BlobFrame) -> None:
@@ -249,9 +250,7 @@ class ChainEngine(CalibratedChain):
         self._finish(frame, seen, prediction, match)
 
     def _predict(self, state: ChainState, pose: CameraPose) -> Prediction:
-        p_GB = segment_positions(state, self._layout)
-        R_all, p_all, *_ = self._output.complete(state.R_GB, p_GB, state.scale3())
-        return self._pixels.predict(state, pose, R_all, p_all)
+        return self._pixels.predict(state, pose)
 
     def _compared(self, prediction: Prediction, t: float) -> Prediction:
         """What blobs are compared with: usually the prediction."""
@@ -266,12 +265,12 @@ class ChainEngine(CalibratedChain):
     ) -> None:
         """One stacked update: what was seen and anatomy, linearised at the same place."""
         H, r, variance = self._constraints.rows(self._state)
-        HP, variance = times(H, self._state.P), variance * self._how_often()
+        variance = variance * self._how_often()
         if np.any(match >= 0):
             rows = self._seen_rows(prediction, seen, match, pose)
-            self._learn(*joined(*rows, H, HP, r, variance))
+            self._learn(*joined(*rows, H, r, variance, self._state.P))
         else:
-            self._learn(H, HP, r, np.diag(variance))
+            self._update(H, r, variance)
         self._track.last_constraint = self._state.t
 
     def _seen_rows(

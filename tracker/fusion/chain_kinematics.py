@@ -18,29 +18,27 @@ from tracker.messages import Array, IntArray
 
 def segment_positions(state: ChainState, layout: ChainLayout) -> Array:
     """(A, 3) origins p_GB of the active segments."""
-    return _origins(
+    return segment_origins(
         layout.parent,
         layout.origin,
-        state.joint_offsets(layout),
-        state.scale3(),
+        layout.base_of,
+        layout.root_lever,
+        state.joint,
+        state.scale,
         state.R_GB,
         state.p,
-        layout.root_lever,
     )
-
-
-def point_positions(
-    state: ChainState, layout: ChainLayout, segment: IntArray, nominal: Array, offset: Array
-) -> Array:
-    """(n, 3) in G of points given in their active segment's B (m)."""
-    p_GB = segment_positions(state, layout)
-    return _points(p_GB, state.R_GB, state.scale3(), segment, nominal, offset)
 
 
 def marker_positions(state: ChainState, layout: ChainLayout) -> Array:
     """(M, 3) in G of all markers."""
-    return point_positions(
-        state, layout, layout.marker_segment, layout.glove.marker_position, state.marker
+    return points_of(
+        segment_positions(state, layout),
+        state.R_GB,
+        state.scale,
+        layout.marker_segment,
+        layout.glove.marker_position,
+        state.marker,
     )
 
 
@@ -56,11 +54,11 @@ def point_jacobians(
     return _jacobians(
         layout.parent,
         layout.origin,
-        state.joint_offsets(layout),
         layout.base_of,
-        state.scale3(),
-        state.R_GB,
         layout.root_lever,
+        state.joint,
+        state.scale,
+        state.R_GB,
         segment,
         nominal,
         offset,
@@ -86,10 +84,20 @@ def marker_jacobians(state: ChainState, layout: ChainLayout, rows: IntArray) -> 
 
 def tip_sd(state: ChainState, layout: ChainLayout) -> Array:
     """(A,) m: root of the mean variance of each active segment's end."""
-    rows = np.arange(len(layout.active))
-    none = np.full(len(rows), -1, np.int64)
-    H = point_jacobians(state, layout, rows, layout.tip, np.zeros_like(layout.tip), none)
-    return _spread(H, state.P)
+    return _tip_spread(
+        layout.parent,
+        layout.origin,
+        layout.base_of,
+        layout.root_lever,
+        state.joint,
+        state.scale,
+        state.R_GB,
+        layout.tip,
+        layout.theta,
+        layout.scale,
+        layout.joint,
+        state.P,
+    )
 
 
 @kernel
@@ -104,86 +112,154 @@ def turned(R, segment, v):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _points(p_GB, R, scale, segment, nominal, offset):  # type: ignore[no-untyped-def]
-    out = turned(R, segment, scale[segment] * nominal + offset)
-    for k in range(len(out)):
-        out[k] += p_GB[segment[k]]
+def stretched(scale, x):  # type: ignore[no-untyped-def]
+    """(3,) x (3,) grown by the factors (2,) of length and girth."""
+    return np.array([scale[0] * x[0], scale[1] * x[1], scale[1] * x[2]])
+
+
+@kernel
+def joint_lever(scale, origin, joint, base_of, child, a):  # type: ignore[no-untyped-def]
+    """(3,) m where the joint of the segment ``child`` stands in the B of its parent ``a``."""
+    x = stretched(scale[a], origin[child])
+    return x + joint[base_of[child]] if base_of[child] >= 0 else x
+
+
+@kernel
+def points_of(p_GB, R, scale, segment, nominal, offset):  # type: ignore[no-untyped-def]
+    """(n, 3) in G of points given in the B of their active ``segment`` (n,), m.
+
+    ``nominal`` (n, 3) grows with the scale (A, 2), ``offset`` (n, 3) does not.
+    """
+    out = np.empty((len(segment), 3))
+    for k in range(len(segment)):
+        a = segment[k]
+        out[k] = p_GB[a] + act3(R[a], stretched(scale[a], nominal[k]) + offset[k])
     return out
 
 
 @kernel
-def _origins(parent, origin, joint, scale, R, p, lever):  # type: ignore[no-untyped-def]
+def segment_origins(parent, origin, base_of, lever, joint, scale, R, p):  # type: ignore[no-untyped-def]
+    """(A, 3) p_GB; ``lever`` (3,) m is of the point that p is of, in the root's B."""
     out = np.empty((len(parent), 3))
     for i in range(len(parent)):
         a = parent[i]
         if a < 0:
-            out[i] = p - act3(R[i], scale[i] * lever)
+            out[i] = p - act3(R[i], stretched(scale[i], lever))
         else:
-            out[i] = out[a] + act3(R[a], scale[a] * origin[i] + joint[i])
+            out[i] = out[a] + act3(R[a], joint_lever(scale, origin, joint, base_of, i, a))
     return out
 
 
-@kernel
-def _add_lever(H, R, x, column, sign):  # type: ignore[no-untyped-def]
-    """H[:, column:column+3] += sign * (-R [x]x)."""
-    for r in range(3):
-        H[r, column] -= sign * (R[r, 1] * x[2] - R[r, 2] * x[1])
-        H[r, column + 1] -= sign * (R[r, 2] * x[0] - R[r, 0] * x[2])
-        H[r, column + 2] -= sign * (R[r, 0] * x[1] - R[r, 1] * x[0])
+MOST_COLUMNS = 8  # that a segment adds: its orientation, its scales, an offset
 
 
 @kernel
-def _add_scale(H, R, nominal, column, sign):  # type: ignore[no-untyped-def]
+def put_link(value, column, R, x, nominal, first, scale, offset):  # type: ignore[no-untyped-def]
+    """Slopes of R_GB x by the error states of one segment, and where these states stand.
+
+    x (3,) m is what ``nominal`` (3,) has grown to, with an offset that is a state too where its
+    first column ``offset`` >= 0; ``first`` and ``scale`` are those of the orientation and of the
+    scales. Fills value (3, 8) and column (8,); returns how many columns it fills.
+    """
     for r in range(3):
-        H[r, column] += sign * R[r, 0] * nominal[0]
-        H[r, column + 1] += sign * (R[r, 1] * nominal[1] + R[r, 2] * nominal[2])
+        value[r, 0] = R[r, 2] * x[1] - R[r, 1] * x[2]
+        value[r, 1] = R[r, 0] * x[2] - R[r, 2] * x[0]
+        value[r, 2] = R[r, 1] * x[0] - R[r, 0] * x[1]
+        value[r, 3] = R[r, 0] * nominal[0]
+        value[r, 4] = R[r, 1] * nominal[1] + R[r, 2] * nominal[2]
+        for k in range(3):
+            value[r, 5 + k] = R[r, k]
+    for k in range(3):
+        column[k], column[5 + k] = first + k, offset + k
+    column[3], column[4] = scale, scale + 1
+    return 8 if offset >= 0 else 5
+
+
+@kernel
+def from_point(a, x, lever, scale):  # type: ignore[no-untyped-def]
+    """x (3,) m in the B of segment ``a``, in the root's counted from the point that p is of."""
+    return x - stretched(scale, lever) if a == 0 else x
+
+
+@kernel
+def origin_slopes(  # type: ignore[no-untyped-def]
+    parent, origin, base_of, lever, joint, scale, R, theta, scale_at, joint_at
+):  # fmt: skip
+    """What each segment's origin depends on, but for the lever of p in the root.
+
+    count (A,), column (A, K) and value (A, 3, K) of the columns that are not zero; of the root, p.
+    """
+    n, ones = len(parent), np.ones(2)
+    most = 3 + MOST_COLUMNS * n
+    count = np.zeros(n, np.int64)
+    column, value = np.zeros((n, most), np.int64), np.zeros((n, 3, most))
+    for c in range(n):
+        a = parent[c]
+        if a < 0:
+            count[c] = 3
+            for r in range(3):
+                column[c, r], value[c, r, r] = r, 1.0
+            continue
+        k = count[a]
+        column[c, :k], value[c, :, :k] = column[a, :k], value[a, :, :k]
+        x = from_point(a, joint_lever(scale, origin, joint, base_of, c, a), lever, scale[a])
+        offset = joint_at + 3 * base_of[c] if base_of[c] >= 0 else -1
+        count[c] = k + put_link(
+            value[c, :, k:], column[c, k:], R[a], x, from_point(a, origin[c], lever, ones),
+            theta + 3 * a, scale_at + 2 * a, offset,
+        )  # fmt: skip
+    return count, column, value
+
+
+@kernel
+def put_own(  # type: ignore[no-untyped-def]
+    value, column, a, nominal, offset, lever, scale, R, theta, scale_at, offset_at
+):  # fmt: skip
+    """`put_link` of a point of segment ``a`` at ``nominal`` and ``offset`` (3,) m in its B."""
+    x = from_point(a, stretched(scale[a], nominal) + offset, lever, scale[a])
+    unit = from_point(a, nominal, lever, np.ones(2))
+    first, second = theta + 3 * a, scale_at + 2 * a
+    return put_link(value, column, R[a], x, unit, first, second, offset_at)
 
 
 @kernel
 def _jacobians(  # type: ignore[no-untyped-def]
-    parent, origin, joint, base_of, scale, R, lever, segment, nominal, offset, offset_column,
-    theta, scale_column, joint_column, size,
+    parent, origin, base_of, lever, joint, scale, R, segment, nominal, offset, offset_column,
+    theta, scale_at, joint_at, size,
 ):  # fmt: skip
+    count, column, value = origin_slopes(
+        parent, origin, base_of, lever, joint, scale, R, theta, scale_at, joint_at
+    )
     H = np.zeros((len(segment), 3, size))
+    own, at = np.empty((3, MOST_COLUMNS)), np.empty(MOST_COLUMNS, np.int64)
     for k in range(len(segment)):
-        h = H[k]
-        for r in range(3):
-            h[r, r] = 1.0
         a = segment[k]
-        if offset_column[k] >= 0:
-            h[:, offset_column[k] : offset_column[k] + 3] = R[a]
-        _add_lever(h, R[a], scale[a] * nominal[k] + offset[k], theta + 3 * a, 1.0)
-        _add_scale(h, R[a], nominal[k], scale_column + 2 * a, 1.0)
-        while parent[a] >= 0:
-            c = a
-            a = parent[c]
-            _add_lever(h, R[a], scale[a] * origin[c] + joint[c], theta + 3 * a, 1.0)
-            _add_scale(h, R[a], origin[c], scale_column + 2 * a, 1.0)
-            if base_of[c] >= 0:
-                column = joint_column + 3 * base_of[c]
-                h[:, column : column + 3] = R[a]
-        _add_lever(h, R[a], scale[a] * lever, theta + 3 * a, -1.0)
-        _add_scale(h, R[a], lever, scale_column + 2 * a, -1.0)
+        n = put_own(own, at, a, nominal[k], offset[k], lever, scale, R, theta, scale_at,
+                    offset_column[k])  # fmt: skip
+        for r in range(3):
+            for i in range(count[a]):
+                H[k, r, column[a, i]] = value[a, r, i]
+            for i in range(n):
+                H[k, r, at[i]] = own[r, i]
     return H
 
 
 @kernel
-def _spread(H, P):  # type: ignore[no-untyped-def]
-    """(n,) root of a third of the trace of H P H^T, of H (n, 3, N) with few entries a row."""
-    n, size = len(H), len(P)
-    out, column = np.empty(n), np.empty(size, np.int64)
-    for k in range(n):
+def _tip_spread(  # type: ignore[no-untyped-def]
+    parent, origin, base_of, lever, joint, scale, R, tip, theta, scale_at, joint_at, P
+):  # fmt: skip
+    """(A,) root of a third of the trace of H P H^T of the segments' ends ``tip`` (A, 3) m in B."""
+    count, column, value = origin_slopes(
+        parent, origin, base_of, lever, joint, scale, R, theta, scale_at, joint_at
+    )
+    out, none = np.empty(len(parent)), np.zeros(3)
+    for a in range(len(parent)):
+        k, h, at = count[a], value[a], column[a]
+        k += put_own(h[:, k:], at[k:], a, tip[a], none, lever, scale, R, theta, scale_at, -1)
         total = 0.0
-        for r in range(3):
-            h, count = H[k, r], 0
-            for i in range(size):
-                if h[i] != 0.0:
-                    column[count] = i
-                    count += 1
-            for a in range(count):
-                i = column[a]
-                total += h[i] * h[i] * P[i, i]
-                for b in range(a):
-                    total += 2.0 * h[i] * P[i, column[b]] * h[column[b]]
-        out[k] = np.sqrt(max(total / 3.0, 0.0))
+        for i in range(k):
+            for j in range(i + 1):
+                product = h[0, i] * h[0, j] + h[1, i] * h[1, j] + h[2, i] * h[2, j]
+                total += (1.0 if i == j else 2.0) * product * P[at[i], at[j]]
+        out[a] = np.sqrt(max(total / 3.0, 0.0))
     return out

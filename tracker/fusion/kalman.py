@@ -14,7 +14,7 @@ def update(P: Array, H: Array, r: Array, R: Array) -> tuple[Array, Array]:
     """One linear update. P (N, N), H (m, N), innovation r (m,), R (m, m).
 
     Returns the error vector dx (N,) and the new P, symmetric by construction:
-    P - W^T W with W = L^-1 H P and L L^T = H P H^T + R.
+    P - W^T W with W = U^-T H P and U^T U = H P H^T + R.
     """
     HP = H @ P
     return update_with(P, HP, HP @ H.T, r, R)
@@ -22,14 +22,19 @@ def update(P: Array, H: Array, r: Array, R: Array) -> tuple[Array, Array]:
 
 def update_with(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> tuple[Array, Array]:
     """As `update`, for a caller that has H P (m, N) and H P H^T (m, m) already."""
-    L = _factor(HPH + R)
-    # HP's transpose is in the library's own order: solving from the right saves two copies of it
-    Wt = dtrsm(1.0, L, HP.T, side=1, lower=1, trans_a=1)
-    dx = Wt @ dtrsm(1.0, L, r[:, None], lower=1)[:, 0]
     out = P.copy()
-    dsyrk(-1.0, Wt, beta=1.0, c=out.T, overwrite_c=1)  # the upper triangle of the transpose
-    _mirror(out)
-    return dx, out
+    return correct(out, HP, HPH, r, R), out
+
+
+def correct(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> Array:
+    """`update_with` in place: dx (N,) of a C-ordered P that becomes the new one."""
+    U = _factor(HPH + R)
+    # transposes of ours are in the library's own order: so nothing is copied on the way
+    Wt = dtrsm(1.0, U, HP.T, side=1, lower=0)
+    dx: Array = Wt @ dtrsm(1.0, U, r[:, None], lower=0, trans_a=1)[:, 0]
+    dsyrk(-1.0, Wt, beta=1.0, c=P.T, overwrite_c=1)  # the upper triangle of the transpose
+    _mirror(P)
+    return dx
 
 
 @kernel
@@ -43,18 +48,13 @@ def _mirror(P):  # type: ignore[no-untyped-def]
                     P[j, i] = P[i, j]
 
 
-def mahalanobis2(HPH: Array, r: Array, R: Array) -> float:
-    """r^T S^-1 r."""
-    x = dtrsm(1.0, _factor(HPH + R), r[:, None], lower=1)[:, 0]
-    return float(x @ x)
-
-
 def _factor(S: Array) -> Array:
-    """Lower Cholesky factor of S, made symmetric. Raises LinAlgError where S is not positive.
+    """Upper U with U^T U = S (m, m), of whose C order the lower triangle counts; S is used up.
 
-    LAPACK is called directly: at this size scipy's checks cost as much as the arithmetic.
+    LAPACK is called directly: at this size scipy's checks cost as much as the arithmetic. Raises
+    LinAlgError where S is not positive.
     """
-    L, info = dpotrf((S + S.T) / 2, lower=1, clean=0)
+    U, info = dpotrf(S.T, lower=0, clean=0, overwrite_a=1)
     if info != 0:
         raise np.linalg.LinAlgError("the innovation covariance is not positive definite")
-    return np.asarray(L)
+    return np.asarray(U)

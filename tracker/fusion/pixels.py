@@ -13,15 +13,21 @@ from functools import lru_cache
 
 import numpy as np
 
-from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions, turned
+from tracker.fusion.completion import Completion
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import NoiseParams
-from tracker.fusion.pixels_kernel import innovation_covariance, pixel_jacobians, spread, stack_rows
-from tracker.fusion.sparse import times
+from tracker.fusion.pixels_kernel import (
+    expected,
+    marker_places,
+    matched,
+    pixel_jacobians,
+    point_rows,
+)
 from tracker.fusion.state import ChainState
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
-from tracker.vision.correspondence import GateParams, HandShape, assign_gated, visibility
+from tracker.vision.correspondence import GateParams
 from tracker.vision.rig import StereoRig
+from tracker.vision.visibility import HandShape, visibility_at
 
 SIDES = ("left", "right")
 MIN_PRIOR = 0.01
@@ -70,8 +76,9 @@ def seen_blobs(frame: BlobFrame, rig: StereoRig, hues: tuple[str, ...]) -> tuple
 class Prediction:
     """Markers as the filter expects them; n of them may be seen.
 
-    rows (n,) marker ids; p_C (M, 3); uv (2, M, 2) rectified; prior (2, M); and of the n rows
-    H (n, 3, N), HP (n, 3, N), A (2, n, 2, 3) = d uv / d p_G, S (2, n, 2, 2) innovation covariance.
+    rows (n,) marker ids; uv (2, M, 2) rectified; prior (2, M); A (2, M, 2, 3) = d uv / d p_G; and
+    of the n rows H, HP (n, 3, N), cov (n, 3, 3) m² in G with the placement's, and the innovation
+    covariance S (2, n, 2, 2) px².
     """
 
     rows: IntArray
@@ -79,6 +86,7 @@ class Prediction:
     prior: Array
     H: Array
     HP: Array
+    cov: Array
     A: Array
     S: Array
 
@@ -90,63 +98,44 @@ class PixelModel:
         self._layout, self._rig, self._noise = layout, rig, noise
         self._shape = HandShape.of(layout.hand)
         self._segment = layout.glove.marker_segment(layout.hand)
+        self._complete = Completion(layout)
 
-    def predict(
-        self,
-        state: ChainState,
-        pose: CameraPose,
-        R_all: Array,
-        p_all: Array,
-    ) -> Prediction:
-        """Where markers should be. R_all, p_all: poses of all hand segments, for occlusion."""
-        lay, glove = self._layout, self._layout.glove
-        p_G = marker_positions(state, lay)
-        normal_G = turned(state.R_GB, lay.marker_segment, glove.marker_normal)
-        p_C = (p_G - pose.p_GC) @ pose.R_GC
-        uv = np.stack([self._rig.project(p_C), self._rig.project(p_C, right=True)])
-        prior = visibility(self._shape, self._rig, pose, p_G, normal_G, self._segment, R_all, p_all)
-        prior[np.isnan(uv[..., 0])] = 0.0
-        rows = np.flatnonzero(np.maximum(*prior) > MIN_PRIOR)
-        H = marker_jacobians(state, lay, rows)
-        HP = times(H.reshape(-1, lay.size), state.P).reshape(H.shape)
-        rig, noise = self._rig, self._noise
-        A = pixel_jacobians(p_C[rows], pose.R_GC, rig.fx, rig.fy, rig.baseline)
-        S = innovation_covariance(H, HP, A, noise.marker, noise.pixel_px)
-        return Prediction(rows, uv, prior, H, HP, A, S)
+    def predict(self, state: ChainState, pose: CameraPose) -> Prediction:
+        """Where markers should be."""
+        lay, glove, rig, noise = self._layout, self._layout.glove, self._rig, self._noise
+        tree = lay.parent, lay.origin, lay.base_of, lay.root_lever
+        body = *tree, state.joint, state.scale, state.R_GB
+        marker = lay.marker_segment, glove.marker_position
+        p_GB, p_G, normal_G, p_C, uv = marker_places(
+            *body, state.p, *marker, glove.marker_normal, state.marker,
+            pose.R_GC, pose.p_GC, rig.fx, rig.fy, rig.cx, rig.cy, rig.baseline,
+        )  # fmt: skip
+        R_all, p_all, *_ = self._complete(state.R_GB, p_GB, state.scale3())
+        solids = self._shape, R_all, p_all
+        prior = visibility_at(uv, solids, rig, pose, p_G, normal_G, self._segment)
+        A = pixel_jacobians(p_C, pose.R_GC, rig.fx, rig.fy, rig.baseline)
+        rows, H, HP, cov, S = expected(
+            *body, *marker, state.marker, lay.theta, lay.scale, lay.joint, lay.marker,
+            state.P, prior, MIN_PRIOR, A, noise.marker, noise.pixel_px,
+        )  # fmt: skip
+        return Prediction(rows, uv, prior, H, HP, cov, A, S)
 
     def match(self, prediction: Prediction, seen: tuple[SeenBlobs, ...]) -> IntArray:
         """(2, M) row of `seen` for each marker, -1 for none."""
-        glove = self._layout.glove
-        out = np.full((2, len(glove.markers)), -1, np.int64)
-        rows = prediction.rows
-        for c in range(2):
-            found = assign_gated(
-                seen[c].uv,
-                seen[c].hue,
-                prediction.uv[c, rows],
-                prediction.S[c],
-                glove.marker_hue[rows],
-                prediction.prior[c, rows],
-                _gate(prediction.S[c]),
-            )
-            out[c, rows] = found
-        return out
+        left, right = seen
+        return matched(
+            left.uv, left.hue, right.uv, right.hue,
+            prediction.uv, prediction.rows, prediction.S, self._layout.glove.marker_hue,
+            prediction.prior, GATE.gate, GATE.gate_px, GATE.dummy_cost, GATE.min_prior,
+            USUAL_SPREAD,
+        )  # fmt: skip
 
     def rows(
         self, prediction: Prediction, seen: tuple[SeenBlobs, ...], match: IntArray
     ) -> tuple[Array, Array, Array, Array]:
         """Stacked H (m, N), HP (m, N), innovation (m,), noise (m, m) of all matched markers."""
         p, noise = prediction, self._noise
-        residual = np.full((2, len(p.rows), 2), np.nan)
-        for c in range(2):
-            hit = np.flatnonzero(match[c, p.rows] >= 0)
-            marker = p.rows[hit]
-            residual[c, hit] = seen[c].uv[match[c, marker]] - p.uv[c, marker]
-        return stack_rows(p.H, p.HP, p.A, residual, noise.marker, noise.pixel_px, noise.huber)
-
-
-def _gate(S: Array) -> GateParams:
-    """The cost of no match grows with the spread, or an unsure filter would match nothing."""
-    if len(S) == 0:
-        return GATE
-    return GateParams(dummy_cost=GATE.dummy_cost + max(0.0, spread(S) - USUAL_SPREAD))
+        return point_rows(
+            p.H, p.HP, p.cov, p.A, p.rows, p.uv, match, seen[0].uv, seen[1].uv,
+            noise.marker, noise.pixel_px, noise.huber,
+        )  # fmt: skip

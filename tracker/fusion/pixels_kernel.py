@@ -4,7 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker.fusion.chain_kinematics import (
+    origin_slopes,
+    points_of,
+    put_own,
+    segment_origins,
+    turned,
+)
+from tracker.geometry.kernels import act3, inverse3, tact3
 from tracker.kernels import kernel
+from tracker.vision.correspondence import assigned
+from tracker.vision.rig import projected
 
 
 @kernel
@@ -25,31 +35,199 @@ def pixel_jacobians(p_C, R_GC, fx, fy, baseline):  # type: ignore[no-untyped-def
 
 
 @kernel
-def innovation_covariance(H, HP, A, sd_marker, sd_pixel):  # type: ignore[no-untyped-def]
-    """(2, n, 2, 2) px² of n markers in both cameras; shapes as in `stack_rows`."""
-    n, size = len(H), H.shape[2]
-    out = np.empty((2, n, 2, 2))
-    cov = np.empty((3, 3))
-    for k in range(n):
-        cov[:] = 0.0
-        for j in range(size):
-            for b in range(3):
-                h = H[k, b, j]
-                if h != 0.0:
-                    for a in range(3):
-                        cov[a, b] += HP[k, a, j] * h
-        for a in range(3):
-            cov[a, a] += sd_marker**2
+def marker_places(  # type: ignore[no-untyped-def]
+    parent, origin, base_of, lever, joint, scale, R_GB, p, segment, nominal, normal, offset,
+    R_GC, p_GC, fx, fy, cx, cy, baseline,
+):  # fmt: skip
+    """p_GB (A, 3) of the active segments; of the markers p_G, normal_G, p_C (M, 3) and their
+    rectified pixels uv (2, M, 2)."""
+    p_GB = segment_origins(parent, origin, base_of, lever, joint, scale, R_GB, p)
+    p_G = points_of(p_GB, R_GB, scale, segment, nominal, offset)
+    p_C, uv = np.empty_like(p_G), np.empty((2, len(p_G), 2))
+    for k in range(len(p_G)):
+        p_C[k] = tact3(R_GC, p_G[k] - p_GC)
+    for c in range(2):
+        uv[c] = projected(p_C, baseline if c else 0.0, fx, fy, cx, cy)
+    return p_GB, p_G, turned(R_GB, segment, normal), p_C, uv
+
+
+@kernel
+def expected(  # type: ignore[no-untyped-def]
+    parent, origin, base_of, lever, joint, scale, R_GB, segment, nominal, offset,
+    theta, scale_at, joint_at, marker_at, P, prior, least, A, sd_marker, sd_pixel,
+):  # fmt: skip
+    """The markers that may be seen: rows (n,), H and H P (n, 3, N), cov (n, 3, 3) m² in G with the
+    placement's, and S (2, n, 2, 2) px².
+
+    Those whose ``prior`` (2, M) is above ``least`` in a camera. A (2, M, 2, 3) = d uv / d p_G. What
+    markers of one segment share of H P, the share of the segment's origin, is computed once.
+    """
+    rows = np.flatnonzero(np.maximum(prior[0], prior[1]) > least)
+    count, column, value = origin_slopes(
+        parent, origin, base_of, lever, joint, scale, R_GB, theta, scale_at, joint_at
+    )
+    of_origin = origin_products(parent, count, column, value, P)
+    n, size = len(rows), len(P)
+    H, HP, cov = np.zeros((n, 3, size)), np.empty((n, 3, size)), np.empty((n, 3, 3))
+    S = np.empty((2, n, 2, 2))
+    for i in range(n):
+        m = rows[i]
+        a = segment[m]
+        k, h, at = count[a], value[a], column[a]
+        end = k + put_own(
+            h[:, k:], at[k:], a, nominal[m], offset[m], lever, scale, R_GB, theta, scale_at,
+            marker_at + 3 * m,
+        )  # fmt: skip
+        HP[i] = of_origin[a]
+        add_product(HP[i], h[:, k:end], at[k:end], P)
+        for r in range(3):
+            for c in range(end):
+                H[i, r, at[c]] = h[r, c]
+            for s in range(3):
+                cov[i, r, s] = sd_marker**2 if r == s else 0.0
+                for c in range(end):
+                    cov[i, r, s] += HP[i, r, at[c]] * h[s, c]
         for c in range(2):
-            out[c, k] = A[c, k] @ cov @ A[c, k].T
-            for a in range(2):
-                out[c, k, a, a] += sd_pixel**2
+            S[c, i] = seen_covariance(A[c, m], cov[i], sd_pixel)
+    return rows, H, HP, cov, S
+
+
+@kernel
+def seen_covariance(J, cov, sd_pixel):  # type: ignore[no-untyped-def]
+    """J cov J^T + I sd_pixel² (e, e) px² of J (e, 3) and cov (3, 3) m²."""
+    n = len(J)
+    out = np.empty((n, n))
+    for a in range(n):
+        x = act3(cov, J[a])
+        for b in range(n):
+            out[a, b] = x[0] * J[b, 0] + x[1] * J[b, 1] + x[2] * J[b, 2]
+        out[a, a] += sd_pixel**2
     return out
 
 
 @kernel
+def origin_products(parent, count, column, value, P):  # type: ignore[no-untyped-def]
+    """(A, 3, N) H P of the segments' origins, of `origin_slopes`: what a parent has is not made
+    anew."""
+    out = np.zeros((len(parent), 3, len(P)))
+    for c in range(len(parent)):
+        a = parent[c]
+        begin = count[a] if a >= 0 else 0
+        if a >= 0:
+            out[c] = out[a]
+        end = count[c]
+        add_product(out[c], value[c, :, begin:end], column[c, begin:end], P)
+    return out
+
+
+@kernel
+def add_product(out, value, column, P):  # type: ignore[no-untyped-def]
+    """out (3, N) += H P of an H with the entries value (3, k) in the columns (k,)."""
+    x, y, z = out[0], out[1], out[2]
+    for c in range(len(column)):
+        row = P[column[c]]
+        a, b, d = value[0, c], value[1, c], value[2, c]
+        for i in range(len(row)):
+            x[i] += a * row[i]
+            y[i] += b * row[i]
+            z[i] += d * row[i]
+
+
+@kernel
+def matched(  # type: ignore[no-untyped-def]
+    left, left_hue, right, right_hue, uv, rows, S, marker_hue, prior, gate, gate_px, alone,
+    least_prior, usual_spread,
+):  # fmt: skip
+    """(2, M) row of the blobs left and right (k, 2) px for each marker, -1 for none.
+
+    uv (2, M, 2) px and prior (2, M) of all markers, S (2, n, 2, 2) px² of the markers ``rows``
+    that may be seen; limits as in `tracker.vision.correspondence.GateParams`. The cost ``alone`` of
+    no match grows with the spread, or an unsure filter would match nothing.
+    """
+    out = np.full((2, uv.shape[1]), -1)
+    for c in range(2):
+        blobs, hue = (right, right_hue) if c else (left, left_hue)
+        if len(blobs) == 0 or len(rows) == 0:
+            continue
+        found = assigned(
+            blobs, hue, uv[c][rows], S[c], marker_hue[rows],
+            np.maximum(prior[c][rows], least_prior), gate, gate_px,
+            alone + max(0.0, spread(S[c]) - usual_spread),
+        )  # fmt: skip
+        for i in range(len(rows)):
+            out[c, rows[i]] = found[i]
+    return out
+
+
+@kernel
+def point_rows(  # type: ignore[no-untyped-def]
+    H, HP, cov, A, rows, uv, match, left, right, sd_marker, sd_pixel, threshold
+):  # fmt: skip
+    """`stack_rows` of the markers ``rows`` (n,), with three rows in place of four where both
+    cameras see one: what they say of its place in G. The fourth says nothing of the state.
+
+    With J (4, 3) of both cameras' A, the residual is (JᵀJ)⁻¹ Jᵀ r (m) and its noise
+    I sd_marker² + (JᵀJ)⁻¹ sd_pixel² (m²). cov (n, 3, 3) m² is that of the markers with their
+    placement; uv (2, M, 2) px of all markers, match (2, M) rows of left and right (k, 2) px.
+    """
+    m = 0
+    for k in range(len(rows)):
+        seen = (match[0, rows[k]] >= 0) + (match[1, rows[k]] >= 0)
+        m += seen + 1 if seen else 0
+    size = H.shape[2]
+    rows_H, rows_HP = np.empty((m, size)), np.empty((m, size))
+    out_r, R = np.empty(m), np.zeros((m, m))
+    J, r = np.empty((4, 3)), np.empty(4)
+    at = 0
+    for k in range(len(rows)):
+        end = 0
+        for c in range(2):
+            row = match[c, rows[k]]
+            if row < 0:
+                continue
+            for a in range(2):
+                J[end] = A[c, rows[k], a]
+                r[end] = (right[row, a] if c else left[row, a]) - uv[c, rows[k], a]
+                end += 1
+        if end == 0:
+            continue
+        weight = _huber(r[:end], seen_covariance(J[:end], cov[k], sd_pixel), threshold)
+        if end == 4:
+            noise, out_r[at : at + 3] = _solved(J, r)
+            rows_H[at : at + 3], rows_HP[at : at + 3] = H[k], HP[k]
+            noise *= sd_pixel**2
+            for a in range(3):
+                noise[a, a] += sd_marker**2
+        else:
+            out_r[at : at + 2] = r[:2]
+            for a in range(2):
+                for i in range(size):
+                    x, y, z = J[a]
+                    rows_H[at + a, i] = x * H[k, 0, i] + y * H[k, 1, i] + z * H[k, 2, i]
+                    rows_HP[at + a, i] = x * HP[k, 0, i] + y * HP[k, 1, i] + z * HP[k, 2, i]
+            noise = seen_covariance(J[:2], np.eye(3) * sd_marker**2, sd_pixel)
+        last = at + len(noise)
+        R[at:last, at:last] = noise * weight
+        at = last
+    return rows_H, rows_HP, out_r, R
+
+
+@kernel
+def _solved(J, r):  # type: ignore[no-untyped-def]
+    """(JᵀJ)⁻¹ (3, 3) and (JᵀJ)⁻¹ Jᵀ r (3,)."""
+    JJ, Jr = np.zeros((3, 3)), np.zeros(3)
+    for e in range(len(J)):
+        for a in range(3):
+            Jr[a] += J[e, a] * r[e]
+            for b in range(3):
+                JJ[a, b] += J[e, a] * J[e, b]
+    inverse = inverse3(JJ)
+    return inverse, act3(inverse, Jr)
+
+
+@kernel
 def spread(S):  # type: ignore[no-untyped-def]
-    """Median of ln det of S (n, 2, 2)."""
+    """Median of ln det of S (n, 2, 2) px²."""
     out = np.empty(len(S))
     for k in range(len(S)):
         out[k] = np.log(S[k, 0, 0] * S[k, 1, 1] - S[k, 0, 1] * S[k, 1, 0])

@@ -19,5 +19,5 @@ class Previous:
     def at(self, t: float, speed: float) -> Prediction:
         """The same places, less certain by what a hand of ``speed`` m/s (SD) goes meanwhile."""
         gone = (speed * (t - self.t)) ** 2
-        A = self.markers.A
+        A = self.markers.A[:, self.markers.rows]
         return replace(self.markers, S=self.markers.S + gone * A @ np.swapaxes(A, -1, -2))

@@ -60,6 +60,17 @@ def tact3(A, v):  # type: ignore[no-untyped-def]
 
 
 @kernel
+def inverse3(M):  # type: ignore[no-untyped-def]
+    """The inverse of a symmetric (3, 3), by cofactors."""
+    a, b, c, d, e, f = M[0, 0], M[0, 1], M[0, 2], M[1, 1], M[1, 2], M[2, 2]
+    A, B, C = d * f - e * e, c * e - b * f, b * e - c * d
+    det = a * A + b * B + c * C
+    D, E, F = (a * f - c * c) / det, (b * c - a * e) / det, (a * d - b * b) / det
+    A, B, C = A / det, B / det, C / det
+    return np.array([[A, B, C], [B, D, E], [C, E, F]])
+
+
+@kernel
 def turn_all(R, v):  # type: ignore[no-untyped-def]
     """R (n, 3, 3) times Exp of v (n, 3)."""
     out = np.empty_like(R)
@@ -99,13 +110,21 @@ def joint_angles3(R, abducts, twists):  # type: ignore[no-untyped-def]
     """(abduction, flexion, twist) of one joint rotation, as `so3.joint_angles`."""
     if twists:
         return zyx3(R)
-    a, b = 0.0, np.arctan2(R[0, 2] - R[2, 0], R[0, 0] + R[2, 2])
-    for _ in range(NEAREST_ROUNDS if abducts else 0):
-        c, s = np.cos(b), np.sin(b)
-        a = np.arctan2(R[1, 0] * c + R[1, 2] * s - R[0, 1], R[0, 0] * c + R[0, 2] * s + R[1, 1])
-        c, s = np.cos(a), np.sin(a)
-        b = np.arctan2(R[0, 2] * c + R[1, 2] * s - R[2, 0], R[0, 0] * c + R[1, 0] * s + R[2, 2])
-    return a, b, 0.0
+    ca, sa = 1.0, 0.0
+    cb, sb = _unit(R[0, 0] + R[2, 2], R[0, 2] - R[2, 0])
+    for _ in range(NEAREST_ROUNDS if abducts else 0):  # on cosines and sines: no angle is needed
+        ca, sa = _unit(R[0, 0] * cb + R[0, 2] * sb + R[1, 1], R[1, 0] * cb + R[1, 2] * sb - R[0, 1])
+        cb, sb = _unit(R[0, 0] * ca + R[1, 0] * sa + R[2, 2], R[0, 2] * ca + R[1, 2] * sa - R[2, 0])
+    return np.arctan2(sa, ca), np.arctan2(sb, cb), 0.0
+
+
+@kernel
+def _unit(x, y):  # type: ignore[no-untyped-def]
+    """Cosine and sine of the angle of (x, y); of zero where both are zero."""
+    length = np.sqrt(x * x + y * y)
+    if length == 0.0:
+        return 1.0, 0.0
+    return x / length, y / length
 
 
 @kernel

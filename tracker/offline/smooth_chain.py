@@ -44,17 +44,16 @@ class Step:
 
 @dataclass(frozen=True, eq=False)
 class Update:
-    """H (m, N), H P (m, N), innovation r (m,), noise R (m, m)."""
+    """H (m, N), H P (m, N), the innovation's covariance S (m, m), innovation r (m,)."""
 
     H: Array
     HP: Array
+    S: Array
     r: Array
-    R: Array
 
     def back(self, adjoint: Array) -> Array:
         """λ + Hᵀ S⁻¹ (r - H P λ): the step through (I - K H)ᵀ and the innovation at once."""
-        S = self.HP @ self.H.T + self.R
-        weighed = cho_solve(cho_factor((S + S.T) / 2, lower=True), self.r - self.HP @ adjoint)
+        weighed = cho_solve(cho_factor(self.S, lower=True), self.r - self.HP @ adjoint)
         return adjoint + self.H.T @ weighed
 
 
@@ -190,9 +189,9 @@ class TapedChain(ChainEngine):
         sensed = Sensed(self._sensed(self._state.t), self._track.tracking)
         self._note(_Shown(nominal.copy(), P_rows, sensed, self._track.tip_sd))
 
-    def _learn(self, H: Array, HP: Array, r: Array, R: Array) -> None:
-        self._note(Update(H, HP, r, R))
-        super()._learn(H, HP, r, R)
+    def _learn(self, H: Array, HP: Array, HPH: Array, r: Array, R: Array) -> None:
+        self._note(Update(H, HP, HPH + R, r))
+        super()._learn(H, HP, HPH, r, R)
 
     def _adopt(self, state: ChainState) -> None:
         self._note(Forgotten(self._layout.size))

@@ -59,7 +59,7 @@ def assign_gated(
     params = params or GateParams()
     if len(uv) == 0 or len(predicted_uv) == 0:
         return np.full(len(predicted_uv), -1, np.int64)
-    return _assigned(
+    return assigned(
         np.ascontiguousarray(uv, float),
         hue,
         np.ascontiguousarray(predicted_uv, float),
@@ -73,7 +73,7 @@ def assign_gated(
 
 
 @kernel
-def _assigned(
+def assigned(
     uv: Array,
     hue: IntArray,
     predicted: Array,

@@ -97,7 +97,7 @@ class StereoRig:
     def project(self, p_C: Array, right: bool = False) -> Array:
         """Points (…, 3) of C to rectified pixels (…, 2). NaN for points not in front (z < 1 cm)."""
         p = np.ascontiguousarray(p_C, float)
-        uv = _project(
+        uv = projected(
             p.reshape(-1, 3), self.baseline if right else 0.0, self.fx, self.fy, self.cx, self.cy
         )
         return uv.reshape(*p.shape[:-1], 2)
@@ -108,7 +108,7 @@ class StereoRig:
 
 
 @kernel
-def _project(p_C, shift, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
+def projected(p_C, shift, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
     """(n, 2) rectified pixels of p_C (n, 3), seen from ``shift`` m to the right."""
     out = np.empty((len(p_C), 2))
     for k in range(len(p_C)):

@@ -73,17 +73,81 @@ def visibility(
     p_G, normal_G (M, 3) markers and outward unit normals; segment (M,) the row each sits on;
     R_GB (S, 3, 3), p_GB (S, 3) poses of all segments; cov_px (2, M, 2, 2) of the projections.
     """
-    params = params or VisibilityParams()
     p_C = (p_G - pose.p_GC) @ pose.R_GC
+    uv = np.stack([rig.project(p_C), rig.project(p_C, right=True)])
+    solids = shape, R_GB, p_GB
+    return visibility_at(uv, solids, rig, pose, p_G, normal_G, segment, cov_px, params)
+
+
+def visibility_at(
+    uv: Array,
+    solids: tuple[HandShape, Array, Array],
+    rig: StereoRig,
+    pose: CameraPose,
+    p_G: Array,
+    normal_G: Array,
+    segment: IntArray,
+    cov_px: Array | None = None,
+    params: VisibilityParams | None = None,
+) -> Array:
+    """`visibility` of markers whose rectified pixels uv (2, M, 2) are known.
+
+    ``solids`` are the segments' shape, R_GB (S, 3, 3) and p_GB (S, 3).
+    """
+    params = params or VisibilityParams()
+    shape, R_GB, p_GB = solids
+    if cov_px is None:
+        sd = np.full(uv.shape, params.pixel_sd_px)
+    else:
+        sd = np.sqrt(np.stack([cov_px[..., 0, 0], cov_px[..., 1, 1]], axis=-1))
+    return _priors(
+        p_G, normal_G, segment, pose.R_GC, pose.p_GC, rig.baseline,
+        _recorded(rig.left, uv[0]), _recorded(rig.right, uv[1]), sd,
+        (rig.left.width - 1.0, rig.left.height - 1.0),
+        (rig.right.width - 1.0, rig.right.height - 1.0),
+        R_GB, p_GB, shape.length, shape.radius, shape.width,
+        params.facing_full_deg, params.facing_none_deg,
+        params.radius_factor, params.lift, params.occluded,
+    )  # fmt: skip
+
+
+@kernel
+def _priors(
+    p_G: Array,
+    normal_G: Array,
+    segment: IntArray,
+    R_GC: Array,
+    p_GC: Array,
+    baseline: float,
+    uv_left: Array,
+    uv_right: Array,
+    sd: Array,
+    left_corner: tuple[float, float],
+    right_corner: tuple[float, float],
+    R_GB: Array,
+    p_GB: Array,
+    length: Array,
+    radius: Array,
+    width: Array,
+    full_deg: float,
+    none_deg: float,
+    thin: float,
+    lift: float,
+    occluded: float,
+) -> Array:
+    """(2, M) of both cameras: the product of the three factors. Corners are the last pixel's u, v;
+    sd (2, M, 2) px."""
     out = np.empty((2, len(p_G)))
-    start = p_G + params.lift * normal_G
-    radius, width = shape.radius * params.radius_factor, shape.width * params.radius_factor
-    solids = R_GB, p_GB, shape.length, radius, width
+    start = p_G + lift * normal_G
     for c in range(2):
-        centre_G = pose.p_GC + (pose.R_GC[:, 0] * rig.baseline if c else 0.0)
-        out[c] = facing(p_G, normal_G, centre_G, params)
-        out[c] *= in_view(rig, p_C, bool(c), None if cov_px is None else cov_px[c], params)
-        _weaken_hidden(out[c], params.occluded, centre_G, start, segment, *solids)
+        centre = p_GC + (baseline if c else 0.0) * R_GC[:, 0]
+        right, bottom = right_corner if c else left_corner
+        out[c] = facing(p_G, normal_G, centre, full_deg, none_deg)
+        out[c] *= _inside(uv_right if c else uv_left, sd[c], right, bottom)
+        _weaken_hidden(
+            out[c], occluded, centre, start, segment, R_GB, p_GB, length, radius * thin,
+            width * thin,
+        )  # fmt: skip
     return out
 
 
@@ -92,13 +156,9 @@ def both_cameras(prior: Array) -> Array:
     return prior[0] * prior[1]
 
 
-def facing(p_G: Array, normal_G: Array, centre_G: Array, params: VisibilityParams) -> Array:
-    """Eq. 4, (M,): 1 up to alpha_min between normal and way to the camera, 0 from alpha_max."""
-    return _facing(p_G, normal_G, centre_G, params.facing_full_deg, params.facing_none_deg)
-
-
 @kernel
-def _facing(p: Array, normal: Array, centre: Array, full_deg: float, none_deg: float) -> Array:
+def facing(p: Array, normal: Array, centre: Array, full_deg: float, none_deg: float) -> Array:
+    """Eq. 4, (M,): 1 up to alpha_min between normal and way to the camera, 0 from alpha_max."""
     out = np.empty(len(p))
     for j in range(len(p)):
         along, length2 = 0.0, 0.0
@@ -110,19 +170,6 @@ def _facing(p: Array, normal: Array, centre: Array, full_deg: float, none_deg: f
         alpha_deg = math.degrees(math.acos(cosine))
         out[j] = min(max((none_deg - alpha_deg) / (none_deg - full_deg), 0.0), 1.0)
     return out
-
-
-def in_view(
-    rig: StereoRig, p_C: Array, right: bool, cov_px: Array | None, params: VisibilityParams
-) -> Array:
-    """Eq. 5, (M,): probability that the projection lies inside the picture as recorded."""
-    camera = rig.right if right else rig.left
-    uv = _recorded(camera, rig.project(p_C, right))
-    if cov_px is None:
-        sd = np.full(uv.shape, params.pixel_sd_px)
-    else:
-        sd = np.sqrt(np.stack([cov_px[:, 0, 0], cov_px[:, 1, 1]], axis=1))
-    return _inside(uv, sd, camera.width - 1.0, camera.height - 1.0)
 
 
 def _recorded(camera: Camera, uv: Array) -> Array:
@@ -138,7 +185,10 @@ def _recorded(camera: Camera, uv: Array) -> Array:
 
 @kernel
 def _inside(uv: Array, sd: Array, right: float, bottom: float) -> Array:
-    """Phi(d / sigma) with d the signed distance to the nearest edge, sigma along it."""
+    """Eq. 5, (M,): probability that a pixel of uv (M, 2) lies inside the picture as recorded.
+
+    Phi(d / sigma) with d the signed distance to the nearest edge, sigma along it.
+    """
     out = np.zeros(len(uv))
     for j in range(len(uv)):
         u, v = uv[j, 0], uv[j, 1]

@@ -1,0 +1,122 @@
+"""What is expected of markers and learned from them, compiled, beside the plain formulas."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions
+from tracker.fusion.kalman import update
+from tracker.fusion.layout import ChainLayout
+from tracker.fusion.params import NoiseParams
+from tracker.fusion.pixels import MIN_PRIOR, USUAL_SPREAD, PixelModel, Prediction, SeenBlobs
+from tracker.fusion.pixels_kernel import point_rows, spread, stack_rows
+from tracker.fusion.state import ChainState, initial_state, inject
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import IntArray
+from tracker.vision.correspondence import GateParams, assign_gated
+from tracker.vision.rig import ideal_rig
+
+RIG, NOISE = ideal_rig(), NoiseParams()
+Case = tuple[ChainLayout, ChainState, Prediction]
+
+
+@pytest.fixture(scope="module")
+def case(hand: HandModel, glove: GloveModel) -> Case:
+    """A bent hand of another size before the camera, with a covariance full of correlations."""
+    layout, rng = ChainLayout(hand, glove), np.random.default_rng(21)
+    state = initial_state(layout)
+    state.p = RIG.pose.p_GC + 0.35 * RIG.pose.R_GC[:, 2]
+    inject(state, layout, 0.02 * rng.normal(size=layout.size))
+    root = 1e-3 * rng.normal(size=(layout.size, layout.size))
+    state.P = root @ root.T
+    return layout, state, PixelModel(layout, RIG, NOISE).predict(state, RIG.pose)
+
+
+def test_expected_markers_are_the_plain_products(case: Case) -> None:
+    """Where they stand, their slopes, H P, and their spread in the room and in both pictures."""
+    layout, state, e = case
+    p_C = (marker_positions(state, layout) - RIG.pose.p_GC) @ RIG.pose.R_GC
+    for c in range(2):
+        assert np.allclose(e.uv[c], RIG.project(p_C, bool(c)), atol=1e-9)
+    assert len(e.rows) > 10
+    assert np.array_equal(e.rows, np.flatnonzero(e.prior.max(axis=0) > MIN_PRIOR))
+    H = marker_jacobians(state, layout, e.rows)
+    assert np.allclose(e.H, H, atol=1e-14)
+    HP = np.einsum("kij,jl->kil", H, state.P)
+    assert np.abs(e.HP - HP).max() < 1e-12 * np.abs(HP).max()
+    cov = HP @ H.swapaxes(1, 2) + np.eye(3) * NOISE.marker**2
+    assert np.abs(e.cov - cov).max() < 1e-12 * np.abs(cov).max()
+    A = e.A[:, e.rows]
+    S = A @ cov @ A.swapaxes(-1, -2) + np.eye(2) * NOISE.pixel_px**2
+    assert np.abs(e.S - S).max() < 1e-12 * np.abs(S).max()
+
+
+def blobs(case: Case, seed: int) -> tuple[SeenBlobs, ...]:
+    """Most expected markers some pixels off, shuffled, and some blobs that are none."""
+    layout, _, e = case
+    rng, out = np.random.default_rng(seed), []
+    for c in range(2):
+        rows = rng.permutation(e.rows)[: len(e.rows) - 4]
+        extra = rng.uniform(0, 700, (5, 2)), rng.integers(0, 4, 5)
+        uv = np.concatenate([e.uv[c, rows] + rng.normal(0, 2.0, (len(rows), 2)), extra[0]])
+        hue = np.concatenate([layout.glove.marker_hue[rows], extra[1]])
+        out.append(SeenBlobs(uv, hue, np.arange(len(uv))))
+    return tuple(out)
+
+
+def test_matches_are_those_of_the_assignment(case: Case) -> None:
+    """Picture by picture, with a price of no match that grows with the spread."""
+    layout, _, e = case
+    seen = blobs(case, 1)
+    match = PixelModel(layout, RIG, NOISE).match(e, seen)
+    for c in range(2):
+        alone = GateParams().dummy_cost + max(0.0, spread(e.S[c]) - USUAL_SPREAD)
+        found = assign_gated(
+            seen[c].uv, seen[c].hue, e.uv[c, e.rows], e.S[c], layout.glove.marker_hue[e.rows],
+            e.prior[c, e.rows], GateParams(dummy_cost=alone),
+        )  # fmt: skip
+        assert np.array_equal(match[c, e.rows], found)
+        assert (found >= 0).sum() > 5 and np.all(np.delete(match[c], e.rows) == -1)
+
+
+def some_matched(case: Case) -> IntArray:
+    """Markers of both cameras, of either one, of none."""
+    rows = case[2].rows
+    match = np.full((2, case[2].uv.shape[1]), -1)
+    match[:, rows[: len(rows) - 2]] = np.arange(len(rows) - 2)
+    match[0, rows[:3]] = match[1, rows[2:5]] = -1
+    return match
+
+
+def test_three_rows_of_a_marker_say_what_its_four_pixels_say(case: Case) -> None:
+    """The same correction and covariance as of all pixels, one marker far off included."""
+    _, state, e = case
+    match, rng = some_matched(case), np.random.default_rng(5)
+    n = int(match.max()) + 1
+    uv = e.uv[:, e.rows[:n]] + rng.normal(0, 2.0, (2, n, 2))
+    uv[1, 7] += 200.0
+    numbers = NOISE.marker, NOISE.pixel_px, NOISE.huber
+    H, HP, r, R = point_rows(e.H, e.HP, e.cov, e.A, e.rows, e.uv, match, *uv, *numbers)
+    residual = np.full((2, len(e.rows), 2), np.nan)
+    for c in range(2):
+        hit = match[c, e.rows] >= 0
+        residual[c, hit] = (uv[c] - e.uv[c, e.rows[:n]])[hit[:n]]
+    whole = stack_rows(e.H, e.HP, e.A[:, e.rows], residual, *numbers)
+    both = np.all(match >= 0, axis=0).sum()
+    assert len(r) == len(whole[2]) - both and both > 5
+    assert np.allclose(HP, H @ state.P, atol=1e-12)
+    dx, P = update(state.P, H, r, R)
+    dx_whole, P_whole = update(state.P, whole[0], *whole[2:])
+    assert np.abs(dx - dx_whole).max() < 1e-8 * np.abs(dx_whole).max()
+    assert np.abs(P - P_whole).max() < 1e-8 * np.abs(P_whole).max()
+
+
+def test_nothing_matched_gives_no_rows(case: Case) -> None:
+    _, _, e = case
+    none, nothing = np.full((2, e.uv.shape[1]), -1), np.zeros((0, 2))
+    got = point_rows(
+        e.H, e.HP, e.cov, e.A, e.rows, e.uv, none, nothing, nothing, 1e-3, 1.0, 3.0
+    )  # fmt: skip
+    assert [len(a) for a in got] == [0, 0, 0, 0]
