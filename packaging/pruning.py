@@ -63,7 +63,7 @@ def prune(
     wanted = [e for e in entries if not any(fnmatchcase(e[0], p) for p in patterns)]
     links = [e for e in wanted if e[2] == LINK]
     real = [e for e in wanted if e[2] != LINK]
-    files = {PurePosixPath(e[0]).name: e[1] for e in real if _is_elf(Path(e[1]))}
+    files = {PurePosixPath(e[0]).name: e[1] for e in real if is_elf(Path(e[1]))}
     roots = [PurePosixPath(e[0]).name for e in real if not _is_library(e, folders)]
     kept = reachable(roots, files, needs)
     left = [e for e in real if not _is_library(e, folders) or PurePosixPath(e[0]).name in kept]
@@ -78,6 +78,7 @@ def _is_library(entry: Entry, folders: Iterable[str]) -> bool:
     return bool(plain) and str(place.parent) in folders
 
 
-def _is_elf(path: Path) -> bool:
+def is_elf(path: Path) -> bool:
+    """Whether a file is a library or a program, by how it begins."""
     with path.open("rb") as file:
         return file.read(4) == b"\x7fELF"
