@@ -15,12 +15,14 @@ if ! "$python" -c 'import PyInstaller' 2>/dev/null; then
 fi
 
 make --no-print-directory firmware >/dev/null # its image goes along
+packaging/kernels.sh "$1"
 echo "Building $out/glovetrack (some minutes)"
 nice "$python" -m PyInstaller --noconfirm --log-level ERROR \
     --distpath "$out" --workpath "$work" packaging/glovetrack.spec
 
 inside=$out/glovetrack/_internal
 "$python" packaging/stand_ins.py "$inside"
+"$python" packaging/slimming.py "$inside"
 # Symbol tables and debugging data make a seventh of the bundle. The libraries that auditwheel has
 # rewritten (those in *.libs folders) do not survive strip, so they are left alone.
 if command -v strip >/dev/null; then
@@ -28,7 +30,6 @@ if command -v strip >/dev/null; then
         ! -path '*/cv2/*' -exec strip --strip-unneeded {} +
 fi
 
-packaging/kernels.sh "$out/glovetrack" "$work/kernels"
 "$python" packaging/licences.py "$work/glovetrack" "$inside" >"$out/glovetrack/LICENCES.txt"
 "$out/glovetrack/glovetrack" --version
 du -sm "$out/glovetrack" | sed 's/\t.*/ MB/'

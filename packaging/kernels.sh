@@ -1,25 +1,21 @@
 #!/usr/bin/env bash
-# Compiles the engine's kernels into a bundle, so that its first start need not.
+# Compiles the kernels ahead of time into tracker/kernels, so that no start of the program has to.
 #
-#   packaging/kernels.sh BUNDLE WORK
+#   packaging/kernels.sh VENV
 #
-# The program is put to work; what numba then leaves in its cache (in WORK) goes into the bundle.
-# A kernel that is not among them is compiled where it is first needed.
+# Without a C++ compiler they stay as they are: numba compiles each where it is first needed.
 set -euo pipefail
-bundle=$(realpath "$1") work=$2
-kernels=$bundle/_internal/kernels
+cd "$(dirname "$0")/.."
+python=$1/bin/python
 
-rm -rf "$kernels" "$work" && mkdir -p "$work"
-cd "$work"
-export XDG_CACHE_HOME=$PWD/cache QT_QPA_PLATFORM=offscreen
-run() { nice "$bundle/glovetrack" "$@" >run.log 2>&1 || { cat run.log >&2 && return 1; }; }
-
-echo "Compiling the kernels"
-run demo --headless-report 8 --out demo
-run simulate -o pictures.mcap --duration 3
-for engine in chain vist switching madgwick; do
-    run track pictures.mcap -o $engine.mcap --engine $engine
-done
-cp -r cache/glovetrack/kernels-* "$kernels"
-chmod -R a+rX "$kernels" # a cache is its user's alone
-find "$kernels" -name '*.nbc' | wc -l | sed 's/$/ kernels compiled/'
+has_headers() {
+    "$python" -c 'import sys, sysconfig, pathlib
+sys.exit(not pathlib.Path(sysconfig.get_path("include"), "Python.h").exists())'
+}
+if ! { command -v g++ || command -v clang++; } >/dev/null || ! has_headers; then
+    echo "Without a C++ compiler and Python's headers kernels are compiled when first needed." >&2
+    echo "On Debian: sudo apt-get install -y g++ python3-dev, then make kernels" >&2
+    exit 0
+fi
+echo "Compiling the kernels (a minute or two)"
+"$python" -m tracker.kernels.build

@@ -1,9 +1,9 @@
 """Notes the types of every call of a kernel out of Python, for the list of what to compile.
 
-    GLOVETRACK_KERNELS=record GLOVETRACK_KERNEL_CALLS=calls.txt python -m app --demo ...
-    python -m tracker.kernels.record calls.txt       # adds them to signatures.txt
+    GLOVETRACK_KERNELS=record GLOVETRACK_KERNEL_CALLS=calls.txt python -m app --demo
+    python -m tracker.kernels.record calls.txt       # writes signatures.txt anew
 
-`make kernel-signatures` does so with the program's main work.
+`make signatures` does so with all that the tests do.
 """
 
 from __future__ import annotations
