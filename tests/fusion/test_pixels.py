@@ -9,8 +9,15 @@ from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions
 from tracker.fusion.kalman import update
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import NoiseParams
-from tracker.fusion.pixels import MIN_PRIOR, USUAL_SPREAD, PixelModel, Prediction, SeenBlobs
-from tracker.fusion.pixels_kernel import point_rows, spread, stack_rows
+from tracker.fusion.pixels import (
+    MIN_PRIOR,
+    USUAL_SPREAD,
+    PixelModel,
+    Prediction,
+    SeenBlobs,
+    Tally,
+)
+from tracker.fusion.pixels_kernel import point_rows, spread, stack_rows, worn
 from tracker.fusion.state import ChainState, initial_state, inject
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -120,3 +127,24 @@ def test_nothing_matched_gives_no_rows(case: Case) -> None:
         e.H, e.HP, e.cov, e.A, e.rows, e.uv, none, nothing, nothing, 1e-3, 1.0, 3.0
     )  # fmt: skip
     assert [len(a) for a in got] == [0, 0, 0, 0]
+
+
+def test_a_tally_counts_markers(case: Case) -> None:
+    _, _, e = case
+    match = some_matched(case)
+    tally = Tally.of(e, match)
+    assert tally.matched == np.any(match >= 0, axis=0).sum()
+    assert tally.stereo == np.all(match >= 0, axis=0).sum() < tally.matched
+    assert tally.expected == pytest.approx(e.prior.max(axis=0).sum())
+
+
+def test_only_blobs_of_the_gloves_hues_count() -> None:
+    """Those of another hue, of none, or without a place are left out."""
+    rng = np.random.default_rng(6)
+    uv, hue = rng.normal(size=(12, 2)), rng.integers(0, 4, 12)
+    uv[3, 1], uv[5, 0], hue[7], hue[8] = np.nan, np.inf, 4, -1
+    number = np.array([2, -1, 0, 1])
+    keep = [i for i in range(12) if i not in (3, 5, 7, 8) and number[hue[i]] >= 0]
+    got = worn(uv, hue, number)
+    assert got[2].tolist() == keep and len(keep) > 3
+    assert np.array_equal(got[0], uv[keep]) and np.array_equal(got[1], number[hue[keep]])

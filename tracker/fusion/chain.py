@@ -15,7 +15,7 @@ from tracker.fusion.bundle.solver import Bundle, BundleWork
 from tracker.fusion.chain_calibration import AROUND, CalibratedChain
 from tracker.fusion.chain_kinematics import marker_positions, segment_positions, tip_sd
 from tracker.fusion.constraints import Constraints
-from tracker.fusion.imu_buffer import Intervals
+from tracker.fusion.imu_buffer import Intervals, Readings
 from tracker.fusion.kalman import correct
 from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.layout import ChainLayout
@@ -28,7 +28,7 @@ from tracker.fusion.mono_start import (
 )
 from tracker.fusion.output import HandOutput, Sensed
 from tracker.fusion.params import ChainParams
-from tracker.fusion.pixels import PixelModel, Prediction, SeenBlobs, seen_blobs
+from tracker.fusion.pixels import PixelModel, Prediction, SeenBlobs, Tally, seen_blobs
 from tracker.fusion.previous import Previous
 from tracker.fusion.prior import initial_covariance, reset_pose
 from tracker.fusion.profile import WearerProfile, profile_of, wear
@@ -120,12 +120,14 @@ class ChainEngine(CalibratedChain):
 
     def _welcome(self, sample: ImuSample) -> None:
         """A segment whose IMU was away may stand anywhere: doubt it, its own weight aside."""
+        if sample.t - self._track.felt.min(initial=np.inf) <= RETURN_AFTER:
+            return
         away = np.asarray(sample.valid) & (sample.t - self._track.felt > RETURN_AFTER)
         for j in np.flatnonzero(away & np.isfinite(self._track.felt)):
             rows = self._layout.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
             self._state.P[rows, rows] += self._params.prior.returned**2
 
-    def _step(self, sample: ImuSample, dt: float) -> None:
+    def _step(self, sample: Readings, dt: float) -> None:
         params = self._params if self._held is None else self._still
         propagate(self._state, self._layout, params, sample, dt, self._is_coasting())
 
@@ -179,11 +181,13 @@ class ChainEngine(CalibratedChain):
         pose = frame.pose or self._rig.pose
         prediction = self._predict(self._state, pose)
         match = self._pixels.match(self._compared(prediction, frame.t), seen)
-        if self._should_search(frame.t, prediction, match):
+        tally = Tally.of(prediction, match)
+        if self._should_search(frame.t, tally):
             self._track.last_search = frame.t
             prediction, match = self._search_again(seen, pose, prediction, match)
+            tally = Tally.of(prediction, match)
         self._correct(prediction, seen, match, pose)
-        self._judge(frame.t, self._enough(prediction, match))
+        self._judge(frame.t, self._enough(tally))
         self._finish(frame, seen, prediction, match)
         looked = self.tracking == Tracking.LOST and max(len(s.uv) for s in seen) >= MANY_MARKERS
         since = min(self._track.in_vain_since, frame.t)
@@ -199,7 +203,8 @@ class ChainEngine(CalibratedChain):
         match: IntArray,
     ) -> tuple[Prediction, IntArray]:
         """Move to a better place where the pictures show one; else all stays as it is."""
-        found = self._starter.again(self._state, seen, pose, self._count(match))
+        count = Tally.of(prediction, match).matched
+        found = self._starter.again(self._state, seen, pose, count)
         if found is None:
             return prediction, match
         before = self._state
@@ -208,7 +213,7 @@ class ChainEngine(CalibratedChain):
         reset_pose(self._state.P, self._layout, self._params.prior)
         there = self._predict(self._state, pose)
         matched = self._pixels.match(there, seen)
-        if self._count(matched) <= 1.2 * self._count(match):
+        if Tally.of(there, matched).matched <= 1.2 * count:
             self._state = before
             return prediction, match
         return there, matched
@@ -266,7 +271,7 @@ class ChainEngine(CalibratedChain):
         """One stacked update: what was seen and anatomy, linearised at the same place."""
         H, r, variance = self._constraints.rows(self._state)
         variance = variance * self._how_often()
-        if np.any(match >= 0):
+        if Tally.of(prediction, match).matched:
             rows = self._seen_rows(prediction, seen, match, pose)
             self._learn(*joined(*rows, H, r, variance, self._state.P))
         else:
@@ -291,22 +296,15 @@ class ChainEngine(CalibratedChain):
 
     # ---- state of tracking
 
-    @staticmethod
-    def _count(match: IntArray) -> int:
-        """Markers matched in at least one picture."""
-        return int(np.sum(np.any(match >= 0, axis=0)))
-
-    def _enough(self, prediction: Prediction, match: IntArray) -> bool:
+    def _enough(self, tally: Tally) -> bool:
         """Markers to go by: some, or most of the few that can be seen of a hand edge-on."""
         p = self._params.match
-        few = max(p.least_markers, 0.6 * float(prediction.prior.max(axis=0).sum()))
-        return self._count(match) >= min(p.min_markers, few)
+        return tally.matched >= min(p.min_markers, max(p.least_markers, 0.6 * tally.expected))
 
-    def _should_search(self, t: float, prediction: Prediction, match: IntArray) -> bool:
+    def _should_search(self, t: float, tally: Tally) -> bool:
         """Lost, or too few of the expected markers are there for too long."""
         p = self._params.match
-        expected = float(prediction.prior.max(axis=0).sum())
-        doubtful = self._count(match) < max(p.min_markers, 0.35 * expected)
+        doubtful = tally.matched < max(p.min_markers, 0.35 * tally.expected)
         self._track.doubtful_since = min(self._track.doubtful_since, t) if doubtful else np.inf
         return (
             t - self._track.doubtful_since >= p.lost_after or self._is_coasting()
@@ -330,8 +328,8 @@ class ChainEngine(CalibratedChain):
         prediction: Prediction,
         match: IntArray,
     ) -> None:
-        self._track.seen[np.any(match >= 0, axis=0)] = frame.t
-        self._track.tip_sd = self._tip_sd(frame, np.all(match >= 0, axis=0).any())
+        self._track.seen[match.max(axis=0) >= 0] = frame.t
+        self._track.tip_sd = self._tip_sd(frame, Tally.of(prediction, match).stereo > 0)
         if self._params.guide == "previous":
             pose = frame.pose or self._rig.pose
             self._guide = Previous(frame.t, self._predict(self._state, pose))

@@ -18,17 +18,20 @@ class Completion:
 
     def __init__(self, layout: ChainLayout) -> None:
         hand = layout.hand
-        self._parent = np.array(hand.parent, np.int64)
-        self._origin = np.array([s.origin for s in hand.segments])
-        self._R_rest = np.array([s.R_rest for s in hand.segments])
-        self._columns = np.array(hand.axis_columns, np.int64)
-        self._limits = hand.angle_limits
-        self._links = np.array(
-            [[hand.angle_index[s.angle], hand.angle_index[s.of]] for s in hand.synergies], np.int64
-        ).reshape(-1, 2)
-        self._gains = np.array([[s.ratio, s.offset] for s in hand.synergies]).reshape(-1, 2)
-        self._row = np.full(len(hand.segments), -1, np.int64)
-        self._row[layout.active] = np.arange(len(layout.active))
+        row = np.full(len(hand.segments), -1, np.int64)
+        row[layout.active] = np.arange(len(layout.active))
+        links = [[hand.angle_index[s.angle], hand.angle_index[s.of]] for s in hand.synergies]
+        self.tables = (
+            np.array(hand.parent, np.int64),
+            np.array([s.origin for s in hand.segments]),
+            np.array([s.R_rest for s in hand.segments]),
+            np.array(hand.axis_columns, np.int64),
+            hand.angle_limits,
+            np.array(links, np.int64).reshape(-1, 2),
+            np.array([[s.ratio, s.offset] for s in hand.synergies]).reshape(-1, 2),
+            row,
+        )
+        """Of `complete`: its first arguments."""
 
     def __call__(
         self, R: Array, p: Array, scale3: Array
@@ -38,19 +41,7 @@ class Completion:
         Returns R_GB (S, 3, 3), p_GB (S, 3), scale (S, 3), angles (J,) rad, known (J,) bool: the
         angle comes from estimated segments or by synergy from them.
         """
-        return _complete(
-            self._parent,
-            self._origin,
-            self._R_rest,
-            self._columns,
-            self._limits,
-            self._links,
-            self._gains,
-            self._row,
-            np.ascontiguousarray(R),
-            p,
-            scale3,
-        )
+        return complete(*self.tables, np.ascontiguousarray(R), p, scale3)
 
 
 @kernel
@@ -67,9 +58,10 @@ def _rotation(a, b, c):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _complete(  # type: ignore[no-untyped-def]
+def complete(  # type: ignore[no-untyped-def]
     parent, origin, R_rest, columns, limits, links, gains, row, R, p, scale3
 ):  # fmt: skip
+    """`Completion` of active segments; ``row`` (S,) is each segment's among them, -1 for none."""
     n, n_angles = len(parent), len(limits)
     R_all, p_all, scale = np.empty((n, 3, 3)), np.empty((n, 3)), np.empty((n, 3))
     angles, known = np.zeros(n_angles), np.zeros(n_angles, np.bool_)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,18 @@ from tracker.messages import Array, ImuSample
 
 LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
 SHORTEST_STEP = 1e-9  # s
+
+
+class Moment(NamedTuple):
+    """What all IMUs read at one instant, or on average about it, as in an `ImuSample`."""
+
+    t: float
+    accel: Array
+    gyro: Array
+    valid: NDArray[np.bool_]
+
+
+Readings = ImuSample | Moment
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,12 +43,12 @@ class Intervals:
     gyro: Array
     valid: NDArray[np.bool_]
 
-    def __iter__(self) -> Iterator[tuple[ImuSample, float]]:
-        """The mean readings as packets at the middle of each interval, and where it ends."""
-        for k, (start, stop) in enumerate(zip(self.start, self.stop, strict=True)):
-            t = float(start + stop) / 2
-            readings = self.accel[k], self.gyro[k], self.valid[k]
-            yield ImuSample(t, t, np.nan, -1, *readings), float(stop)
+    def __iter__(self) -> Iterator[tuple[Moment, float]]:
+        """The mean readings at the middle of each interval, and where it ends."""
+        for k, (start, stop) in enumerate(
+            zip(self.start.tolist(), self.stop.tolist(), strict=True)
+        ):
+            yield Moment((start + stop) / 2, self.accel[k], self.gyro[k], self.valid[k]), stop
 
 
 class ImuBuffer:
@@ -106,17 +118,17 @@ class ImuBuffer:
         """The way from ``start`` to ``end``; nothing where they are the same."""
         return Intervals(*_intervals(*self._used(), start, end))
 
-    def at(self, t: float) -> ImuSample | None:
-        """The packet interpolated to ``t``; the nearest one outside the memory; None if empty.
+    def at(self, t: float) -> Readings | None:
+        """What was read at ``t``, between packets; the nearest one outside the memory; None if
+        empty.
 
         An IMU is valid where both neighbours are.
         """
-        k = int(np.searchsorted(self._table[0][self._first : self._end], t))
-        if k == len(self._samples):
-            return self.newest
-        if k == 0:
-            return self._samples[0]
-        return interpolate(self._samples[k - 1], self._samples[k], t)
+        if not self._samples or t <= self._samples[0].t:
+            return self._samples[0] if self._samples else None
+        if t > self._samples[-1].t:
+            return self._samples[-1]
+        return Moment(t, *_between(*self._used(), t))
 
     def state(self) -> list[ImuSample]:
         return list(self._samples)
@@ -128,18 +140,13 @@ class ImuBuffer:
             self.add(sample)
 
 
-def interpolate(a: ImuSample, b: ImuSample, t: float) -> ImuSample:
-    """Linear between two packets."""
-    w = (t - a.t) / (b.t - a.t)
-    return ImuSample(
-        t=t,
-        t_arrival=b.t_arrival,
-        t_device=a.t_device + w * (b.t_device - a.t_device),
-        seq=a.seq,
-        accel=(1 - w) * a.accel + w * b.accel,
-        gyro=(1 - w) * a.gyro + w * b.gyro,
-        valid=np.logical_and(a.valid, b.valid),
-    )
+@kernel
+def _between(t, accel, gyro, valid, at):  # type: ignore[no-untyped-def]
+    """accel, gyro (n, 3) and valid (n,) at an instant between two of the packets, linearly."""
+    k = np.searchsorted(t, at)
+    w = (at - t[k - 1]) / (t[k] - t[k - 1])
+    between = (1 - w) * accel[k - 1] + w * accel[k], (1 - w) * gyro[k - 1] + w * gyro[k]
+    return *between, np.logical_and(valid[k - 1], valid[k])
 
 
 @kernel

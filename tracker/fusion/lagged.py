@@ -15,7 +15,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import numpy as np
 
 from tracker.fusion.health import ImuHealth
-from tracker.fusion.imu_buffer import ImuBuffer, Intervals
+from tracker.fusion.imu_buffer import ImuBuffer, Intervals, Readings
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Tracking
 
 LATE_MARGIN = 0.03  # s beyond the latest picture so far
@@ -65,7 +65,7 @@ class LaggedEngine(ABC, Generic[S]):
         """A believable packet has come."""
 
     @abstractmethod
-    def _step(self, sample: ImuSample, dt: float) -> None:
+    def _step(self, sample: Readings, dt: float) -> None:
         """Move the filter, with its covariance, by ``dt`` with the mean readings ``sample``."""
 
     @abstractmethod

@@ -39,7 +39,6 @@ class HandOutput:
             [hand.keypoint_offset, *(k.position[None] for k in layout.glove.keypoints)]
         )
         self._end_of = self._far_ends()
-        self._row = np.array([layout.row_of.get(s, -1) for s in range(len(parent))], np.int64)
         self._sensed_ancestor, self._steps = self._ancestors()
 
     def estimate(
@@ -51,32 +50,15 @@ class HandOutput:
         """
         if sensed.tracking == Tracking.SEARCHING:
             return self._nothing(t)
-        segment = self._keypoint_segments
-        R_all, p_all, scale_all, angles, known = self.complete(R, p, scale3)
-        points, q = kernel.keypoint_places(segment, self._keypoint_offset, R_all, p_all, scale_all)
-        state = kernel.segment_states(self._row, sensed.segments)
         coasting = sensed.tracking == Tracking.COASTING
-        keypoint_state = kernel.keypoint_states(state, segment, self._end_of, coasting)
-        if sensed.tracking == Tracking.LOST:  # a keypoint's place needs the hand's place
-            keypoint_state[:] = Validity.LOST
-            points[:] = np.nan
-            q[:] = np.nan
-        return Estimate(
-            t=t,
-            tracking=sensed.tracking,
-            keypoints=points,
-            keypoint_q=q,
-            keypoint_state=keypoint_state,
-            keypoint_sd=kernel.keypoint_spread(
-                segment, self._sensed_ancestor, self._steps, active_sd, INFERRED_SD
-            ),
-            angles=angles,
-            angle_state=kernel.angle_states(
-                state, self._angle_segment, self._angle_parent, self._angle_column, known
-            ),
-            segment_R=R_all,
-            segment_p=p_all,
-        )
+        lost = sensed.tracking == Tracking.LOST
+        points, q, state, sd, angles, angle_state, R_all, p_all = kernel.whole_hand(
+            *self.complete.tables, self._keypoint_segments, self._keypoint_offset, self._end_of,
+            self._sensed_ancestor, self._steps, self._angle_segment, self._angle_parent,
+            self._angle_column, R, p, scale3, sensed.segments, active_sd, INFERRED_SD, coasting,
+            lost,
+        )  # fmt: skip
+        return Estimate(t, sensed.tracking, points, q, state, sd, angles, angle_state, R_all, p_all)
 
     def _far_ends(self) -> IntArray:
         """(K,) parent of the segment whose base a keypoint is: measured if either is. -1: none."""

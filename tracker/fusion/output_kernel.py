@@ -4,11 +4,36 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker.fusion.completion import complete
 from tracker.geometry.kernels import quats
 from tracker.kernels import kernel
 from tracker.messages import Validity
 
 LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Validity.MEASURED)
+
+
+@kernel
+def whole_hand(  # type: ignore[no-untyped-def]
+    parent, origin, R_rest, columns, limits, links, gains, row, segment, offset, end_of,
+    ancestor, steps, angle_child, angle_parent, angle_column, R, p, scale3, sensed, active_sd,
+    inferred_sd, coasting, lost,
+):  # fmt: skip
+    """The fields of an `Estimate` but for its time and tracking, in their order.
+
+    The first eight arguments are the tables of `Completion`; the others as in the functions below.
+    While the hand is ``lost`` no keypoint has a place.
+    """
+    R_all, p_all, scale, angles, known = complete(
+        parent, origin, R_rest, columns, limits, links, gains, row, R, p, scale3
+    )
+    points, q = keypoint_places(segment, offset, R_all, p_all, scale)
+    of_segment = segment_states(row, sensed)
+    state = keypoint_states(of_segment, segment, end_of, coasting)
+    if lost:
+        state[:], points[:], q[:] = LOST, np.nan, np.nan
+    sd = keypoint_spread(segment, ancestor, steps, active_sd, inferred_sd)
+    angle_state = angle_states(of_segment, angle_child, angle_parent, angle_column, known)
+    return points, q, state, sd, angles, angle_state, R_all, p_all
 
 
 @kernel

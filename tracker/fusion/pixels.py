@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,11 +18,13 @@ from tracker.fusion.completion import Completion
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import NoiseParams
 from tracker.fusion.pixels_kernel import (
+    counted,
     expected,
     marker_places,
     matched,
     pixel_jacobians,
     point_rows,
+    worn,
 )
 from tracker.fusion.state import ChainState
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
@@ -53,9 +56,8 @@ class SeenBlobs:
         """Those of hues that the glove wears."""
         if blobs is None or len(blobs) == 0:
             return SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))
-        hue = _numbers(hue_names, hues)[blobs.hue]
-        keep = np.flatnonzero((hue >= 0) & np.isfinite(blobs.uv.sum(axis=1)))
-        return SeenBlobs(rectify(blobs.uv[keep]), hue[keep], keep)
+        uv, hue, keep = worn(blobs.uv, blobs.hue, _numbers(hue_names, hues))
+        return SeenBlobs(rectify(uv), hue, keep)
 
 
 @lru_cache(maxsize=16)
@@ -89,6 +91,19 @@ class Prediction:
     cov: Array
     A: Array
     S: Array
+
+
+class Tally(NamedTuple):
+    """How many markers a picture shows: ``matched`` in at least one lens, ``stereo`` in both;
+    ``expected`` is the sum of their priors."""
+
+    matched: int
+    stereo: int
+    expected: float
+
+    @staticmethod
+    def of(prediction: Prediction, match: IntArray) -> Tally:
+        return Tally(*counted(match, prediction.prior))
 
 
 class PixelModel:

@@ -35,6 +35,33 @@ def pixel_jacobians(p_C, R_GC, fx, fy, baseline):  # type: ignore[no-untyped-def
 
 
 @kernel
+def worn(uv, hue, number):  # type: ignore[no-untyped-def]
+    """uv, hue and row of the blobs uv (n, 2) px, hue (n,) that are finite and have a number >= 0.
+
+    ``number`` (k,) is what the glove calls each hue.
+    """
+    keep, count = np.empty(len(uv), np.int64), 0
+    for i in range(len(uv)):
+        known = 0 <= hue[i] < len(number) and number[hue[i]] >= 0
+        if known and np.isfinite(uv[i, 0] + uv[i, 1]):
+            keep[count] = i
+            count += 1
+    rows = keep[:count].copy()
+    return uv[rows], number[hue[rows]], rows
+
+
+@kernel
+def counted(match, prior):  # type: ignore[no-untyped-def]
+    """Markers of match (2, M) that any lens and that both show; the sum of the larger priors."""
+    either, both, expected = 0, 0, 0.0
+    for j in range(match.shape[1]):
+        either += match[0, j] >= 0 or match[1, j] >= 0
+        both += match[0, j] >= 0 and match[1, j] >= 0
+        expected += max(prior[0, j], prior[1, j])
+    return either, both, expected
+
+
+@kernel
 def marker_places(  # type: ignore[no-untyped-def]
     parent, origin, base_of, lever, joint, scale, R_GB, p, segment, nominal, normal, offset,
     R_GC, p_GC, fx, fy, cx, cy, baseline,

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from tracker.fusion import propagate_kernel as kernel
-from tracker.fusion.imu_buffer import Intervals
+from tracker.fusion.imu_buffer import Intervals, Readings
 from tracker.fusion.layout import ChainLayout
-from tracker.fusion.params import ChainParams, NoiseParams
+from tracker.fusion.params import ChainParams
 from tracker.fusion.state import ChainState
-from tracker.messages import Array, ImuSample
+from tracker.messages import Array
 
 
-def body_rates(state: ChainState, layout: ChainLayout, sample: ImuSample) -> Array:
+def body_rates(state: ChainState, layout: ChainLayout, sample: Readings) -> Array:
     """(A, 3) rad/s of each active segment in its own B.
 
     A segment without a (valid) IMU turns with its parent, and bends as its synergy says.
@@ -31,13 +31,13 @@ def body_rates(state: ChainState, layout: ChainLayout, sample: ImuSample) -> Arr
     )
 
 
-def root_force(state: ChainState, layout: ChainLayout, sample: ImuSample) -> Array | None:
+def root_force(state: ChainState, layout: ChainLayout, sample: Readings) -> Array | None:
     """(3,) specific force of the root's IMU in its B, m/s²; None where it does not answer."""
     f, felt = kernel.root_force(layout.imu_of, state.R_IB, state.ba, sample.accel, sample.valid)
     return f if felt else None
 
 
-def transition(state: ChainState, layout: ChainLayout, sample: ImuSample, dt: float) -> Array:
+def transition(state: ChainState, layout: ChainLayout, sample: Readings, dt: float) -> Array:
     """(D, scale) Phi: the dynamic rows against all columns before the scales."""
     f = root_force(state, layout, sample)
     return kernel.transition(
@@ -62,7 +62,7 @@ def propagate(
     state: ChainState,
     layout: ChainLayout,
     params: ChainParams,
-    sample: ImuSample,
+    sample: Readings,
     dt: float,
     coasting: bool = False,
 ) -> None:
@@ -70,16 +70,15 @@ def propagate(
 
     ``coasting`` damps the velocity: without pictures a double integral flies away.
     """
-    noise, root = params.noise, layout.imu_of[0]
+    noise = params.noise
     source, gain = layout.drive
-    felt = root >= 0 and bool(sample.valid[root])
     state.p, state.v, state.R_GB = kernel.step(
         layout.imu_of, layout.parent, source, gain,
         state.p, state.v, state.R_GB, state.bg, state.R_IB, state.ba, state.P,
         sample.accel, sample.gyro, sample.valid, dt, coasting,
-        layout.theta, layout.bg, layout.phi, layout.ba, layout.scale,
-        _noise(layout, noise, felt, dt),
-        noise.gyro**2 * dt, noise.free_rotation**2 * dt, noise.free_root_rotation**2 * dt,
+        layout.theta, layout.bg, layout.phi, layout.ba, layout.scale, layout.joint,
+        noise.accel, noise.free_accel, noise.gyro, noise.free_rotation, noise.free_root_rotation,
+        noise.gyro_bias, noise.mounting, noise.accel_bias, noise.scale, noise.offset,
     )  # fmt: skip
     state.t += dt
 
@@ -95,17 +94,3 @@ def carry(state: ChainState, layout: ChainLayout, way: Intervals, coasting: bool
         way.start, way.stop, way.accel, way.gyro, way.valid, coasting,
     )  # fmt: skip
     state.t = float(way.stop[-1])
-
-
-def _noise(layout: ChainLayout, noise: NoiseParams, felt: bool, dt: float) -> Array:
-    """(N,) diagonal of the discrete process noise, but for the orientations'."""
-    q = np.zeros(layout.size)
-    accel = noise.accel if felt else noise.free_accel
-    q[0:3] = accel**2 * dt**3 / 3
-    q[3:6] = accel**2 * dt
-    q[layout.bg : layout.phi] = noise.gyro_bias**2 * dt
-    q[layout.phi : layout.ba] = noise.mounting**2 * dt
-    q[layout.ba : layout.scale] = noise.accel_bias**2 * dt
-    q[layout.scale : layout.joint] = noise.scale**2 * dt
-    q[layout.joint :] = noise.offset**2 * dt
-    return q

@@ -106,28 +106,49 @@ def _root_rows(Phi, R, R_IB, f, dt, theta, phi, ba):  # type: ignore[no-untyped-
 
 
 @kernel
-def move_covariance(P, Phi, q):  # type: ignore[no-untyped-def]
-    """P <- Phi P Phi^T + diag(q) in place, touching only the dynamic rows and columns."""
+def move_covariance(P, Phi):  # type: ignore[no-untyped-def]
+    """P <- Phi P Phi^T in place, touching only the dynamic rows and columns."""
     D, n = len(Phi), len(P)
     count, column = _columns(Phi)
     rows = np.zeros((D, n))
     for r in range(D):
+        out = rows[r]
         for k in range(count[r]):
-            c = column[r, k]
-            factor = Phi[r, c]
+            factor, row = Phi[r, column[r, k]], P[column[r, k]]
             for i in range(n):
-                rows[r, i] += factor * P[c, i]
+                out[i] += factor * row[i]
     for r in range(D):
-        P[r, D:] = rows[r, D:]
-        P[D:, r] = rows[r, D:]
         for s in range(r + 1):
             total = 0.0
             for k in range(count[s]):
                 total += rows[r, column[s, k]] * Phi[s, column[s, k]]
             P[r, s] = total
             P[s, r] = total
-    for i in range(n):
-        P[i, i] += q[i]
+        P[r, D:] = rows[r, D:]
+    for i in range(D, n):
+        for r in range(D):
+            P[i, r] = rows[r, i]
+
+
+@kernel
+def add_walks(  # type: ignore[no-untyped-def]
+    P, dt, accel, gyro_bias, mounting, accel_bias, scale, offset, bg, phi, ba, scale_at, joint
+):  # fmt: skip
+    """The noise of all but the orientations over ``dt``, on the diagonal; densities per root s."""
+    for r in range(3):
+        P[r, r] += accel**2 * dt**3 / 3
+        P[3 + r, 3 + r] += accel**2 * dt
+    for i in range(bg, len(P)):
+        sd = gyro_bias
+        if i >= joint:
+            sd = offset
+        elif i >= scale_at:
+            sd = scale
+        elif i >= ba:
+            sd = accel_bias
+        elif i >= phi:
+            sd = mounting
+        P[i, i] += sd**2 * dt
 
 
 @kernel
@@ -174,16 +195,28 @@ def add_turn_noise(P, R_GB, parent, imu_of, valid, theta, var, free, free_root):
 @kernel
 def step(  # type: ignore[no-untyped-def]
     imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, P, accel, gyro, valid,
-    dt, coasting, theta, bg_at, phi_at, ba_at, width, q, var, free, free_root,
+    dt, coasting, theta, bg_at, phi_at, ba_at, scale_at, joint_at,
+    accel_sd, free_accel_sd, gyro_sd, free_sd, free_root_sd,
+    gyro_bias_sd, mounting_sd, accel_bias_sd, scale_sd, offset_sd,
 ):  # fmt: skip
-    """One step with covariance: P in place, and p, v, R_GB after it."""
+    """One step with covariance: P in place, and p, v, R_GB after it.
+
+    Deviations are those of `NoiseParams`.
+    """
     w = body_rates(imu_of, parent, source, gain, R_GB, R_IB, bg, gyro, valid)
     f, felt = root_force(imu_of, R_IB, ba, accel, valid)
     Phi = transition(
-        imu_of, parent, R_GB, R_IB, valid, w, f, felt, dt, theta, bg_at, phi_at, ba_at, width
+        imu_of, parent, R_GB, R_IB, valid, w, f, felt, dt, theta, bg_at, phi_at, ba_at, scale_at
     )
-    move_covariance(P, Phi, q)
-    add_turn_noise(P, R_GB, parent, imu_of, valid, theta, var, free, free_root)
+    move_covariance(P, Phi)
+    add_walks(
+        P, dt, accel_sd if felt else free_accel_sd, gyro_bias_sd, mounting_sd, accel_bias_sd,
+        scale_sd, offset_sd, bg_at, phi_at, ba_at, scale_at, joint_at,
+    )  # fmt: skip
+    add_turn_noise(
+        P, R_GB, parent, imu_of, valid, theta, gyro_sd**2 * dt, free_sd**2 * dt,
+        free_root_sd**2 * dt,
+    )  # fmt: skip
     return move_nominal(p, v, R_GB, w, f, felt, dt, coasting)
 
 

@@ -51,13 +51,6 @@ class ChainState:
         """(A, 3) factors along B: length, girth, girth."""
         return self.scale[:, [0, 1, 1]]
 
-    def joint_offsets(self, layout: ChainLayout) -> Array:
-        """(A, 3) offset of each segment's joint, zero where it is not a finger base."""
-        out = np.zeros((len(layout.active), 3))
-        bases = layout.base_of >= 0
-        out[bases] = self.joint[layout.base_of[bases]]
-        return out
-
 
 def initial_state(layout: ChainLayout) -> ChainState:
     """A flat hand at the origin with nominal geometry and no certainty (P is zero)."""

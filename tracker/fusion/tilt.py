@@ -9,37 +9,33 @@ is the compensation of Lemak et al. 2020 (eq. 4) carried to three dimensions.
 
 from __future__ import annotations
 
+from tracker.fusion.imu_buffer import Readings
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ConstraintParams
-from tracker.fusion.propagate import body_rates, root_force
 from tracker.fusion.state import ChainState
 from tracker.fusion.tilt_kernel import stacked_rows
-from tracker.messages import Array, ImuSample
+from tracker.messages import Array
 
 
 def tilt_rows(
     state: ChainState,
     layout: ChainLayout,
     params: ConstraintParams,
-    before: ImuSample,
-    sample: ImuSample,
-    after: ImuSample,
+    before: Readings,
+    sample: Readings,
+    after: Readings,
 ) -> tuple[Array, Array, Array] | None:
     """Rows at ``sample``'s instant; the neighbours give the angular acceleration.
 
     Returns H (3k, N), innovation (3k,), variances (3k,) for the k finger IMUs that answer; None
     where the root's IMU does not.
     """
-    f_0 = root_force(state, layout, sample)
-    if f_0 is None:
-        return None
-    w = body_rates(state, layout, sample)
-    span = after.t - before.t
-    alpha = (body_rates(state, layout, after) - body_rates(state, layout, before)) / span
+    source, gain = layout.drive
     H, r, var = stacked_rows(
-        layout.imu_segment, layout.imu_position, layout.parent, layout.origin,
-        state.joint_offsets(layout), layout.root_lever, state.scale3(), state.R_GB, state.R_IB,
-        state.ba, sample.accel, sample.valid, w, alpha, f_0, int(layout.imu_of[0]),
+        layout.imu_segment, layout.imu_position, layout.imu_of, source, gain, layout.parent,
+        layout.origin, layout.base_of, layout.root_lever, state.joint, state.scale, state.R_GB,
+        state.R_IB, state.bg, state.ba, before.gyro, before.valid, sample.accel, sample.gyro,
+        sample.valid, after.gyro, after.valid, after.t - before.t,
         layout.theta, layout.phi, layout.ba, layout.size, params.tilt, params.tilt_kinematic,
     )  # fmt: skip
     return (H, r, var) if len(r) else None

@@ -4,29 +4,37 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker.fusion.chain_kinematics import from_point, joint_lever, stretched
+from tracker.fusion.propagate_kernel import body_rates, root_force
 from tracker.geometry.kernels import act3, cross3, mul3, skew3, tact3
 from tracker.kernels import kernel
 
 
 @kernel
 def stacked_rows(  # type: ignore[no-untyped-def]
-    imu_segment, imu_position, parent, origin, joint, root_lever, scale3, R_GB, R_IB, ba,
-    accel, valid, w, alpha, f_0, root_imu, theta, phi, ba_at, size, sd, sd_kinematic,
+    imu_segment, imu_position, imu_of, source, gain, parent, origin, base_of, root_lever, joint,
+    scale, R_GB, R_IB, bg, ba, gyro_0, valid_0, accel, gyro, valid, gyro_1, valid_1, span,
+    theta, phi, ba_at, size, sd, sd_kinematic,
 ):  # fmt: skip
     """H (3k, size), innovation (3k,) and variances (3k,) of the k finger IMUs that answer.
 
-    Arguments as in `_row`; accel (n, 3) m/s² and valid (n,) of the packet, ``sd`` m/s² and
-    ``sd_kinematic`` the share of the kinematic part.
+    Arguments as in `_row` and `body_rates`; accel (n, 3) m/s² and gyro (n, 3) rad/s read now, the
+    other two ``span`` s apart before and after; ``sd`` m/s² and ``sd_kinematic`` the share of the
+    kinematic part. Nothing where the root's IMU does not answer.
     """
     n = len(imu_segment)
     H, r, var = np.zeros((3 * n, size)), np.empty(3 * n), np.empty(3 * n)
+    f_0, felt = root_force(imu_of, R_IB, ba, accel, valid)
+    tree = imu_of, parent, source, gain, R_GB, R_IB, bg
+    w = body_rates(*tree, gyro, valid)
+    alpha = (body_rates(*tree, gyro_1, valid_1) - body_rates(*tree, gyro_0, valid_0)) / span
     end = 0
     for j in range(n):
-        if imu_segment[j] == 0 or not valid[j]:
+        if not felt or imu_segment[j] == 0 or not valid[j]:
             continue
         predicted, kinematic = _row(
-            H[end : end + 3], j, imu_segment[j], imu_position[j], parent, origin, joint, root_lever,
-            scale3, R_GB, R_IB, ba, w, alpha, f_0, root_imu, theta, phi, ba_at,
+            H[end : end + 3], j, imu_segment[j], imu_position[j], parent, origin, base_of,
+            root_lever, joint, scale, R_GB, R_IB, ba, w, alpha, f_0, imu_of[0], theta, phi, ba_at,
         )  # fmt: skip
         for i in range(3):
             r[end + i] = accel[j, i] - predicted[i]
@@ -37,19 +45,19 @@ def stacked_rows(  # type: ignore[no-untyped-def]
 
 @kernel
 def _row(  # type: ignore[no-untyped-def]
-    h, j, segment, position, parent, origin, joint, root_lever, scale3, R_GB, R_IB, ba,
+    h, j, segment, position, parent, origin, base_of, root_lever, joint, scale, R_GB, R_IB, ba,
     w, alpha, f_0, root_imu, theta, phi, ba_at,
 ):  # fmt: skip
     """Fills h = J_f_error (3, size); the predicted reading (3,) and its kinematic part (m/s²).
 
     IMU ``j`` stands on the active ``segment`` at ``position`` (3,) m in its B; parent (A,), origin
-    and joint (A, 3) m, scale3 (A, 3), R_GB (A, 3, 3), w (A, 3) rad/s and alpha (A, 3) rad/s² are of
-    the active segments, R_IB and ba of the IMUs, f_0 (3,) m/s² of the root in its B. theta, phi and
-    ba_at are where these blocks of the error state start.
+    (A, 3) m, scale (A, 2), R_GB (A, 3, 3), w (A, 3) rad/s and alpha (A, 3) rad/s² are of the active
+    segments, joint (B, 3) m of finger bases, R_IB and ba of the IMUs, f_0 (3,) m/s² of the root in
+    its B. theta, phi and ba_at are where these blocks of the error state start.
     """
     kinematic_G = np.zeros(3)
     M = mul3(R_IB[j], R_GB[segment].T)
-    a, lever = segment, scale3[segment] * position
+    a, lever = segment, stretched(scale[segment], position)
     while True:
         c = cross3(alpha[a], lever) + cross3(w[a], cross3(w[a], lever))
         kinematic_G += act3(R_GB[a], c)
@@ -58,9 +66,8 @@ def _row(  # type: ignore[no-untyped-def]
         child, a = a, parent[a]
         if a < 0:
             break
-        lever = scale3[a] * origin[child] + joint[child]
-        if a == 0:
-            lever = lever - scale3[0] * root_lever
+        x = joint_lever(scale, origin, joint, base_of, child, a)
+        lever = from_point(a, x, root_lever, scale[a])
     s = tact3(R_GB[segment], kinematic_G + act3(R_GB[0], f_0))
     turn, R_0 = mul3(R_IB[j], skew3(s)), mul3(M, R_GB[0])
     _add(h, theta + 3 * segment, turn, 1.0)

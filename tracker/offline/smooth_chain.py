@@ -16,6 +16,7 @@ from scipy.linalg import cho_factor, cho_solve
 
 from tracker.fusion.chain import ChainEngine
 from tracker.fusion.chain_kinematics import segment_positions
+from tracker.fusion.imu_buffer import Readings
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.output import Sensed
 from tracker.fusion.params import ChainParams
@@ -168,7 +169,7 @@ class TapedChain(ChainEngine):
         super()._heard(sample)
         self._due.append(sample.t)
 
-    def _step(self, sample: ImuSample, dt: float) -> None:
+    def _step(self, sample: Readings, dt: float) -> None:
         if self.taping:
             self._note(Step(transition(self._state, self._layout, sample, dt)))
         super()._step(sample, dt)

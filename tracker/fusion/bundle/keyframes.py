@@ -6,12 +6,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracker.fusion.imu_buffer import Readings
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import BundleParams
 from tracker.fusion.pixels import SeenBlobs
 from tracker.fusion.state import ChainState
 from tracker.geometry.kernels import relative_turns
-from tracker.messages import Array, CameraPose, ImuSample, IntArray
+from tracker.messages import Array, CameraPose, IntArray
 
 MAX_RATE = 4.0  # rad/s: faster than this a picture smears and the accelerometers feel the motion
 
@@ -25,7 +26,7 @@ class Keyframe:
     R_GB: Array
     uv: Array
     pose: CameraPose
-    packets: tuple[ImuSample, ImuSample, ImuSample]
+    packets: tuple[Readings, Readings, Readings]
     relative: Array  # (A - 1, 3) rotation vectors against the parents
 
 
@@ -61,7 +62,7 @@ def keyframe_of(
     seen: tuple[SeenBlobs, ...],
     match: IntArray,
     pose: CameraPose,
-    packets: tuple[ImuSample | None, ...],
+    packets: tuple[Readings | None, ...],
     params: BundleParams,
 ) -> Keyframe | None:
     """The posture of ``state``, or None where too little is seen or it moves too fast."""

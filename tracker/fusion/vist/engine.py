@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracker.fusion.imu_buffer import Intervals
+from tracker.fusion.imu_buffer import Intervals, Readings
 from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.output import HandOutput, Sensed
 from tracker.fusion.params import ChainParams
@@ -90,7 +90,7 @@ class VistEngine(LaggedEngine[VistState]):
     def _heard(self, sample: ImuSample) -> None:
         self._track.felt[sample.valid] = sample.t
 
-    def _step(self, sample: ImuSample, dt: float) -> None:
+    def _step(self, sample: Readings, dt: float) -> None:
         self._move(self._state, sample, dt, covariance=True)
 
     def _coast(self, state: VistState, way: Intervals) -> None:
@@ -98,7 +98,7 @@ class VistEngine(LaggedEngine[VistState]):
             self._move(state, sample, stop - state.t, covariance=False)
             state.t = stop
 
-    def _move(self, state: VistState, sample: ImuSample, dt: float, covariance: bool) -> None:
+    def _move(self, state: VistState, sample: Readings, dt: float, covariance: bool) -> None:
         coasting = self._track.is_coasting(self._state.t, self._params.tracking)
         noise = self._params.noise
         propagate(state, self._layout, noise, sample, dt, coasting=coasting, covariance=covariance)

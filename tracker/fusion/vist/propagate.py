@@ -15,12 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker import GRAVITY
+from tracker.fusion.imu_buffer import Readings
 from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, P, V, VistLayout
 from tracker.fusion.vist.params import VistNoise
 from tracker.fusion.vist.state import VistState
 from tracker.geometry.kernels import exp3
 from tracker.kernels import kernel
-from tracker.messages import Array, ImuSample, IntArray
+from tracker.messages import Array, IntArray
 
 Bools = NDArray[np.bool_]
 
@@ -31,7 +32,7 @@ def propagate(
     state: VistState,
     layout: VistLayout,
     noise: VistNoise,
-    sample: ImuSample,
+    sample: Readings,
     dt: float,
     coasting: bool = False,
     covariance: bool = True,
@@ -132,7 +133,7 @@ def move_covariance(P_, R, w, f, valid, dt):  # type: ignore[no-untyped-def]
             m[:9] = move
 
 
-def transition(state: VistState, sample: ImuSample, layout: VistLayout, dt: float) -> Array:
+def transition(state: VistState, sample: Readings, layout: VistLayout, dt: float) -> Array:
     """The same Phi (21 n, 21 n) written out: what `move_covariance` stands for."""
     j = layout.imu_of
     w, f = sample.gyro[j] - state.bg, sample.accel[j] - state.ba
