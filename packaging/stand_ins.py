@@ -36,8 +36,7 @@ ANSWER = {
 UNUSED = (
     "opencv_python_headless.libs/libaom-*",  # AV1, for AVIF pictures; films are MPEG-4 or MJPEG
     "opencv_python_headless.libs/libvpx-*",  # writing VP8 and VP9; reading is FFmpeg's own
-    "pillow.libs/libopenjp2-*",  # JPEG 2000; Matplotlib writes PNG
-    "pillow.libs/libzstd-*",  # within TIFF
+    "pillow.libs/libzstd-*",  # within TIFF; Matplotlib writes PNG
     "pillow.libs/libXau-*",  # pictures of the screen
 )
 """None of them asks for symbol versions, which a stand-in would lack."""
