@@ -81,7 +81,7 @@ done
 for engine in chain vist switching madgwick; do
     step track-$engine inside glovetrack track practice.mcap -o $engine.mcap --engine $engine
 done
-step batch inside glovetrack track practice.mcap chain.mcap -o batch --jobs 2
+step batch inside glovetrack track practice.mcap demo/session.mcap -o batch --jobs 2
 step compare inside glovetrack compare chain.mcap vist.mcap
 
 tracked=$(sed -n 's/^tracking *\([0-9]*\) %.*/\1/p' "$out/demo.log")
