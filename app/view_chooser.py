@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
 
 from PySide6.QtCore import QObject, Signal
 
@@ -14,6 +15,11 @@ from app.widgets.view_3d import View3D
 AUTO, CARD, PAINTED = "auto", "card", "painted"
 PROVEN = 30
 """Pictures after which the graphics card's view is taken to work."""
+
+
+def is_there() -> bool:
+    """Whether what the graphics card's view is made of has been installed."""
+    return all(importlib.util.find_spec(name) is not None for name in ("pyvistaqt", "vtkmodules"))
 
 
 class ViewChooser(QObject):
@@ -56,7 +62,7 @@ class ViewChooser(QObject):
         setting = self._store.value.view_3d
         if setting == CARD:
             self._prepare()
-        elif setting == AUTO:
+        elif setting == AUTO and is_there():
             self._query.start()
         elif self._view.on_card:
             self._view.use_painted()
@@ -67,6 +73,14 @@ class ViewChooser(QObject):
 
     def _prepare(self) -> None:
         """Import what the card's view needs: two seconds, so beside the window."""
+        if not is_there():
+            self._stay_painted(
+                self.tr(
+                    "The 3D view of the graphics card is not part of this installation; "
+                    "the hand is painted without it."
+                )
+            )
+            return
 
         def load(_progress: Progress) -> bool:
             try:
@@ -84,8 +98,12 @@ class ViewChooser(QObject):
         self._store.update(card_trial=True)
         if not there or not self._view.use_card():
             self._store.update(card_trial=False)
-            if self._store.value.view_3d == CARD:
-                self.told.emit(self.tr("The 3D view cannot use the graphics card; it is painted."))
+            self._stay_painted(self.tr("The 3D view cannot use the graphics card; it is painted."))
+
+    def _stay_painted(self, reason: str) -> None:
+        """Say why, to those who have asked for the card."""
+        if self._store.value.view_3d == CARD:
+            self.told.emit(reason)
 
     def drawn(self) -> None:
         """A picture has been drawn."""

@@ -3,24 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from app.engine import EngineSetup
-from app.viewmodels.hand_scene import MARKER_LATELY, MARKER_NOW, TRAIL_POINTS, HandScene
+from app.viewmodels.hand_scene import (
+    MARKER_LATELY,
+    MARKER_NEVER,
+    MARKER_NOW,
+    TRAIL_POINTS,
+    HandScene,
+)
 from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY, VALIDITY, YELLOW
-from app.widgets.meshes import Mesh, ball, capsule, disc, lines, rounded_block
+from app.widgets.scene import Grid, Look, Scene
+from app.widgets.shapes import Block, Capsule, Disc, Lines, Shape, ball, polyline
 from tracker.hand.model import Segment
 from tracker.messages import Array, Validity
 
-if TYPE_CHECKING:
-    from app.widgets.vtk_scene import Bodies
-
-RESOLUTION = 10
-"""Sides of a capsule: at 24 the software renderer takes twice as long for no visible gain."""
-GREY, WHITE = "#888888", "#FFFFFF"
-OPACITY = {Validity.MEASURED: 1.0, Validity.INFERRED: 0.55, Validity.LOST: 0.25}
+WHITE = "#FFFFFF"
+HAND, GHOST = 1, 2  # groups of bodies that look like one where one sees through them
+SEGMENT_LOOK = {
+    Validity.MEASURED: Look(VALIDITY[Validity.MEASURED].colour, specular=0.2),
+    Validity.INFERRED: Look(
+        VALIDITY[Validity.INFERRED].colour, opacity=0.55, specular=0.2, grid=Grid.OVER, group=HAND
+    ),
+    Validity.LOST: Look(VALIDITY[Validity.LOST].colour, opacity=0.5, grid=Grid.ALONE),
+}
+"""Measured: solid. Inferred: see-through with its grid drawn. Lost: a faint grid."""
+GHOST_LOOK = Look(WHITE, opacity=0.22, group=GHOST)
 MARKER_SIZE = {MARKER_NOW: 1.0, MARKER_LATELY: 0.7}
 FRUSTUM_DEPTH = 0.05
 AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sensors
@@ -42,21 +52,23 @@ class Show:
 class HandActors:
     """One body per segment, marker, fingertip and the camera."""
 
-    def __init__(self, scene: Bodies, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
-        self._states: list[int] = [-1] * len(setup.hand.segments)
-        meshes = [segment_mesh(s) for s in setup.hand.segments]
-        self._segments = [scene.add(m, GREY, specular=0.2) for m in meshes]
-        self._ghosts = [scene.add(m, WHITE, opacity=0.22) for m in meshes]
+    def __init__(self, scene: Scene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
+        shapes = [segment_shape(s) for s in setup.hand.segments]
+        self._segments = [scene.add(s, SEGMENT_LOOK[Validity.LOST]) for s in shapes]
+        self._ghosts = [scene.add(s, GHOST_LOOK) for s in shapes]
+        self._marker_looks = [
+            marker_looks(hue_colours.get(m.hue, WHITE)) for m in setup.glove.markers
+        ]
         self._markers = [
-            scene.add(_patch(m.size / 2, m.normal), hue_colours.get(m.hue, WHITE), ambient=0.5)
-            for m in setup.glove.markers
+            scene.add(_patch(m.size / 2, m.normal), looks[MARKER_NOW])
+            for m, looks in zip(setup.glove.markers, self._marker_looks, strict=True)
         ]
         tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
-        self._tips = [scene.add(ball(1.0), SKY, opacity=0.3) for _ in range(tips)]
-        self._camera = scene.add(_frustum(setup), SKY, line_width=1.5)
-        self._trail = scene.add(_polyline(TRAIL_POINTS), YELLOW, line_width=2.5)
+        self._tips = [scene.add(ball(1.0), Look(SKY, opacity=0.3)) for _ in range(tips)]
+        self._camera = scene.add(_frustum(setup), Look(SKY, line_width=1.5))
+        self._trail = scene.add(polyline(np.zeros((TRAIL_POINTS, 3))), Look(YELLOW, line_width=2.5))
         self._axes = [
-            scene.add(_axis(k, s.radius), colour, line_width=2.0)
+            scene.add(_axis(k, s.radius), Look(colour, line_width=2.0))
             for s in setup.hand.segments
             for k, colour in enumerate(AXIS_COLOURS)
         ]
@@ -72,7 +84,7 @@ class HandActors:
         for i, body in enumerate(self._segments):
             body.show(True)
             body.move(scene.segment_R[i], scene.segment_p[i])
-            self._dress(i, int(scene.segment_state[i]))
+            body.wear(SEGMENT_LOOK[Validity(int(scene.segment_state[i]))])
         self._update_ghosts(scene, show.truth)
         self._update_markers(scene, show.markers)
         self._update_tips(scene, show.uncertainty)
@@ -80,20 +92,6 @@ class HandActors:
         self._update_trail(scene, show.trail)
         self._camera.show(show.camera)
         self._camera.move(scene.R_GC, scene.p_GC)
-
-    def _dress(self, i: int, state: int) -> None:
-        """Measured: solid. Inferred: see-through with its mesh drawn. Lost: a faint mesh."""
-        if self._states[i] == state:
-            return
-        self._states[i] = state
-        self._segments[i].paint(VALIDITY[state].colour)
-        look = self._segments[i].look
-        look.SetOpacity(OPACITY[Validity(state)])
-        look.SetEdgeVisibility(state == Validity.INFERRED)
-        if state == Validity.LOST:
-            look.SetRepresentationToWireframe()
-        else:
-            look.SetRepresentationToSurface()
 
     def _update_ghosts(self, scene: HandScene, wanted: bool) -> None:
         for i, body in enumerate(self._ghosts):
@@ -105,7 +103,7 @@ class HandActors:
         for i, body in enumerate(self._markers):
             state = int(scene.marker_state[i])
             body.show(wanted)
-            body.look.SetOpacity(1.0 if state == MARKER_NOW else 0.55)
+            body.wear(self._marker_looks[i][state])
             size = MARKER_SIZE.get(state, 0.45)
             R = scene.segment_R[self._marker_segment[i]]
             body.move(R * size, scene.markers[i])
@@ -134,42 +132,40 @@ class HandActors:
                 body.move(np.eye(3) * radius, scene.tips[i])
 
 
-def segment_mesh(s: Segment) -> Mesh:
-    """A capsule along x of B, or the dorsum's slab with rounded edges."""
-    return _slab(s) if s.width > 0 else capsule(s.length, s.radius, RESOLUTION)
+def marker_looks(colour: str) -> dict[int, Look]:
+    """Of a marker that is seen now, was seen lately, or never."""
+    now = Look(colour, ambient=0.5)
+    faint = replace(now, opacity=0.55)
+    return {MARKER_NOW: now, MARKER_LATELY: faint, MARKER_NEVER: faint}
 
 
-def _slab(s: Segment) -> Mesh:
-    """A rounded block ``width`` across (y) and two radii thick (z), reaching over both ends (x)."""
+def segment_shape(s: Segment) -> Shape:
+    """A capsule along x of B, or the dorsum's slab: ``width`` across (y) and two radii thick (z),
+    reaching over both ends (x)."""
+    if s.width <= 0:
+        return Capsule(s.length, s.radius)
     half = np.array([s.length / 2 + 0.6 * s.radius, s.width / 2, s.radius])
-    block = rounded_block(half)
-    return replace(block, points=block.points + [s.length / 2, 0, 0])
+    return Block(half, np.array([s.length / 2, 0.0, 0.0]))
 
 
-def _patch(radius: float, normal: Array) -> Mesh:
+def _patch(radius: float, normal: Array) -> Disc:
     """A flat patch, a little proud of the surface so that it is not swallowed by the capsule."""
-    patch = disc(radius, 0.0015, normal)
-    return replace(patch, points=patch.points + normal * 0.0005)
+    return Disc(radius, 0.0015, normal, normal * 0.0005)
 
 
-def _polyline(count: int) -> Mesh:
-    """A line through ``count`` points, all at the origin yet."""
-    return lines(np.zeros((count, 3)), [(i, i + 1) for i in range(count - 1)])
-
-
-def _axis(k: int, radius: float) -> Mesh:
+def _axis(k: int, radius: float) -> Lines:
     """From the origin along axis ``k`` of B, out of the segment's body."""
     ends = np.zeros((2, 3))
     ends[1, k] = AXIS_LENGTH * radius
-    return lines(ends, [(0, 1)])
+    return polyline(ends)
 
 
-def _frustum(setup: EngineSetup) -> Mesh:
-    """The left camera's field of view to `FRUSTUM_DEPTH`, as lines, in C."""
+def _frustum(setup: EngineSetup) -> Lines:
+    """The left camera's field of view to `FRUSTUM_DEPTH`, in C."""
     rig, z = setup.rig, FRUSTUM_DEPTH
     us, vs = (0, rig.left.width - 1), (0, rig.left.height - 1)
     corners = [(u, v) for u, v in ((us[0], vs[0]), (us[1], vs[0]), (us[1], vs[1]), (us[0], vs[1]))]
     points = [((u - rig.cx) / rig.fx * z, (v - rig.cy) / rig.fy * z, z) for u, v in corners]
     points.append((0.0, 0.0, 0.0))
     pairs = [(0, 1), (1, 2), (2, 3), (3, 0), *((4, i) for i in range(4))]
-    return lines(np.array(points, float), pairs)
+    return Lines(np.array(points, float), np.array(pairs))

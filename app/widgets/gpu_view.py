@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from app.graphics import gl_renderer, is_card
 from app.widgets.orbit import Orbit
-from app.widgets.vtk_scene import Bodies
+from app.widgets.vtk_scene import VtkScene
 
 SMOOTH_SAMPLES = 4
 """Of multisampling, on a graphics card; a software renderer takes four times as long with it."""
@@ -34,7 +34,7 @@ class GpuView(QWidget):
         software = not is_card(gl_renderer())
         self.surface.render_window.SetMultiSamples(0 if software else SMOOTH_SAMPLES)
         self.surface.disable()  # its own mouse: the orbit has ours
-        self.scene: Bodies | None = Bodies(self.surface.renderer)
+        self.scene: VtkScene | None = VtkScene(self.surface.renderer)
         self._label = QLabel()
         self._label.setStyleSheet("color: #E69F00")
         self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)

@@ -1,4 +1,4 @@
-"""Bodies of the 3D view as points, normals and faces; no more than NumPy."""
+"""Shapes of the 3D view as points, normals and faces, for a graphics card; no more than NumPy."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from app.widgets.shapes import Block, Capsule, Disc, Lines, Shape, turn_x_to
 from tracker.messages import Array
 
 
@@ -27,55 +28,63 @@ class Mesh:
         return tuple(ends.ravel().tolist())
 
 
-def ball(radius: float, sides: int = 12) -> Mesh:
-    """Around the origin."""
-    return capsule(0.0, radius, sides)
+def mesh_of(shape: Shape) -> Mesh:
+    """In the frame that the shape has."""
+    if isinstance(shape, Capsule):
+        return capsule(shape)
+    if isinstance(shape, Disc):
+        return disc(shape)
+    if isinstance(shape, Block):
+        return block(shape)
+    return lines(shape)
 
 
-def capsule(length: float, radius: float, sides: int = 10) -> Mesh:
-    """Along x from the origin to ``length``, with half a ball on either end."""
+def capsule(shape: Capsule, sides: int = 24) -> Mesh:
     arc = np.linspace(0.0, np.pi / 2, sides // 4 + 2)
     half = np.stack([np.cos(arc), np.sin(arc)], axis=1)  # from the pole to the equator
     normals = np.vstack([half * [-1, 1], half[::-1]])
-    profile = radius * normals
-    profile[len(arc) :, 0] += length
+    profile = shape.radius * normals
+    profile[len(arc) :, 0] += shape.length
     return _revolved(profile, normals, sides)
 
 
-def disc(radius: float, height: float, direction: Array, sides: int = 12) -> Mesh:
-    """A flat cylinder around the origin whose axis is ``direction`` (3,) of length 1."""
-    h = height / 2
+def disc(shape: Disc, sides: int = 16) -> Mesh:
+    h, radius = shape.height / 2, shape.radius
     profile = np.array([[-h, 0], [-h, radius], [-h, radius], [h, radius], [h, radius], [h, 0]])
     normals = np.array([[-1, 0], [-1, 0], [0, 1], [0, 1], [1, 0], [1, 0]], float)
     mesh = _revolved(profile, normals, sides)
-    R = _turn_x_to(direction)
-    return Mesh(mesh.points @ R.T, mesh.normals @ R.T, mesh.cells)
+    R = turn_x_to(shape.normal)
+    return Mesh(mesh.points @ R.T + shape.centre, mesh.normals @ R.T, mesh.cells)
 
 
-def rounded_block(half: Array, roundness: float = 0.4, sides: int = 24) -> Mesh:
-    """A superquadric around the origin; ``half`` (3,) is its size along each axis."""
-    around = np.linspace(-np.pi, np.pi, sides + 1)[:-1]
-    up = np.linspace(-np.pi / 2, np.pi / 2, sides // 2 + 1)[:, None]
-    points = _superquadric(up, around, roundness)
-    normals = _superquadric(up, around, 2 - roundness) / half
-    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
-    return Mesh((points * half).reshape(-1, 3), normals.reshape(-1, 3), _grid(len(up), sides))
+def block(shape: Block, sides: int = 6) -> Mesh:
+    """An outline goes up around the edges, ``sides`` steps a corner, from one flat side's middle
+    to the other's."""
+    quarter = np.linspace(0.0, np.pi / 2, sides + 1)
+    angle = (quarter + np.pi / 2 * np.arange(4)[:, None]).ravel()
+    out = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)  # (A, 3) of the outline
+    corners = np.array([[1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0]])
+    outline = np.repeat(corners, sides + 1, axis=0) * (shape.half - shape.corner)
+    outline = outline + out * (shape.corner - shape.edge)
+    up = np.array([0.0, 0.0, 1.0])
+    rise = np.concatenate([-quarter[::-1], quarter])[:, None, None]
+    normals = np.cos(rise) * out + np.sin(rise) * up
+    level = np.sign(rise) * (shape.half[2] - shape.edge) * up
+    level[sides] = -level[-1]  # where the rise is 0 the lower edge ends and the upper one begins
+    level[sides + 1] = level[-1]
+    points = outline + level + shape.edge * normals
+    flat = np.broadcast_to(up, (1, *outline.shape))
+    points = np.concatenate([-shape.half[2] * flat, points, shape.half[2] * flat])
+    normals = np.concatenate([-flat, normals, flat])
+    return Mesh(
+        points.reshape(-1, 3) + shape.centre,
+        normals.reshape(-1, 3),
+        _grid(len(points), len(angle)),
+    )
 
 
-def lines(points: Array, pairs: list[tuple[int, int]]) -> Mesh:
-    """Lines between ``points`` (N, 3)."""
-    return Mesh(np.asarray(points, float), np.empty((0, 3)), np.array(pairs, int))
-
-
-def _superquadric(up: Array, around: Array, exponent: float) -> Array:
-    """(U, A, 3) on the unit superquadric; with 2 - exponent its normals before scaling."""
-
-    def power(x: Array) -> Array:
-        return np.sign(x) * np.abs(x) ** exponent
-
-    flat = power(np.cos(up))
-    x, y = flat * power(np.cos(around)), flat * power(np.sin(around))
-    return np.stack([x, y, np.broadcast_to(power(np.sin(up)), x.shape)], axis=-1)
+def lines(shape: Lines) -> Mesh:
+    return Mesh(np.asarray(shape.points, float), np.empty((0, 3)), shape.pairs)
 
 
 def _revolved(profile: Array, normals: Array, sides: int) -> Mesh:
@@ -96,11 +105,3 @@ def _grid(rows: int, columns: int) -> npt.NDArray[np.intp]:
     right = np.roll(at, -1, axis=1)
     quads = np.stack([at[:-1], right[:-1], right[1:], at[1:]], axis=-1)
     return quads.reshape(-1, 4)
-
-
-def _turn_x_to(direction: Array) -> Array:
-    """(3, 3) a rotation that takes x to ``direction``."""
-    other = np.eye(3)[np.abs(direction).argmin()]
-    y = np.cross(direction, other)
-    y /= np.linalg.norm(y)
-    return np.stack([direction, y, np.cross(direction, y)], axis=1)

@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 Vector = NDArray[np.float64]
 STEEPEST = np.deg2rad(89.0)
+VIEW_ANGLE_DEG = 32.0
+"""From the lower to the upper side of the picture that the eye sees."""
 
 
 class Orbit:

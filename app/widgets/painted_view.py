@@ -1,64 +1,53 @@
-"""The 3D view of a machine without a graphics card: VTK renders off-screen, Qt paints the picture.
+"""The 3D view of every machine: our own renderer makes a picture, Qt paints it.
 
-On software GL a QOpenGLWidget makes Qt compose the whole window in GL, which halves the window's
-rate; a picture painted like any other does not, and `QWidget.grab` sees it. Multisampling is off
-there: it costs four times the rendering.
+It needs neither OpenGL nor a graphics card. On software GL a QOpenGLWidget would make Qt compose the
+whole window in GL, which halves the window's rate. `QWidget.grab` sees what is painted.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-import numpy as np
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.widgets.orbit import Orbit
+from app.widgets.raster.scene import RasterScene
 
-if TYPE_CHECKING:
-    from app.widgets.vtk_scene import VtkScene
-
-MAX_PIXELS = 900 * 700
-"""Software GL fills about 10⁸ pixels a second with this scene; a larger view is scaled up."""
+MAX_PIXELS = 1000 * 800
+"""A larger view is scaled up, so that a picture takes no more than a quarter of its time."""
 
 
 class PaintedView(QWidget):
-    """Raises what VTK raises where no OpenGL can be had at all."""
+    """A picture is made where it is asked for: it takes milliseconds and no lock of Python's."""
 
     on_card = False
 
     def __init__(self, orbit: Orbit, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        from app.widgets.vtk_scene import VtkScene
-
         self._orbit = orbit
         self._caption = ""
         self._image: QImage | None = None
-        self._pixels: np.ndarray | None = None
-        self.scene: VtkScene | None = VtkScene()
+        self.scene = RasterScene()
 
     def set_caption(self, text: str) -> None:
         self._caption = text
 
     def render_scene(self) -> None:
         """Render the scene from the orbit's eye and show it."""
-        if self.scene is not None and self.width() >= 2 and self.height() >= 2:
-            self._show(self.scene.render(self._orbit, *self._size_px()))
+        if self.width() < 2 or self.height() < 2:
+            return
+        pixels = self.scene.render(self._orbit, *self._size_px())  # the image shares its memory
+        height, width = pixels.shape
+        self._image = QImage(
+            pixels.data, width, height, pixels.strides[0], QImage.Format.Format_RGB32
+        )
+        self.update()
 
     def _size_px(self) -> tuple[int, int]:
         ratio = self.devicePixelRatioF()
         w, h = self.width() * ratio, self.height() * ratio
         shrink = min(1.0, (MAX_PIXELS / (w * h)) ** 0.5)
         return max(2, int(w * shrink)), max(2, int(h * shrink))
-
-    def _show(self, pixels: np.ndarray) -> None:
-        height, width = pixels.shape[:2]
-        self._pixels = pixels  # the image shares its memory
-        self._image = QImage(
-            pixels.data, width, height, pixels.strides[0], QImage.Format.Format_RGB888
-        )
-        self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -73,7 +62,5 @@ class PaintedView(QWidget):
         painter.end()
 
     def shut_down(self) -> None:
-        """Free the GL context while it can still be made current."""
-        scene, self.scene = self.scene, None
-        if scene is not None:
-            scene.close()
+        """Forget the bodies."""
+        self.scene.clear()

@@ -5,22 +5,22 @@ from __future__ import annotations
 import logging
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from app.widgets.orbit import Orbit
 from app.widgets.orbit_control import OrbitControl
+from app.widgets.painted_view import PaintedView
+from app.widgets.scene import Scene
 
 if TYPE_CHECKING:
     from app.widgets.gpu_view import GpuView
-    from app.widgets.painted_view import PaintedView
-    from app.widgets.vtk_scene import Bodies
 
 _log = logging.getLogger(__name__)
 
 
 class View3D(QWidget):
-    """Owns the orbit and the view that draws; ``scene`` is None where no OpenGL can be had.
+    """Owns the orbit and the view that draws; ``scene`` is None once it is shut down.
 
     ``scene_changed``: another view draws now, and its scene is empty.
     """
@@ -30,10 +30,8 @@ class View3D(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.orbit = Orbit()
-        self.problem = ""
         self._background = "#000000"
         self._view: PaintedView | GpuView | None = None
-        self._label: QLabel | None = None
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self.setMinimumSize(200, 160)
@@ -46,7 +44,7 @@ class View3D(QWidget):
     # --- which view
 
     @property
-    def scene(self) -> Bodies | None:
+    def scene(self) -> Scene | None:
         return self._view.scene if self._view is not None else None
 
     @property
@@ -55,14 +53,8 @@ class View3D(QWidget):
         return self._view is not None and self._view.on_card
 
     def use_painted(self) -> None:
-        """Render off-screen and paint: works wherever VTK finds any OpenGL."""
-        from app.widgets.painted_view import PaintedView
-
-        try:
-            self._put(PaintedView(self.orbit))
-        except Exception as error:  # noqa: BLE001  a dead driver fails in its own ways
-            _log.warning("No 3D view: %s", error)
-            self._say(self.tr("This machine offers no OpenGL, so the 3D view is off."))
+        """Paint: works everywhere."""
+        self._put(PaintedView(self.orbit))
 
     def use_card(self) -> bool:
         """Draw into the window; False, and as before, where that cannot be done."""
@@ -88,17 +80,9 @@ class View3D(QWidget):
         OrbitControl(surface, self.orbit).turned.connect(self.render_scene)
         self.setFocusProxy(surface)
         self._column.addWidget(view, 1)
-        view.scene.set_background(self._background)  # type: ignore[union-attr]
+        if view.scene is not None:
+            view.scene.set_background(self._background)
         self.scene_changed.emit()
-
-    def _say(self, problem: str) -> None:
-        self.problem = problem
-        if self._label is None:
-            self._label = QLabel()
-            self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            self._label.setWordWrap(True)
-            self._column.addWidget(self._label)
-        self._label.setText(problem)
 
     # --- drawing
 
@@ -132,7 +116,7 @@ class View3D(QWidget):
             self.use_painted()
 
     def shut_down(self) -> None:
-        """Free the GL context while it can still be made current."""
+        """Free what the view holds while its surface is still there."""
         if self._view is not None:
             self._view.shut_down()
             self._view = None

@@ -1,43 +1,32 @@
-"""Bodies drawn by VTK, off-screen or in a renderer of someone else.
+"""The scene of the graphics card's view: bodies that VTK draws in a renderer of its own.
 
-VTK's own modules are used: pyvista takes 1.5 s longer to import and four times the libraries.
+VTK's own modules are used for it: only the window on the card comes from pyvistaqt.
 """
 
 from __future__ import annotations
 
-import os
-import sys
-
 import numpy as np
 import numpy.typing as npt
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-
-if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-    os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
-
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  gives the classes below their OpenGL
-from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints, vtkUnsignedCharArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkLightKit,
     vtkPolyDataMapper,
-    vtkProperty,
     vtkRenderer,
-    vtkRenderWindow,
 )
 
-from app.widgets.meshes import Mesh
-from app.widgets.orbit import Orbit
+from app.widgets.meshes import Mesh, mesh_of
+from app.widgets.orbit import VIEW_ANGLE_DEG, Orbit
+from app.widgets.scene import Grid, Look, rgb
+from app.widgets.shapes import Shape
 from tracker.messages import Array
 
-VIEW_ANGLE_DEG = 32.0
-CHANNELS = 3
 
-
-class Body:
-    """A mesh in the scene: moved, coloured, shown or hidden."""
+class VtkBody:
+    """A mesh that VTK draws."""
 
     def __init__(self, mesh: Mesh) -> None:
         self._data, mapper = _polydata(mesh), vtkPolyDataMapper()
@@ -46,58 +35,56 @@ class Body:
         self.actor.SetMapper(mapper)
         self._pose = vtkMatrix4x4()
         self.actor.SetUserMatrix(self._pose)
+        self._look: Look | None = None
 
     @property
-    def look(self) -> vtkProperty:
-        return self.actor.GetProperty()
-
-    def paint(self, colour: str) -> None:
-        self.look.SetColor(*rgb(colour))
+    def shown(self) -> bool:
+        return bool(self.actor.GetVisibility())
 
     def show(self, on: bool) -> None:
         self.actor.SetVisibility(on)
 
+    def wear(self, look: Look) -> None:
+        if look is self._look:
+            return
+        self._look, drawn = look, self.actor.GetProperty()
+        drawn.SetColor(*rgb(look.colour))
+        drawn.SetOpacity(look.opacity)
+        drawn.SetAmbient(look.ambient)
+        drawn.SetSpecular(look.specular)
+        drawn.SetLineWidth(look.line_width)
+        drawn.SetEdgeVisibility(look.grid == Grid.OVER)
+        if look.grid == Grid.ALONE:
+            drawn.SetRepresentationToWireframe()
+        else:
+            drawn.SetRepresentationToSurface()
+
     def reshape(self, points: Array) -> None:
-        """Other points (N, 3) for the same lines or faces."""
         data = self._data.GetPoints()
         data.SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=True))
         data.Modified()
 
     def move(self, R: Array, p: Array) -> None:
-        """To a rotation (3, 3), times a size, and a position (3,), both in G."""
         T = np.eye(4)
         T[:3, :3], T[:3, 3] = R, p
         self._pose.DeepCopy(T.ravel().tolist())
 
 
-class Bodies:
+class VtkScene:
     """What a renderer draws, wherever that renderer draws to."""
 
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
         vtkLightKit().AddLightsToRenderer(renderer)
 
-    def add(
-        self,
-        mesh: Mesh,
-        colour: str,
-        *,
-        opacity: float = 1.0,
-        ambient: float = 0.0,
-        specular: float = 0.0,
-        line_width: float = 1.0,
-    ) -> Body:
-        """A body at the origin; ``line_width`` in pixels."""
-        body = Body(mesh)
-        body.paint(colour)
-        look = body.look
-        look.SetOpacity(opacity)
-        look.SetAmbient(ambient)
-        look.SetSpecular(specular)
-        look.SetLineWidth(line_width)
-        look.SetEdgeColor(0.0, 0.0, 0.0)
-        look.SetInterpolationToPhong()
-        look.SetLighting(len(mesh.normals) > 0)  # lines have a colour and no sides
+    def add(self, shape: Shape, look: Look) -> VtkBody:
+        mesh = mesh_of(shape)
+        body = VtkBody(mesh)
+        body.wear(look)
+        drawn = body.actor.GetProperty()
+        drawn.SetEdgeColor(0.0, 0.0, 0.0)
+        drawn.SetInterpolationToPhong()
+        drawn.SetLighting(len(mesh.normals) > 0)  # lines have a colour and no sides
         self._renderer.AddActor(body.actor)
         return body
 
@@ -115,40 +102,6 @@ class Bodies:
         camera.SetViewUp(*orbit.up)
         camera.SetViewAngle(VIEW_ANGLE_DEG)
         self._renderer.ResetCameraClippingRange()
-
-
-class VtkScene(Bodies):
-    """A window that is never seen, and what is in it. RuntimeError where there is no OpenGL."""
-
-    def __init__(self) -> None:
-        self._window = vtkRenderWindow()
-        self._window.SetOffScreenRendering(True)
-        self._window.SetMultiSamples(0)
-        super().__init__(vtkRenderer())
-        self._window.AddRenderer(self._renderer)
-        if not self._window.SupportsOpenGL():
-            raise RuntimeError(self._window.GetOpenGLSupportMessage())
-        self._shot = vtkUnsignedCharArray()
-
-    def render(self, orbit: Orbit, width: int, height: int) -> Array:
-        """(height, width, 3) uint8, the scene from the orbit's eye."""
-        self._window.SetSize(width, height)
-        self.look_from(orbit)
-        self._window.Render()
-        self._window.GetPixelData(0, 0, width - 1, height - 1, False, self._shot, 0)
-        rows = vtk_to_numpy(self._shot).reshape(height, width, CHANNELS)
-        return np.ascontiguousarray(rows[::-1])  # VTK begins at the bottom
-
-    def close(self) -> None:
-        """Free the GL context while it can still be made current."""
-        self.clear()
-        self._window.Finalize()
-
-
-def rgb(colour: str) -> tuple[float, float, float]:
-    """``#rrggbb`` as three shares of one."""
-    red, green, blue = (int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
-    return red, green, blue
 
 
 def _polydata(mesh: Mesh) -> vtkPolyData:

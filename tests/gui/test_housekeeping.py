@@ -8,7 +8,6 @@ import zipfile
 from dataclasses import replace
 
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDialogButtonBox, QPlainTextEdit, QPushButton
@@ -145,22 +144,6 @@ def test_a_failing_panel_rests_and_the_others_go_on(live, qtbot, monkeypatch):
     monkeypatch.setattr(live.cameras, "refresh", cameras.append)
     qtbot.wait(300)
     assert len(calls) <= 2 and len(cameras) > 2
-
-
-def test_a_machine_without_opengl_still_has_its_window(store, qtbot, no_leaks, monkeypatch):
-    def dead(*_args, **_options):
-        raise RuntimeError("no GL context")
-
-    monkeypatch.setattr("app.widgets.vtk_scene.VtkScene", dead)
-    window = MainWindow(store)
-    qtbot.addWidget(window)
-    window.show()
-    window.session.adopt(scripted_setup(ScriptedEngine()))
-    shown = []
-    monkeypatch.setattr(window.cameras, "refresh", shown.append)
-    qtbot.waitUntil(lambda: len(shown) > 2, timeout=10_000)
-    assert "no OpenGL" in window.hand.view.problem
-    window.close()
 
 
 def test_a_worker_that_dies_is_said_and_the_window_lives(live, engine, qtbot):

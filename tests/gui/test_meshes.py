@@ -1,21 +1,20 @@
-"""Bodies of the 3D view: their shape, their normals, and the pixels that come of them."""
+"""Meshes for a graphics card: their form and their normals."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, scripted_setup
 
-from app.panels.hand_actors import HandActors
-from app.widgets.meshes import Mesh, ball, capsule, disc, lines, rounded_block
-from app.widgets.orbit import Orbit
+from app.widgets.meshes import Mesh, mesh_of
+from app.widgets.raster.solids import block_distance, block_normal
+from app.widgets.shapes import Block, Capsule, Disc, ball
 
 OBLIQUE = np.array([0.6, 0.0, -0.8])
 BODIES = {
-    "ball": ball(0.02),
-    "capsule": capsule(0.04, 0.01),
-    "disc": disc(0.005, 0.002, OBLIQUE),
-    "block": rounded_block(np.array([0.05, 0.04, 0.01])),
+    "ball": mesh_of(ball(0.02)),
+    "capsule": mesh_of(Capsule(0.04, 0.01)),
+    "disc": mesh_of(Disc(0.005, 0.002, OBLIQUE)),
+    "block": mesh_of(Block(np.array([0.05, 0.04, 0.01]))),
 }
 
 
@@ -46,53 +45,30 @@ def test_normals_point_out_of_the_surface(mesh: Mesh) -> None:
 
 
 def test_a_capsule_keeps_its_radius_all_along() -> None:
-    mesh = capsule(0.04, 0.01)
+    mesh = mesh_of(Capsule(0.04, 0.01))
     nearest = np.clip(mesh.points[:, 0], 0.0, 0.04)
     away = mesh.points - np.stack([nearest, 0 * nearest, 0 * nearest], axis=1)
     assert np.linalg.norm(away, axis=1) == pytest.approx(0.01)
 
 
 def test_a_disc_lies_across_its_direction() -> None:
-    along = disc(0.005, 0.002, OBLIQUE).points @ OBLIQUE
+    along = mesh_of(Disc(0.005, 0.002, OBLIQUE)).points @ OBLIQUE
     assert (along.min(), along.max()) == pytest.approx((-0.001, 0.001))
 
 
-def test_a_scene_shows_bodies_where_they_are() -> None:
-    vtk_scene = pytest.importorskip("app.widgets.vtk_scene")
-    try:
-        scene = vtk_scene.VtkScene()
-    except RuntimeError:
-        pytest.skip("no OpenGL here")
-    scene.set_background("#000000")
-    body = scene.add(ball(0.03), "#00FF00", ambient=1.0)
-    frame = scene.add(lines(np.array([[0, 0, 0], [0, 0, 0.1]]), [(0, 1)]), "#0000FF", ambient=1.0)
-    orbit = Orbit()
-    frame.show(False)
-
-    def green() -> np.ndarray:
-        return scene.render(orbit, 160, 120)[..., 1] > 100
-
-    body.move(np.eye(3), orbit.target)
-    rows, columns = np.nonzero(green())
-    assert (rows.mean(), columns.mean()) == pytest.approx((59.5, 79.5), abs=1.0)
-    body.move(2 * np.eye(3), orbit.target)
-    assert green().sum() == pytest.approx(4 * len(rows), rel=0.15)
-    body.move(np.eye(3), orbit.target + 0.02 * orbit.up)
-    assert np.nonzero(green())[0].mean() < rows.mean() - 2  # rows count from the top
-    body.show(False)
-    assert not green().any()
-    scene.close()
+def test_a_block_has_the_size_it_was_given() -> None:
+    half, centre = np.array([0.05, 0.04, 0.01]), np.array([0.02, 0.0, 0.001])
+    bounds = np.array(mesh_of(Block(half, centre)).bounds).reshape(3, 2)
+    np.testing.assert_allclose(bounds, np.stack([centre - half, centre + half], axis=1))
 
 
-def test_nothing_is_drawn_before_there_is_a_hand() -> None:
-    """A fingertip's ball has unit size until it is placed, and would fill the view."""
-    vtk_scene = pytest.importorskip("app.widgets.vtk_scene")
-    try:
-        scene = vtk_scene.VtkScene()
-    except RuntimeError:
-        pytest.skip("no OpenGL here")
-    scene.set_background("#102030")
-    HandActors(scene, scripted_setup(ScriptedEngine()), {})
-    pixels = scene.render(Orbit(), 80, 60).reshape(-1, 3)
-    assert (pixels == pixels[0]).all()
-    scene.close()
+def test_a_blocks_mesh_is_the_surface_that_is_painted() -> None:
+    """One shape, two renderers."""
+    shape = Block(np.array([0.05, 0.04, 0.01]))
+    for point, normal in zip(*(BODIES["block"].points, BODIES["block"].normals), strict=True):
+        assert abs(block_distance(*point, *shape.half, shape.corner, shape.edge)) < 1e-9
+        np.testing.assert_allclose(
+            block_normal(*point * 0.999999 + 1e-6 * normal, *shape.half, shape.corner, shape.edge),
+            normal,
+            atol=0.02,
+        )
