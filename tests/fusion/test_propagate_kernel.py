@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tracker.fusion import propagate_kernel as kernel
-from tracker.fusion.imu_buffer import ImuBuffer
+from tracker.fusion.imu_buffer import ImuBuffer, Intervals
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ChainParams
 from tracker.fusion.prior import initial_covariance
@@ -65,7 +65,7 @@ def test_covariance_moves_as_the_dense_product(
     block = slice(layout.theta, layout.n_dynamic)
     sd = noise.gyro, noise.free_rotation, noise.free_root_rotation
     expected[block, block] += turn_noise(layout, R_GB, sample.valid, sd) * dt
-    propagate(state, layout, ChainParams(), sample, dt)
+    propagate(state, layout, ChainParams(), Intervals.single(sample, 0.0, dt))
     assert np.abs(state.P - expected).max() < 1e-12 * np.abs(expected).max()
     assert np.array_equal(state.P, state.P.T)
 
@@ -92,16 +92,31 @@ def test_carrying_is_propagating_without_covariance(layout: ChainLayout) -> None
     buffer = ImuBuffer(len(layout.glove.imus), span=10.0)
     for k, t in enumerate([1.0, 1.01, 1.02, 1.03, 1.5, 1.51, 1.52, 1.53]):
         buffer.add(packet(layout, t, k, (k % 7,)))
-    way = buffer.intervals(1.004, 1.525)
     one, other = a_state(layout), a_state(layout)
-    other.t = 1.004
-    carry(one, layout, way)
-    for sample, stop in way:
-        propagate(other, layout, ChainParams(), sample, stop - other.t)
-        other.t = stop
+    one.t = other.t = 1.004
+    carry(one, layout, buffer, 1.525)
+    propagate(other, layout, ChainParams(), buffer.intervals(1.004, 1.525))
     for name in ("p", "v", "R_GB"):
         assert np.allclose(getattr(one, name), getattr(other, name), atol=1e-12), name
     assert one.t == other.t == 1.525
+
+
+def test_a_way_in_parts_is_the_whole_way(layout: ChainLayout) -> None:
+    """Covariance included, bit for bit, and damped from where no picture has come for too long."""
+    buffer = ImuBuffer(len(layout.glove.imus), span=10.0)
+    for k in range(7):
+        buffer.add(packet(layout, 1.0 + 0.01 * k, k, (k % 3,)))
+    way = buffer.intervals(1.004, 1.055)
+    whole, parts, free = a_state(layout), a_state(layout), a_state(layout)
+    propagate(whole, layout, ChainParams(), way, coasting=(1.0, 0.025))
+    for part in (slice(0, 2), slice(2, 3), slice(3, 6)):
+        propagate(parts, layout, ChainParams(), way, part, (1.0, 0.025))
+    for name in ("p", "v", "R_GB", "P"):
+        assert np.array_equal(getattr(whole, name), getattr(parts, name)), name
+    propagate(free, layout, ChainParams(), way)
+    gone = way.stop[-1] - way.start[3]  # the first three intervals begin before 1.025
+    assert parts.t == whole.t == 1.055
+    assert np.abs(whole.v - free.v).max() > 0.5 * gone * np.abs(free.v).max()
 
 
 def test_intervals_are_cut_at_packets_with_interpolated_means(layout: ChainLayout) -> None:

@@ -10,6 +10,7 @@ from tracker import GRAVITY, library
 from tracker.evaluation.bench_peers_fusion import dense_covariance, dense_joseph
 from tracker.evaluation.bench_rows import BenchRow, interleaved, row
 from tracker.fusion import kalman, propagate
+from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ChainParams
 from tracker.fusion.prior import initial_covariance
@@ -91,10 +92,11 @@ def _chain_rows(rounds: int, seed: int, inner: int) -> list[BenchRow]:
     layout, params = ChainLayout(hand, glove), ChainParams()
     state, sample = initial_state(layout), moving_hand(len(glove.imus), rng)
     state.P = initial_covariance(layout, params.prior)
+    way = Intervals.single(sample, 0.0, DT)
     F, P, q = coupled_transition(layout), state.P.copy(), np.zeros(layout.size)
     us = 1e6 * interleaved(
         [
-            lambda: propagate.propagate(state, layout, params, sample, DT),
+            lambda: propagate.propagate(state, layout, params, way),
             lambda: dense_covariance(F, P, q),
         ],
         rounds,

@@ -15,7 +15,7 @@ from tracker.fusion.bundle.solver import Bundle, BundleWork
 from tracker.fusion.chain_calibration import AROUND, CalibratedChain
 from tracker.fusion.chain_kinematics import marker_positions, segment_positions, tip_sd
 from tracker.fusion.constraints import Constraints
-from tracker.fusion.imu_buffer import Intervals, Readings
+from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.kalman import correct
 from tracker.fusion.lagged import LaggedEngine
 from tracker.fusion.layout import ChainLayout
@@ -127,12 +127,25 @@ class ChainEngine(CalibratedChain):
             rows = self._layout.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
             self._state.P[rows, rows] += self._params.prior.returned**2
 
-    def _step(self, sample: Readings, dt: float) -> None:
+    def _step(self, way: Intervals, first: int) -> int:
         params = self._params if self._held is None else self._still
-        propagate(self._state, self._layout, params, sample, dt, self._is_coasting())
+        end = self._step_end(way, first)
+        coasting = self._track.last_good, params.match.lost_after
+        propagate(self._state, self._layout, params, way, slice(first, end), coasting)
+        return end
 
-    def _coast(self, state: ChainState, way: Intervals) -> None:
-        carry(state, self._layout, way, self._is_coasting())
+    def _step_end(self, way: Intervals, first: int) -> int:
+        """After the first interval at whose end relative tilt is due, or the last one."""
+        end = first + 1
+        while end < len(way.stop) and not self._tilt_is_due(float(way.stop[end - 1])):
+            end += 1
+        return end
+
+    def _tilt_is_due(self, t: float) -> bool:
+        return t - self._track.last_tilt >= self._params.constraint.period
+
+    def _carry(self, state: ChainState, t: float) -> None:
+        carry(state, self._layout, self._buffer, t, self._is_coasting())
 
     def _stepped(self) -> None:
         self._tilt()
@@ -151,7 +164,7 @@ class ChainEngine(CalibratedChain):
     def _tilt(self) -> None:
         """Relative tilt from the accelerometers, at most every ``period``."""
         t = self._state.t
-        if t - self._track.last_tilt < self._params.constraint.period:
+        if not self._tilt_is_due(t):
             return
         before, now, after = (self._buffer.at(t + d) for d in AROUND)
         if before is None or now is None or after is None or not before.t < now.t < after.t:

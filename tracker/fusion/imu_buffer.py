@@ -43,12 +43,21 @@ class Intervals:
     gyro: Array
     valid: NDArray[np.bool_]
 
+    @staticmethod
+    def single(readings: Readings, start: float, stop: float) -> Intervals:
+        """One interval with these mean readings."""
+        mean = readings.accel[None], readings.gyro[None], readings.valid[None]
+        return Intervals(np.array([start]), np.array([stop]), *mean)
+
+    def mean(self, k: int) -> Moment:
+        """The mean readings of the interval ``k``, at its middle."""
+        t = float(self.start[k] + self.stop[k]) / 2
+        return Moment(t, self.accel[k], self.gyro[k], self.valid[k])
+
     def __iter__(self) -> Iterator[tuple[Moment, float]]:
-        """The mean readings at the middle of each interval, and where it ends."""
-        for k, (start, stop) in enumerate(
-            zip(self.start.tolist(), self.stop.tolist(), strict=True)
-        ):
-            yield Moment((start + stop) / 2, self.accel[k], self.gyro[k], self.valid[k]), stop
+        """The mean readings of each interval, and where it ends."""
+        for k in range(len(self.stop)):
+            yield self.mean(k), float(self.stop[k])
 
 
 class ImuBuffer:
@@ -99,16 +108,19 @@ class ImuBuffer:
 
     def _make_room(self) -> None:
         """Move the rows in use to the front of a table with at least as many to spare."""
-        live = self._used()
+        live = self.table
         count = len(live[0])
         self._table = self._rows(max(len(self._table[0]), 2 * count))
         for column, rows in zip(self._table, live, strict=True):
             column[:count] = rows
         self._first, self._end = 0, count
 
-    def _used(self) -> tuple[Array, Array, Array, Array]:
-        t, accel, gyro, valid = (column[self._first : self._end] for column in self._table)
-        return t, accel, gyro, valid
+    @property
+    def table(self) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+        """t (m,), accel, gyro (m, n, 3), valid (m, n) of the packets that are kept."""
+        t, accel, gyro, valid = self._table
+        used = slice(self._first, self._end)
+        return t[used], accel[used], gyro[used], valid[used]
 
     def covers(self, t: float) -> bool:
         """Whether a packet at or after ``t`` has come."""
@@ -116,7 +128,7 @@ class ImuBuffer:
 
     def intervals(self, start: float, end: float) -> Intervals:
         """The way from ``start`` to ``end``; nothing where they are the same."""
-        return Intervals(*_intervals(*self._used(), start, end))
+        return Intervals(*cut(*self.table, start, end))
 
     def at(self, t: float) -> Readings | None:
         """What was read at ``t``, between packets; the nearest one outside the memory; None if
@@ -128,7 +140,7 @@ class ImuBuffer:
             return self._samples[0] if self._samples else None
         if t > self._samples[-1].t:
             return self._samples[-1]
-        return Moment(t, *_between(*self._used(), t))
+        return Moment(t, *_between(*self.table, t))
 
     def state(self) -> list[ImuSample]:
         return list(self._samples)
@@ -150,7 +162,7 @@ def _between(t, accel, gyro, valid, at):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _intervals(t, accel, gyro, valid, start, end):  # type: ignore[no-untyped-def]
+def cut(t, accel, gyro, valid, start, end):  # type: ignore[no-untyped-def]
     """The fields of `Intervals` from the packets t (m,), accel, gyro (m, n, 3), valid (m, n)."""
     m, n = valid.shape
     k = np.searchsorted(t, start, side="right")

@@ -15,7 +15,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import numpy as np
 
 from tracker.fusion.health import ImuHealth
-from tracker.fusion.imu_buffer import ImuBuffer, Intervals, Readings
+from tracker.fusion.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, Estimate, FrameResult, ImuSample, Tracking
 
 LATE_MARGIN = 0.03  # s beyond the latest picture so far
@@ -65,15 +65,16 @@ class LaggedEngine(ABC, Generic[S]):
         """A believable packet has come."""
 
     @abstractmethod
-    def _step(self, sample: Readings, dt: float) -> None:
-        """Move the filter, with its covariance, by ``dt`` with the mean readings ``sample``."""
+    def _step(self, way: Intervals, first: int) -> int:
+        """Move the filter, with its covariance, through the interval ``first`` of ``way`` and, as
+        far as `_stepped` has nothing to do between, the next ones; the number of the one after."""
 
     @abstractmethod
-    def _coast(self, state: S, way: Intervals) -> None:
-        """Move a nominal state along ``way``."""
+    def _carry(self, state: S, t: float) -> None:
+        """Move a nominal state to ``t`` with the packets on the way."""
 
     def _stepped(self) -> None:
-        """The filter has made one step with covariance."""
+        """The filter has made a step with covariance."""
         return
 
     @abstractmethod
@@ -163,15 +164,12 @@ class LaggedEngine(ABC, Generic[S]):
 
     def _advance(self, t: float) -> None:
         """Move the filter, with its covariance, to ``t`` through every packet on the way."""
-        for sample, stop in self._buffer.intervals(self._state.t, t):
-            self._step(sample, stop - self._state.t)
-            self._state.t = stop
+        way = self._buffer.intervals(self._state.t, t)
+        k = 0
+        while k < len(way.stop):
+            k = self._step(way, k)
             self._stepped()
         self._state.t = t
-
-    def _carry(self, state: S, t: float) -> None:
-        """Move a nominal state to ``t``."""
-        self._coast(state, self._buffer.intervals(state.t, t))
 
     def _rebuild_head(self) -> None:
         self._head = self._state.copy_nominal()

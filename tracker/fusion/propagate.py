@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracker.fusion import propagate_kernel as kernel
-from tracker.fusion.imu_buffer import Intervals, Readings
+from tracker.fusion.imu_buffer import ImuBuffer, Intervals, Readings
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import ChainParams
 from tracker.fusion.state import ChainState
@@ -62,35 +62,37 @@ def propagate(
     state: ChainState,
     layout: ChainLayout,
     params: ChainParams,
-    sample: Readings,
-    dt: float,
-    coasting: bool = False,
+    way: Intervals,
+    part: slice = slice(None),
+    coasting: tuple[float, float] = (np.inf, 0.0),
 ) -> None:
-    """Move ``state`` in place by ``dt`` with the mean readings ``sample`` over the interval.
+    """Move ``state`` in place through a ``part`` of the intervals of ``way``.
 
-    ``coasting`` damps the velocity: without pictures a double integral flies away.
+    ``coasting`` is an instant (s) and how long after it (s) velocity begins to be damped: without
+    pictures a double integral flies away.
     """
     noise = params.noise
     source, gain = layout.drive
-    state.p, state.v, state.R_GB = kernel.step(
+    state.p, state.v, state.R_GB = kernel.steps(
         layout.imu_of, layout.parent, source, gain,
         state.p, state.v, state.R_GB, state.bg, state.R_IB, state.ba, state.P,
-        sample.accel, sample.gyro, sample.valid, dt, coasting,
-        layout.theta, layout.bg, layout.phi, layout.ba, layout.scale, layout.joint,
+        way.start[part], way.stop[part], way.accel[part], way.gyro[part], way.valid[part],
+        *coasting, layout.theta, layout.bg, layout.phi, layout.ba, layout.scale, layout.joint,
         noise.accel, noise.free_accel, noise.gyro, noise.free_rotation, noise.free_root_rotation,
         noise.gyro_bias, noise.mounting, noise.accel_bias, noise.scale, noise.offset,
     )  # fmt: skip
-    state.t += dt
+    state.t = float(way.stop[part][-1])
 
 
-def carry(state: ChainState, layout: ChainLayout, way: Intervals, coasting: bool = False) -> None:
-    """Move the nominal state, its covariance left behind, through the intervals of ``way``."""
-    if len(way.stop) == 0:
+def carry(
+    state: ChainState, layout: ChainLayout, buffer: ImuBuffer, t: float, coasting: bool = False
+) -> None:
+    """Move the nominal state, its covariance left behind, to ``t`` with the packets on the way."""
+    if t <= state.t:
         return
     source, gain = layout.drive
-    state.p, state.v, state.R_GB = kernel.carry(
+    state.p, state.v, state.R_GB, state.t = kernel.carry(
         layout.imu_of, layout.parent, source, gain,
         state.p, state.v, state.R_GB, state.bg, state.R_IB, state.ba,
-        way.start, way.stop, way.accel, way.gyro, way.valid, coasting,
+        *buffer.table, state.t, t, coasting,
     )  # fmt: skip
-    state.t = float(way.stop[-1])

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracker import GRAVITY
+from tracker.fusion.imu_buffer import cut
 from tracker.geometry.kernels import act3, exp3, mul3, skew3, tact3, tmul3, turn_all
 from tracker.kernels import kernel
 
@@ -193,41 +194,51 @@ def add_turn_noise(P, R_GB, parent, imu_of, valid, theta, var, free, free_root):
 
 
 @kernel
-def step(  # type: ignore[no-untyped-def]
-    imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, P, accel, gyro, valid,
-    dt, coasting, theta, bg_at, phi_at, ba_at, scale_at, joint_at,
+def steps(  # type: ignore[no-untyped-def]
+    imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, P, start, stop, accel, gyro, valid,
+    last_good, patience, theta, bg_at, phi_at, ba_at, scale_at, joint_at,
     accel_sd, free_accel_sd, gyro_sd, free_sd, free_root_sd,
     gyro_bias_sd, mounting_sd, accel_bias_sd, scale_sd, offset_sd,
 ):  # fmt: skip
-    """One step with covariance: P in place, and p, v, R_GB after it.
+    """Through the intervals start, stop (k,) with mean readings (k, n, 3): P in place, and p, v,
+    R_GB at the end.
 
-    Deviations are those of `NoiseParams`.
+    Intervals that begin later than ``patience`` after ``last_good`` (s) damp v. Deviations are
+    those of `NoiseParams`.
     """
-    w = body_rates(imu_of, parent, source, gain, R_GB, R_IB, bg, gyro, valid)
-    f, felt = root_force(imu_of, R_IB, ba, accel, valid)
-    Phi = transition(
-        imu_of, parent, R_GB, R_IB, valid, w, f, felt, dt, theta, bg_at, phi_at, ba_at, scale_at
-    )
-    move_covariance(P, Phi)
-    add_walks(
-        P, dt, accel_sd if felt else free_accel_sd, gyro_bias_sd, mounting_sd, accel_bias_sd,
-        scale_sd, offset_sd, bg_at, phi_at, ba_at, scale_at, joint_at,
-    )  # fmt: skip
-    add_turn_noise(
-        P, R_GB, parent, imu_of, valid, theta, gyro_sd**2 * dt, free_sd**2 * dt,
-        free_root_sd**2 * dt,
-    )  # fmt: skip
-    return move_nominal(p, v, R_GB, w, f, felt, dt, coasting)
+    for k in range(len(stop)):
+        dt = stop[k] - start[k]
+        w = body_rates(imu_of, parent, source, gain, R_GB, R_IB, bg, gyro[k], valid[k])
+        f, felt = root_force(imu_of, R_IB, ba, accel[k], valid[k])
+        Phi = transition(
+            imu_of, parent, R_GB, R_IB, valid[k], w, f, felt, dt, theta, bg_at, phi_at, ba_at,
+            scale_at,
+        )  # fmt: skip
+        move_covariance(P, Phi)
+        add_walks(
+            P, dt, accel_sd if felt else free_accel_sd, gyro_bias_sd, mounting_sd, accel_bias_sd,
+            scale_sd, offset_sd, bg_at, phi_at, ba_at, scale_at, joint_at,
+        )  # fmt: skip
+        add_turn_noise(
+            P, R_GB, parent, imu_of, valid[k], theta, gyro_sd**2 * dt, free_sd**2 * dt,
+            free_root_sd**2 * dt,
+        )  # fmt: skip
+        p, v, R_GB = move_nominal(p, v, R_GB, w, f, felt, dt, start[k] - last_good > patience)
+    return p, v, R_GB
 
 
 @kernel
 def carry(  # type: ignore[no-untyped-def]
-    imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, start, stop, accel, gyro, valid,
+    imu_of, parent, source, gain, p, v, R_GB, bg, R_IB, ba, t, accel, gyro, valid, start, end,
     coasting,
 ):  # fmt: skip
-    """p, v, R_GB after the intervals start, stop (k,) with mean readings (k, n, 3)."""
-    for k in range(len(stop)):
+    """p, v, R_GB after the way from ``start`` to ``end`` past the packets t (m,) s with readings
+    (m, n, 3), and when that is."""
+    starts, stops, accel, gyro, valid = cut(t, accel, gyro, valid, start, end)
+    for k in range(len(stops)):
         w = body_rates(imu_of, parent, source, gain, R_GB, R_IB, bg, gyro[k], valid[k])
         f, felt = root_force(imu_of, R_IB, ba, accel[k], valid[k])
-        p, v, R_GB = move_nominal(p, v, R_GB, w, f, felt, stop[k] - start[k], coasting)
-    return p, v, R_GB
+        dt = stops[k] - starts[k]
+        p, v, R_GB = move_nominal(p, v, R_GB, w, f, felt, dt, coasting)
+        start = stops[k]
+    return p, v, R_GB, start

@@ -16,7 +16,7 @@ from scipy.linalg import cho_factor, cho_solve
 
 from tracker.fusion.chain import ChainEngine
 from tracker.fusion.chain_kinematics import segment_positions
-from tracker.fusion.imu_buffer import Readings
+from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.output import Sensed
 from tracker.fusion.params import ChainParams
@@ -169,10 +169,14 @@ class TapedChain(ChainEngine):
         super()._heard(sample)
         self._due.append(sample.t)
 
-    def _step(self, sample: Readings, dt: float) -> None:
+    def _step(self, way: Intervals, first: int) -> int:
         if self.taping:
-            self._note(Step(transition(self._state, self._layout, sample, dt)))
-        super()._step(sample, dt)
+            dt = float(way.stop[first] - way.start[first])
+            self._note(Step(transition(self._state, self._layout, way.mean(first), dt)))
+        return super()._step(way, first)
+
+    def _step_end(self, way: Intervals, first: int) -> int:
+        return first + 1
 
     def _stepped(self) -> None:
         super()._stepped()

@@ -90,11 +90,14 @@ class VistEngine(LaggedEngine[VistState]):
     def _heard(self, sample: ImuSample) -> None:
         self._track.felt[sample.valid] = sample.t
 
-    def _step(self, sample: Readings, dt: float) -> None:
-        self._move(self._state, sample, dt, covariance=True)
+    def _step(self, way: Intervals, first: int) -> int:
+        stop = float(way.stop[first])
+        self._move(self._state, way.mean(first), stop - self._state.t, covariance=True)
+        self._state.t = stop
+        return first + 1
 
-    def _coast(self, state: VistState, way: Intervals) -> None:
-        for sample, stop in way:
+    def _carry(self, state: VistState, t: float) -> None:
+        for sample, stop in self._buffer.intervals(state.t, t):
             self._move(state, sample, stop - state.t, covariance=False)
             state.t = stop
 
