@@ -7,6 +7,7 @@ from tracker.fusion.chain_kinematics import point_jacobians, tip_sd
 from tracker.fusion.kalman import update
 from tracker.fusion.layout import ChainLayout
 from tracker.fusion.output import INFERRED_SD, HandOutput, Sensed
+from tracker.fusion.output_kernel import sensed_lately
 from tracker.fusion.pixels_kernel import pixel_jacobians, stack_rows
 from tracker.fusion.reports import _details
 from tracker.fusion.sparse import joined, products, times
@@ -183,3 +184,15 @@ def test_details_of_a_picture_are_the_plain_ones() -> None:
         assert np.array_equal(sources[c], np.where(hit, source[c][match[c]], -1))
     assert np.array_equal(cov[rows], S) and np.isnan(np.delete(cov, rows, axis=0)).all()
     assert np.array_equal(visible, prior.max(axis=0)) and stereo == 3
+
+
+def test_a_segment_is_sensed_by_any_imu_or_marker_of_its() -> None:
+    rng = np.random.default_rng(15)
+    felt, seen = rng.uniform(0.0, 1.0, 4), rng.uniform(0.0, 1.0, 9)
+    felt[1] = seen[2] = -np.inf
+    imu_segment, marker_segment = np.array([0, 2, 3, 5]), rng.integers(0, 7, 9)
+    got = sensed_lately(felt, imu_segment, seen, marker_segment, 7, 1.0, 0.5)
+    expected = np.zeros(7, np.int64)
+    expected[imu_segment[1.0 - felt < 0.5]] = 1
+    expected[marker_segment[1.0 - seen < 0.5]] = 1
+    assert np.array_equal(got, expected) and 0 < got.sum() < 7

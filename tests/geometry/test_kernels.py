@@ -43,3 +43,18 @@ def test_inverse() -> None:
     root = np.random.default_rng(3).normal(size=(20, 3, 3))
     for M in root @ root.swapaxes(1, 2):
         assert np.allclose(kernels.inverse3(M) @ M, np.eye(3), atol=1e-8)
+
+
+def test_nearest_turn_is_kabschs() -> None:
+    """Of full rank, with a mirror image, of points in a plane, and of hardly anything."""
+    rng = np.random.default_rng(4)
+    cases = [*rng.normal(size=(20, 3, 3)), np.diag([1.0, 1.0, -0.5]), np.eye(3)]
+    cases += [np.outer(*rng.normal(size=(2, 3))) + np.outer(*rng.normal(size=(2, 3)))]
+    for M in cases:
+        U, _, Vt = np.linalg.svd(M)
+        expected = U @ np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))]) @ Vt
+        assert np.allclose(kernels.nearest_turn(M), expected, atol=1e-9)
+    for M in (np.zeros((3, 3)), np.outer(VECTORS[0], VECTORS[1])):
+        R = kernels.nearest_turn(M)
+        assert np.allclose(R @ R.T, np.eye(3), atol=1e-12) and np.linalg.det(R) > 0
+        assert np.trace(R.T @ M) >= np.linalg.norm(M) - 1e-9

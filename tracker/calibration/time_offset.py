@@ -19,12 +19,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tracker.geometry.kernels import act3, exp3, log3, mul3, tact3, tmul3
+from tracker.geometry.kernels import act3, exp3, log3, mul3, nearest_turn, tact3, tmul3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.kernels import kernel
 from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, IntArray
-from tracker.vision.rig import StereoRig
+from tracker.vision.rig import StereoRig, triangulated
 
 FLAT = 1e-6  # m², for markers on one line
 FIRST_SD = 0.003  # m of a marker about the rigid root, before it is measured
@@ -159,19 +159,14 @@ class TimeOffset:
         """The root's markers that both pictures show; None where they are few or do not fit."""
         if frame.left is None or frame.right is None:
             return None
-        left, right = result.match_left[self._markers], result.match_right[self._markers]
-        both = np.flatnonzero((left >= 0) & (right >= 0))
-        if len(both) < self._params.markers:
+        marker, left, right = _in_both(self._markers, result.match_left, result.match_right)
+        if len(marker) < self._params.markers:
             return None
-        p_C = self._rig.triangulate(
-            self._rig.left.rectify(frame.left.uv[left[both]]),
-            self._rig.right.rectify(frame.right.uv[right[both]]),
-        )
-        pose = frame.pose or self._rig.pose
-        p_G, marker = p_C @ pose.R_GC.T, self._markers[both]
-        if not np.isfinite(p_G).all():
-            return None
-        R_GB, misfit = rigid(p_G, self._nominal[marker])
+        pose, rig = frame.pose or self._rig.pose, self._rig
+        p_G, R_GB, misfit = _placed(
+            rig.left.rectify(frame.left.uv[left]), rig.right.rectify(frame.right.uv[right]),
+            rig.baseline, rig.fx, rig.fy, rig.cx, rig.cy, pose.R_GC, self._nominal[marker],
+        )  # fmt: skip
         return _View(frame.t, marker, p_G, R_GB) if misfit < self._params.misfit else None
 
     # ---- pairs
@@ -240,15 +235,53 @@ def rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
 def _rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
     """Compiled: numpy's checks would take longer than the arithmetic."""
     n = len(p_out)
-    a, b = np.empty_like(p_out), np.empty_like(p_in)
+    a, b, M = np.empty((n, 3)), np.empty((n, 3)), np.zeros((3, 3))
     for k in range(3):
         a[:, k] = p_out[:, k] - p_out[:, k].mean()
         b[:, k] = p_in[:, k] - p_in[:, k].mean()
-    u, _, vt = np.linalg.svd(a.T @ b)
-    if np.linalg.det(u @ vt) < 0:
-        u[:, 2] = -u[:, 2]
-    R = u @ vt
-    return R, float(np.sqrt(np.sum((a - b @ R.T) ** 2) / n))
+    for i in range(n):
+        for r in range(3):
+            for c in range(3):
+                M[r, c] += a[i, r] * b[i, c]
+    R, total = nearest_turn(M), 0.0
+    for i in range(n):
+        turned = act3(R, b[i])
+        for k in range(3):
+            total += (a[i, k] - turned[k]) ** 2
+    return R, float(np.sqrt(total / n))
+
+
+@kernel
+def _in_both(
+    markers: IntArray, left: IntArray, right: IntArray
+) -> tuple[IntArray, IntArray, IntArray]:
+    """Those of ``markers`` that both lenses show, and their rows left and right (M,), -1: none."""
+    seen = markers[(left[markers] >= 0) & (right[markers] >= 0)]
+    return seen, left[seen], right[seen]
+
+
+@kernel
+def _placed(
+    left: Array,
+    right: Array,
+    baseline: float,
+    fx: float,
+    fy: float,
+    cx: float,
+    cy: float,
+    R_GC: Array,
+    nominal: Array,
+) -> tuple[Array, Array, float]:
+    """p_G (n, 3) m but for the camera's place, R_GB (3, 3) and misfit (m) of points whose rectified
+    pixels left and right (n, 2) are; nominal (n, 3) m in B. Infinite where one is behind the lens.
+    """
+    p_G = triangulated(left, right, baseline, fx, fy, cx, cy)
+    for k in range(len(p_G)):
+        p_G[k] = act3(R_GC, p_G[k])
+    if not np.isfinite(np.sum(p_G)):
+        return p_G, np.eye(3), np.inf
+    R_GB, misfit = _rigid(p_G, nominal)
+    return p_G, R_GB, misfit
 
 
 @kernel

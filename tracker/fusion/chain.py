@@ -27,6 +27,7 @@ from tracker.fusion.mono_start import (
     with_unsure_distance,
 )
 from tracker.fusion.output import HandOutput, Sensed
+from tracker.fusion.output_kernel import sensed_lately
 from tracker.fusion.params import ChainParams
 from tracker.fusion.pixels import PixelModel, Prediction, SeenBlobs, Tally, seen_blobs
 from tracker.fusion.previous import Previous
@@ -377,11 +378,11 @@ class ChainEngine(CalibratedChain):
         )
 
     def _sensed(self, t: float) -> IntArray:
-        lay = self._layout
-        out = np.zeros(len(lay.active), np.int64)
-        out[lay.imu_segment[t - self._track.felt < SEEN_LATELY]] = 1
-        out[lay.marker_segment[t - self._track.seen < SEEN_LATELY]] = 1
-        return out
+        lay, track = self._layout, self._track
+        return sensed_lately(
+            track.felt, lay.imu_segment, track.seen, lay.marker_segment, len(lay.active),
+            t, SEEN_LATELY,
+        )  # fmt: skip
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
         if self._track.tracking in (Tracking.SEARCHING, Tracking.LOST):

@@ -37,6 +37,22 @@ def whole_hand(  # type: ignore[no-untyped-def]
 
 
 @kernel
+def sensed_lately(  # type: ignore[no-untyped-def]
+    felt, imu_segment, seen, marker_segment, segments, t, lately
+):  # fmt: skip
+    """(A,) 1 for each of the active ``segments`` with an IMU that answered, or a marker that was
+    seen, less than ``lately`` s before ``t``; felt (n,) and seen (M,) s say when each was last."""
+    out = np.zeros(segments, np.int64)
+    for j in range(len(felt)):
+        if t - felt[j] < lately:
+            out[imu_segment[j]] = 1
+    for j in range(len(seen)):
+        if t - seen[j] < lately:
+            out[marker_segment[j]] = 1
+    return out
+
+
+@kernel
 def keypoint_places(segment, offset, R, p, scale):  # type: ignore[no-untyped-def]
     """Keypoints (K, 3) m in G and their quaternions (K, 4).
 

@@ -71,6 +71,69 @@ def inverse3(M):  # type: ignore[no-untyped-def]
 
 
 @kernel
+def nearest_turn(M):  # type: ignore[no-untyped-def]
+    """The rotation R (3, 3) with the largest trace of R^T M, for any M (3, 3): Kabsch's.
+
+    From the eigenvectors V of M^T M, by Jacobi's rotations, longest first: M V is orthogonal, and
+    the third axes follow from the first two, so that R never mirrors.
+    """
+    A, V = tmul3(M, M), np.eye(3)
+    for _ in range(12):  # sweeps; a handful do
+        off = A[0, 1] ** 2 + A[0, 2] ** 2 + A[1, 2] ** 2
+        if off <= 1e-32 * (A[0, 0] ** 2 + A[1, 1] ** 2 + A[2, 2] ** 2):
+            break
+        for i in range(2):
+            for j in range(i + 1, 3):
+                _turn_away(A, V, i, j)
+    order = np.argsort(np.array([-A[0, 0], -A[1, 1], -A[2, 2]]))
+    v_1, v_2 = V[:, order[0]], V[:, order[1]]
+    u_1 = _normalised(act3(M, v_1), v_1)
+    u_2 = act3(M, v_2)
+    u_2 = _normalised(u_2 - np.sum(u_1 * u_2) * u_1, across3(u_1))
+    return outer3(u_1, v_1) + outer3(u_2, v_2) + outer3(cross3(u_1, u_2), cross3(v_1, v_2))
+
+
+@kernel
+def _turn_away(A, V, i, j):  # type: ignore[no-untyped-def]
+    """Jacobi's rotation that makes A[i, j] of a symmetric A (3, 3) zero; V (3, 3) turns along."""
+    if A[i, j] == 0.0:
+        return
+    tau = (A[j, j] - A[i, i]) / (2.0 * A[i, j])
+    t = (1.0 if tau >= 0 else -1.0) / (abs(tau) + np.sqrt(1.0 + tau * tau))
+    c = 1.0 / np.sqrt(1.0 + t * t)
+    s = t * c
+    for k in range(3):
+        A[k, i], A[k, j] = c * A[k, i] - s * A[k, j], s * A[k, i] + c * A[k, j]
+    for k in range(3):
+        A[i, k], A[j, k] = c * A[i, k] - s * A[j, k], s * A[i, k] + c * A[j, k]
+        V[k, i], V[k, j] = c * V[k, i] - s * V[k, j], s * V[k, i] + c * V[k, j]
+
+
+@kernel
+def _normalised(v, instead):  # type: ignore[no-untyped-def]
+    """v (3,) at unit length; ``instead`` where it has none."""
+    length = np.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+    return v / length if length > 0.0 else instead.copy()
+
+
+@kernel
+def across3(v):  # type: ignore[no-untyped-def]
+    """A unit vector across v (3,)."""
+    x = np.array([0.0, -v[2], v[1]]) if abs(v[0]) < 0.6 else np.array([-v[1], v[0], 0.0])
+    return x / np.sqrt(np.sum(x * x))
+
+
+@kernel
+def outer3(a, b):  # type: ignore[no-untyped-def]
+    """a b^T of two (3,) vectors."""
+    out = np.empty((3, 3))
+    for i in range(3):
+        for j in range(3):
+            out[i, j] = a[i] * b[j]
+    return out
+
+
+@kernel
 def turn_all(R, v):  # type: ignore[no-untyped-def]
     """R (n, 3, 3) times Exp of v (n, 3)."""
     out = np.empty_like(R)

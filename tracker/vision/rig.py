@@ -104,7 +104,7 @@ class StereoRig:
 
     def triangulate(self, left: Array, right: Array) -> Array:
         """Rectified pixel pairs (n, 2), (n, 2) to points (n, 3) of C; NaN where disparity ≤ 0."""
-        return _triangulate(left, right, self.baseline, self.fx, self.fy, self.cx, self.cy)
+        return triangulated(left, right, self.baseline, self.fx, self.fy, self.cx, self.cy)
 
 
 @kernel
@@ -121,7 +121,7 @@ def projected(p_C, shift, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _triangulate(left, right, baseline, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
+def triangulated(left, right, baseline, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
     """(n, 3) of C, of rectified pixels left and right (n, 2)."""
     out = np.empty((len(left), 3))
     for k in range(len(left)):
