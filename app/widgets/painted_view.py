@@ -1,7 +1,7 @@
 """The 3D view of every machine: our own renderer makes a picture, Qt paints it.
 
-It needs neither OpenGL nor a graphics card. On software GL a QOpenGLWidget would make Qt compose the
-whole window in GL, which halves the window's rate. `QWidget.grab` sees what is painted.
+It needs neither OpenGL nor a graphics card. On software GL a QOpenGLWidget would make Qt compose
+the whole window in GL, which halves the window's rate. `QWidget.grab` sees what is painted.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.widgets.meshes import Mesh, mesh_of
-from app.widgets.raster.solids import block_distance, block_normal
+from app.widgets.raster.solids import block_surface
 from app.widgets.shapes import Block, Capsule, Disc, ball
 
 OBLIQUE = np.array([0.6, 0.0, -0.8])
@@ -65,10 +65,10 @@ def test_a_block_has_the_size_it_was_given() -> None:
 def test_a_blocks_mesh_is_the_surface_that_is_painted() -> None:
     """One shape, two renderers."""
     shape = Block(np.array([0.05, 0.04, 0.01]))
-    for point, normal in zip(*(BODIES["block"].points, BODIES["block"].normals), strict=True):
-        assert abs(block_distance(*point, *shape.half, shape.corner, shape.edge)) < 1e-9
-        np.testing.assert_allclose(
-            block_normal(*point * 0.999999 + 1e-6 * normal, *shape.half, shape.corner, shape.edge),
-            normal,
-            atol=0.02,
-        )
+    sizes = (*shape.half, shape.corner, shape.edge)
+    mesh = BODIES["block"]
+    for point, normal in zip(mesh.points, mesh.normals, strict=True):
+        away = block_surface(*point, *sizes)[0]
+        assert away == pytest.approx(0.0, abs=1e-9)
+        outside = block_surface(*(point + 0.01 * normal), *sizes)
+        np.testing.assert_allclose(outside, [0.01, *normal], atol=1e-6)

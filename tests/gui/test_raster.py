@@ -49,7 +49,7 @@ def test_a_ball_covers_the_circle_of_its_tangent_cone(radius: float) -> None:
     cover = cover_of(ball(radius))
     half_a_ray = 0.125  # of the four through each pixel of the edge
     assert cover.sum() == pytest.approx(np.pi * seen**2, abs=half_a_ray * 2 * np.pi * seen)
-    assert middle(cover) == pytest.approx((WIDTH / 2, HEIGHT / 2), abs=0.02)
+    assert middle(cover) == pytest.approx((WIDTH / 2, HEIGHT / 2), abs=0.1)
 
 
 def test_a_capsule_across_covers_its_tangents_and_caps() -> None:

@@ -71,4 +71,6 @@ def _cover(off: float, room: float, e: Vector, n: Vector, d: Vector, scale: floa
     steep = (e[0] * d[0] + e[1] * d[1] + e[2] * d[2]) / facing
     along = e[0] * n[0] + e[1] * n[1] + e[2] * n[2]
     px = scale / np.sqrt(max(1.0 - 2 * along * steep + steep * steep, 1e-9))
-    return min(max(0.5 * WIDTH_PX + 0.5 - off * px, 0.0), 1.0) * min(1.0, room * px / CROWDED_PX)
+    crossed = min(1.0, 4.0 * (1.0 - along * along))  # a side that lies along a line shows no line
+    cover = min(max(0.5 * WIDTH_PX + 0.5 - off * px, 0.0), 1.0)
+    return cover * crossed * min(1.0, room * px / CROWDED_PX)

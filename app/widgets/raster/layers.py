@@ -49,32 +49,20 @@ def gather(view: View, items: IntArray, first: int, stop: int, rays: int, bundle
 def _meet(view: View, i: int, side: float, rays: int, bundle: Bundle) -> None:
     """The depths at which the rays meet solid i, as `solids` has them, into ``found``."""
     xs, ys, found, places, forms = bundle.x, bundle.y, bundle.found, view.places, view.forms
-    a0, a1, a2, b0, b1, b2 = (
-        places[i, 0],
-        places[i, 1],
-        places[i, 2],
-        places[i, 3],
-        places[i, 4],
-        places[i, 5],
-    )
-    c0, c1, c2 = places[i, 6], places[i, 7], places[i, 8]
+    r0, r1, r2 = places[i, 0], places[i, 1], places[i, 2]  # R_CS row by row
+    r3, r4, r5 = places[i, 3], places[i, 4], places[i, 5]
+    r6, r7, r8 = places[i, 6], places[i, 7], places[i, 8]
     ox, oy, oz = places[i, 9], places[i, 10], places[i, 11]
     f0, f1, f2, f3, f4 = forms[i, 0], forms[i, 1], forms[i, 2], forms[i, 3], forms[i, 4]
     kind = view.kinds[i]
-    if kind == CAPSULE:
-        for k in range(rays):
-            x, y = xs[k], ys[k]
-            dx, dy, dz = a0 * x + b0 * y + c0, a1 * x + b1 * y + c1, a2 * x + b2 * y + c2
+    for k in range(rays):
+        x, y = xs[k], ys[k]
+        dx, dy, dz = r0 * x + r3 * y + r6, r1 * x + r4 * y + r7, r2 * x + r5 * y + r8
+        if kind == CAPSULE:
             found[k] = capsule_depth(ox, oy, oz, dx, dy, dz, f0, f1, side)
-    elif kind == BLOCK:
-        for k in range(rays):
-            x, y = xs[k], ys[k]
-            dx, dy, dz = a0 * x + b0 * y + c0, a1 * x + b1 * y + c1, a2 * x + b2 * y + c2
+        elif kind == BLOCK:
             found[k] = block_depth(ox, oy, oz, dx, dy, dz, f0, f1, f2, f3, f4, side)
-    else:
-        for k in range(rays):
-            x, y = xs[k], ys[k]
-            dx, dy, dz = a0 * x + b0 * y + c0, a1 * x + b1 * y + c1, a2 * x + b2 * y + c2
+        else:
             found[k] = disc_depth(ox, oy, oz, dx, dy, dz, f0, f1, side)
 
 

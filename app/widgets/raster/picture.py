@@ -1,4 +1,4 @@
-"""The picture: a ray through the middle of each pixel, four more where surfaces meet."""
+"""The picture: a ray through the middle of each pixel, three more where surfaces meet."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Numbers = npt.NDArray[np.int32]
 Bool = npt.NDArray[np.bool_]
 
 FIRST_PAIRS = 4096
-CORNERS = ((-0.125, -0.375), (0.375, -0.125), (-0.375, 0.125), (0.125, 0.375))
-"""px from a pixel's middle: no two in one row or column."""
-RAYS = TILE * TILE * len(CORNERS)
-FAINT = 10
+MORE = ((0.376, 0.137), (-0.306, 0.257), (-0.069, -0.394))
+"""px from a pixel's middle where more rays go: with the first, no two in one row or column."""
+RAYS = TILE * TILE * len(MORE)
+FAINT = 16
 """Steps of 255 by which colours may differ without anybody seeing stairs."""
 
 
@@ -74,11 +74,11 @@ def _middle_rays(
 ) -> int:
     """A ray through the middle of each pixel of a tile, and which pixel; how many."""
     rays, (height, width) = 0, image.shape
-    xs, ys = bundle.x, bundle.y
+    xs, ys, focal, middle_u, middle_v = bundle.x, bundle.y, view.focal, view.middle_u, view.middle_v
     for v in range(top, min(top + TILE, height)):
         for u in range(left, min(left + TILE, width)):
-            xs[rays] = (u + 0.5 - view.middle_u) / view.focal
-            ys[rays] = (v + 0.5 - view.middle_v) / view.focal
+            xs[rays] = (u + 0.5 - middle_u) / focal
+            ys[rays] = (v + 0.5 - middle_v) / focal
             at[rays, 0], at[rays, 1] = v, u
             rays += 1
     return rays
@@ -88,18 +88,27 @@ def _middle_rays(
 def _edge_rays(
     view: View, image: Pixels, numbers: Numbers, top: int, left: int, at: IntArray, bundle: Bundle
 ) -> int:
-    """`CORNERS` rays one after another through each pixel of a tile whose neighbour shows
+    """`MORE` rays one after another through each pixel of a tile whose neighbour shows
     something else."""
     rays, (height, width) = 0, image.shape
-    xs, ys = bundle.x, bundle.y
+    xs, ys, focal, middle_u, middle_v = bundle.x, bundle.y, view.focal, view.middle_u, view.middle_v
     for v in range(top, min(top + TILE, height)):
+        above, below = max(v - 1, 0), min(v + 1, height - 1)
         for u in range(left, min(left + TILE, width)):
-            if _is_edge(image, numbers, v, u):
-                for du, dv in CORNERS:
-                    xs[rays] = (u + 0.5 + du - view.middle_u) / view.focal
-                    ys[rays] = (v + 0.5 + dv - view.middle_v) / view.focal
-                    at[rays, 0], at[rays, 1] = v, u
-                    rays += 1
+            before, after = max(u - 1, 0), min(u + 1, width - 1)
+            mine, colour = numbers[v, u], image[v, u]
+            if not (
+                (numbers[v, before] != mine and _differ(image[v, before], colour))
+                or (numbers[v, after] != mine and _differ(image[v, after], colour))
+                or (numbers[above, u] != mine and _differ(image[above, u], colour))
+                or (numbers[below, u] != mine and _differ(image[below, u], colour))
+            ):
+                continue
+            for du, dv in MORE:
+                xs[rays] = (u + 0.5 + du - middle_u) / focal
+                ys[rays] = (v + 0.5 + dv - middle_v) / focal
+                at[rays, 0], at[rays, 1] = v, u
+                rays += 1
     return rays
 
 
@@ -115,37 +124,31 @@ def _paint(
 
 @kernel(error_model="numpy")
 def _mix(rays: int, at: IntArray, colour: Array, image: Pixels) -> None:
-    """The mean of `CORNERS` rays to their pixel."""
-    share = 1.0 / len(CORNERS)
-    for k in range(0, rays, len(CORNERS)):
-        red, green, blue = 0.0, 0.0, 0.0
-        for j in range(k, k + len(CORNERS)):
+    """The mean of `MORE` rays and the first one to their pixel."""
+    share = 1.0 / (len(MORE) + 1)
+    for k in range(0, rays, len(MORE)):
+        v, u = at[k, 0], at[k, 1]
+        before = image[v, u]
+        red, green, blue = (
+            (before >> 16 & 255) / 255,
+            (before >> 8 & 255) / 255,
+            (before & 255) / 255,
+        )
+        for j in range(k, k + len(MORE)):
             red, green, blue = red + colour[j, 0], green + colour[j, 1], blue + colour[j, 2]
-        image[at[k, 0], at[k, 1]] = packed((share * red, share * green, share * blue))
+        image[v, u] = packed((share * red, share * green, share * blue))
 
 
-@kernel(error_model="numpy")
-def _is_edge(image: Pixels, numbers: Numbers, v: int, u: int) -> bool:
-    """Whether a neighbour of a pixel shows other bodies in another colour."""
-    height, width = image.shape
-    for dv, du in ((0, -1), (0, 1), (-1, 0), (1, 0)):
-        y, x = v + dv, u + du
-        inside = 0 <= y < height and 0 <= x < width
-        if inside and numbers[y, x] != numbers[v, u] and _differ(image[y, x], image[v, u]):
-            return True
-    return False
-
-
-@kernel(error_model="numpy")
+@kernel(error_model="numpy", inline="always")
 def _differ(a: int, b: int) -> bool:
     """Whether two colours 0xFFRRGGBB differ by more than `FAINT` in one part."""
-    for shift in (0, 8, 16):
-        if abs(np.int64(a >> shift & 255) - np.int64(b >> shift & 255)) > FAINT:
-            return True
-    return False
+    red = abs(np.int64(a >> 16 & 255) - np.int64(b >> 16 & 255))
+    green = abs(np.int64(a >> 8 & 255) - np.int64(b >> 8 & 255))
+    blue = abs(np.int64(a & 255) - np.int64(b & 255))
+    return bool(max(red, green, blue) > FAINT)
 
 
-@kernel(error_model="numpy")
+@kernel(error_model="numpy", inline="always")
 def packed(colour: tuple[float, float, float]) -> np.uint32:
     """Red, green and blue, shares of one, as 0xFFRRGGBB."""
     red = np.uint32(min(max(colour[0], 0.0), 1.0) * 255.0 + 0.5)

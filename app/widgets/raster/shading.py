@@ -16,14 +16,11 @@ def _lamp(azimuth_deg: float, elevation_deg: float, strength: float) -> tuple[fl
     return float(way[0]), float(way[1]), float(way[2]), strength
 
 
-LAMPS = (
-    _lamp(10, 50, 0.75),  # the key light
-    _lamp(0, -75, 0.25),  # fills what the key light leaves
-    _lamp(0, 0, 0.25),  # at the camera
-    _lamp(110, 0, 0.21),  # two from behind draw the edges
-    _lamp(-110, 0, 0.21),
-)
-"""As a photographer's light kit (and VTK's): shares of the key light, directions as there."""
+KEY = _lamp(10, 50, 0.75)
+FILL = _lamp(0, -75, 0.25)  # what the key light leaves
+HEAD = 0.25  # strength of the lamp at the camera
+EDGE = _lamp(110, 0, 0.21)  # from behind, on either side, where it draws the edges
+"""As a photographer's light kit (and VTK's) has them."""
 
 
 def _halfway(lamp: tuple[float, ...]) -> tuple[float, ...]:
@@ -33,7 +30,7 @@ def _halfway(lamp: tuple[float, ...]) -> tuple[float, ...]:
     return float(unit[0]), float(unit[1]), float(unit[2])
 
 
-GLOSS = _halfway(LAMPS[0])
+GLOSS = _halfway(KEY)
 GLOSS_TURNS = 4
 """The shine is the cosine, squared so many times."""
 
@@ -47,8 +44,10 @@ def lit(R_CS: Rotation, n_S: Vector, ambient: float, specular: float) -> tuple[f
         R_CS[6] * n_S[0] + R_CS[7] * n_S[1] + R_CS[8] * n_S[2],
     )
     bright = ambient
-    for x, y, z, strength in LAMPS:
-        bright += strength * max(x * n[0] + y * n[1] + z * n[2], 0.0)
+    bright += KEY[3] * max(KEY[0] * n[0] + KEY[1] * n[1] + KEY[2] * n[2], 0.0)
+    bright += FILL[3] * max(FILL[1] * n[1] + FILL[2] * n[2], 0.0)
+    bright += HEAD * max(-n[2], 0.0)
+    bright += EDGE[3] * max(EDGE[0] * abs(n[0]) + EDGE[2] * n[2], 0.0)
     if specular == 0.0:
         return bright, 0.0
     shine = max(GLOSS[0] * n[0] + GLOSS[1] * n[1] + GLOSS[2] * n[2], 0.0)

@@ -18,7 +18,7 @@ Rotation = tuple[float, float, float, float, float, float, float, float, float]
 """Row by row."""
 
 TOLERANCE = 2e-5  # m, of a block's surface
-STEPS = 48
+STEPS = 24
 
 
 @kernel(error_model="numpy", inline="always")
@@ -98,21 +98,11 @@ def box_span(
 
 
 @kernel(error_model="numpy", inline="always")
-def block_distance(
+def block_surface(
     x: float, y: float, z: float, hx: float, hy: float, hz: float, corner: float, edge: float
-) -> float:
-    """How far (m) a point is from a block's surface, less than 0 inside."""
-    qx, qy = abs(x) - hx + corner, abs(y) - hy + corner
-    plan = np.sqrt(qx * qx + qy * qy) if qx > 0.0 and qy > 0.0 else max(qx, qy)
-    a, b = plan - corner + edge, abs(z) - hz + edge
-    return (np.sqrt(a * a + b * b) if a > 0.0 and b > 0.0 else max(a, b)) - edge
-
-
-@kernel(error_model="numpy", inline="always")
-def block_normal(
-    x: float, y: float, z: float, hx: float, hy: float, hz: float, corner: float, edge: float
-) -> Vector:
-    """The way in which `block_distance` grows most."""
+) -> tuple[float, float, float, float]:
+    """How far (m) a point is from a block's surface, less than 0 inside; and in which direction
+    that grows most: the normal."""
     qx, qy = abs(x) - hx + corner, abs(y) - hy + corner
     plan, gx = max(qx, qy), 1.0 if qx > qy else 0.0
     gy = 1.0 - gx
@@ -120,12 +110,13 @@ def block_normal(
         plan = np.sqrt(qx * qx + qy * qy)
         gx, gy = qx / plan, qy / plan
     a, b = plan - corner + edge, abs(z) - hz + edge
-    ga = 1.0 if a > b else 0.0
+    away, ga = max(a, b), 1.0 if a > b else 0.0
     gb = 1.0 - ga
     if a > 0.0 and b > 0.0:
         away = np.sqrt(a * a + b * b)
         ga, gb = a / away, b / away
-    return np.copysign(ga * gx, x), np.copysign(ga * gy, y), np.copysign(gb, z)
+    nx, ny, nz = np.copysign(ga * gx, x), np.copysign(ga * gy, y), np.copysign(gb, z)
+    return away - edge, nx, ny, nz
 
 
 @kernel(error_model="numpy", inline="always")
@@ -133,18 +124,22 @@ def block_depth(
     ox: float, oy: float, oz: float, dx: float, dy: float, dz: float,
     hx: float, hy: float, hz: float, corner: float, edge: float, side: float,
 ) -> float:  # fmt: skip
-    """Stepping by the distance to the surface, from the box that holds the block."""
+    """By Newton's steps from the box that holds the block.
+
+    The distance to a convex body is convex along a ray, so that no step goes too far, and a ray
+    that no longer comes nearer misses.
+    """
     enters, leaves = box_span(ox, oy, oz, dx, dy, dz, hx, hy, hz)
     if enters > leaves:
         return 0.0
-    t, last = (enters, leaves) if side < 0.0 else (leaves, enters)
-    step = -side / np.sqrt(dx * dx + dy * dy + dz * dz)
+    t = enters if side < 0.0 else leaves
     for _ in range(STEPS):
         x, y, z = ox + t * dx, oy + t * dy, oz + t * dz
-        away = block_distance(x, y, z, hx, hy, hz, corner, edge)
+        away, nx, ny, nz = block_surface(x, y, z, hx, hy, hz, corner, edge)
         if away < TOLERANCE:
             return t
-        t += step * away
-        if side * (last - t) > 0.0:
+        slope = nx * dx + ny * dy + nz * dz
+        if side * slope <= 0.0:
             break
+        t -= away / slope
     return 0.0

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.widgets.raster.solids import Vector
 from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
@@ -66,13 +65,3 @@ def new_bundle(rays: int) -> Bundle:
         np.empty(layers), np.empty(layers), np.empty(layers, np.int64),
         np.empty(rays), np.empty(rays), np.empty((rays, 3)), np.empty(rays, np.int64),
     )  # fmt: skip
-
-
-@kernel(error_model="numpy")
-def ray_in(places: Array, i: int, x: float, y: float) -> Vector:
-    """The ray (x, y, 1) in the frame S of body i."""
-    return (
-        places[i, 0] * x + places[i, 3] * y + places[i, 6],
-        places[i, 1] * x + places[i, 4] * y + places[i, 7],
-        places[i, 2] * x + places[i, 5] * y + places[i, 8],
-    )
