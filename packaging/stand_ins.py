@@ -2,7 +2,7 @@
 
     python packaging/stand_ins.py BUNDLE
 
-``BUNDLE`` is the folder with the program's libraries (``_internal``). Replaced are, 90 MB together:
+``BUNDLE`` is the folder with the program's libraries (``_internal``). Replaced are, 89 MB together:
 
 - ICU's data (``libicudata``): Qt has the languages' data itself and asks ICU for legacy text
   encodings and for sorting by a language's rules. ICU's own answer for programs without them is

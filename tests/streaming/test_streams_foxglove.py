@@ -197,6 +197,7 @@ def test_unsubscribing_ends_a_topic_and_leaves_the_other(
     [
         ("nonsense", "not understood"),
         ("[]", "not understood"),
+        ("[" * 60000, "not understood"),
         ('{"op": "subscribe"}', "not understood"),
         ('{"op": "subscribe", "subscriptions": [{"id": -1, "channelId": 1}]}', "not understood"),
         ('{"op": "subscribe", "subscriptions": [{"id": 1, "channelId": 99}]}', "no channel 99"),

@@ -87,7 +87,7 @@ class Subscriptions:
                 self.by_channel = {c: s for c, s in self.by_channel.items() if s not in gone}
             else:
                 raise ProtocolError(f"Glovetrack has no operation {op!r}.")
-        except (ValueError, KeyError, TypeError) as error:
+        except (ValueError, KeyError, TypeError, RecursionError) as error:
             raise ProtocolError(f"This message is not understood: {error!r}.") from error
 
     def _add(self, subscription: int, channel: int) -> None:
