@@ -15,6 +15,7 @@ from tracker.fusion.profile import WearerProfile, profile_of, wear
 from tracker.fusion.reports import calibration_of
 from tracker.fusion.start import Starter
 from tracker.fusion.state import ChainState
+from tracker.geometry.kernels import relative_turns
 from tracker.messages import Calibration, CameraPose, IntArray
 
 AROUND = (-0.01, 0.0, 0.01)  # s: neighbours that give an angular acceleration
@@ -87,11 +88,13 @@ class CalibratedChain(LaggedEngine[ChainState]):
     def _calibrate(self, seen: tuple[SeenBlobs, ...], match: IntArray, pose: CameraPose) -> None:
         """Remember this posture if it is worth it, and go a step on with the keyframes' bundle."""
         if self._bundle.wants(self._work, self._state.t):
-            around = tuple(self._buffer.at(self._state.t + d) for d in AROUND)
-            frame = keyframe_of(
-                self._state, self._layout, seen, match, pose, around, self._params.bundle
-            )
-            self._bundle.offer(self._work, frame)
+            relative = relative_turns(self._state.R_GB, self._layout.parent)
+            if self._bundle.lacks(self._work, relative):
+                around = tuple(self._buffer.at(self._state.t + d) for d in AROUND)
+                frame = keyframe_of(
+                    self._state, seen, match, pose, around, relative, self._params.bundle
+                )
+                self._bundle.offer(self._work, frame)
         found = self._bundle.step(self._work, self._state)
         if found is not None:
             adopt(self._state, self._layout, found)

@@ -7,11 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from tracker.fusion.imu_buffer import Readings
-from tracker.fusion.layout import ChainLayout
 from tracker.fusion.params import BundleParams
 from tracker.fusion.pixels import SeenBlobs
 from tracker.fusion.state import ChainState
-from tracker.geometry.kernels import relative_turns
 from tracker.messages import Array, CameraPose, IntArray
 
 MAX_RATE = 4.0  # rad/s: faster than this a picture smears and the accelerometers feel the motion
@@ -36,33 +34,38 @@ class Keyframes:
 
     kept: list[Keyframe] = field(default_factory=list)
 
+    def lacks(self, relative: Array, params: BundleParams) -> bool:
+        """Whether a posture, as `Keyframe.relative`, is like none of those kept."""
+        apart = self._distances(relative)
+        return not len(apart) or bool(apart.min() >= params.apart)
+
     def offer(self, frame: Keyframe, params: BundleParams) -> None:
         """Keep ``frame`` if its posture is new."""
-        apart = self._distances(frame)
-        if len(apart) and apart.min() < params.apart:
+        if not self.lacks(frame.relative, params):
             return
         if len(self.kept) < params.keyframes:
             self.kept.append(frame)
             return
-        between = np.array([self._distances(k) for k in self.kept])
+        apart = self._distances(frame.relative)
+        between = np.array([self._distances(k.relative) for k in self.kept])
         np.fill_diagonal(between, np.inf)
         least = int(between.min(axis=1).argmin())
         if np.delete(apart, least).min() > between[least].min():
             self.kept[least] = frame
 
-    def _distances(self, frame: Keyframe) -> Array:
+    def _distances(self, relative: Array) -> Array:
         """(k,) rad: root of the summed squares over all joints."""
-        others = np.array([k.relative for k in self.kept]).reshape(-1, *frame.relative.shape)
-        return np.sqrt(np.sum((others - frame.relative) ** 2, axis=(1, 2)))
+        others = np.array([k.relative for k in self.kept]).reshape(-1, *relative.shape)
+        return np.sqrt(np.sum((others - relative) ** 2, axis=(1, 2)))
 
 
 def keyframe_of(
     state: ChainState,
-    layout: ChainLayout,
     seen: tuple[SeenBlobs, ...],
     match: IntArray,
     pose: CameraPose,
     packets: tuple[Readings | None, ...],
+    relative: Array,
     params: BundleParams,
 ) -> Keyframe | None:
     """The posture of ``state``, or None where too little is seen or it moves too fast."""
@@ -75,6 +78,4 @@ def keyframe_of(
     for c in range(2):
         hit = np.flatnonzero(match[c] >= 0)
         uv[c, hit] = seen[c].uv[match[c, hit]]
-    R = state.R_GB.copy()
-    turns = relative_turns(R, layout.parent)
-    return Keyframe(state.p.copy(), R, uv, pose, (before, now, after), turns)
+    return Keyframe(state.p.copy(), state.R_GB.copy(), uv, pose, (before, now, after), relative)

@@ -70,6 +70,10 @@ class Bundle:
         work.asked_at = t
         return True
 
+    def lacks(self, work: BundleWork, relative: Array) -> bool:
+        """Whether a posture (`Keyframe.relative`) is new."""
+        return work.keyframes.lacks(relative, self._params)
+
     def offer(self, work: BundleWork, frame: Keyframe | None) -> None:
         """Remember a posture."""
         if frame is not None:
