@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
+from app.demo_camera import start_camera
 from app.process import prepare_process
 from resources import folder
 from tracker import __version__
@@ -40,9 +41,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     app.setDesktopFileName("glovetrack")
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
     if args.headless_report is not None:
+        camera = start_camera(fps=args.fps)  # before the window is even imported
         from app.report import headless_report
 
-        return headless_report(app, args.headless_report, args.out, args.fps)
+        return headless_report(app, args.headless_report, args.out, args.fps, camera)
     return _run(app, args)
 
 
@@ -64,6 +66,7 @@ def _run(app: QApplication, args: argparse.Namespace) -> int:
 def _show(
     app: QApplication, args: argparse.Namespace, crashes: CrashWatch, instance: Instance
 ) -> int:
+    camera = start_camera(fps=args.fps) if args.demo else None
     from app.main_window import MainWindow
 
     window = MainWindow(crashes=crashes)
@@ -74,7 +77,7 @@ def _show(
     window.outputs.use(args.streams)
     window.show()
     if args.demo:
-        window.start_demo(args.fps)
+        window.start_demo(args.fps, camera)
     elif args.session is not None:
         window.open_session(args.session)
     return app.exec()

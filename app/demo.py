@@ -7,15 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 
+from app.demo_camera import DURATION, demo_spec, start_camera
 from app.engine import EngineSetup, Recorder, RecordingRequest, Truth
 from app.recorder import recorder_maker
 from app.tasks import Progress
+from app.warm_up import warm_up
 from tracker import library
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError
 from tracker.geometry import so3
-from tracker.messages import BlobFrame, Estimate, ImuSample, Message, Validity
+from tracker.messages import Estimate, Message, Validity
 from tracker.pipeline import Pipeline
 from tracker.runner import LiveTracker
 from tracker.sensors.glove_link import GloveLink, serial_port
@@ -24,30 +26,28 @@ from tracker.session.writer import SessionRecorder
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.simulation.demo import DemoSpec, build
 from tracker.simulation.glove_device import SimulatedGlove
-from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.scenario import Truth as SimulatedTruth
 from tracker.vision.colours import ColourProfile, parse_profile
-from tracker.vision.detector import Detector, detect_frame
+from tracker.vision.detector import Detector
 
-DURATION = 900.0
-"""s of motion; the hand then rests where it is."""
-WARM_UP = 0.6  # s of motion: found, corrected and told once, which needs every kernel
-LEAD = 0.5  # s until the devices begin: a recording asked for at once misses nothing
+LEAD = 0.25  # s until the devices begin: a recording asked for at once misses nothing
 CAMERA_TIMEOUT = 120.0
 TRUTHS_AT_ONCE = 25
-HAND, GLOVE = "reference-right", "vist-small"
 CAMERA = "simulated camera"
 
 
-def demo_setup(progress: Progress, seed: int, fps: float) -> EngineSetup:
-    """Build everything and compile what is compiled; takes a few seconds the first time."""
+def demo_setup(
+    progress: Progress, seed: int, fps: float, camera: SimulatedCamera | None = None
+) -> EngineSetup:
+    """Build everything; takes a minute or so the first time where no kernel is compiled.
+
+    ``camera``: one that was started before, for the same seed and rate.
+    """
     progress(0.1, "a simulated wearer and camera")
-    hand_text, glove_text = library.text("hands", HAND), library.text("gloves", GLOVE)
-    spec = DemoSpec(hand_text, glove_text, seed, DURATION, fps)
-    camera = SimulatedCamera(spec)  # its own process gets ready beside us
+    camera = camera or start_camera(seed, fps)  # its own process gets ready beside us
     try:
-        return _setup_with(progress, spec, camera)
+        return _setup_with(progress, demo_spec(seed, fps), camera)
     except BaseException:  # Ctrl+C too must not leave the camera's process behind
         camera.close()
         raise
@@ -64,7 +64,7 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
         return Detector(colours, size, simulation.rig.fx)
 
     progress(0.5, "first picture")
-    _warm_up(simulation, make_detector(profile))
+    warm_up(simulation.hand, simulation.glove, make_detector(profile))
     progress(0.9, "devices")
     if not camera.wait_ready(CAMERA_TIMEOUT):
         raise DeviceError("The simulated camera did not start.")
@@ -121,26 +121,6 @@ def _info(
         engine=pipeline.settings.engine,
         simulated=True,
     )
-
-
-def _warm_up(simulation: Simulation, detector: Detector) -> None:
-    """A picture and a second of points: kernels are compiled before the clock runs."""
-    hand, glove = simulation.hand, simulation.glove
-    motion = RandomPostures(hand, simulation.seed, duration=WARM_UP)
-    short = Simulation(hand, glove, motion, simulation.seed, fps=30.0)
-    pipeline = Pipeline(hand, glove, short.rig)
-    for message in short.feed():
-        if isinstance(message, ImuSample):
-            pipeline.feed_imu(message)
-        elif isinstance(message, BlobFrame):
-            pipeline.feed_frame(message)
-    pipeline.calibration()
-    index, t, arrival = next(simulation.exposures())
-    frame, names = simulation.renderer.frame(t, arrival, index), detector.profile.hue_names
-    detect_frame(detector, frame)
-    expected = pipeline.outlook(short.duration)
-    if expected is not None:
-        detect_frame(detector, frame, expected.hints(short.rig, expected.t, short.rig.pose, names))
 
 
 class TruthfulRecorder:

@@ -10,6 +10,7 @@ from app.engine import EngineSetup
 from app.recorder import recorder_maker
 from app.settings import Settings
 from app.tasks import Progress
+from app.warm_up import warm_up
 from tracker import library
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.clock import ClockAnchor
@@ -44,6 +45,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     def make_detector(colours: ColourProfile) -> Detector:
         return Detector(colours, float(glove.marker_size.mean()), rig.fx)
 
+    warm_up(hand, glove, make_detector(profile))
     link = GloveLink(serial_port(port), len(glove.imus))
     camera = StereoCamera(chosen.source, rig)
     tracker = LiveTracker(pipeline, profile, make_detector, link, camera)

@@ -51,6 +51,7 @@ from app.widgets.command_palette import CommandPalette
 from app.widgets.scrolled import Scrolled
 from app.window_commands import add_commands, add_help
 from tracker.messages import Event
+from tracker.simulation.camera_device import SimulatedCamera
 
 TICK_MS = 16
 STATUS_PERIOD = 0.25
@@ -214,8 +215,8 @@ class MainWindow(QMainWindow):
 
     # --- engines
 
-    def start_demo(self, fps: float = 30.0) -> None:
-        self._open(self.tr("Starting the demo"), demo_factory(fps=fps))
+    def start_demo(self, fps: float = 30.0, camera: SimulatedCamera | None = None) -> None:
+        self._open(self.tr("Starting the demo"), demo_factory(fps=fps, camera=camera))
 
     def start_hardware(self) -> None:
         settings = self.store.value

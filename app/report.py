@@ -16,11 +16,13 @@ from PySide6.QtWidgets import QApplication
 from app.engine import RecordingRequest
 from app.export import ExportRequest, export_job
 from app.main_window import MainWindow
+from app.session import SetupFactory
 from app.settings import SettingsStore
 from app.sources import demo_factory
 from app.tasks import Progress
 from app.viewmodels.snapshot import Snapshot
 from tracker.messages import Array, Tracking
+from tracker.simulation.camera_device import SimulatedCamera
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
 SAMPLE_MS = 50
@@ -38,7 +40,9 @@ class Figures:
     screenshot: bool = False
 
 
-def headless_report(app: QApplication, duration: float, out: Path, fps: float) -> int:
+def headless_report(
+    app: QApplication, duration: float, out: Path, fps: float, camera: SimulatedCamera
+) -> int:
     """Run the demo for ``duration`` s of tracking and leave its results in ``out``."""
     out.mkdir(parents=True, exist_ok=True)
     store = SettingsStore(out / "window.json")
@@ -47,17 +51,19 @@ def headless_report(app: QApplication, duration: float, out: Path, fps: float) -
     window.set_theme("dark")
     window.show()
     try:
-        return _run(app, window, duration, out, fps)
+        return _run(app, window, duration, out, demo_factory(fps=fps, camera=camera))
     finally:
         window.close()
         (out / "window.json").unlink(missing_ok=True)
 
 
-def _run(app: QApplication, window: MainWindow, duration: float, out: Path, fps: float) -> int:
+def _run(
+    app: QApplication, window: MainWindow, duration: float, out: Path, demo: SetupFactory
+) -> int:
     problems: list[str] = []
     window.tasks.failed.connect(problems.append)
     window.session.error.connect(problems.append)
-    window.session.open("demo", demo_factory(fps=fps))
+    window.session.open("demo", demo)
     wait_until(lambda: window.session.running or bool(problems), START_TIMEOUT)
     if not window.session.running:
         print(f"The demo did not start: {' '.join(problems) or 'it took too long.'}")

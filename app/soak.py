@@ -25,6 +25,7 @@ import psutil
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication
 
+from app.demo_camera import start_camera
 from app.process import prepare_process
 
 STARTED = psutil.Process().create_time()
@@ -129,7 +130,7 @@ def _slope(values: Sequence[float]) -> float:
 
 def _timers() -> int:
     gc.collect()
-    return sum(isinstance(o, QTimer) for o in gc.get_objects())
+    return sum(issubclass(type(o), QTimer) for o in gc.get_objects())  # not of weak proxies
 
 
 def _session(folder: Path) -> Path:
@@ -169,6 +170,7 @@ def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
 
 def soak(minutes: float, folder: Path) -> Soak:
     """The demo with everything visible for ``minutes``, then a while without the 3D view."""
+    camera = start_camera(fps=FPS)
     from app.main_window import MainWindow
     from app.settings import SettingsStore
     from app.sources import demo_factory
@@ -177,7 +179,7 @@ def soak(minutes: float, folder: Path) -> Soak:
     window.resize(*SIZE)
     window.show()
     try:
-        window.session.open("demo", demo_factory(fps=FPS))
+        window.session.open("demo", demo_factory(fps=FPS, camera=camera))
         return _watch(window, Soak(minutes, FPS))
     finally:
         window.close()

@@ -7,20 +7,27 @@ open at once.
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.engine import EngineSetup
 from app.session import SetupFactory
 from app.settings import Settings
 from app.tasks import Progress
 
+if TYPE_CHECKING:
+    from tracker.simulation.camera_device import SimulatedCamera
 
-def demo_factory(seed: int = 1, fps: float = 30.0) -> SetupFactory:
-    """A simulated wearer, glove and camera."""
+
+def demo_factory(
+    seed: int = 1, fps: float = 30.0, camera: SimulatedCamera | None = None
+) -> SetupFactory:
+    """A simulated wearer, glove and camera; ``camera`` may have been started for it before."""
+    started = [camera] if camera is not None else []
 
     def build(progress: Progress) -> EngineSetup:
         from app.demo import demo_setup
 
-        return demo_setup(progress, seed, fps)
+        return demo_setup(progress, seed, fps, started.pop() if started else None)
 
     return build
 

@@ -32,6 +32,11 @@ def kernel(function: F | None = None, /, **options: Any) -> F | Callable[[F], F]
     return make(function) if function is not None else make
 
 
+def are_compiled() -> bool:
+    """Whether there is a library of kernels, so that a first call waits for no compiler."""
+    return _library is not None
+
+
 def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:
     if _library is not None:
         return _library.kernel(function, options)
