@@ -16,6 +16,7 @@ clean() { # the program and its words
 }
 
 try() { # what, the program
+    rm -f "$place"/*.mcap # a recording never overwrites
     echo "$1: $(clean "$2" --version)"
     clean "$2" simulate -o "$place/session.mcap" --duration 2 --blobs-only
     clean "$2" track "$place/session.mcap" -o "$place/tracked.mcap"
