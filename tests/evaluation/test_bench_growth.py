@@ -5,8 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tracker.evaluation import bench_growth_time
 from tracker.evaluation.bench_growth import Curve, markdown, plot, write_session
 from tracker.evaluation.bench_growth_gloves import with_fingers, with_imus, with_markers
+from tracker.evaluation.bench_growth_time import tracked_for
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import ImuSample
@@ -18,6 +20,14 @@ def test_exponent_is_the_slope_on_logarithmic_axes() -> None:
     curve = Curve("things", sizes, "ms", tuple(3.0 * s**1.5 for s in sizes))
     assert curve.exponent == pytest.approx(1.5)
     assert "| things | 1, 2, 5 | 3, 8.49, 33.5 ms | 1.50 |" in markdown([curve])
+
+
+def test_an_hour_is_measured_by_its_last_minutes(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bench_growth_time, "MINUTE", 0.5)
+    costs, memory = tracked_for([1, 2, 4])
+    assert len(costs) == len(memory) == 3
+    assert all(0 < cost < 2000 for cost in costs)  # ms a second: not even this machine is so slow
+    assert memory[0] <= memory[-1] * 1.2
 
 
 def test_further_fingers_wear_what_the_middle_one_wears(hand: HandModel, glove: GloveModel) -> None:

@@ -22,6 +22,7 @@ from matplotlib.figure import Figure
 
 from tracker import library
 from tracker.evaluation.bench_growth_gloves import with_fingers, with_imus, with_markers
+from tracker.evaluation.bench_growth_time import tracked_for
 from tracker.evaluation.bench_rows import Call, interleaved
 from tracker.evaluation.bench_schedule import feed
 from tracker.glove.model import GloveModel
@@ -143,6 +144,15 @@ def _seek(path: Path) -> Message:
         return next(iter(reader.messages((ImuSample,), start=middle)))
 
 
+def time_curves(minutes: Sequence[float]) -> list[Curve]:
+    """Whether tracking costs more, or holds more, the longer it goes on."""
+    costs, memory = tracked_for(minutes)
+    return [
+        _curve("minutes tracked: a second's cost", minutes, "ms per s", np.array(costs)),
+        _curve("minutes tracked: memory", minutes, "MB", np.array(memory)),
+    ]
+
+
 # ---- output
 
 
@@ -161,7 +171,7 @@ def plot(curves: Sequence[Curve], path: Path) -> None:
     figure = Figure(figsize=(7.0, 4.5), layout="constrained")
     FigureCanvasAgg(figure)
     ax = figure.add_subplot()
-    for c, mark in zip(curves, "osv^Dx", strict=False):
+    for c, mark in zip(curves, "osv^Dx*P", strict=False):
         x, y = np.array(c.sizes), np.array(c.values)
         ax.loglog(x / x[0], y / y[0], f"{mark}-", label=f"{c.name}: {c.exponent:.2f}")
     end = max(c.sizes[-1] / c.sizes[0] for c in curves)
@@ -181,7 +191,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     p.add_argument("--minutes", type=float, nargs="+", default=[1, 4, 16], help="of sessions")
     p.add_argument("--out", type=Path, default=Path("bench"), help="folder of JSON and plot")
     args = p.parse_args(arguments)
-    curves = tracking_curves(args.rounds) + session_curves(args.minutes, min(args.rounds, 3))
+    curves = time_curves(args.minutes) + tracking_curves(args.rounds)
+    curves += session_curves(args.minutes, min(args.rounds, 3))
     print(markdown(curves))
     plot(curves, args.out / "growth.png")
     rows = [{**asdict(c), "exponent": c.exponent} for c in curves]
