@@ -14,7 +14,7 @@ from tracker.vision.detector import (
     DetectorParams,
     detect_frame,
 )
-from tracker.vision.hue_table import hue_table
+from tracker.vision.hue_table import MIXED, hue_table
 
 BGR = {
     "red": (40, 40, 215),
@@ -72,7 +72,7 @@ def random_shapes(rng: np.random.Generator, n: int) -> list:
 
 
 def test_every_colour_has_the_class_that_opencv_gives() -> None:
-    table = hue_table(FOUR)
+    table = hue_table(FOUR).colours
     r = np.arange(256, dtype=np.uint8)
     for b in range(0, 256, 3):
         image = np.empty((256, 256, 3), np.uint8)
@@ -82,6 +82,14 @@ def test_every_colour_has_the_class_that_opencv_gives() -> None:
         for k in reversed(range(4)):
             expected[FOUR.hues[k].contains(hsv)] = k + 1
         assert np.array_equal(table[b << 16 : (b + 1) << 16].reshape(256, 256), expected)
+
+
+def test_cells_hold_the_class_that_all_their_colours_have() -> None:
+    table = hue_table(FOUR)
+    colours = table.colours.reshape(64, 4, 64, 4, 64, 4)
+    low, high = colours.min(axis=(1, 3, 5)), colours.max(axis=(1, 3, 5))
+    assert np.array_equal(table.cells, np.where(low == high, low, MIXED).ravel())
+    assert 0.01 < np.mean(table.cells == MIXED) < 0.1
 
 
 @pytest.mark.parametrize("stride", [1, 4])
@@ -117,7 +125,7 @@ def mask_runs(mask: np.ndarray) -> np.ndarray:
     y, x = np.argwhere(mask)[0]
     extent = max(mask.shape)
     runs, visited = room(extent), np.zeros(mask.shape, np.uint8)
-    n, whole = fill(image, visited, y, x, 1, hue_table(FOUR), runs, extent)
+    n, whole = fill(image, visited, y, x, 1, hue_table(FOUR).colours, runs, extent)
     assert whole
     return runs[:n]
 
@@ -136,7 +144,7 @@ def test_region_and_moments_are_those_of_opencv(seed: int) -> None:
     mask = blobby_mask(seed)
     runs = mask_runs(mask)
     covered = np.zeros_like(mask)
-    for y, a, b in runs:
+    for y, a, b in runs[:, :3]:
         assert not covered[y, a : b + 1].any()
         covered[y, a : b + 1] = True
     assert np.array_equal(covered, mask)

@@ -16,23 +16,21 @@ from tracker.vision.hue_table import Table, pixel_class
 
 _Bytes = NDArray[np.uint8]
 Runs = NDArray[np.int32]
-"""(n, 3): row, first and last column of each run of a region."""
+"""(n, RUN): row, first and last column of each run of a region, then the same of the run from which
+it was reached."""
+RUN = 6
+RAGGED, RAGGED_SPARE = 4, 24  # runs a row, and beyond that, from which a region is background
+NO_ROW = -9  # as the row of a run that was reached from none
 
 
-@kernel
 def room(extent: int) -> Runs:
     """Memory for the runs of one region of at most ``extent`` px, and of what is looked at next."""
-    return np.empty(((extent + 4) * (extent // 2 + 4), 3), np.int32)
+    return np.empty(((extent + 4) * (extent // 2 + 4), RUN), np.int32)
 
 
 @kernel(inline="always")
 def _run(
-    image: _Bytes,
-    visited: _Bytes,
-    y: int,
-    x: int,
-    hue: int,
-    table: Table,
+    image: _Bytes, visited: _Bytes, y: int, x: int, hue: int, colours: Table
 ) -> tuple[int, int]:
     """The run of ``hue`` around (x, y), marked as visited: first and last column.
 
@@ -40,10 +38,10 @@ def _run(
     """
     first, last, right = x, x, image.shape[1] - 1
     visited[y, x] = 1
-    while first > 0 and pixel_class(image, y, first - 1, table) == hue:
+    while first > 0 and pixel_class(image, y, first - 1, colours) == hue:
         first -= 1
         visited[y, first] = 1
-    while last < right and pixel_class(image, y, last + 1, table) == hue:
+    while last < right and pixel_class(image, y, last + 1, colours) == hue:
         last += 1
         visited[y, last] = 1
     return first, last
@@ -56,48 +54,52 @@ def fill(
     y: int,
     x: int,
     hue: int,
-    table: Table,
+    colours: Table,
     runs: Runs,
     extent: int,
 ) -> tuple[int, bool]:
     """All runs of the 8-connected region that (x, y) belongs to, into ``runs`` (see `room`).
 
     The list of runs is at once the queue of those whose neighbours are still to be looked at. A
-    region longer than ``extent`` px is background: it is left as soon as that is known and marked
+    region longer than ``extent`` px or full of holes is background (a wall whose colour is on the
+    border of a hue comes and goes with the noise): it is left as soon as that is known and marked
     1 + hue, and what later touches such a mark belongs to it. Returns how many runs there are, and
     whether the region is whole.
     """
     height, width = image.shape[0], image.shape[1]
-    first, last = _run(image, visited, y, x, hue, table)
-    runs[0, 0], runs[0, 1], runs[0, 2] = y, first, last
+    first, last = _run(image, visited, y, x, hue, colours)
+    runs[0, 0], runs[0, 1], runs[0, 2], runs[0, 3] = y, first, last, NO_ROW
     low, high, top, bottom = first, last, y, y
     n, done, whole = 1, 0, last - first <= extent
     while done < n and whole:
-        row, start, end = runs[done, 0], max(runs[done, 1] - 1, 0), runs[done, 2] + 1
+        row, first, last = int(runs[done, 0]), int(runs[done, 1]), int(runs[done, 2])
+        from_row, skip, after = int(runs[done, 3]), runs[done, 4] - 1, runs[done, 5] + 2
         done += 1
+        end = min(last + 1, width - 1)
         for near in (row - 1, row + 1):
             if near < 0 or near >= height:
                 continue
-            k = start
-            while k <= end and k < width:
+            k = max(first - 1, 0)
+            while k <= end:
+                if near == from_row and skip <= k < after:  # known, and bounded by other hues
+                    k = after
+                    continue
                 seen = visited[near, k]
-                if seen == 0 and pixel_class(image, near, k, table) == hue:
-                    a, b = _run(image, visited, near, k, hue, table)
+                if seen == 0 and pixel_class(image, near, k, colours) == hue:
+                    a, b = _run(image, visited, near, k, hue, colours)
                     runs[n, 0], runs[n, 1], runs[n, 2] = near, a, b
+                    runs[n, 3], runs[n, 4], runs[n, 5] = row, first, last
                     n += 1
-                    low, high, top, bottom = (
-                        min(low, a),
-                        max(high, b),
-                        min(top, near),
-                        max(bottom, near),
-                    )
+                    low, high = min(low, a), max(high, b)
+                    top, bottom = min(top, near), max(bottom, near)
                     k = b + 2
                 elif seen == hue + 1:
                     whole = False
                     break
                 else:
                     k += 1
-        whole = whole and max(high - low, bottom - top) <= extent
+        ragged = n > RAGGED * (bottom - top + 1) + RAGGED_SPARE
+        whole = whole and not ragged and max(high - low, bottom - top) <= extent
     if not whole:
         for i in range(n):
             visited[runs[i, 0], runs[i, 1] : runs[i, 2] + 1] = hue + 1
@@ -224,11 +226,15 @@ def _narrowest(width: Array, half: int) -> tuple[float, float]:
     smooth = np.zeros(n)
     for i in range(1, n - 1):
         smooth[i] = 0.25 * width[i - 1] + 0.5 * width[i] + 0.25 * width[i + 1]
-    place, ratio = 0.0, 1.0
-    for i in range(n // 5, n - n // 5):
-        widest = min(smooth[:i].max(), smooth[i + 1 :].max()) if 0 < i < n - 1 else 0.0
-        if widest > 0.0 and smooth[i] / widest < ratio:
+    after = np.zeros(n)  # widest from the next bin on
+    for i in range(n - 2, -1, -1):
+        after[i] = max(after[i + 1], smooth[i + 1])
+    place, ratio, before = 0.0, 1.0, smooth[0]
+    for i in range(1, n - n // 5):
+        widest = min(before, after[i])
+        if i >= n // 5 and widest > 0.0 and smooth[i] / widest < ratio:
             place, ratio = float(i - half), smooth[i] / widest
+        before = max(before, smooth[i])
     return place, ratio
 
 
@@ -239,7 +245,7 @@ def cut(runs: Runs, u: float, v: float, angle: float, place: float) -> tuple[Run
     Returns the runs and how many of them lie before the line.
     """
     c, s = np.cos(angle), np.sin(angle)
-    out = np.empty((2 * len(runs), 3), np.int32)
+    out = np.empty((2 * len(runs), RUN), np.int32)
     n, before = 0, 0
     for side in range(2):
         for k in range(len(runs)):

@@ -17,6 +17,7 @@ from tracker.errors import GlovetrackError
 from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search
 from tracker.vision.colours import ColourProfile
+from tracker.vision.components import Runs, room
 from tracker.vision.hue_table import hue_table
 from tracker.vision.shape_tests import first_failure, windows_around
 
@@ -89,13 +90,16 @@ class Detector:
         """
         pixels = _checked(image)
         height, width = pixels.shape[:2]
+        max_extent = int(LARGE * self.profile.shape.size[1] * self._extent[1])
         rows = search.find_regions(
             pixels,
             self._scratch.cleared(height, width),
-            self._table,
+            self._scratch.runs(max_extent),
+            self._table.colours,
+            self._table.cells,
             self._windows(width, height, hints),
             self.params.min_area_px,
-            int(LARGE * self.profile.shape.size[1] * self._extent[1]),
+            max_extent,
         )
         reason = self._reasons(rows, hints)
         passed = reason < 0
@@ -121,18 +125,25 @@ class Detector:
 
 
 class _Scratch(threading.local):
-    """Marks of visited pixels, kept from call to call: fresh memory costs as much as the search."""
+    """Memory kept from call to call: fresh memory costs as much as the search."""
 
     def __init__(self) -> None:
         self._marks = np.zeros((0, 0), np.uint8)
+        self._runs, self._extent = room(0), 0
 
     def cleared(self, height: int, width: int) -> NDArray[np.uint8]:
-        """(height, width) zeros, good until this thread's next call."""
+        """(height, width) zeros for visited pixels, good until this thread's next call."""
         if self._marks.shape != (height, width):
             self._marks = np.zeros((height, width), np.uint8)
         else:
             self._marks.fill(0)
         return self._marks
+
+    def runs(self, extent: int) -> Runs:
+        """`room` for regions of at least this extent (px), good until this thread's next call."""
+        if extent > self._extent:
+            self._runs, self._extent = room(extent), extent
+        return self._runs
 
 
 def detect_frame(

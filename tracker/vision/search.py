@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from tracker.kernels import kernel
 from tracker.messages import Array
-from tracker.vision.components import Runs, axes, bounds, cut, fill, hull, moments, room, waist
-from tracker.vision.hue_table import Table, pixel_class
+from tracker.vision.components import Runs, axes, bounds, cut, fill, hull, moments, waist
+from tracker.vision.hue_table import Table, cell_class, pixel_class
 
 _Bytes = NDArray[np.uint8]
 
@@ -16,9 +16,12 @@ _Bytes = NDArray[np.uint8]
 HUE, U, V, AREA, MAJOR, MINOR, CONVEXITY, CIRCULARITY, WIDTH, HEIGHT, EDGE = range(11)
 COLUMNS = 11
 
+WORD = 8  # bytes
+
 SPLIT_ELONGATION = 1.45  # long over short axis, from which a region may be two
 SPLIT_WAIST = 0.70  # width of the waist over that of the narrower half
 SPLIT_THICKNESS = 5.0  # px; pixels carve waists into thinner regions
+NO_WAIST = 0.98  # convexity above which there is none; two discs with such a waist have 0.956
 SPLIT_CONVEXITY = 0.88  # of each half
 
 
@@ -26,35 +29,70 @@ SPLIT_CONVEXITY = 0.88  # of each half
 def find_regions(
     image: _Bytes,
     visited: _Bytes,
-    table: Table,
+    runs: Runs,
+    colours: Table,
+    cells: Table,
     windows: NDArray[np.int64],
     min_area: float,
     max_extent: int,
 ) -> Array:
     """Measurements (n, COLUMNS) of all regions that a seed meets, in the order of the seeds.
 
-    visited (h, w) zeros, marked here; table of `hue_table`; windows (k, 5): first and last column,
-    first and last row, and the grid's stride. Regions below ``min_area`` px² or longer than
-    ``max_extent`` px give no row. Every other row of the grid is shifted by half a stride.
+    visited (h, w) zeros, marked here; runs: `room` for ``max_extent``; colours and cells of
+    `HueTable`; windows (k, 5): first and last column, first and last row, and the grid's stride.
+    Regions below ``min_area`` px², and what `fill` takes for background, give no row. Every other
+    row of the grid is shifted by half a stride.
     """
     out = np.empty((64, COLUMNS))
-    runs = room(max_extent)
+    line = np.zeros(image.shape[1] // WORD + 1, np.int64)
     n = 0
     for k in range(len(windows)):
         stride = windows[k, 4]
         for y in range(windows[k, 2], windows[k, 3] + 1, stride):
-            shift = (y // stride % 2) * (stride // 2)
-            for x in range(windows[k, 0] + shift, windows[k, 1] + 1, stride):
-                hue = pixel_class(image, y, x, table)
-                if hue == 0 or visited[y, x]:
+            first = windows[k, 0] + (y // stride % 2) * (stride // 2)
+            seeds = _classify(image, y, first, windows[k, 1], stride, cells, line)
+            for word in range((seeds + WORD - 1) // WORD):
+                if line[word] == 0:
                     continue
-                used, whole = fill(image, visited, y, x, hue, table, runs, max_extent)
-                if not whole:
-                    continue
-                if n + 2 > len(out):
-                    out = np.concatenate((out, np.empty_like(out)))
-                n += _measure_parts(runs[:used], hue, min_area, image.shape, out[n : n + 2])
+                for seed in range(word * WORD, min((word + 1) * WORD, seeds)):
+                    x = first + seed * stride
+                    if line.view(np.int8)[seed] == 0 or visited[y, x]:
+                        continue
+                    hue = pixel_class(image, y, x, colours)
+                    if hue == 0:
+                        continue
+                    used, whole = fill(image, visited, y, x, hue, colours, runs, max_extent)
+                    if not whole:
+                        continue
+                    if n + 2 > len(out):
+                        out = np.concatenate((out, np.empty_like(out)))
+                    n += _measure_parts(runs[:used], hue, min_area, image.shape, out[n : n + 2])
     return out[:n]
+
+
+@kernel
+def _classify(
+    image: _Bytes,
+    y: int,
+    first: int,
+    last: int,
+    stride: int,
+    cells: Table,
+    line: NDArray[np.int64],
+) -> int:
+    """What `cell_class` gives for every ``stride``-th pixel of a row, a byte each, into ``line``.
+
+    Bytes are written without a branch and looked at eight at a time, since most are zero; those
+    that fill up the last word are. Returns how many pixels there are.
+    """
+    count = (last - first) // stride + 1
+    if count <= 0:
+        return 0
+    line[(count - 1) // WORD] = 0
+    classes = line.view(np.int8)
+    for k in range(count):
+        classes[np.uintp(k)] = cell_class(image, y, first + k * stride, cells)
+    return count
 
 
 @kernel
@@ -65,6 +103,8 @@ def _measure_parts(
     if not _measure(runs, hue, min_area, shape, rows[0]):
         return 0
     if rows[0, MAJOR] < SPLIT_ELONGATION * rows[0, MINOR] or rows[0, MINOR] < SPLIT_THICKNESS:
+        return 1
+    if rows[0, CONVEXITY] > NO_WAIST:
         return 1
     _, u, v, uu, uv, vv = moments(runs)
     angle = axes(uu, uv, vv)[2]
