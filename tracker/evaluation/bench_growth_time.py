@@ -29,7 +29,9 @@ def tracked_for(minutes: Sequence[float]) -> tuple[list[float], list[float]]:
     simulation = Simulation(hand, glove, motion, SEED, fps=FPS)
     pipeline = Pipeline(hand, glove, simulation.rig)
     ends = [MINUTE * m for m in minutes]
-    costs, memory, spent = [], [], 0.0
+    costs: list[float] = []
+    memory: list[float] = []
+    spent = 0.0
     for message in simulation.feed():
         if message.t_arrival >= ends[len(costs)]:
             costs.append(1e3 * spent / MINUTE)
