@@ -9,8 +9,8 @@ from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions
 from tracker.fusion.constraints import Constraints
 from tracker.fusion.imu_buffer import Intervals
 from tracker.fusion.layout import ChainLayout
-from tracker.fusion.params import ConstraintParams
-from tracker.fusion.propagate import carry, transition
+from tracker.fusion.params import ChainParams, ConstraintParams
+from tracker.fusion.propagate import propagate, transition
 from tracker.fusion.state import ChainState, initial_state, inject
 from tracker.fusion.tilt import tilt_rows
 from tracker.geometry import so3
@@ -71,13 +71,11 @@ def test_transition(layout: ChainLayout) -> None:
     state, dt = random_state(layout), 1e-3
     _, sample, _ = packets(len(layout.glove.imus), 1.0)
     Phi = transition(state, layout, sample, dt)
-    way = Intervals(
-        np.zeros(1), np.full(1, dt), sample.accel[None], sample.gyro[None], sample.valid[None]
-    )
+    way = Intervals.single(sample, 0.0, dt)
 
     def moved(s: ChainState) -> ChainState:
         s = s.copy()
-        carry(s, layout, way)
+        propagate(s, layout, ChainParams(), way)
         return s
 
     base = moved(state)

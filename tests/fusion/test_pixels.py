@@ -134,7 +134,6 @@ def test_a_tally_counts_markers(case: Case) -> None:
     match = some_matched(case)
     tally = Tally.of(e, match)
     assert tally.matched == np.any(match >= 0, axis=0).sum()
-    assert tally.stereo == np.all(match >= 0, axis=0).sum() < tally.matched
     assert tally.expected == pytest.approx(e.prior.max(axis=0).sum())
 
 

@@ -285,11 +285,8 @@ class ChainEngine(CalibratedChain):
         """One stacked update: what was seen and anatomy, linearised at the same place."""
         H, r, variance = self._constraints.rows(self._state)
         variance = variance * self._how_often()
-        if Tally.of(prediction, match).matched:
-            rows = self._seen_rows(prediction, seen, match, pose)
-            self._learn(*joined(*rows, H, r, variance, self._state.P))
-        else:
-            self._update(H, r, variance)
+        rows = self._seen_rows(prediction, seen, match, pose)
+        self._learn(*joined(*rows, H, r, variance, self._state.P))
         self._track.last_constraint = self._state.t
 
     def _seen_rows(
@@ -343,7 +340,7 @@ class ChainEngine(CalibratedChain):
         match: IntArray,
     ) -> None:
         self._track.seen[match.max(axis=0) >= 0] = frame.t
-        self._track.tip_sd = self._tip_sd(frame, Tally.of(prediction, match).stereo > 0)
+        self._track.tip_sd = self._tip_sd(frame, match)
         if self._params.guide == "previous":
             pose = frame.pose or self._rig.pose
             self._guide = Previous(frame.t, self._predict(self._state, pose))
@@ -351,10 +348,10 @@ class ChainEngine(CalibratedChain):
             frame_result(frame, self._rig, self._track.tracking, prediction, seen, match)
         )
 
-    def _tip_sd(self, frame: BlobFrame, stereo: bool) -> Array:
+    def _tip_sd(self, frame: BlobFrame, match: IntArray) -> Array:
         """(A,) m: of each active segment's end. One lens alone does not know the distance."""
         sd = tip_sd(self._state, self._layout)
-        if stereo and self._track.one_lens:
+        if self._track.one_lens and np.all(match >= 0, axis=0).any():
             self._track.one_lens = False
             release_size(self._state.P, self._layout, self._params.prior)
         if not self._track.one_lens:

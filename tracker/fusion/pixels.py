@@ -94,11 +94,9 @@ class Prediction:
 
 
 class Tally(NamedTuple):
-    """How many markers a picture shows: ``matched`` in at least one lens, ``stereo`` in both;
-    ``expected`` is the sum of their priors."""
+    """How many markers are ``matched`` in at least one lens; ``expected`` is the priors' sum."""
 
     matched: int
-    stereo: int
     expected: float
 
     @staticmethod

@@ -52,13 +52,12 @@ def worn(uv, hue, number):  # type: ignore[no-untyped-def]
 
 @kernel
 def counted(match, prior):  # type: ignore[no-untyped-def]
-    """Markers of match (2, M) that any lens and that both show; the sum of the larger priors."""
-    either, both, expected = 0, 0, 0.0
+    """Markers of match (2, M) that any lens shows; the sum of the larger of its priors (2, M)."""
+    either, expected = 0, 0.0
     for j in range(match.shape[1]):
         either += match[0, j] >= 0 or match[1, j] >= 0
-        both += match[0, j] >= 0 and match[1, j] >= 0
         expected += max(prior[0, j], prior[1, j])
-    return either, both, expected
+    return either, expected
 
 
 @kernel

@@ -55,7 +55,7 @@ class Keyframes:
 
     def _distances(self, relative: Array) -> Array:
         """(k,) rad: root of the summed squares over all joints."""
-        others = np.array([k.relative for k in self.kept]).reshape(-1, *relative.shape)
+        others = np.array([k.relative for k in self.kept]).reshape(len(self.kept), *relative.shape)
         return np.sqrt(np.sum((others - relative) ** 2, axis=(1, 2)))
 
 
