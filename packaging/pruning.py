@@ -1,7 +1,7 @@
 """Which shared libraries of a bundle nothing reaches, so that they may stay out of it.
 
-PyInstaller takes whole packages along (VTK alone is 565 MB, most of it for file formats and
-filters that the window never calls). What is kept is what follows from roots: the libraries that
+PyInstaller takes whole packages along, most of them for file formats and plug-ins that the window
+never calls. What is kept is what follows from roots: the libraries that
 ELF's NEEDED entries of the roots name, and so on.
 """
 

@@ -5,10 +5,8 @@ from __future__ import annotations
 import configparser
 import re
 import xml.etree.ElementTree as ET
-from importlib.util import find_spec
 from pathlib import Path
 
-import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtSvg import QSvgRenderer
 
@@ -55,15 +53,3 @@ def test_the_package_depends_on_what_the_program_needs_of_the_system() -> None:
     assert drivers
     assert depends is not None
     assert drivers - {"libglib2.0-0"} <= set(depends[1].split(", "))
-
-
-def vtk_modules() -> list[str]:
-    text = (PACKAGING / "glovetrack.spec").read_text("utf-8")
-    words = re.search(r'^VTK = """(.*?)"""', text, re.MULTILINE | re.DOTALL)
-    assert words is not None
-    return words[1].split()
-
-
-@pytest.mark.parametrize("name", vtk_modules())
-def test_vtk_has_every_module_that_the_bundle_takes(name: str) -> None:
-    assert find_spec(f"vtkmodules.vtk{name}") is not None
