@@ -12,6 +12,7 @@ from tracker.kernels import kernel
 from tracker.messages import Array
 
 SCALE_LIMITS = (0.6, 1.5)
+LENGTH_GIRTH_GIRTH = np.array([0, 1, 1])
 
 
 @dataclass(eq=False)
@@ -49,7 +50,7 @@ class ChainState:
 
     def scale3(self) -> Array:
         """(A, 3) factors along B: length, girth, girth."""
-        return self.scale[:, [0, 1, 1]]
+        return self.scale.take(LENGTH_GIRTH_GIRTH, axis=1)
 
 
 def initial_state(layout: ChainLayout) -> ChainState:
