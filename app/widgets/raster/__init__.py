@@ -1,7 +1,7 @@
 """The painted 3D view's renderer: rays meet pure forms, in compiled code without OpenGL.
 
 `scene` keeps the bodies in a few arrays and makes the picture; `placing` brings them before the
-camera; `tiles` tells which of them each 16 x 16 pixels may show; `solids`, `grid` and `strokes`
+camera; `tiles` tells which of them each tile of pixels may show; `solids`, `grid` and `strokes`
 tell where a ray meets one; `layers` keeps what one ray meets in order; `shading` gives it light;
 `picture` goes over the pixels.
 

@@ -10,7 +10,7 @@ from app.widgets.raster.strokes import distance_px
 from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
-TILE = 8
+TILE = 12
 """px along a tile's side."""
 HALF_DIAGONAL = 0.7072 * TILE
 
