@@ -1,5 +1,7 @@
 """The detector's kernels beside plain numpy and OpenCV on pictures of random coloured noise."""
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
@@ -8,7 +10,7 @@ from tracker.vision import search
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.components import axes, fill, moments, room, waist
 from tracker.vision.detector import Detector, DetectorParams
-from tracker.vision.hue_table import hue_table
+from tracker.vision.hue_table import VIVID_SATURATION, hue_table
 
 BGR = np.array([(120, 120, 120), (40, 40, 215), (50, 175, 40)], np.uint8)
 TWO = ColourProfile("two", (HueRange("red", (169, 11)), HueRange("green", (54, 76))))
@@ -27,7 +29,15 @@ def found(classes: np.ndarray, windows: np.ndarray) -> np.ndarray:
     table, image = hue_table(TWO), np.ascontiguousarray(BGR[classes])
     visited, runs = np.zeros(classes.shape, np.uint8), room(MAX_EXTENT)
     return search.find_regions(
-        image, visited, runs, table.colours, table.cells, windows, MIN_AREA, MAX_EXTENT
+        image,
+        visited,
+        runs,
+        table.colours,
+        table.cells,
+        table.vivid,
+        windows,
+        MIN_AREA,
+        MAX_EXTENT,
     )
 
 
@@ -61,6 +71,27 @@ def test_regions_are_those_that_opencv_labels(stride: int) -> None:
         assert len(expected) > 20
         assert len(expected - got) == parted
         assert len(got - expected) == 2 * parted
+
+
+def test_all_colours_of_a_vivid_hue_are_vivid() -> None:
+    """So that looking at the vivid pixels alone misses none."""
+    pale = HueRange("pale", (0, 179), (VIVID_SATURATION, 255), (1, 255))
+    table = hue_table(ColourProfile("vivid", (pale,)))
+    assert table.vivid == 1
+    bgr = np.stack(np.unravel_index(np.flatnonzero(table.colours), (256, 256, 256)))
+    least = bgr.min(axis=0)
+    assert (bgr.max(axis=0) - least >= least // 2).all()
+    paler = replace(pale, saturation=(VIVID_SATURATION - 1, 255))
+    assert hue_table(ColourProfile("pale", (paler,))).vivid == 0
+
+
+def test_scan_of_a_pale_hue_finds_the_same() -> None:
+    pale = replace(TWO, hues=tuple(replace(h, saturation=(20, 255)) for h in TWO.hues))
+    image = np.ascontiguousarray(BGR[patchy(7)])
+    every = DetectorParams(stride=1)
+    a, b = (Detector(p, params=every).detect(image)[0] for p in (TWO, pale))
+    assert len(a) > 10
+    assert np.array_equal(a.uv, b.uv)
 
 
 def test_windows_are_searched_alone() -> None:

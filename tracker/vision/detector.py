@@ -97,6 +97,7 @@ class Detector:
             self._scratch.runs(max_extent),
             self._table.colours,
             self._table.cells,
+            self._table.vivid,
             self._windows(width, height, hints),
             self.params.min_area_px,
             max_extent,

@@ -22,6 +22,7 @@ MAX_HUES = 30  # bits of a mask
 CELL_BITS = 2  # of each channel that a cell leaves open
 CELLS = LEVELS >> CELL_BITS  # along each channel
 MIXED = -1  # a cell of more than one class
+VIVID_SATURATION = 86  # from which max - min is at least a third of max, and so half of min
 
 _Bytes = NDArray[np.uint8]
 _Masks = NDArray[np.int64]
@@ -33,11 +34,13 @@ class HueTable:
     """Classes are 0 for none of a profile's hues and k + 1 for its hue k.
 
     colours (2^24,) by b << 16 | g << 8 | r; cells (2^18,) the same of the channels' upper six bits,
-    MIXED where the cell's colours differ.
+    MIXED where the cell's colours differ. vivid is 1 where `is_vivid` holds for all colours of a
+    hue, else 0.
     """
 
     colours: Table
     cells: Table
+    vivid: int
 
 
 def _division_table(numerator: float) -> NDArray[np.int64]:
@@ -62,7 +65,8 @@ def hue_table(profile: ColourProfile) -> HueTable:
     colours, cells = both[: LEVELS**3], both[LEVELS**3 :]
     _fill_colours(_masks(profile), colours)
     _fill_cells(colours, cells)
-    return HueTable(colours, cells)
+    vivid = all(h.saturation[0] >= VIVID_SATURATION for h in profile.hues)
+    return HueTable(colours, cells, int(vivid))
 
 
 def _masks(profile: ColourProfile) -> _Masks:
@@ -121,6 +125,13 @@ def cell_class(image: _Bytes, y: int, x: int, cells: Table) -> int:
     b, g, r = np.uintp(image[v, u, 0]), np.uintp(image[v, u, 1]), np.uintp(image[v, u, 2])
     side = np.uintp(CELLS)
     return int(cells[((b >> shift) * side + (g >> shift)) * side + (r >> shift)])
+
+
+@kernel(inline="always")
+def is_vivid(b: int, g: int, r: int) -> np.bool_:
+    """Whether the channels (uint8) differ by half the least: cheaper than any table for greys."""
+    least = min(min(b, g), r)
+    return np.uint8(max(max(b, g), r) - least) >= np.uint8(least >> 1)
 
 
 @kernel
