@@ -200,21 +200,12 @@ def point_rows(  # type: ignore[no-untyped-def]
     for k in range(len(rows)):
         seen = (match[0, rows[k]] >= 0) + (match[1, rows[k]] >= 0)
         m += seen + 1 if seen else 0
-    size = H.shape[2]
-    rows_H, rows_HP = np.empty((m, size)), np.empty((m, size))
+    rows_H, rows_HP = np.empty((m, H.shape[2])), np.empty((m, H.shape[2]))
     out_r, R = np.empty(m), np.zeros((m, m))
     J, r = np.empty((4, 3)), np.empty(4)
     at = 0
     for k in range(len(rows)):
-        end = 0
-        for c in range(2):
-            row = match[c, rows[k]]
-            if row < 0:
-                continue
-            for a in range(2):
-                J[end] = A[c, rows[k], a]
-                r[end] = (right[row, a] if c else left[row, a]) - uv[c, rows[k], a]
-                end += 1
+        end = _put_pixels(J, r, rows[k], A, uv, match, left, right)
         if end == 0:
             continue
         weight = _huber(r[:end], seen_covariance(J[:end], cov[k], sd_pixel), threshold)
@@ -226,16 +217,38 @@ def point_rows(  # type: ignore[no-untyped-def]
                 noise[a, a] += sd_marker**2
         else:
             out_r[at : at + 2] = r[:2]
-            for a in range(2):
-                for i in range(size):
-                    x, y, z = J[a]
-                    rows_H[at + a, i] = x * H[k, 0, i] + y * H[k, 1, i] + z * H[k, 2, i]
-                    rows_HP[at + a, i] = x * HP[k, 0, i] + y * HP[k, 1, i] + z * HP[k, 2, i]
+            _put_product(rows_H[at : at + 2], J, H[k])
+            _put_product(rows_HP[at : at + 2], J, HP[k])
             noise = seen_covariance(J[:2], np.eye(3) * sd_marker**2, sd_pixel)
         last = at + len(noise)
         R[at:last, at:last] = noise * weight
         at = last
     return rows_H, rows_HP, out_r, R
+
+
+@kernel
+def _put_pixels(J, r, marker, A, uv, match, left, right):  # type: ignore[no-untyped-def]
+    """Slopes J (4, 3) and residuals r (4,) px of a marker in the lenses that show it, left before
+    right; how many of the rows these are."""
+    end = 0
+    for c in range(2):
+        row = match[c, marker]
+        if row < 0:
+            continue
+        for a in range(2):
+            J[end] = A[c, marker, a]
+            r[end] = (right[row, a] if c else left[row, a]) - uv[c, marker, a]
+            end += 1
+    return end
+
+
+@kernel
+def _put_product(out, J, H):  # type: ignore[no-untyped-def]
+    """out (k, N) = J H of the first k rows of J, for H (3, N)."""
+    for a in range(len(out)):
+        x, y, z = J[a]
+        for i in range(H.shape[1]):
+            out[a, i] = x * H[0, i] + y * H[1, i] + z * H[2, i]
 
 
 @kernel
