@@ -11,6 +11,7 @@ from app.engine import EngineSetup, Recorder, Truth
 from app.replay_ghost import GhostTrack
 from app.replay_transport import IDLE_S, Transport
 from app.tasks import Progress
+from app.warm_up import warm_up_view
 from resources import folder
 from tracker.errors import FileError, GlovetrackError
 from tracker.messages import (
@@ -275,6 +276,7 @@ def _arrival(message: Message) -> float:
 def open_replay(path: Path, progress: Progress) -> EngineSetup:
     """Open a session file for the window. Raises FileError in words."""
     progress(-1.0, path.name)
+    warm_up_view()
     engine = ReplayEngine(path)
     try:
         info = engine.info

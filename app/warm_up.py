@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from app.widgets.orbit import Orbit
+from app.widgets.raster.scene import RasterScene
+from app.widgets.scene import Look
+from app.widgets.shapes import ball
 from tracker import kernels
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -19,6 +23,7 @@ def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:
     """Track simulated motion and search a picture; at once where all is compiled already."""
     if kernels.are_compiled():
         return
+    warm_up_view()
     motion = RandomPostures(hand, SEED, duration=MOTION)
     simulation = Simulation(hand, glove, motion, SEED, fps=FPS)
     pipeline = Pipeline(hand, glove, simulation.rig)
@@ -29,6 +34,14 @@ def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:
             pipeline.feed_frame(message)
     pipeline.calibration()
     _search(simulation, pipeline, detector)
+
+
+def warm_up_view() -> None:
+    """Paint a ball, so that the window need not wait for what the hand in 3D is painted with."""
+    if not kernels.are_compiled():
+        scene = RasterScene()
+        scene.add(ball(0.01), Look("#FFFFFF"))
+        scene.render(Orbit(), 2, 2)
 
 
 def _search(simulation: Simulation, pipeline: Pipeline, detector: Detector) -> None:

@@ -88,6 +88,10 @@ class RasterScene:
         if self._image.shape != (height, width):
             self._image = np.empty((height, width), np.uint32)
             self._numbers = np.empty((height, width), np.int32)
+        if not self.shown.any():  # nor need the kernels be there before there is a hand
+            red, green, blue = np.rint(255 * self._background).astype(np.uint32)
+            self._image.fill(0xFF000000 | red << 16 | green << 8 | blue)
+            return self._image
         R_GC, p_GC = camera_pose(orbit)
         draw(
             self.kinds, self.shown, self.R_GB, self.p_GB, self.R_BS, self.p_BS, self.forms,
