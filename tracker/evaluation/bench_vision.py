@@ -105,11 +105,13 @@ def detection_rows(
         row(f"detection, {name}, {kind}", ms[k], "ms", "plain OpenCV", ms[3], goal)
         for k, (name, goal) in enumerate(zip(names, ("0.40", "0.12", "0.12"), strict=True))
     ]
-    return rows + _quality_rows(pictures, coarse, peer, kind)
+    for name, ours in (("full frame", full), ("coarse to fine", coarse)):
+        rows += _quality_rows(pictures, ours, peer, f"{name}, {kind}")
+    return rows
 
 
 def _quality_rows(
-    pictures: Sequence[Picture], ours: Detector, peer: PlainOpenCv, kind: str
+    pictures: Sequence[Picture], ours: Detector, peer: PlainOpenCv, what: str
 ) -> list[BenchRow]:
     """Recall and blobs that are no marker, per picture."""
     mine, theirs = [], []
@@ -122,11 +124,11 @@ def _quality_rows(
     n = len(pictures)
     return [
         row(
-            f"recall, {kind}", 100 * found / total, "%", "plain OpenCV", 100 * peer_found / total,
+            f"recall, {what}", 100 * found / total, "%", "plain OpenCV", 100 * peer_found / total,
             ">= peer - 0.5",
         ),
         row(
-            f"other blobs, {kind}", other / n, "per picture", "plain OpenCV", peer_other / n,
+            f"other blobs, {what}", other / n, "per picture", "plain OpenCV", peer_other / n,
             "<= peer + 0.5",
         ),
     ]  # fmt: skip
