@@ -2,8 +2,8 @@
 
 `scene` keeps the bodies in a few arrays and makes the picture; `placing` brings them before the
 camera; `tiles` tells which of them each tile of pixels may show; `solids`, `grid` and `strokes`
-tell where a ray meets one; `layers` keeps what one ray meets in order; `shading` gives it light;
-`picture` goes over the pixels.
+tell where a ray meets one; `layers` keeps what one ray meets in order; `blending` makes a colour of
+it, under the light of `shading`; `picture` goes over the pixels; `view` is what all of them share.
 
 The camera's frame C has x to the right, y down and z ahead. A ray is (x, y, 1), so that how far it
 goes is a depth in m.
