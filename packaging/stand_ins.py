@@ -2,15 +2,14 @@
 
     python packaging/stand_ins.py BUNDLE
 
-``BUNDLE`` is the folder with the program's libraries (``_internal``). Replaced are, 89 MB together:
+``BUNDLE`` is the folder with the program's libraries (``_internal``). Two are replaced, 74 MB
+together:
 
 - ICU's data (``libicudata``): Qt has the languages' data itself and asks ICU for legacy text
   encodings and for sorting by a language's rules. ICU's own answer for programs without them is
   an empty table, "stubdata", which is what is built here.
 - OpenCV's copy of OpenBLAS: the few functions that OpenCV calls are passed on to SciPy's copy,
   where each has the same name behind ``scipy_``.
-- Codecs that others are linked to and that nothing here ever calls (`UNUSED`). What is called all
-  the same answers with the address of an empty text: no name, or the code of some failure.
 
 Needs a C compiler, readelf and nm. Linux on x86-64 and arm64; elsewhere nothing is replaced.
 """
@@ -26,20 +25,6 @@ from pathlib import Path
 
 JUMP = {"x86_64": "jmp {}@PLT", "aarch64": "b {}"}
 """How a function passes itself on, arguments and all, per processor."""
-
-ANSWER = {
-    "x86_64": "lea .Lempty(%rip), %rax\nret",
-    "aarch64": "adrp x0, .Lempty\nadd x0, x0, :lo12:.Lempty\nret",
-}
-"""How a function returns the address of an empty text, per processor."""
-
-UNUSED = (
-    "opencv_python_headless.libs/libaom-*",  # AV1, for AVIF pictures; films are MPEG-4 or MJPEG
-    "opencv_python_headless.libs/libvpx-*",  # writing VP8 and VP9; reading is FFmpeg's own
-    "pillow.libs/libzstd-*",  # within TIFF; Matplotlib writes PNG
-    "pillow.libs/libXau-*",  # pictures of the screen
-)
-"""None of them asks for symbol versions, which a stand-in would lack."""
 
 SCIPY = "scipy_"
 
@@ -69,15 +54,6 @@ def forwards(names: Iterable[str], machine: str) -> str:
         jump = JUMP[machine].format(SCIPY + name)
         lines += [f".globl {name}", f".type {name}, %function", f"{name}: {jump}"]
     return "\n".join([*lines, '.section .note.GNU-stack, "", %progbits', ""])
-
-
-def answers(names: Iterable[str], machine: str) -> str:
-    """Assembly in which each function returns the address of an empty text."""
-    lines = [".text"]
-    for name in sorted(names):
-        lines += [f".globl {name}", f".type {name}, %function", f"{name}:"]
-    ends = [ANSWER[machine], ".section .rodata", ".balign 8", ".Lempty: .zero 64"]
-    return "\n".join([*lines, *ends, '.section .note.GNU-stack, "", %progbits', ""])
 
 
 def symbols(library: Path, defined: bool) -> set[str]:
@@ -123,20 +99,12 @@ def replace_opencv_blas(bundle: Path, machine: str) -> None:
             build(forwards(names, machine), "s", target, str(offered[0]), rpath)
 
 
-def replace_unused(bundle: Path, machine: str) -> None:
-    """Libraries that are only there because others are linked to them."""
-    for pattern in UNUSED:
-        for target in bundle.glob(pattern):
-            build(answers(symbols(target, True), machine), "s", target)
-
-
 def main(bundle: Path) -> int:
     """Replace what can be replaced; 0."""
     machine = platform.machine()
     if sys.platform.startswith("linux") and machine in JUMP:
         replace_icu_data(bundle)
         replace_opencv_blas(bundle, machine)
-        replace_unused(bundle, machine)
     return 0
 
 

@@ -7,7 +7,6 @@ import platform
 import runpy
 import shutil
 import struct
-import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -70,31 +69,3 @@ def test_icu_finds_an_empty_table(tmp_path: Path) -> None:
     header_size, magic = struct.unpack_from("<H2s", data)
     assert (header_size, magic, data[12:16]) == (32, b"\xda\x27", b"ToCP")
     assert struct.unpack_from("<I", data, header_size) == (0,)
-
-
-def test_unused_codecs_answer_with_an_empty_text(tmp_path: Path) -> None:
-    folder = tmp_path / "opencv_python_headless.libs"
-    folder.mkdir()
-    target = folder / "libaom-1.so.3"
-    stand_ins.build(
-        "int aom_init(int a) { return a - 5; } int aom_name(void) { return 2; }", "c", target
-    )
-    stand_ins.replace_unused(tmp_path, platform.machine())
-    assert stand_ins.symbols(target, defined=True) == {"aom_init", "aom_name"}
-    library = ctypes.CDLL(str(target))
-    library.aom_name.restype = ctypes.c_char_p
-    assert library.aom_name() == b""
-    assert library.aom_init(5) != 0  # no success
-
-
-def test_unused_codecs_ask_for_no_versions() -> None:
-    """A stand-in has none; the loader would complain at every start."""
-    import cv2
-    import PIL
-
-    packages = Path(cv2.__file__).parents[1]
-    for pattern in stand_ins.UNUSED:
-        (file,) = packages.glob(pattern)
-        shown = subprocess.run(["readelf", "-V", str(file)], capture_output=True, text=True)
-        assert "Version definition" not in shown.stdout, file.name
-    assert Path(PIL.__file__).parents[1] == packages
