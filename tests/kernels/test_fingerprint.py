@@ -1,9 +1,11 @@
 """A kernel's fingerprint changes with what its compiled code depends on, and with nothing else."""
 
+import sys
 import types
 
 import pytest
 
+import tracker
 from tracker.kernels.fingerprint import fingerprint
 
 SOURCE = """
@@ -65,6 +67,19 @@ def test_changes_with_options():
 )
 def test_does_not_change_with_words(old, new):
     assert made(SOURCE.replace(old, new)) == made(SOURCE)
+
+
+def test_changes_with_a_kernel_in_another_module_of_ours(monkeypatch):
+    other = types.ModuleType("tracker.other")
+    monkeypatch.setitem(sys.modules, "tracker.other", other)
+    source = SOURCE.replace("SCALE * inner", "SCALE * other.inner").replace(
+        "SCALE =", "import tracker.other as other\nSCALE ="
+    )
+    monkeypatch.setattr(tracker, "other", other, raising=False)
+    other.inner = kernel(lambda x: x)
+    before = made(source)
+    other.inner = kernel(lambda x: x + 1)
+    assert made(source) != before
 
 
 def test_a_kernel_that_calls_itself_has_one():

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+OURS = ("app", "tracker")
 Function = Callable[..., Any]
 
 
@@ -37,9 +38,10 @@ def _parts(function: Function, options: dict[str, Any], told: set[Function]) -> 
     told.add(function)
     code = function.__code__
     parts = [function.__qualname__, repr(sorted(options.items())), *_code(code, function.__doc__)]
-    for name in _names(code):
+    names = _names(code)
+    for name in names:
         if name in function.__globals__:
-            parts += [name, *_value(function.__globals__[name], told)]
+            parts += [name, *_value(function.__globals__[name], names, told)]
     return parts
 
 
@@ -55,14 +57,17 @@ def _names(code: CodeType) -> list[str]:
     return sorted({*code.co_names, *(name for c in inner for name in _names(c))})
 
 
-def _value(value: Any, told: set[Function]) -> list[str]:
-    """A global that a kernel reads."""
+def _value(value: Any, names: list[str], told: set[Function]) -> list[str]:
+    """A global that a kernel reads; of a module of ours what it reads there."""
     if is_kernel(value):
         return _parts(value.py_func, value.options, told)
     if isinstance(value, np.ndarray):
         return [value.dtype.str, repr(value.shape), value.tobytes().hex()]
     if isinstance(value, (bool, int, float, str, tuple, np.generic)):
         return [repr(value)]
+    if isinstance(value, ModuleType) and value.__name__.partition(".")[0] in OURS:
+        found = [getattr(value, name) for name in names if hasattr(value, name)]
+        return [part for v in found for part in _value(v, names, told)]
     if isinstance(value, (ModuleType, FunctionType, BuiltinFunctionType, type, np.ufunc)):
         return [value.__name__]
     raise TypeError(f"a kernel reads a global of type {type(value).__name__}")
