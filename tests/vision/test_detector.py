@@ -125,7 +125,8 @@ def mask_runs(mask: np.ndarray) -> np.ndarray:
     y, x = np.argwhere(mask)[0]
     extent = max(mask.shape)
     runs, visited = room(extent), np.zeros(mask.shape, np.uint8)
-    n, whole = fill(image, visited, y, x, 1, hue_table(FOUR).colours, runs, extent)
+    table = hue_table(FOUR)
+    n, whole = fill(image, visited, y, x, 1, table.colours, table.cells, runs, extent)
     assert whole
     return runs[:n]
 

@@ -125,8 +125,8 @@ def test_waist_is_that_of_the_histogram(seed: int) -> None:
     mask = labels == 1 + np.argmax(stats[1:, cv2.CC_STAT_AREA])
     y, x = np.argwhere(mask)[0]
     image, runs = np.ascontiguousarray(BGR[mask.astype(int)]), room(161)
-    colours = hue_table(TWO).colours
-    n, whole = fill(image, np.zeros(mask.shape, np.uint8), y, x, 1, colours, runs, 161)
+    table, visited = hue_table(TWO), np.zeros(mask.shape, np.uint8)
+    n, whole = fill(image, visited, y, x, 1, table.colours, table.cells, runs, 161)
     assert whole
     _, u, v, uu, uv, vv = moments(runs[:n])
     angle = axes(uu, uv, vv)[2]

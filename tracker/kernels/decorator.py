@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from functools import cache
 from typing import Any, TypeVar, overload
 
 from tracker.kernels.library import Library, load
@@ -34,25 +35,24 @@ def kernel(function: F | None = None, /, **options: Any) -> F | Callable[[F], F]
 
 def are_compiled() -> bool:
     """Whether there is a library of kernels, so that a first call waits for no compiler."""
-    return _library is not None
+    return _library() is not None
 
 
 def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:
-    if _library is not None:
-        return _library.kernel(function, options)
+    library, mode = _library(), os.environ.get(MODE, "")
+    if library is not None:
+        return library.kernel(function, options)
     from tracker.kernels.jit import compiled
 
-    made = compiled(function, options, cache=_mode != "build")
-    if _mode != "record":
+    made = compiled(function, options, cache=mode != "build")
+    if mode != "record":
         return made
     from tracker.kernels.record import Recorded
 
     return Recorded(made)
 
 
-def _chosen(mode: str) -> Library | None:
-    return load() if mode not in ("numba", "record", "build") else None
-
-
-_mode = os.environ.get(MODE, "")
-_library = _chosen(_mode)
+@cache
+def _library() -> Library | None:
+    """Looked for when the first kernel is made: the library's compiler sets the mode before."""
+    return None if os.environ.get(MODE) in ("numba", "record", "build") else load()

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tracker.kernels import kernel
 from tracker.messages import Array
-from tracker.vision.hue_table import Table, pixel_class
+from tracker.vision.hue_table import Table, colour_class
 
 _Bytes = NDArray[np.uint8]
 Runs = NDArray[np.int32]
@@ -30,18 +30,18 @@ def room(extent: int) -> Runs:
 
 @kernel(inline="always")
 def _run(
-    image: _Bytes, visited: _Bytes, y: int, x: int, hue: int, colours: Table
+    image: _Bytes, visited: _Bytes, y: int, x: int, hue: int, colours: Table, cells: Table
 ) -> tuple[int, int]:
     """The run of ``hue`` around (x, y), marked as visited: first and last column.
 
-    Inlined, as `pixel_class` is: a call for each pixel would take six times as long.
+    Inlined, as `colour_class` is: a call for each pixel would take six times as long.
     """
     first, last, right = x, x, image.shape[1] - 1
     visited[y, x] = 1
-    while first > 0 and pixel_class(image, y, first - 1, colours) == hue:
+    while first > 0 and colour_class(image, y, first - 1, colours, cells) == hue:
         first -= 1
         visited[y, first] = 1
-    while last < right and pixel_class(image, y, last + 1, colours) == hue:
+    while last < right and colour_class(image, y, last + 1, colours, cells) == hue:
         last += 1
         visited[y, last] = 1
     return first, last
@@ -55,6 +55,7 @@ def fill(
     x: int,
     hue: int,
     colours: Table,
+    cells: Table,
     runs: Runs,
     extent: int,
 ) -> tuple[int, bool]:
@@ -67,7 +68,7 @@ def fill(
     whether the region is whole.
     """
     height, width = image.shape[0], image.shape[1]
-    first, last = _run(image, visited, y, x, hue, colours)
+    first, last = _run(image, visited, y, x, hue, colours, cells)
     runs[0, 0], runs[0, 1], runs[0, 2], runs[0, 3] = y, first, last, NO_ROW
     low, high, top, bottom = first, last, y, y
     n, done, whole = 1, 0, last - first <= extent
@@ -85,8 +86,8 @@ def fill(
                     k = after
                     continue
                 seen = visited[near, k]
-                if seen == 0 and pixel_class(image, near, k, colours) == hue:
-                    a, b = _run(image, visited, near, k, hue, colours)
+                if seen == 0 and colour_class(image, near, k, colours, cells) == hue:
+                    a, b = _run(image, visited, near, k, hue, colours, cells)
                     runs[n, 0], runs[n, 1], runs[n, 2] = near, a, b
                     runs[n, 3], runs[n, 4], runs[n, 5] = row, first, last
                     n += 1

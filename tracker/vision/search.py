@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from tracker.kernels import kernel
 from tracker.messages import Array
 from tracker.vision.components import Runs, axes, bounds, cut, fill, hull, moments, waist
-from tracker.vision.hue_table import Table, cell_class, is_vivid, pixel_class
+from tracker.vision.hue_table import Table, cell_class, colour_class, is_vivid
 
 _Bytes = NDArray[np.uint8]
 
@@ -63,10 +63,10 @@ def find_regions(
                     x = first + seed * stride
                     if line.view(np.int8)[seed] == 0 or visited[y, x]:
                         continue
-                    hue = pixel_class(image, y, x, colours)
+                    hue = colour_class(image, y, x, colours, cells)
                     if hue == 0:
                         continue
-                    used, whole = fill(image, visited, y, x, hue, colours, runs, max_extent)
+                    used, whole = fill(image, visited, y, x, hue, colours, cells, runs, max_extent)
                     if not whole:
                         continue
                     if n + 2 > len(out):
