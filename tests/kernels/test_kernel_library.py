@@ -2,7 +2,11 @@
 
 import importlib
 import sys
+import threading
+import time
 import types
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -17,6 +21,16 @@ from tracker.kernels.record import SIGNATURES, Recorded, merge
 dispatch = pytest.importorskip(
     "tracker.kernels._dispatch", reason="the library was not built: no C++ compiler here"
 )
+
+
+class State(NamedTuple):
+    x: object
+    y: object
+
+
+class Other(NamedTuple):
+    x: object
+    y: object
 
 
 def total(x, k=1):
@@ -39,6 +53,7 @@ def library_with(**functions):
         (np.zeros(3), 1), (np.zeros((2, 3)), 1.0), (np.zeros((2, 3)).T, True), ((1, 2.0), None),
         (np.zeros(4)[::2], np.int32(1)), (np.zeros(4, np.float32), np.float32(1)), ((), ()),
         (np.zeros((2, 2, 2), np.uint8), ((1, np.zeros(2)), 3)),
+        (State(np.zeros(2), 1.0), 1j), (np.zeros(3, complex), (State(1, 2), np.complex64(2))),
     ],
     ids=kinds_of,
 )  # fmt: skip
@@ -46,7 +61,15 @@ def test_a_function_runs_for_its_own_types_and_no_others(args):
     made = dispatch.Kernel(None)
     made.add(kinds_of(args), lambda *a: "compiled")
     assert made(*args) == "compiled"
-    others = [np.zeros((2, 2), "i2"), 1 + 0j, "word", np.zeros(2, ">f8"), (1, 2), 2**70, np.int8(1)]
+    others = [
+        Other(*args[0]) if type(args[0]) is State else 0j,
+        np.zeros((2, 2), "i2"),
+        "word",
+        np.zeros(2, ">f8"),
+        (1, 2),
+        2**70,
+        np.int8(1),
+    ]
     for other in others:
         assert not made.finds(other, args[1])
         assert not made.finds(args[0], other)
@@ -64,7 +87,10 @@ def test_a_read_only_array_goes_only_where_nothing_is_written():
     assert made(np.zeros(3)) == "may write"
 
 
-@pytest.mark.parametrize("words", ["f9", "f8[", "f8[2X]", "(f8", "f8 what", "f8[2C"])
+WORDS = ["f9", "f3", "c32", "a.B(f8", "i8)", "f8[", "f8[2X]", "(f8", "f8 what", "f8[2C"]
+
+
+@pytest.mark.parametrize("words", WORDS)
 def test_words_that_are_none(words):
     with pytest.raises(ValueError, match="no kinds"):
         dispatch.Kernel(None).add(words, total)
@@ -100,6 +126,22 @@ def test_without_numba_python_itself_runs_and_the_log_says_so(monkeypatch, caplo
     made = library_with().kernel(total, {})
     assert made(np.ones(3), 2) == 6.0
     assert "runs uncompiled" in caplog.text
+
+
+def test_threads_may_call_a_kernel_for_the_first_time_together(monkeypatch):
+    made = library_with(**{"f8[1C]_i8": lambda x, k: "compiled"}).kernel(total, {})
+    fill, together = Library._fill, threading.Barrier(2)
+
+    def slowly(self, kernel):
+        together.wait(5.0)  # the other one is about to ask
+        time.sleep(0.05)
+        fill(self, kernel)
+
+    monkeypatch.setattr(Library, "_fill", slowly)
+    with ThreadPoolExecutor(1) as pool:
+        other = pool.submit(made, np.ones(2), 2)
+        together.wait(5.0)
+        assert made(np.ones(2), 2) == other.result() == "compiled"
 
 
 def test_a_failure_inside_comes_out():

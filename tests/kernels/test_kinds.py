@@ -1,5 +1,7 @@
 """The words for types are numba's distinctions: numba is the oracle."""
 
+from typing import NamedTuple
+
 import numpy as np
 import pytest
 from numba import typeof
@@ -9,12 +11,28 @@ from tracker.kernels.numba_types import arguments, numba_type
 
 READ_ONLY = np.zeros(3)
 READ_ONLY.setflags(write=False)
+
+
+class Pair(NamedTuple):
+    first: object
+    second: object
+
+
+def _local() -> type:
+    class Local(NamedTuple):
+        only: int
+
+    return Local
+
+
+Local = _local()
 VALUES = [
     1, -(2**62), 1.5, True, None, np.float64(2), np.float32(2), np.int64(3), np.uint8(3),
     np.bool_(1), np.zeros(3),
     np.zeros((2, 3)), np.zeros((2, 3)).T, np.zeros((4, 4))[::2, ::2], np.zeros(8)[::2],
     np.zeros((0, 3)), np.zeros((1, 3)).T, READ_ONLY, np.zeros((2, 2, 3), np.uint8),
     np.zeros(3, np.int16), np.zeros(2, bool), (1, 2.0), (np.zeros(2), (1, True)), (),
+    (1.0, 2.0), 1j, np.complex64(1), np.zeros(2, complex), Pair(np.zeros(2), 1j), Pair(1.0, 2.0),
 ]  # fmt: skip
 
 
@@ -28,7 +46,7 @@ def test_all_arguments_of_a_call():
     assert arguments(kinds_of(())) == ()
 
 
-@pytest.mark.parametrize("value", ["a", [1.0], 2**64, np.zeros(2, ">f8"), 1j, {}])
+@pytest.mark.parametrize("value", ["a", [1.0], 2**64, np.zeros(2, ">f8"), {}, Local(1)])
 def test_what_no_word_is_for(value):
     with pytest.raises(UnknownKindError):
         kind_of(value)

@@ -96,9 +96,10 @@ def _with_options(options: dict[Any, dict[str, Any]]) -> Any:
     def compile_extra(  # type: ignore[no-untyped-def]
         typing, target, function, args, result, flags, **rest
     ):
-        cpu_target.options.parse_as_flags(flags, options[function])
-        flags.no_cpython_wrapper, flags.no_cfunc_wrapper = False, True
-        return plain(typing, target, function, args, result, flags, **rest)
+        own = flags.copy()  # those given are for all functions: fast-math of one would stay on
+        cpu_target.options.parse_as_flags(own, options[function])
+        own.no_cpython_wrapper, own.no_cfunc_wrapper = False, True
+        return plain(typing, target, function, args, result, own, **rest)
 
     return compile_extra
 

@@ -17,13 +17,14 @@ enum form { NUMBER, ARRAY, TUPLE, NONE };
 
 typedef struct kind {
     enum form form;
-    char letter;         /* numpy's kind of a number: b i u f */
+    char letter;         /* numpy's kind of a number: b i u f c */
     int size;            /* bytes of a number */
     int dimensions;      /* of an array */
     char order;          /* C, F or A */
     int read_only;       /* whether an array that may not be written to will do */
     Py_ssize_t count;    /* members of a tuple */
     struct kind *members;
+    char name[64];       /* a named tuple's class, without its module; empty for a plain one */
 } Kind;
 
 typedef struct {
@@ -75,20 +76,33 @@ static const char *read_array(const char *at, Kind *kind) {
     return *after == ']' ? after + 1 : NULL;
 }
 
+/* A tuple's word begins with the name of its class, or with its bracket. */
+static int is_tuple_word(const char *at) {
+    return at[strspn(at, "._0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")] == '(';
+}
+
+static const char *read_tuple(const char *at, Kind *kind) {
+    const char *open = strchr(at, '('), *name = open;
+    while (name > at && name[-1] != '.') name--;
+    if ((size_t)(open - name) >= sizeof(kind->name)) return NULL;
+    memcpy(kind->name, name, open - name); /* what follows are zeros */
+    const char *end = read_members(open + 1, ')', ',', kind);
+    return end ? end + 1 : NULL;
+}
+
 /* One word from `at` on; where it ends, or NULL. */
 static const char *read_kind(const char *at, Kind *kind) {
-    if (*at == '(') {
-        const char *end = read_members(at + 1, ')', ',', kind);
-        return end ? end + 1 : NULL;
-    }
+    if (is_tuple_word(at)) return read_tuple(at, kind);
     if (strncmp(at, "none", 4) == 0) {
         kind->form = NONE;
         return at + 4;
     }
-    if (!*at || !strchr("biuf", *at) || at[1] < '1' || at[1] > '8') return NULL;
+    char *after;
+    if (!*at || !strchr("biufc", *at)) return NULL;
     kind->letter = at[0];
-    kind->size = at[1] - '0';
-    return at[2] == '[' ? read_array(at + 3, kind) : at + 2;
+    kind->size = (int)strtol(at + 1, &after, 10);
+    if (kind->size < 1 || kind->size > 16 || kind->size & (kind->size - 1)) return NULL;
+    return *after == '[' ? read_array(after + 1, kind) : after;
 }
 
 /* --- looking at values */
@@ -108,6 +122,7 @@ static int is_numpy_number(const Kind *kind, PyObject *value) {
 static int is_number(const Kind *kind, PyObject *value) {
     if (PyFloat_Check(value)) return kind->letter == 'f' && kind->size == 8;
     if (PyBool_Check(value)) return kind->letter == 'b';
+    if (PyComplex_Check(value)) return kind->letter == 'c' && kind->size == 16;
     if (PyLong_Check(value)) {
         int overflow = 0;
         if (kind->letter != 'i' || kind->size != 8) return 0;
@@ -137,7 +152,10 @@ static int fits(const Kind *kind, PyObject *value) {
     case NONE: return value == Py_None;
     default: break;
     }
-    if (!PyTuple_CheckExact(value) || PyTuple_GET_SIZE(value) != kind->count) return 0;
+    if (kind->name[0] ? !PyTuple_Check(value) || strcmp(Py_TYPE(value)->tp_name, kind->name) != 0
+                      : !PyTuple_CheckExact(value))
+        return 0;
+    if (PyTuple_GET_SIZE(value) != kind->count) return 0;
     for (Py_ssize_t i = 0; i < kind->count; i++)
         if (!fits(&kind->members[i], PyTuple_GET_ITEM(value, i))) return 0;
     return 1;

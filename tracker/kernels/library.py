@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import functools
 import logging
+import threading
 from collections import defaultdict
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +17,7 @@ from types import ModuleType
 from typing import Any
 
 from tracker.kernels.fingerprint import fingerprint
+from tracker.kernels.kinds import UnknownKindError, kinds_of
 
 _log = logging.getLogger(__name__)
 
@@ -31,6 +33,7 @@ class Library:
     def __init__(self, kernel_type: type, functions: ModuleType, table: str) -> None:
         self._kernel_type = kernel_type
         self._functions = functions
+        self._filling = threading.Lock()
         self._lines: dict[str, list[tuple[str, str, str]]] = defaultdict(list)
         for line in table.splitlines():
             symbol, print_, name, *kinds = line.split(" ")
@@ -49,12 +52,11 @@ class Library:
         """A call that no function of the kernel fits: the first one, or one of other types."""
         if named:
             return kernel(*args, *_in_order(kernel.py_func, len(args), named))
-        if kernel.fallback is None:
-            kernel.fallback = self._fallback(kernel)
-            self._fill(kernel)
-            if kernel.finds(*args):
-                return kernel(*args)
-        return kernel.fallback(*args)
+        with self._filling:  # threads may call a kernel for the first time together
+            if kernel.fallback is None:
+                self._fill(kernel)
+                kernel.fallback = self._fallback(kernel)
+        return kernel(*args) if kernel.finds(*args) else kernel.fallback(*args)
 
     def numba_type(self, kernel: Any) -> Any:
         """numba compiles a kernel that calls this one: to it, this is a function of its own."""
@@ -74,7 +76,7 @@ class Library:
         def run(*args: Any) -> Any:
             if not told:
                 told.append(True)
-                _log.debug("%s is not in the library for its arguments", kernel.__qualname__)
+                _log.debug("not in the library: %s %s", kernel.__qualname__, _told(args))
             return self._by_numba(kernel)(*args)
 
         told: list[bool] = []
@@ -101,6 +103,14 @@ def load() -> Library | None:
     except (ImportError, OSError) as error:
         _log.debug("kernels are compiled as they are needed: %s", error)
         return None
+
+
+def _told(args: tuple[Any, ...]) -> str:
+    """The types of a call, for the log."""
+    try:
+        return kinds_of(args)
+    except UnknownKindError as unknown:
+        return f"with {unknown}"
 
 
 def _breadth(kinds: str) -> int:
