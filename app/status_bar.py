@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QToolTip, QWidget
 
 from app.tasks import Task, TaskOwner
 from app.viewmodels.status import fields, tracking_look
@@ -38,6 +38,11 @@ class StatusBar(QStatusBar):
         for field in fields(status if running else None):
             text = f"{field.name} {field.text}"
             self.chips[field.key].show_state(field.look.colour, field.look.sign, text, field.tip)
+
+    def show_latencies(self) -> None:
+        """What the pointer would show over the latency: each stage's."""
+        chip = self.chips["latency"]
+        QToolTip.showText(chip.mapToGlobal(chip.rect().topLeft()), chip.toolTip(), chip)
 
     def show_recording(self, text: str, colour: str) -> None:
         self.recording.setVisible(bool(text))

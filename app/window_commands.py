@@ -99,6 +99,7 @@ def _view(w: MainWindow) -> list[Command]:
     menu = w.tr("&View")
     return [
         Command("palette", menu, w.tr("&Command palette…"), w.open_palette, "Ctrl+K"),
+        Command("latencies", menu, w.tr("Latency of &each stage"), w.bar.show_latencies),
         Command("reset_layout", menu, w.tr("&Reset the layout"), w.reset_layout, "Ctrl+Shift+0"),
         Command("fullscreen", menu, w.tr("&Full screen"), w.toggle_full_screen, "F11"),
         Command("view_auto", menu, w.tr("3D view: &chosen by itself"), _chooser(w, "auto")),

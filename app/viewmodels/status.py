@@ -10,6 +10,12 @@ from tracker.messages import Status
 
 LATENCY_WARN_MS = 60.0
 LATENCY_BAD_MS = 120.0
+STAGES = {
+    "detect": "Search of both pictures",
+    "filter": "The engine's step for a message",
+    "imu": "A packet's arrival to its estimate",
+    "total": "A picture's arrival to the estimate made of it",
+}
 
 
 @dataclass(frozen=True)
@@ -49,14 +55,27 @@ def _rate(key: str, name: str, values: dict[str, float], tip: str) -> Field:
 
 
 def _latency(values: dict[str, float]) -> Field:
-    tip = "From the exposure of a picture to the estimate made of it: median, 99th percentile"
+    tip = "\n".join(["Of each stage, median (99th percentile):", *_stages(values)])
     total = values.get("latency_total_ms", math.nan)
     if not math.isfinite(total):
         return Field("latency", "Latency", "–", IDLE, tip)
-    worst = values.get("latency_total_ms_p99", values.get("latency_total_p99_ms", math.nan))
+    worst = values.get("latency_total_p99_ms", math.nan)
     text = f"{total:.0f} ms" + (f" (99 %: {worst:.0f})" if math.isfinite(worst) else "")
     look = GOOD if total < LATENCY_WARN_MS else WARN if total < LATENCY_BAD_MS else BAD
     return Field("latency", "Latency", text, look, tip)
+
+
+def _stages(values: dict[str, float]) -> list[str]:
+    """A line per stage, from the counters that `/tracker/status` has."""
+    return [
+        f"{name}: {_ms(values, f'latency_{key}_ms')} ({_ms(values, f'latency_{key}_p99_ms')})"
+        for key, name in STAGES.items()
+    ]
+
+
+def _ms(values: dict[str, float], key: str) -> str:
+    value = values.get(key, math.nan)
+    return f"{value:.1f} ms" if math.isfinite(value) else "–"
 
 
 def _losses(values: dict[str, float]) -> Field:

@@ -20,13 +20,15 @@ class Chip(QWidget):
         self._shown = ("", "", "")
 
     def show_state(self, colour: str, sign: str, text: str, tip: str = "") -> None:
+        if tip != self.toolTip():
+            self.setToolTip(tip)
+            self.setAccessibleDescription(tip)
         if (colour, sign, text) == self._shown:
             return  # a label repaints even when nothing changes
         self._shown = (colour, sign, text)
         self._sign.setText(sign)
         self._sign.setStyleSheet(f"color: {colour}")
         self._text.setText(text)
-        self.setToolTip(tip)
         self.setAccessibleName(text)
 
     def text(self) -> str:

@@ -221,6 +221,14 @@ def test_lost_packets_are_a_problem_and_nothing_known_is_a_dash():
     assert shown["latency"].text == "–"
 
 
+def test_each_stage_has_its_latency():
+    values = {"latency_total_ms": 7.8, "latency_total_p99_ms": 24.3, "latency_detect_ms": 1.01}
+    shown = {f.key: f for f in fields(Status(0.0, Tracking.TRACKING, values))}["latency"]
+    assert shown.text == "8 ms (99 %: 24)"
+    assert "Search of both pictures: 1.0 ms (–)" in shown.tip
+    assert "A picture's arrival to the estimate made of it: 7.8 ms (24.3 ms)" in shown.tip
+
+
 def test_orbit_keeps_its_distance_and_looks_where_it_is_told():
     orbit = Orbit()
     orbit.target = np.array([0.2, 0.0, 0.1])

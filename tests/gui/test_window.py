@@ -9,14 +9,14 @@ import pytest
 from gui_fakes import ScriptedEngine, SlowJob, frame_and_blobs, models, scripted_setup
 from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QToolTip
 
 from app.main_window import MainWindow
 from app.panels.hand_actors import segment_shape
 from app.viewmodels.overlay import project
 from app.widgets.command_palette import CommandPalette, rank
 from app.widgets.meshes import mesh_of
-from tracker.messages import Event, Tracking
+from tracker.messages import Event, Status, Tracking
 
 
 def pixels(widget) -> np.ndarray:
@@ -295,3 +295,11 @@ def test_another_engine_is_chosen_and_remembered(live, engine):
     live.run_command("engine_vist")
     assert engine.engines[-1] == "vist"
     assert live.store.value.engine == "vist"
+
+
+def test_the_latency_of_each_stage_is_a_command(window):
+    values = {"latency_total_ms": 7.8, "latency_detect_ms": 1.0}
+    window.bar.show_status(Status(0.0, Tracking.TRACKING, values), running=True)
+    window.commands.actions["latencies"].trigger()
+    assert "Search of both pictures: 1.0 ms" in QToolTip.text()
+    assert "7.8 ms" in window.bar.chips["latency"].accessibleDescription()
