@@ -22,11 +22,14 @@ from app.report import START_TIMEOUT, wait_until
 from app.screenshots_set_up import take_set_up
 from app.settings import SettingsStore
 from app.sources import demo_factory
+from app.viewmodels.snapshot import Snapshot
 from tracker.messages import Tracking
 
 SETTLE = 6.0  # s of tracking before the first picture
 SIZE = (1366, 768)
 CALM_MS = 150.0
+PATIENCE = 12.0  # s for a good moment
+OPEN = 0.115  # m from the wrist to the nearest fingertip
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -82,18 +85,28 @@ def _take_panels(window: MainWindow, out: Path, name: str) -> None:
 
 
 def _wait_for_hand(window: MainWindow) -> None:
-    """Let the panels refresh, then wait for a tracked hand (4 s at most)."""
+    """Let the panels refresh, then wait for an open hand that is tracked (`PATIENCE` at most)."""
     wait_until(lambda: False, 0.7)
 
-    def tracked() -> bool:
+    def ready() -> bool:
         view = window.session.snapshot()
-        if view is None or view.status is None:
+        if view is None or view.status is None or view.estimate is None:
             return False
         if view.status.values.get("latency_total_ms", 0.0) > CALM_MS:
             return False  # the last picture taken held everything up
-        return view.estimate is not None and view.estimate.tracking == Tracking.TRACKING
+        return view.estimate.tracking == Tracking.TRACKING and _is_open(view)
 
-    wait_until(tracked, 4.0)
+    wait_until(ready, PATIENCE)
+    window.hand.view_back()
+
+
+def _is_open(view: Snapshot) -> bool:
+    """Whether all fingertips are far from the wrist: a fist shows little of what is tracked."""
+    names = view.setup.glove.keypoint_names(view.setup.hand)
+    tips = [i for i, name in enumerate(names) if name.endswith("_tip")]
+    assert view.estimate is not None
+    reach = np.linalg.norm(view.estimate.keypoints[tips] - view.estimate.segment_p[0], axis=1)
+    return bool(reach.min() > OPEN)
 
 
 def save(widget: QWidget, path: Path) -> None:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt
@@ -68,10 +71,24 @@ def apply(app: QApplication, theme: str) -> Colours:
     c = colours(theme)
     sheet = _style_sheet(c)
     if app.styleSheet() != sheet:  # else it wears this already, and dressing takes half a second
-        app.setStyle("Fusion")
-        app.setPalette(_palette(c))
-        app.setStyleSheet(sheet)
+        with _nothing_collected():
+            app.setStyle("Fusion")
+            app.setPalette(_palette(c))
+            app.setStyleSheet(sheet)
     return c
+
+
+@contextmanager
+def _nothing_collected() -> Iterator[None]:
+    """Qt walks over all widgets that there were at first, and tells each in Python: where that set
+    Python's garbage collector off, Qt would come to widgets that are gone."""
+    before = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if before:
+            gc.enable()
 
 
 def _palette(c: Colours) -> QPalette:

@@ -7,6 +7,8 @@ import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
+from crash_traces import register as register_crash_traces
+
 import tracker  # noqa: F401  (pins BLAS before numpy is imported)
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
@@ -15,6 +17,10 @@ from tracker.hand.model import HandModel
 
 ROOT = Path(__file__).resolve().parents[1]
 RESOURCES = ROOT / "resources"
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    register_crash_traces(config)
 
 
 @pytest.fixture(scope="session")

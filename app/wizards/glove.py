@@ -100,8 +100,11 @@ class GloveSetup(QDialog):
         self._tasks.run(
             self.tr("Looking for gloves"),
             lambda progress: _search(progress, busy),
-            lambda reports: self.choice.show_ports(reports, self._store.value.port),
+            self._found,  # a method: not called any more once this window is gone
         )
+
+    def _found(self, reports: list[PortReport]) -> None:
+        self.choice.show_ports(reports, self._store.value.port)
 
     def _choose(self) -> None:
         """Turn to the glove that is chosen now."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from dataclasses import replace
 from functools import lru_cache
 
@@ -411,3 +412,25 @@ def test_choosing_the_left_side_offers_left_files_and_is_stored(window, store, q
     assert (store.value.glove, store.value.hand) == ("vist-small-left", "reference-left")
     assert simulation().glove.side == "right"
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_gloves_that_are_found_after_the_window_for_them_has_gone_harm_nothing(
+    window, qtbot, monkeypatch
+):
+    gone = threading.Event()
+
+    def slow_ports():
+        assert gone.wait(30)
+        return []
+
+    monkeypatch.setattr("app.wizards.glove.serial_ports", slow_ports)
+    window.run_command("glove_setup")
+    dialog = window.set_up.dialogs["glove"]
+    destroyed = []
+    dialog.destroyed.connect(lambda: destroyed.append(True))
+    dialog.close()
+    qtbot.waitUntil(lambda: bool(destroyed), timeout=30_000)
+    gone.set()
+    with qtbot.captureExceptions() as exceptions:
+        qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    assert exceptions == []

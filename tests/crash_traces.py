@@ -1,0 +1,47 @@
+"""Where a hard crash of a test process happened, told at the end of the run.
+
+A crashed worker of pytest-xdist is replaced and only its last test is named. Python's fault handler
+writes the stacks of all threads into a file per process; a summary shows those that are not empty.
+"""
+
+from __future__ import annotations
+
+import faulthandler
+import os
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TextIO
+
+import pytest
+from _pytest.terminal import TerminalReporter
+
+FOLDER = "GLOVETRACK_CRASH_TRACES"
+
+
+class CrashTraces:
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._file: TextIO = (folder / f"{os.getpid()}.txt").open("w", encoding="utf-8")
+
+    @pytest.hookimpl(wrapper=True, tryfirst=True)
+    def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
+        """Enabled anew for each test: some of them, and pytest, enable it for themselves."""
+        faulthandler.enable(self._file)
+        return (yield)
+
+    def pytest_terminal_summary(self, terminalreporter: TerminalReporter) -> None:
+        for path in sorted(self._folder.glob("*.txt")):
+            text = path.read_text("utf-8", "replace")
+            if text.strip():
+                terminalreporter.section(f"process {path.stem} crashed")
+                terminalreporter.write_line(text)
+
+
+def register(config: pytest.Config) -> None:
+    """Workers write where the process that has started them looks."""
+    if not hasattr(config, "workerinput"):
+        folder = tempfile.TemporaryDirectory(prefix="glovetrack-crashes-")
+        config.add_cleanup(folder.cleanup)
+        os.environ[FOLDER] = folder.name
+    config.pluginmanager.register(CrashTraces(Path(os.environ[FOLDER])), "crash_traces")
