@@ -1,15 +1,16 @@
 """Fixtures that many rooms share."""
 
 import os
+import tempfile
 from pathlib import Path
 
 import pytest
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from crash_traces import register as register_crash_traces
+import crash_traces
+import kernel_twins  # before the kernels
 
-import tracker  # noqa: F401  (pins BLAS before numpy is imported)
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -20,7 +21,16 @@ RESOURCES = ROOT / "resources"
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    register_crash_traces(config)
+    folder = tempfile.TemporaryDirectory(prefix="glovetrack-tests-")
+    config.add_cleanup(folder.cleanup)
+    crash_traces.register(config, Path(folder.name))
+    kernel_twins.register(config, Path(folder.name))
+
+
+@pytest.fixture
+def compare_large(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Kernels are compared with their twins however large their arrays."""
+    monkeypatch.setattr(kernel_twins.TWINS, "most", 50_000_000)
 
 
 @pytest.fixture(scope="session")

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import faulthandler
 import os
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TextIO
@@ -22,7 +21,7 @@ FOLDER = "GLOVETRACK_CRASH_TRACES"
 class CrashTraces:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        self._file: TextIO = (folder / f"{os.getpid()}.txt").open("w", encoding="utf-8")
+        self._file: TextIO = (folder / f"crash-{os.getpid()}.txt").open("w", encoding="utf-8")
 
     @pytest.hookimpl(wrapper=True, tryfirst=True)
     def pytest_runtest_protocol(self, item: pytest.Item) -> Iterator[None]:
@@ -31,17 +30,15 @@ class CrashTraces:
         return (yield)
 
     def pytest_terminal_summary(self, terminalreporter: TerminalReporter) -> None:
-        for path in sorted(self._folder.glob("*.txt")):
+        for path in sorted(self._folder.glob("crash-*.txt")):
             text = path.read_text("utf-8", "replace")
             if text.strip():
-                terminalreporter.section(f"process {path.stem} crashed")
+                terminalreporter.section(f"process {path.stem.partition('-')[2]} crashed")
                 terminalreporter.write_line(text)
 
 
-def register(config: pytest.Config) -> None:
+def register(config: pytest.Config, folder: Path) -> None:
     """Workers write where the process that has started them looks."""
     if not hasattr(config, "workerinput"):
-        folder = tempfile.TemporaryDirectory(prefix="glovetrack-crashes-")
-        config.add_cleanup(folder.cleanup)
-        os.environ[FOLDER] = folder.name
+        os.environ[FOLDER] = str(folder)
     config.pluginmanager.register(CrashTraces(Path(os.environ[FOLDER])), "crash_traces")

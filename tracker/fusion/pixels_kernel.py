@@ -198,7 +198,7 @@ def point_rows(  # type: ignore[no-untyped-def]
     """
     m = 0
     for k in range(len(rows)):
-        seen = (match[0, rows[k]] >= 0) + (match[1, rows[k]] >= 0)
+        seen = int(match[0, rows[k]] >= 0) + int(match[1, rows[k]] >= 0)
         m += seen + 1 if seen else 0
     rows_H, rows_HP = np.empty((m, H.shape[2])), np.empty((m, H.shape[2]))
     out_r, R = np.empty(m), np.zeros((m, m))
