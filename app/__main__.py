@@ -44,7 +44,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         camera = start_camera(fps=args.fps)  # before the window is even imported
         from app.report import headless_report
 
-        return headless_report(app, args.headless_report, args.out, args.fps, camera)
+        return headless_report(app, args.headless_report, args.out, args.fps, camera, args.streams)
     return _run(app, args)
 
 

@@ -23,6 +23,7 @@ from app.tasks import Progress
 from app.viewmodels.snapshot import Snapshot
 from tracker.messages import Array, Tracking
 from tracker.simulation.camera_device import SimulatedCamera
+from tracker.streaming.params import StreamParams
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
 SAMPLE_MS = 50
@@ -41,7 +42,12 @@ class Figures:
 
 
 def headless_report(
-    app: QApplication, duration: float, out: Path, fps: float, camera: SimulatedCamera
+    app: QApplication,
+    duration: float,
+    out: Path,
+    fps: float,
+    camera: SimulatedCamera,
+    streams: StreamParams,
 ) -> int:
     """Run the demo for ``duration`` s of tracking and leave its results in ``out``."""
     out.mkdir(parents=True, exist_ok=True)
@@ -49,6 +55,7 @@ def headless_report(
     window = MainWindow(store)
     window.resize(1440, 900)
     window.set_theme("dark")
+    window.outputs.use(streams)
     window.show()
     try:
         return _run(app, window, duration, out, demo_factory(fps=fps, camera=camera))

@@ -28,7 +28,7 @@ from tracker.messages import Tracking
 SETTLE = 6.0  # s of tracking before the first picture
 SIZE = (1366, 768)
 CALM_MS = 150.0
-PATIENCE = 12.0  # s for a good moment
+PATIENCE = 40.0  # s for a good moment
 OPEN = 0.115  # m from the wrist to the nearest fingertip
 
 

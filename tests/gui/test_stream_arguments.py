@@ -2,12 +2,17 @@
 
 import json
 import socket
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.__main__ import main
 from tracker.streaming.params import StreamParams, with_streams
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
@@ -26,6 +31,25 @@ def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
                 return False
 
         qtbot.waitUntil(heard, timeout=10_000)
+
+
+@pytest.mark.timeout(180)
+def test_a_report_without_a_screen_sends_too_and_leaves_its_files(tmp_path):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
+        listener.bind(("127.0.0.1", 0))
+        words = ["--headless-report", "2", "--out", str(tmp_path)]
+        stream = ["--stream", f"udp:{listener.getsockname()[1]}"]
+        done = subprocess.run(
+            [sys.executable, "-m", "app", "--demo", *words, *stream],
+            cwd=ROOT,
+            capture_output=True,
+            text=True,
+        )
+        listener.settimeout(1.0)
+        assert "keypoints" in json.loads(listener.recv(65536))
+    assert done.returncode == 0, done.stderr
+    assert {"session.mcap", "session.csv"} <= {p.name for p in tmp_path.iterdir()}
+    assert "tracking " in done.stdout
 
 
 def test_a_word_that_is_no_stream_is_wrong_usage(capsys):

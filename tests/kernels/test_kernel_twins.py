@@ -8,7 +8,6 @@ from kernel_twins import DONE, Compared, Twins, assert_same
 
 from tracker.kernels import kernel
 
-
 KINDS = "f8[1C] f8[1C]"
 
 
