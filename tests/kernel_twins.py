@@ -171,8 +171,8 @@ class EveryKernel:
     """A plugin of the process that has started the workers."""
 
     def __init__(self, done: Path) -> None:
-        self._done, self._missing = done, [""]
-        self._missing.clear()
+        self._done = done
+        self._missing: list[str] = []
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         done = set(self._done.read_text("utf-8").splitlines()) if self._done.exists() else set()
