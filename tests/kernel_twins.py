@@ -39,8 +39,7 @@ CLOSE_FAST = 1e-4
 """The same with fast-math, where pictures are drawn in single precision."""
 
 OTHERWISE = {
-    "tracker.vision.hue_table._fill_cells": "16 million colours; test_detector asks OpenCV",
-    "tracker.vision.hue_table._fill_colours": "the same",
+    "tracker.vision.hue_table._fill_table": "16 million colours; test_detector asks OpenCV",
 }
 """Kernels that Python would take minutes for, and what stands for their twin."""
 

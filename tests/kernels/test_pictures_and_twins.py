@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from resources import folder
+from tests.vision.hue_classes import all_classes
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import parse_profile
@@ -50,6 +51,6 @@ def test_a_region_is_filled_as_python_fills_it(profile):
     table, picture = hue_table(profile), np.full((30, 40, 3), 110, np.uint8)
     picture[8:20, 10:31] = (40, 40, 215)
     visited, runs = np.zeros((30, 40), np.uint8), room(40)
-    hue = int(table.colours[(40 * 256 + 40) * 256 + 215])
-    n, whole = fill(picture, visited, 8, 10, hue, table.colours, table.cells, runs, 40)
+    hue = int(all_classes(table)[40, 40, 215])
+    n, whole = fill(picture, visited, 8, 10, hue, table.cells, table.patterns, runs, 40)
     assert (n, whole) == (12, True)

@@ -4,6 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tests.vision.hue_classes import all_classes
 from tracker.errors import ConfigError, GlovetrackError
 from tracker.messages import CameraPose, StereoFrame
 from tracker.vision.colours import ColourProfile, HueRange, ShapeLimits
@@ -14,7 +15,7 @@ from tracker.vision.detector import (
     DetectorParams,
     detect_frame,
 )
-from tracker.vision.hue_table import MIXED, hue_table
+from tracker.vision.hue_table import hue_table
 
 BGR = {
     "red": (40, 40, 215),
@@ -72,7 +73,7 @@ def random_shapes(rng: np.random.Generator, n: int) -> list:
 
 
 def test_every_colour_has_the_class_that_opencv_gives() -> None:
-    table = hue_table(FOUR).colours
+    classes = all_classes(hue_table(FOUR))
     r = np.arange(256, dtype=np.uint8)
     for b in range(0, 256, 3):
         image = np.empty((256, 256, 3), np.uint8)
@@ -81,15 +82,24 @@ def test_every_colour_has_the_class_that_opencv_gives() -> None:
         expected = np.zeros((256, 256), np.int8)
         for k in reversed(range(4)):
             expected[FOUR.hues[k].contains(hsv)] = k + 1
-        assert np.array_equal(table[b << 16 : (b + 1) << 16].reshape(256, 256), expected)
+        assert np.array_equal(classes[b], expected)
 
 
-def test_cells_hold_the_class_that_all_their_colours_have() -> None:
+def test_cells_of_one_class_share_a_pattern() -> None:
     table = hue_table(FOUR)
-    colours = table.colours.reshape(64, 4, 64, 4, 64, 4)
-    low, high = colours.min(axis=(1, 3, 5)), colours.max(axis=(1, 3, 5))
-    assert np.array_equal(table.cells, np.where(low == high, low, MIXED).ravel())
-    assert 0.01 < np.mean(table.cells == MIXED) < 0.1
+    patterns = table.patterns.reshape(-1, 512)
+    low, high = patterns.min(axis=1), patterns.max(axis=1)
+    assert low[:5].tolist() == high[:5].tolist() == [0, 1, 2, 3, 4]
+    assert (low[5:] < high[5:]).all()
+    own = table.cells[table.cells >= 5]
+    assert np.array_equal(own, np.arange(5, len(patterns)))
+    assert 0.1 < len(own) / len(table.cells) < 0.25
+
+
+def test_hue_that_takes_all_colours_from_a_value_on_is_exact() -> None:
+    table = hue_table(ColourProfile("bright", (HueRange("any", (0, 179), (0, 255), (130, 255)),)))
+    b, g, r = np.indices((256, 256, 256), np.uint8, sparse=True)
+    assert np.array_equal(all_classes(table), np.maximum(np.maximum(b, g), r) >= 130)
 
 
 @pytest.mark.parametrize("stride", [1, 4])
@@ -126,7 +136,7 @@ def mask_runs(mask: np.ndarray) -> np.ndarray:
     extent = max(mask.shape)
     runs, visited = room(extent), np.zeros(mask.shape, np.uint8)
     table = hue_table(FOUR)
-    n, whole = fill(image, visited, y, x, 1, table.colours, table.cells, runs, extent)
+    n, whole = fill(image, visited, y, x, 1, table.cells, table.patterns, runs, extent)
     assert whole
     return runs[:n]
 
@@ -160,8 +170,8 @@ def test_region_and_moments_are_those_of_opencv(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(6))
 def test_hull_counts_its_pixels_and_measures_its_girth(seed: int) -> None:
     mask = blobby_mask(seed)
-    pixels, girth = hull(mask_runs(mask))
     points = np.argwhere(mask)[:, ::-1].astype(np.int32)
+    pixels, girth = hull(mask_runs(mask), int(points[0, 1]), int(points[-1, 1]))
     polygon = cv2.convexHull(points)
     inside = np.zeros(mask.shape, np.uint8)
     v, u = np.nonzero(np.ones_like(mask))

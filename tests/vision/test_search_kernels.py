@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
+from tests.vision.hue_classes import all_classes
 from tracker.vision import search
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.components import axes, fill, moments, room, waist
@@ -32,8 +33,8 @@ def found(classes: np.ndarray, windows: np.ndarray) -> np.ndarray:
         image,
         visited,
         runs,
-        table.colours,
         table.cells,
+        table.patterns,
         table.vivid,
         windows,
         MIN_AREA,
@@ -41,15 +42,31 @@ def found(classes: np.ndarray, windows: np.ndarray) -> np.ndarray:
     )
 
 
+def broad(mask: np.ndarray) -> np.ndarray:
+    """The pixels of a mask that lie in a square of 2 x 2 of it."""
+    corners = np.lib.stride_tricks.sliding_window_view(mask, (2, 2)).min(axis=(2, 3))
+    out = np.zeros_like(mask)
+    for y in (0, 1):
+        for x in (0, 1):
+            out[y : y + corners.shape[0], x : x + corners.shape[1]] |= corners
+    return out
+
+
 def regions(classes: np.ndarray, seeds: np.ndarray) -> set[tuple[int, int, int]]:
-    """Hue, area and sum of columns of the regions that a seed meets, as OpenCV labels them."""
+    """Hue, area and sum of columns of the regions that a seed meets, as OpenCV labels them.
+
+    A seed that no square of 2 x 2 px of its hue holds meets none, but at the picture's edge.
+    """
+    inner = np.pad(np.ones(np.subtract(classes.shape, 2), bool), 1)
     out = set()
     for hue in (1, 2):
-        count, labels = cv2.connectedComponents((classes == hue).astype(np.uint8), connectivity=8)
+        mask = (classes == hue).astype(np.uint8)
+        good = seeds & ((broad(mask) > 0) | ~inner)
+        count, labels = cv2.connectedComponents(mask, connectivity=8)
         for k in range(1, count):
             y, x = np.nonzero(labels == k)
             extent = max(np.ptp(x), np.ptp(y))
-            if seeds[y, x].any() and len(x) >= MIN_AREA and extent <= MAX_EXTENT:
+            if good[y, x].any() and len(x) >= MIN_AREA and extent <= MAX_EXTENT:
                 out.add((hue - 1, len(x), int(x.sum())))
     return out
 
@@ -73,12 +90,22 @@ def test_regions_are_those_that_opencv_labels(stride: int) -> None:
         assert len(got - expected) == 2 * parted
 
 
+def test_threads_and_specks_are_no_regions() -> None:
+    classes = np.zeros((60, 90), int)
+    classes[20, 10:40], classes[10:50, 60] = 1, 1
+    for k in range(20):
+        classes[30 + k, 20 + k] = 2
+    assert len(found(classes, np.array([[0, 89, 0, 59, 1]]))) == 0
+    classes[21, 25:27] = 1
+    assert len(found(classes, np.array([[0, 89, 0, 59, 1]]))) == 1
+
+
 def test_all_colours_of_a_vivid_hue_are_vivid() -> None:
     """So that looking at the vivid pixels alone misses none."""
     pale = HueRange("pale", (0, 179), (VIVID_SATURATION, 255), (1, 255))
     table = hue_table(ColourProfile("vivid", (pale,)))
     assert table.vivid == 1
-    bgr = np.stack(np.unravel_index(np.flatnonzero(table.colours), (256, 256, 256)))
+    bgr = np.stack(np.nonzero(all_classes(table)))
     least = bgr.min(axis=0)
     assert (bgr.max(axis=0) - least >= least // 2).all()
     paler = replace(pale, saturation=(VIVID_SATURATION - 1, 255))
@@ -126,7 +153,7 @@ def test_waist_is_that_of_the_histogram(seed: int) -> None:
     y, x = np.argwhere(mask)[0]
     image, runs = np.ascontiguousarray(BGR[mask.astype(int)]), room(161)
     table, visited = hue_table(TWO), np.zeros(mask.shape, np.uint8)
-    n, whole = fill(image, visited, y, x, 1, table.colours, table.cells, runs, 161)
+    n, whole = fill(image, visited, y, x, 1, table.cells, table.patterns, runs, 161)
     assert whole
     _, u, v, uu, uv, vv = moments(runs[:n])
     angle = axes(uu, uv, vv)[2]

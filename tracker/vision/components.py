@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tracker.kernels import kernel
 from tracker.messages import Array
-from tracker.vision.hue_table import Table, colour_class
+from tracker.vision.hue_table import Cells, Patterns, colour_class
 
 _Bytes = NDArray[np.uint8]
 Runs = NDArray[np.int32]
@@ -30,7 +30,7 @@ def room(extent: int) -> Runs:
 
 @kernel(inline="always")
 def _run(
-    image: _Bytes, visited: _Bytes, y: int, x: int, hue: int, colours: Table, cells: Table
+    image: _Bytes, visited: _Bytes, y: int, x: int, hue: int, cells: Cells, patterns: Patterns
 ) -> tuple[int, int]:
     """The run of ``hue`` around (x, y), marked as visited: first and last column.
 
@@ -38,10 +38,10 @@ def _run(
     """
     first, last, right = x, x, image.shape[1] - 1
     visited[y, x] = 1
-    while first > 0 and colour_class(image, y, first - 1, colours, cells) == hue:
+    while first > 0 and colour_class(image, y, first - 1, cells, patterns) == hue:
         first -= 1
         visited[y, first] = 1
-    while last < right and colour_class(image, y, last + 1, colours, cells) == hue:
+    while last < right and colour_class(image, y, last + 1, cells, patterns) == hue:
         last += 1
         visited[y, last] = 1
     return first, last
@@ -54,8 +54,8 @@ def fill(
     y: int,
     x: int,
     hue: int,
-    colours: Table,
-    cells: Table,
+    cells: Cells,
+    patterns: Patterns,
     runs: Runs,
     extent: int,
 ) -> tuple[int, bool]:
@@ -68,7 +68,7 @@ def fill(
     whether the region is whole.
     """
     height, width = image.shape[0], image.shape[1]
-    first, last = _run(image, visited, y, x, hue, colours, cells)
+    first, last = _run(image, visited, y, x, hue, cells, patterns)
     runs[0, 0], runs[0, 1], runs[0, 2], runs[0, 3] = y, first, last, NO_ROW
     low, high, top, bottom = first, last, y, y
     n, done, whole = 1, 0, last - first <= extent
@@ -86,8 +86,8 @@ def fill(
                     k = after
                     continue
                 seen = visited[near, k]
-                if seen == 0 and colour_class(image, near, k, colours, cells) == hue:
-                    a, b = _run(image, visited, near, k, hue, colours, cells)
+                if seen == 0 and colour_class(image, near, k, cells, patterns) == hue:
+                    a, b = _run(image, visited, near, k, hue, cells, patterns)
                     runs[n, 0], runs[n, 1], runs[n, 2] = near, a, b
                     runs[n, 3], runs[n, 4], runs[n, 5] = row, first, last
                     n += 1
@@ -134,17 +134,23 @@ def moments(runs: Runs) -> tuple[float, float, float, float, float, float]:
 @kernel
 def bounds(runs: Runs) -> tuple[int, int, int, int]:
     """Least and greatest column, least and greatest row."""
-    return runs[:, 1].min(), runs[:, 2].max(), runs[:, 0].min(), runs[:, 0].max()
+    top, left, right = runs[0, 0], runs[0, 1], runs[0, 2]
+    bottom = top
+    for k in range(1, len(runs)):
+        top, bottom = min(top, runs[k, 0]), max(bottom, runs[k, 0])
+        left, right = min(left, runs[k, 1]), max(right, runs[k, 2])
+    return left, right, top, bottom
 
 
 @kernel
-def hull(runs: Runs) -> tuple[float, float]:
+def hull(runs: Runs, top: int, bottom: int) -> tuple[float, float]:
     """Pixels inside the convex hull of a region's pixel centres, and the region's girth (px).
+
+    top and bottom are the region's first and last row.
 
     By Pick's theorem the hull holds area + boundary / 2 + 1 pixels, so that a digitally convex
     region has convexity 1 at any size. The girth is the hull's, plus π for the pixels' own extent.
     """
-    _, _, top, bottom = bounds(runs)
     rows = bottom - top + 1
     side = np.empty((2, rows), np.int64)
     side[0], side[1] = 1 << 30, -(1 << 30)
@@ -182,6 +188,8 @@ def _chain(x: NDArray[np.int64], sign: int, chain: NDArray[np.int64]) -> int:
 
 @kernel
 def _gcd(a: int, b: int) -> int:
+    if a == 0 or b == 1:  # most edges of a small hull; divisions are slow
+        return b
     while b:
         a, b = b, a % b
     return a

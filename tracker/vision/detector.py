@@ -95,8 +95,8 @@ class Detector:
             pixels,
             self._scratch.cleared(height, width),
             self._scratch.runs(max_extent),
-            self._table.colours,
             self._table.cells,
+            self._table.patterns,
             self._table.vivid,
             self._windows(width, height, hints),
             self.params.min_area_px,
@@ -186,8 +186,8 @@ def _blobs(rows: Array) -> Blobs:
         rows[:, search.CIRCULARITY] / SQUARE_CIRCULARITY, 1.0
     )
     return Blobs(
-        rows[:, [search.U, search.V]],
-        rows[:, [search.WIDTH, search.HEIGHT]],
+        rows[:, search.U : search.V + 1].copy(),
+        rows[:, search.WIDTH : search.HEIGHT + 1].copy(),
         rows[:, search.HUE].astype(np.int64),
         np.minimum(score, 1.0),
     )
@@ -195,7 +195,7 @@ def _blobs(rows: Array) -> Blobs:
 
 def _rejected(rows: Array, reason: IntArray) -> RejectedBlobs:
     return RejectedBlobs(
-        rows[:, [search.U, search.V]],
+        rows[:, search.U : search.V + 1].copy(),
         rows[:, search.HUE].astype(np.int64),
-        tuple(REASONS[k] for k in reason),
+        tuple(REASONS[k] for k in reason.tolist()),
     )

@@ -1,9 +1,9 @@
 """From a BGR pixel to its hue class, exactly as OpenCV's HSV intervals decide.
 
-One table holds the class of all 2^24 colours, ten times faster than the arithmetic that fills it.
-Where a picture is scanned a small one goes before it: 64³ cells of 4³ colours each, with the class
-of those that have but one. Its 256 KB stay in the processor's second cache, and few pixels need
-the large one.
+Colours are looked up in two steps: 32³ cells of 8³ colours each say which pattern their classes
+follow, and patterns hold the class of each colour within a cell. All cells of one class share a
+pattern. What a picture needs of both stays in the processor's caches, and there is no case to tell
+apart: on a coloured background a wrong guess of the processor costs more than the second look.
 """
 
 from __future__ import annotations
@@ -19,27 +19,29 @@ from tracker.vision.colours import HUES, LEVELS, ColourProfile
 
 MAX_HUES = 30  # bits of a mask
 
-CELL_BITS = 2  # of each channel that a cell leaves open
+CELL_BITS = 3  # of each channel that a cell leaves open
 CELLS = LEVELS >> CELL_BITS  # along each channel
-MIXED = -1  # a cell of more than one class
+CELL_SIDE = 1 << CELL_BITS
+CELL_COLOURS = CELL_SIDE**3
 VIVID_SATURATION = 86  # from which max - min is at least a third of max, and so half of min
 
 _Bytes = NDArray[np.uint8]
 _Masks = NDArray[np.int64]
-Table = NDArray[np.int8]
+Cells = NDArray[np.uint16]
+Patterns = NDArray[np.int8]
 
 
 @dataclass(frozen=True, eq=False)
 class HueTable:
     """Classes are 0 for none of a profile's hues and k + 1 for its hue k.
 
-    colours (2^24,) by b << 16 | g << 8 | r; cells (2^18,) the same of the channels' upper six bits,
-    MIXED where the cell's colours differ. vivid is 1 where `is_vivid` holds for all colours of a
-    hue, else 0.
+    cells (2^15,) numbers of patterns, by b << 10 | g << 5 | r of the channels' upper five bits;
+    patterns (512 n,) classes, by number << 9 | b << 6 | g << 3 | r of their lower three. vivid is 1
+    where `is_vivid` holds for all colours of a hue, else 0.
     """
 
-    colours: Table
-    cells: Table
+    cells: Cells
+    patterns: Patterns
     vivid: int
 
 
@@ -61,12 +63,11 @@ def hue_table(profile: ColourProfile) -> HueTable:
             f"The colour profile {profile.name!r} has {len(profile.hues)} hues; "
             f"at most {MAX_HUES} can be told apart."
         )
-    both = np.empty(LEVELS**3 + CELLS**3, np.int8)  # as one, both lie in huge pages of memory
-    colours, cells = both[: LEVELS**3], both[LEVELS**3 :]
-    _fill_colours(_masks(profile), colours)
-    _fill_cells(colours, cells)
+    cells = np.empty(CELLS**3, np.uint16)
+    patterns = np.empty((len(profile.hues) + 1 + len(cells)) * CELL_COLOURS, np.int8)
+    count = _fill_table(_masks(profile), len(profile.hues), cells, patterns)
     vivid = all(h.saturation[0] >= VIVID_SATURATION for h in profile.hues)
-    return HueTable(colours, cells, int(vivid))
+    return HueTable(cells, patterns[: count * CELL_COLOURS].copy(), int(vivid))
 
 
 def _masks(profile: ColourProfile) -> _Masks:
@@ -107,31 +108,17 @@ def exact_class(b: int, g: int, r: int, masks: _Masks) -> int:
 
 
 @kernel(inline="always")
-def pixel_class(image: _Bytes, y: int, x: int, colours: Table) -> int:
+def colour_class(image: _Bytes, y: int, x: int, cells: Cells, patterns: Patterns) -> int:
     """Class of one pixel of a BGR image.
 
     Unsigned indices spare a look at whether they count from the end.
     """
-    v, u = np.uintp(y), np.uintp(x)
-    b, g, r = np.uintp(image[v, u, 0]), np.uintp(image[v, u, 1]), np.uintp(image[v, u, 2])
-    side = np.uintp(LEVELS)
-    return int(colours[(b * side + g) * side + r])
-
-
-@kernel(inline="always")
-def cell_class(image: _Bytes, y: int, x: int, cells: Table) -> int:
-    """Class of one pixel of a BGR image, or MIXED where its cell cannot tell."""
-    v, u, shift = np.uintp(y), np.uintp(x), np.uintp(CELL_BITS)
+    v, u, bits, low = np.uintp(y), np.uintp(x), np.uintp(CELL_BITS), np.uintp(CELL_SIDE - 1)
     b, g, r = np.uintp(image[v, u, 0]), np.uintp(image[v, u, 1]), np.uintp(image[v, u, 2])
     side = np.uintp(CELLS)
-    return int(cells[((b >> shift) * side + (g >> shift)) * side + (r >> shift)])
-
-
-@kernel(inline="always")
-def colour_class(image: _Bytes, y: int, x: int, colours: Table, cells: Table) -> int:
-    """The same as `pixel_class`, mostly out of the table that stays in the cache."""
-    found = cell_class(image, y, x, cells)
-    return pixel_class(image, y, x, colours) if found == MIXED else found
+    cell = ((b >> bits) * side + (g >> bits)) * side + (r >> bits)
+    number = np.uintp(cells[cell])
+    return int(patterns[((number << bits | b & low) << bits | g & low) << bits | r & low])
 
 
 @kernel(inline="always")
@@ -142,34 +129,31 @@ def is_vivid(b: int, g: int, r: int) -> np.bool_:
 
 
 @kernel
-def _fill_colours(masks: _Masks, colours: Table) -> None:
-    k = 0
-    for b in range(LEVELS):
-        for g in range(LEVELS):
-            for r in range(LEVELS):
-                colours[k] = exact_class(b, g, r, masks)
-                k += 1
+def _fill_table(masks: _Masks, hues: int, cells: Cells, patterns: Patterns) -> int:
+    """Fill both arrays; returns how many patterns there are. Those of one class come first."""
+    for k in range(hues + 1):
+        patterns[k * CELL_COLOURS : (k + 1) * CELL_COLOURS] = k
+    count, cell = hues + 1, 0
+    for b in range(0, LEVELS, CELL_SIDE):
+        for g in range(0, LEVELS, CELL_SIDE):
+            for r in range(0, LEVELS, CELL_SIDE):
+                own = patterns[count * CELL_COLOURS : (count + 1) * CELL_COLOURS]
+                _fill_pattern(b, g, r, masks, own)
+                if own.min() == own.max():
+                    cells[cell] = own[0]
+                else:
+                    cells[cell] = count
+                    count += 1
+                cell += 1
+    return count
 
 
 @kernel
-def _fill_cells(colours: Table, cells: Table) -> None:
-    side, k = 1 << CELL_BITS, 0
-    for b in range(0, LEVELS, side):
-        for g in range(0, LEVELS, side):
-            for r in range(0, LEVELS, side):
-                cells[k] = _class_of_cell(b, g, r, colours)
-                k += 1
-
-
-@kernel
-def _class_of_cell(b: int, g: int, r: int, colours: Table) -> int:
-    """The class that all colours of the cell with this darkest corner have, else MIXED."""
-    side = 1 << CELL_BITS
-    hue = int(colours[(b * LEVELS + g) * LEVELS + r])
-    for i in range(b, b + side):
-        for j in range(g, g + side):
-            row = (i * LEVELS + j) * LEVELS + r
-            for k in range(row, row + side):
-                if colours[k] != hue:
-                    return MIXED
-    return hue
+def _fill_pattern(b: int, g: int, r: int, masks: _Masks, own: Patterns) -> None:
+    """The classes of the cell with this darkest corner."""
+    place = 0
+    for i in range(b, b + CELL_SIDE):
+        for j in range(g, g + CELL_SIDE):
+            for k in range(r, r + CELL_SIDE):
+                own[place] = exact_class(i, j, k, masks)
+                place += 1

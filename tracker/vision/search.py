@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from tracker.kernels import kernel
 from tracker.messages import Array
 from tracker.vision.components import Runs, axes, bounds, cut, fill, hull, moments, waist
-from tracker.vision.hue_table import Table, cell_class, colour_class, is_vivid
+from tracker.vision.hue_table import Cells, Patterns, colour_class, is_vivid
 
 _Bytes = NDArray[np.uint8]
 
@@ -30,8 +30,8 @@ def find_regions(
     image: _Bytes,
     visited: _Bytes,
     runs: Runs,
-    colours: Table,
-    cells: Table,
+    cells: Cells,
+    patterns: Patterns,
     vivid: int,
     windows: NDArray[np.int64],
     min_area: float,
@@ -39,10 +39,12 @@ def find_regions(
 ) -> Array:
     """Measurements (n, COLUMNS) of all regions that a seed meets, in the order of the seeds.
 
-    visited (h, w) zeros, marked here; runs: `room` for ``max_extent``; colours, cells and vivid of
+    visited (h, w) zeros, marked here; runs: `room` for ``max_extent``; cells, patterns and vivid of
     `HueTable`; windows (k, 5): first and last column, first and last row, and the grid's stride.
-    Regions below ``min_area`` px², and what `fill` takes for background, give no row. Every other
-    row of the grid is shifted by half a stride.
+    Regions below ``min_area`` px², and what `fill` takes for background, give no row. A seed must
+    lie in a square of 2 x 2 px of its hue: noise on a colour at the border of a hue makes specks
+    and threads by the hundred, and to fill each would take as long as all markers. Every other row
+    of the grid is shifted by half a stride.
     """
     out = np.empty((64, COLUMNS))
     line = np.zeros(image.shape[1] // WORD + 1, np.int64)
@@ -53,20 +55,22 @@ def find_regions(
         for y in range(windows[k, 2], windows[k, 3] + 1, stride):
             first = windows[k, 0] + (y // stride % 2) * (stride // 2)
             if vivid and stride == 1:
-                seeds = _classify_vivid(image, y, first, windows[k, 1], cells, flags, line)
+                seeds = _classify_vivid(
+                    image, y, first, windows[k, 1], cells, patterns, flags, line
+                )
             else:
-                seeds = _classify(image, y, first, windows[k, 1], stride, cells, line)
+                seeds = _classify(image, y, first, windows[k, 1], stride, cells, patterns, line)
             for word in range((seeds + WORD - 1) // WORD):
                 if line[word] == 0:
                     continue
                 for seed in range(word * WORD, min((word + 1) * WORD, seeds)):
                     x = first + seed * stride
-                    if line.view(np.int8)[seed] == 0 or visited[y, x]:
+                    hue = int(line.view(np.int8)[seed])
+                    if hue == 0 or visited[y, x]:
                         continue
-                    hue = colour_class(image, y, x, colours, cells)
-                    if hue == 0:
+                    if not _is_broad(image, y, x, hue, cells, patterns):
                         continue
-                    used, whole = fill(image, visited, y, x, hue, colours, cells, runs, max_extent)
+                    used, whole = fill(image, visited, y, x, hue, cells, patterns, runs, max_extent)
                     if not whole:
                         continue
                     if n + 2 > len(out):
@@ -76,16 +80,36 @@ def find_regions(
 
 
 @kernel
+def _is_broad(
+    image: _Bytes, y: int, x: int, hue: int, cells: Cells, patterns: Patterns
+) -> np.bool_:
+    """Whether (x, y) is in a square of 2 x 2 px of ``hue``, or at the picture's edge.
+
+    The neighbours are looked at without a branch, which on noise would be guessed wrong.
+    """
+    if y < 1 or x < 1 or y > image.shape[0] - 2 or x > image.shape[1] - 2:
+        return np.bool_(True)
+    square: np.bool_ = np.bool_(False)
+    for v in (y - 1, y + 1):
+        middle = colour_class(image, v, x, cells, patterns) == hue
+        for u in (x - 1, x + 1):
+            beside = colour_class(image, y, u, cells, patterns) == hue
+            square |= middle & beside & (colour_class(image, v, u, cells, patterns) == hue)
+    return square
+
+
+@kernel
 def _classify(
     image: _Bytes,
     y: int,
     first: int,
     last: int,
     stride: int,
-    cells: Table,
+    cells: Cells,
+    patterns: Patterns,
     line: NDArray[np.int64],
 ) -> int:
-    """What `cell_class` gives for every ``stride``-th pixel of a row, a byte each, into ``line``.
+    """What `colour_class` gives for every ``stride``-th pixel of a row, a byte each, into ``line``.
 
     Bytes are written without a branch and looked at eight at a time, since most are zero; those
     that fill up the last word are. Returns how many pixels there are.
@@ -96,7 +120,7 @@ def _classify(
     line[(count - 1) // WORD] = 0
     classes = line.view(np.int8)
     for k in range(count):
-        classes[np.uintp(k)] = cell_class(image, y, first + k * stride, cells)
+        classes[np.uintp(k)] = colour_class(image, y, first + k * stride, cells, patterns)
     return count
 
 
@@ -106,7 +130,8 @@ def _classify_vivid(
     y: int,
     first: int,
     last: int,
-    cells: Table,
+    cells: Cells,
+    patterns: Patterns,
     flags: NDArray[np.int64],
     line: NDArray[np.int64],
 ) -> int:
@@ -128,7 +153,7 @@ def _classify_vivid(
         line[word] = 0
         if flags[3 * word] | flags[3 * word + 1] | flags[3 * word + 2]:
             for k in range(word * WORD, min((word + 1) * WORD, count)):
-                classes[k] = cell_class(image, y, first + k, cells)
+                classes[k] = colour_class(image, y, first + k, cells, patterns)
     return count
 
 
@@ -167,8 +192,8 @@ def _measure(
     area, u, v, uu, uv, vv = moments(runs)
     if area < min_area:
         return False
-    pixels, girth = hull(runs)
     left, right, top, bottom = bounds(runs)
+    pixels, girth = hull(runs, top, bottom)
     major, minor, _ = axes(uu, uv, vv)
     row[HUE], row[U], row[V], row[AREA] = hue - 1, u, v, area
     row[MAJOR], row[MINOR] = major, minor
