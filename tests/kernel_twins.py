@@ -24,6 +24,7 @@ import pytest
 from tracker.kernels import decorator
 from tracker.kernels.fingerprint import OURS, is_kernel
 from tracker.kernels.kinds import UnknownKindError, kinds_of
+from tracker.kernels.mode import MODE
 from tracker.kernels.record import SIGNATURES
 
 DONE = "GLOVETRACK_KERNELS_COMPARED"
@@ -184,6 +185,9 @@ class EveryKernel:
         if self._missing:
             terminalreporter.section("kernels that were not compared with their twins")
             terminalreporter.write_line("\n".join(self._missing))
+            terminalreporter.write_line(
+                "Lines that nothing calls any more go by `make signatures`."
+            )
 
 
 def register(config: pytest.Config, folder: Path) -> None:
@@ -192,5 +196,6 @@ def register(config: pytest.Config, folder: Path) -> None:
         return
     os.environ[DONE] = str(folder / "kernels_compared.txt")
     every = config.args == config.getini("testpaths") and not config.option.keyword
-    if every and not config.option.markexpr:
+    listing = os.environ.get(MODE) == "record"  # the list itself is being made anew
+    if every and not config.option.markexpr and not listing:
         config.pluginmanager.register(EveryKernel(Path(os.environ[DONE])), "every_kernel")

@@ -182,7 +182,17 @@ def test_recording_notes_each_kind_of_call_once(monkeypatch, tmp_path):
     for x in (np.ones(2), np.ones(3), np.ones((2, 2))):
         made(x, 1)
     name = f"{total.__module__}.total"
-    assert merge(str(calls), str(calls)) == [f"{name} f8[1C] i8", f"{name} f8[2C] i8"]
+    noted = calls.read_text("utf-8").splitlines()
+    assert noted == [f"{name} f8[1C] i8", f"{name} f8[2C] i8"]
+    assert made.__name__ == "total"
+
+
+def test_the_list_has_each_call_once_and_none_of_a_test(tmp_path):
+    files = [tmp_path / "a.txt", tmp_path / "b.txt"]
+    files[0].write_text("tracker.b.one f8\ntracker.a.two i8\n", "utf-8")
+    files[1].write_text("tracker.b.one f8\ntest_something.three f8\napp.c.four f8\n", "utf-8")
+    wanted = ["app.c.four f8", "tracker.a.two i8", "tracker.b.one f8"]
+    assert merge(*map(str, files)) == wanted
 
 
 def test_the_decorator_keeps_name_and_words():

@@ -8,12 +8,14 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import sys
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from tracker.kernels.fingerprint import OURS
 from tracker.kernels.kinds import UnknownKindError, kinds_of
 
 CALLS = "GLOVETRACK_KERNEL_CALLS"
@@ -26,6 +28,7 @@ class Recorded:
     """A kernel whose calls are noted."""
 
     def __init__(self, compiled: Any) -> None:
+        functools.update_wrapper(self, compiled.py_func)
         self._compiled = compiled
         self._numba_type_ = compiled._numba_type_  # other kernels see numba's function
         self._name = f"{compiled.py_func.__module__}.{compiled.py_func.__qualname__}"
@@ -45,8 +48,9 @@ class Recorded:
 
 
 def merge(*files: str) -> list[str]:
-    """All lines of the files, each once, in order."""
-    return sorted({line for f in files for line in Path(f).read_text("utf-8").splitlines() if line})
+    """All lines of the files, each once, in order; no kernels that tests made."""
+    lines = {line for f in files for line in Path(f).read_text("utf-8").splitlines()}
+    return sorted(line for line in lines if line.partition(".")[0] in OURS)
 
 
 def main(argv: list[str]) -> None:
