@@ -17,5 +17,5 @@ if ! { command -v g++ || command -v clang++; } >/dev/null || ! has_headers; then
     echo "On Debian: sudo apt-get install -y g++ python3-dev, then make kernels" >&2
     exit 0
 fi
-echo "Compiling the kernels (a minute or two)"
+echo "Compiling the kernels (some minutes, if all are new)"
 "$python" -m tracker.kernels.build

@@ -6,16 +6,17 @@ import threading
 import time
 import types
 from concurrent.futures import ThreadPoolExecutor
+from importlib.machinery import EXTENSION_SUFFIXES
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from tracker.kernels import library as library_module
+from tracker.kernels import parts
 from tracker.kernels.decorator import kernel
 from tracker.kernels.fingerprint import fingerprint
 from tracker.kernels.kinds import kinds_of
-from tracker.kernels.library import Library
+from tracker.kernels.library import Library, load
 from tracker.kernels.record import SIGNATURES, Recorded, merge
 
 dispatch = pytest.importorskip(
@@ -43,8 +44,8 @@ def library_with(**functions):
     made_of = fingerprint(total, {})
     name = f"{total.__module__}.{total.__qualname__}"
     kinds = [k.replace("_", " ") for k in functions]
-    lines = [f"k{i} {made_of} {name} {k}" for i, k in enumerate(kinds)]
-    return Library(dispatch.Kernel, symbols, "\n".join(lines))
+    lines = ["# by hand", *(f"k{i} {made_of} {name} {k}" for i, k in enumerate(kinds))]
+    return Library(dispatch.Kernel, [(symbols, "\n".join(lines))])
 
 
 @pytest.mark.parametrize(
@@ -161,8 +162,38 @@ def test_numba_can_call_a_kernel_of_the_library():
 
 
 def test_no_library_is_no_failure(monkeypatch, tmp_path):
-    monkeypatch.setattr(library_module, "TABLE", tmp_path / "missing.txt")
-    assert library_module.load() is None
+    monkeypatch.setattr(parts, "HERE", tmp_path)
+    assert load() is None
+
+
+def test_a_table_without_its_module_is_no_failure(monkeypatch, tmp_path):
+    monkeypatch.setattr(parts, "HERE", tmp_path)
+    parts.table_of("tracker_lost").write_text("# by hand\n", "utf-8")
+    assert parts.built() == ["tracker_lost"]
+    assert load() is None
+
+
+def test_a_part_is_made_anew_when_its_table_would_be_another_or_its_module_is_gone(
+    monkeypatch, tmp_path
+):
+    monkeypatch.setattr(parts, "HERE", tmp_path)
+    module = tmp_path / f"_compiled_tracker_vision{EXTENSION_SUFFIXES[0]}"
+    assert not parts.is_built("tracker_vision", "as made")
+    parts.table_of("tracker_vision").write_text("as made", "utf-8")
+    assert not parts.is_built("tracker_vision", "as made")
+    module.touch()
+    assert parts.is_built("tracker_vision", "as made")
+    assert not parts.is_built("tracker_vision", "as it would be")
+
+
+def test_parts_that_are_no_more_are_removed(monkeypatch, tmp_path):
+    monkeypatch.setattr(parts, "HERE", tmp_path)
+    names = ["_compiled_app_widgets.so", "_compiled_tracker_old.so", "_compiled_tracker_old.txt"]
+    for name in [*names, "_compiled.so", "_dispatch.so", "library.py"]:
+        (tmp_path / name).touch()
+    parts.remove_others([parts.part_of("app.widgets.raster.picture.draw")])
+    left = sorted(path.name for path in tmp_path.iterdir())
+    assert left == ["_compiled_app_widgets.so", "_dispatch.so", "library.py"]
 
 
 @pytest.mark.parametrize("line", SIGNATURES.read_text("utf-8").splitlines())

@@ -1,43 +1,44 @@
 """The library of kernels that were compiled ahead of time, and what runs in place of a missing one.
 
-`tracker.kernels.build` leaves three files beside this one: `_compiled`, an extension module with a
-function for each line of signatures.txt; `_dispatch`, which picks one by the types of a call; and
-`_compiled.txt`, which says what each function was compiled from.
+`tracker.kernels.build` leaves extension modules beside this one: those of the library's parts
+(`tracker.kernels.parts`), with a function for each line of signatures.txt, and `_dispatch`, which
+picks one by the types of a call.
 """
 
 from __future__ import annotations
 
 import functools
+import importlib
 import logging
 import threading
 from collections import defaultdict
-from collections.abc import Callable
-from pathlib import Path
+from collections.abc import Callable, Sequence
 from types import ModuleType
 from typing import Any
 
+from tracker.kernels import parts
 from tracker.kernels.fingerprint import fingerprint
 from tracker.kernels.kinds import UnknownKindError, kinds_of
 
 _log = logging.getLogger(__name__)
 
-TABLE = Path(__file__).with_name("_compiled.txt")
-"""Lines: function in `_compiled`, fingerprint of the kernel, its name, kinds of its arguments."""
-
 Function = Callable[..., Any]
 
 
 class Library:
-    """Makes kernels that run ``functions`` wherever these were made from the same source."""
+    """Makes kernels that run compiled functions wherever these were made from the same source.
 
-    def __init__(self, kernel_type: type, functions: ModuleType, table: str) -> None:
+    ``compiled`` has modules and their tables.
+    """
+
+    def __init__(self, kernel_type: type, compiled: Sequence[tuple[ModuleType, str]]) -> None:
         self._kernel_type = kernel_type
-        self._functions = functions
         self._filling = threading.Lock()
-        self._lines: dict[str, list[tuple[str, str, str]]] = defaultdict(list)
-        for line in table.splitlines():
-            symbol, print_, name, *kinds = line.split(" ")
-            self._lines[name].append((symbol, print_, " ".join(kinds)))
+        self._lines: dict[str, list[tuple[Function, str, str]]] = defaultdict(list)
+        for module, table in compiled:
+            for line in table.splitlines()[1:]:
+                symbol, print_, name, *kinds = line.split(" ")
+                self._lines[name].append((getattr(module, symbol), print_, " ".join(kinds)))
 
     def kernel(self, function: Function, options: dict[str, Any]) -> Any:
         """A callable for ``function``; what it runs is decided when it is first called."""
@@ -66,9 +67,9 @@ class Library:
         """Give a kernel its functions, those for the narrowest types first."""
         lines = self._lines[f"{kernel.__module__}.{kernel.__qualname__}"]
         wanted = fingerprint(kernel.py_func, kernel.options) if lines else ""
-        for symbol, print_, kinds in sorted(lines, key=lambda line: _breadth(line[2])):
+        for compiled, print_, kinds in sorted(lines, key=lambda line: _breadth(line[2])):
             if print_ == wanted:
-                kernel.add(kinds, getattr(self._functions, symbol))
+                kernel.add(kinds, compiled)
 
     def _fallback(self, kernel: Any) -> Function:
         """What runs for types that are not in the library."""
@@ -97,12 +98,18 @@ class Library:
 def load() -> Library | None:
     """The library, or None where it was not built or does not fit this Python."""
     try:
-        from tracker.kernels import _compiled, _dispatch  # type: ignore[attr-defined]
+        from tracker.kernels import _dispatch  # type: ignore[attr-defined]
 
-        return Library(_dispatch.Kernel, _compiled, TABLE.read_text("utf-8"))
+        compiled = [_part(name) for name in parts.built()]
     except (ImportError, OSError) as error:
         _log.debug("kernels are compiled as they are needed: %s", error)
         return None
+    return Library(_dispatch.Kernel, compiled) if compiled else None
+
+
+def _part(name: str) -> tuple[ModuleType, str]:
+    module = importlib.import_module(f"tracker.kernels.{parts.module_of(name)}")
+    return module, parts.table_of(name).read_text("utf-8")
 
 
 def _told(args: tuple[Any, ...]) -> str:

@@ -1,0 +1,48 @@
+"""The files of the library: a part for each package, so that parts compile side by side and an edit
+leaves the others as they are.
+
+A part is an extension module with a function for each of its lines in signatures.txt, and a table
+that says what each function was compiled from. The table's first line says what compiled it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from importlib.machinery import EXTENSION_SUFFIXES
+from pathlib import Path
+
+HERE = Path(__file__).parent
+PREFIX = "_compiled_"
+
+
+def part_of(kernel: str) -> str:
+    """A kernel's part: ``tracker_fusion`` for ``tracker.fusion.posterior.add``."""
+    return "_".join(kernel.split(".")[:2])
+
+
+def module_of(part: str) -> str:
+    """Name of the extension module, in this package."""
+    return PREFIX + part
+
+
+def table_of(part: str) -> Path:
+    return HERE / f"{PREFIX}{part}.txt"
+
+
+def built() -> list[str]:
+    """All parts that have a table."""
+    return sorted(path.stem.removeprefix(PREFIX) for path in HERE.glob(f"{PREFIX}*.txt"))
+
+
+def is_built(part: str, table: str) -> bool:
+    """Whether the part is there and was compiled from what ``table`` says."""
+    there = any((HERE / (module_of(part) + suffix)).exists() for suffix in EXTENSION_SUFFIXES)
+    return there and table_of(part).exists() and table_of(part).read_text("utf-8") == table
+
+
+def remove_others(parts: Iterable[str]) -> None:
+    """Files of the library that belong to none of these."""
+    names = {module_of(part) for part in parts}
+    for path in HERE.glob(f"{PREFIX.rstrip('_')}*"):
+        if path.name.partition(".")[0] not in names:
+            path.unlink()
