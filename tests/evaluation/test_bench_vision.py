@@ -20,6 +20,13 @@ def test_rounds_interleave_the_calls() -> None:
     assert "".join(order) == "ab" + "aabb" * 2
 
 
+def test_each_call_may_have_its_own_number_of_runs() -> None:
+    order: list[str] = []
+    seconds = interleaved([lambda: order.append("a"), lambda: order.append("b")], 1, [3, 1])
+    assert "".join(order) == "ab" + "aaab"
+    assert seconds.shape == (2,)
+
+
 def test_peer_finds_the_markers_too() -> None:
     """A peer that sees nothing would make any ratio look good."""
     (picture,) = make_pictures(PROFILE, "plain", 1, 1)

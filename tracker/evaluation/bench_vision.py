@@ -164,9 +164,11 @@ def cpd_rows(rounds: int, seed: int) -> list[BenchRow]:
         lambda: match_stereo(left, hue[:15], right, hue[:15], rig, stereo),
         lambda: match_translation(points, hue[seen], p, hue, ones, cov),
     ]  # fmt: skip
+    inner = [1000, 200, 50]
     if find_spec("pycpd") is not None:
         calls += [_pycpd(left, right), _pycpd(points, p)]
-    us = interleaved(calls, rounds, inner=20) * 1e6
+        inner += [20, 5]
+    us = interleaved(calls, rounds, inner) * 1e6
     theirs = us[3:] if len(us) > 3 else (None, None)
     return [
         row("CPD, 1-DOF 15 x 15", us[0], "µs", "pycpd rigid", theirs[0], "0.01"),
