@@ -6,6 +6,7 @@ import argparse
 import os
 import sys
 import tempfile
+import time
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -29,7 +30,9 @@ SETTLE = 6.0  # s of tracking before the first picture
 SIZE = (1366, 768)
 CALM_MS = 150.0
 PATIENCE = 40.0  # s for a good moment
-OPEN = 0.115  # m from the wrist to the nearest fingertip
+OPEN = 0.126  # m from the wrist to the nearest fingertip
+SHOW_A_HAND = ("hand", "cameras")
+STILL = 1.5  # s for which it stays so, lest it be caught on its way
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -76,28 +79,36 @@ def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
 def _take_panels(window: MainWindow, out: Path, name: str) -> None:
     """The whole window and each dock, while the hand is tracked."""
     window.reset_layout()
-    _wait_for_hand(window)
+    _wait_for_hand(window, spread=True)
     save(window, out / f"window-{name}.png")
     for panel, dock in window.docks.items():
         dock.raise_()
-        _wait_for_hand(window)
+        _wait_for_hand(window, spread=panel in SHOW_A_HAND)
         save(dock, out / f"{panel}-{name}.png")
 
 
-def _wait_for_hand(window: MainWindow) -> None:
-    """Let the panels refresh, then wait for an open hand that is tracked (`PATIENCE` at most)."""
+def _wait_for_hand(window: MainWindow, spread: bool) -> None:
+    """Let the panels refresh, then wait for a tracked hand, spread or not (`PATIENCE` at most)."""
     wait_until(lambda: False, 0.7)
+    since = time.monotonic()
 
     def ready() -> bool:
-        view = window.session.snapshot()
-        if view is None or view.status is None or view.estimate is None:
-            return False
-        if view.status.values.get("latency_total_ms", 0.0) > CALM_MS:
-            return False  # the last picture taken held everything up
-        return view.estimate.tracking == Tracking.TRACKING and _is_open(view)
+        nonlocal since
+        if not _is_good(window.session.snapshot(), spread):
+            since = time.monotonic()
+        return time.monotonic() - since > (STILL if spread else 0.0)
 
     wait_until(ready, PATIENCE)
     window.hand.view_back()
+    wait_until(lambda: False, 0.2)
+
+
+def _is_good(view: Snapshot | None, spread: bool) -> bool:
+    if view is None or view.status is None or view.estimate is None:
+        return False
+    if view.status.values.get("latency_total_ms", 0.0) > CALM_MS:
+        return False  # the last picture taken held everything up
+    return view.estimate.tracking == Tracking.TRACKING and (not spread or _is_open(view))
 
 
 def _is_open(view: Snapshot) -> bool:
