@@ -52,5 +52,5 @@ def test_a_region_is_filled_as_python_fills_it(profile):
     picture[8:20, 10:31] = (40, 40, 215)
     visited, runs = np.zeros((30, 40), np.uint8), room(40)
     hue = int(all_classes(table)[40, 40, 215])
-    n, whole = fill(picture, visited, 8, 10, hue, table.cells, table.patterns, runs, 40)
+    n, whole = fill(picture, visited, 1, 8, 10, hue, table.cells, table.patterns, runs, 40)
     assert (n, whole) == (12, True)

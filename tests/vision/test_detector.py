@@ -136,7 +136,7 @@ def mask_runs(mask: np.ndarray) -> np.ndarray:
     extent = max(mask.shape)
     runs, visited = room(extent), np.zeros(mask.shape, np.uint8)
     table = hue_table(FOUR)
-    n, whole = fill(image, visited, y, x, 1, table.cells, table.patterns, runs, extent)
+    n, whole = fill(image, visited, 1, y, x, 1, table.cells, table.patterns, runs, extent)
     assert whole
     return runs[:n]
 

@@ -32,6 +32,7 @@ def found(classes: np.ndarray, windows: np.ndarray) -> np.ndarray:
     return search.find_regions(
         image,
         visited,
+        1,
         runs,
         table.cells,
         table.patterns,
@@ -153,7 +154,7 @@ def test_waist_is_that_of_the_histogram(seed: int) -> None:
     y, x = np.argwhere(mask)[0]
     image, runs = np.ascontiguousarray(BGR[mask.astype(int)]), room(161)
     table, visited = hue_table(TWO), np.zeros(mask.shape, np.uint8)
-    n, whole = fill(image, visited, y, x, 1, table.cells, table.patterns, runs, 161)
+    n, whole = fill(image, visited, 1, y, x, 1, table.cells, table.patterns, runs, 161)
     assert whole
     _, u, v, uu, uv, vv = moments(runs[:n])
     angle = axes(uu, uv, vv)[2]

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -28,6 +27,7 @@ from tracker.fusion.pixels_kernel import (
 )
 from tracker.fusion.state import ChainState
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
+from tracker.vision.colours import hue_rows
 from tracker.vision.correspondence import GateParams
 from tracker.vision.rig import StereoRig
 from tracker.vision.visibility import HandShape, visibility_at
@@ -56,14 +56,8 @@ class SeenBlobs:
         """Those of hues that the glove wears."""
         if blobs is None or len(blobs) == 0:
             return SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))
-        uv, hue, keep = worn(blobs.uv, blobs.hue, _numbers(hue_names, hues))
+        uv, hue, keep = worn(blobs.uv, blobs.hue, hue_rows(hue_names, hues))
         return SeenBlobs(rectify(uv), hue, keep)
-
-
-@lru_cache(maxsize=16)
-def _numbers(hue_names: tuple[str, ...], hues: tuple[str, ...]) -> IntArray:
-    """Row of each of ``hue_names`` in ``hues``, -1 where it is not there."""
-    return np.array([hues.index(h) if h in hues else -1 for h in hue_names], np.int64)
 
 
 def seen_blobs(frame: BlobFrame, rig: StereoRig, hues: tuple[str, ...]) -> tuple[SeenBlobs, ...]:

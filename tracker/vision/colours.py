@@ -7,12 +7,14 @@ the larger one wraps through 0.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.messages import IntArray
 from tracker.toml_reader import TomlTable, read_text, read_toml
 
 HUES = 180
@@ -77,6 +79,14 @@ class ColourProfile:
     @property
     def hue_names(self) -> tuple[str, ...]:
         return tuple(h.name for h in self.hues)
+
+
+@lru_cache(maxsize=16)
+def hue_rows(names: tuple[str, ...], among: tuple[str, ...]) -> IntArray:
+    """Row of each of ``names`` in ``among``, -1 where it is not there."""
+    rows = np.array([among.index(n) if n in among else -1 for n in names], np.int64)
+    rows.setflags(write=False)  # all who ask share it
+    return rows
 
 
 def load_profile(path: Path) -> ColourProfile:

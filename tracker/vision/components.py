@@ -30,20 +30,27 @@ def room(extent: int) -> Runs:
 
 @kernel(inline="always")
 def _run(
-    image: _Bytes, visited: _Bytes, y: int, x: int, hue: int, cells: Cells, patterns: Patterns
+    image: _Bytes,
+    visited: _Bytes,
+    mark: int,
+    y: int,
+    x: int,
+    hue: int,
+    cells: Cells,
+    patterns: Patterns,
 ) -> tuple[int, int]:
     """The run of ``hue`` around (x, y), marked as visited: first and last column.
 
     Inlined, as `colour_class` is: a call for each pixel would take six times as long.
     """
     first, last, right = x, x, image.shape[1] - 1
-    visited[y, x] = 1
+    visited[y, x] = mark
     while first > 0 and colour_class(image, y, first - 1, cells, patterns) == hue:
         first -= 1
-        visited[y, first] = 1
+        visited[y, first] = mark
     while last < right and colour_class(image, y, last + 1, cells, patterns) == hue:
         last += 1
-        visited[y, last] = 1
+        visited[y, last] = mark
     return first, last
 
 
@@ -51,6 +58,7 @@ def _run(
 def fill(
     image: _Bytes,
     visited: _Bytes,
+    mark: int,
     y: int,
     x: int,
     hue: int,
@@ -61,14 +69,16 @@ def fill(
 ) -> tuple[int, bool]:
     """All runs of the 8-connected region that (x, y) belongs to, into ``runs`` (see `room`).
 
+    ``visited`` has ``mark`` where a region was met, and less where none was: a number for each call
+    saves clearing a picture's worth of memory.
     The list of runs is at once the queue of those whose neighbours are still to be looked at. A
     region longer than ``extent`` px or full of holes is background (a wall whose colour is on the
     border of a hue comes and goes with the noise): it is left as soon as that is known and marked
-    1 + hue, and what later touches such a mark belongs to it. Returns how many runs there are, and
-    whether the region is whole.
+    mark + hue, and what later touches such a mark belongs to it. Returns how many runs there are,
+    and whether the region is whole.
     """
     height, width = image.shape[0], image.shape[1]
-    first, last = _run(image, visited, y, x, hue, cells, patterns)
+    first, last = _run(image, visited, mark, y, x, hue, cells, patterns)
     runs[0, 0], runs[0, 1], runs[0, 2], runs[0, 3] = y, first, last, NO_ROW
     low, high, top, bottom = first, last, y, y
     n, done, whole = 1, 0, last - first <= extent
@@ -86,15 +96,15 @@ def fill(
                     k = after
                     continue
                 seen = visited[near, k]
-                if seen == 0 and colour_class(image, near, k, cells, patterns) == hue:
-                    a, b = _run(image, visited, near, k, hue, cells, patterns)
+                if seen < mark and colour_class(image, near, k, cells, patterns) == hue:
+                    a, b = _run(image, visited, mark, near, k, hue, cells, patterns)
                     runs[n, 0], runs[n, 1], runs[n, 2] = near, a, b
                     runs[n, 3], runs[n, 4], runs[n, 5] = row, first, last
                     n += 1
                     low, high = min(low, a), max(high, b)
                     top, bottom = min(top, near), max(bottom, near)
                     k = b + 2
-                elif seen == hue + 1:
+                elif seen == mark + hue:
                     whole = False
                     break
                 else:
@@ -103,7 +113,7 @@ def fill(
         whole = whole and not ragged and max(high - low, bottom - top) <= extent
     if not whole:
         for i in range(n):
-            visited[runs[i, 0], runs[i, 1] : runs[i, 2] + 1] = hue + 1
+            visited[runs[i, 0], runs[i, 1] : runs[i, 2] + 1] = mark + hue
     return n, whole
 
 

@@ -19,12 +19,12 @@ from tracker.vision import search
 from tracker.vision.colours import ColourProfile
 from tracker.vision.components import Runs, room
 from tracker.vision.hue_table import hue_table
-from tracker.vision.shape_tests import first_failure, windows_around
+from tracker.vision.shape_tests import first_failure, parted, windows_around
 
 Image = NDArray[np.uint8]
 REASONS = ("size", "convexity", "circularity", "edge")  # in the order of `shape_tests`
 NO_PLACES, NO_SIZES, NO_HUES = np.zeros((0, 2)), np.zeros(0), np.zeros(0, np.int64)
-SQUARE_CIRCULARITY = np.pi / 4
+HIGHEST_MARK = 255
 LARGE = 2.0  # times the largest blob: two that touch are to be parted, more are background
 
 
@@ -91,9 +91,11 @@ class Detector:
         pixels = _checked(image)
         height, width = pixels.shape[:2]
         max_extent = int(LARGE * self.profile.shape.size[1] * self._extent[1])
+        visited, mark = self._scratch.visited(height, width, len(self.profile.hue_names))
         rows = search.find_regions(
             pixels,
-            self._scratch.cleared(height, width),
+            visited,
+            mark,
             self._scratch.runs(max_extent),
             self._table.cells,
             self._table.patterns,
@@ -102,9 +104,9 @@ class Detector:
             self.params.min_area_px,
             max_extent,
         )
-        reason = self._reasons(rows, hints)
-        passed = reason < 0
-        return _blobs(rows[passed]), _rejected(rows[~passed], reason[~passed])
+        uv, size, hue, score, other_uv, other_hue, reason = parted(rows, self._reasons(rows, hints))
+        why = tuple(REASONS[k] for k in reason.tolist())
+        return Blobs(uv, size, hue, score), RejectedBlobs(other_uv, other_hue, why)
 
     def _windows(self, width: int, height: int, hints: DetectionHints | None) -> IntArray:
         """Rows (first and last column, first and last row, stride) to look for seeds in."""
@@ -129,16 +131,19 @@ class _Scratch(threading.local):
     """Memory kept from call to call: fresh memory costs as much as the search."""
 
     def __init__(self) -> None:
-        self._marks = np.zeros((0, 0), np.uint8)
+        self._visited, self._mark = np.zeros((0, 0), np.uint8), 1
         self._runs, self._extent = room(0), 0
 
-    def cleared(self, height: int, width: int) -> NDArray[np.uint8]:
-        """(height, width) zeros for visited pixels, good until this thread's next call."""
-        if self._marks.shape != (height, width):
-            self._marks = np.zeros((height, width), np.uint8)
-        else:
-            self._marks.fill(0)
-        return self._marks
+    def visited(self, height: int, width: int, hues: int) -> tuple[NDArray[np.uint8], int]:
+        """(height, width) numbers and the least that is above all of them, with room for ``hues``
+        more; good until this thread's next call."""
+        if self._visited.shape != (height, width):
+            self._visited, self._mark = np.zeros((height, width), np.uint8), 1
+        elif self._mark + hues > HIGHEST_MARK:
+            self._visited.fill(0)
+            self._mark = 1
+        mark, self._mark = self._mark, self._mark + hues + 1
+        return self._visited, mark
 
     def runs(self, extent: int) -> Runs:
         """`room` for regions of at least this extent (px), good until this thread's next call."""
@@ -179,23 +184,3 @@ def _checked(image: Image) -> Image:
             f"and type {image.dtype}."
         )
     return np.ascontiguousarray(image)
-
-
-def _blobs(rows: Array) -> Blobs:
-    score = rows[:, search.CONVEXITY] * np.minimum(
-        rows[:, search.CIRCULARITY] / SQUARE_CIRCULARITY, 1.0
-    )
-    return Blobs(
-        rows[:, search.U : search.V + 1].copy(),
-        rows[:, search.WIDTH : search.HEIGHT + 1].copy(),
-        rows[:, search.HUE].astype(np.int64),
-        np.minimum(score, 1.0),
-    )
-
-
-def _rejected(rows: Array, reason: IntArray) -> RejectedBlobs:
-    return RejectedBlobs(
-        rows[:, search.U : search.V + 1].copy(),
-        rows[:, search.HUE].astype(np.int64),
-        tuple(REASONS[k] for k in reason.tolist()),
-    )

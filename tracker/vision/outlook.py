@@ -6,14 +6,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tracker.kernels import kernel
 from tracker.messages import Array, CameraPose, IntArray
+from tracker.vision.colours import hue_rows
 from tracker.vision.detector import DetectionHints
-from tracker.vision.rig import StereoRig
+from tracker.vision.rig import NEAREST, StereoRig
 
 MARGIN_PX = 12.0
 SPEED_SD = 0.5  # m/s by which a hand may differ from the speed it had
 SHORTEST, LONGEST = 0.005, 0.1  # s between two outlooks that tell a speed
-NEAREST = 0.05  # m; nearer than this a radius in pixels means nothing
+CLOSE = 0.05  # m; nearer than this a radius in pixels means nothing
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,24 +49,44 @@ class Outlook:
 
         A hue that is not among them has number -1.
         """
-        ahead = t - self.t
-        p_C = (self.p_G + ahead * self.v_G - pose.p_GC) @ pose.R_GC
-        reach = self.size + 3 * self.sd + SPEED_SD * abs(ahead)
-        radius = rig.fx * reach / np.maximum(p_C[:, 2], NEAREST) + MARGIN_PX
-        number = {name: k for k, name in enumerate(hue_names)}
-        hue = np.array([number.get(self.hue_names[h], -1) for h in self.hue], np.int64)
+        hue = hue_rows(self.hue_names, hue_names)[self.hue]
         sides = []
-        for right in (False, True):
-            camera, uv = (rig.right if right else rig.left), rig.project(p_C, right)
-            ok = np.flatnonzero(_near_picture(uv, camera.width, camera.height))
-            sides.append(DetectionHints(camera.unrectify(uv[ok]), radius[ok], hue[ok]))
+        for camera, shift in ((rig.left, 0.0), (rig.right, rig.baseline)):
+            uv, radius, rows = seen_soon(
+                self.p_G, self.v_G, self.sd, self.size, t - self.t,
+                pose.R_GC, pose.p_GC, shift, rig.fx, rig.fy, rig.cx, rig.cy,
+                camera.width, camera.height,
+            )  # fmt: skip
+            sides.append(DetectionHints(camera.unrectify(uv), radius, hue[rows]))
         return sides[0], sides[1]
 
 
-def _near_picture(uv: Array, width: int, height: int) -> Array:
-    """(n,) bool: not so far outside that a lens polynomial means nothing."""
-    size = np.array([width, height], float)
-    return np.all((uv > -0.5 * size) & (uv < 1.5 * size), axis=1)
+@kernel
+def seen_soon(  # type: ignore[no-untyped-def]
+    p_G, v_G, sd, size, ahead, R_GC, p_GC, shift, fx, fy, cx, cy, width, height
+):
+    """Rectified pixels uv (k, 2), radius (k,) px and row (k,) of the markers near a picture.
+
+    p_G, v_G (n, 3), sd and size (n,) as in `Outlook`, ``ahead`` s later; the lens is ``shift`` m to
+    the right of the pose's. Not near is what lies behind the lens, or so far outside the picture
+    that a lens polynomial means nothing.
+    """
+    uv, radius, rows = np.empty((len(p_G), 2)), np.empty(len(p_G)), np.empty(len(p_G), np.int64)
+    n = 0
+    for i in range(len(p_G)):
+        x, y, z = 0.0, 0.0, 0.0
+        for k in range(3):
+            d = p_G[i, k] + ahead * v_G[i, k] - p_GC[k]
+            x, y, z = x + d * R_GC[k, 0], y + d * R_GC[k, 1], z + d * R_GC[k, 2]
+        if not z >= NEAREST:
+            continue
+        u, v = fx * (x - shift) / z + cx, fy * y / z + cy
+        if -0.5 * width < u < 1.5 * width and -0.5 * height < v < 1.5 * height:
+            reach = size[i] + 3 * sd[i] + SPEED_SD * abs(ahead)
+            uv[n, 0], uv[n, 1], rows[n] = u, v, i
+            radius[n] = fx * reach / max(z, CLOSE) + MARGIN_PX
+            n += 1
+    return uv[:n], radius[:n], rows[:n]
 
 
 class SearchPlan:

@@ -29,6 +29,7 @@ SPLIT_CONVEXITY = 0.88  # of each half
 def find_regions(
     image: _Bytes,
     visited: _Bytes,
+    mark: int,
     runs: Runs,
     cells: Cells,
     patterns: Patterns,
@@ -39,12 +40,12 @@ def find_regions(
 ) -> Array:
     """Measurements (n, COLUMNS) of all regions that a seed meets, in the order of the seeds.
 
-    visited (h, w) zeros, marked here; runs: `room` for ``max_extent``; cells, patterns and vivid of
-    `HueTable`; windows (k, 5): first and last column, first and last row, and the grid's stride.
-    Regions below ``min_area`` px², and what `fill` takes for background, give no row. A seed must
-    lie in a square of 2 x 2 px of its hue: noise on a colour at the border of a hue makes specks
-    and threads by the hundred, and to fill each would take as long as all markers. Every other row
-    of the grid is shifted by half a stride.
+    visited (h, w) less than ``mark``, marked here as `fill` says; runs: `room` for ``max_extent``;
+    cells, patterns and vivid of `HueTable`; windows (k, 5): first and last column, first and last
+    row, and the grid's stride. Regions below ``min_area`` px², and what `fill` takes for
+    background, give no row. A seed must lie in a square of 2 x 2 px of its hue: noise on a colour
+    at the border of a hue makes specks and threads by the hundred, and to fill each would take as
+    long as all markers. Every other row of the grid is shifted by half a stride.
     """
     out = np.empty((64, COLUMNS))
     line = np.zeros(image.shape[1] // WORD + 1, np.int64)
@@ -66,11 +67,13 @@ def find_regions(
                 for seed in range(word * WORD, min((word + 1) * WORD, seeds)):
                     x = first + seed * stride
                     hue = int(line.view(np.int8)[seed])
-                    if hue == 0 or visited[y, x]:
+                    if hue == 0 or visited[y, x] >= mark:
                         continue
                     if not _is_broad(image, y, x, hue, cells, patterns):
                         continue
-                    used, whole = fill(image, visited, y, x, hue, cells, patterns, runs, max_extent)
+                    used, whole = fill(
+                        image, visited, mark, y, x, hue, cells, patterns, runs, max_extent
+                    )
                     if not whole:
                         continue
                     if n + 2 > len(out):

@@ -9,6 +9,7 @@ from tracker.messages import Array, IntArray
 from tracker.vision import search
 
 SIZE, CONVEXITY, CIRCULARITY, EDGE = range(4)
+SQUARE_CIRCULARITY = np.pi / 4
 
 
 @kernel
@@ -66,6 +67,36 @@ def _suits(
                 return True
             expected = True
     return not expected
+
+
+@kernel
+def parted(  # type: ignore[no-untyped-def]
+    rows: Array, reason: IntArray
+):
+    """Of the regions that failed nothing: uv (n, 2), size (n, 2), hue (n,) and score (n,) in 0..1;
+    of the others uv (m, 2), hue (m,) and reason (m,)."""
+    n, m = 0, 0
+    for i in range(len(rows)):
+        n += reason[i] < 0
+    uv, size = np.empty((n, 2)), np.empty((n, 2))
+    hue, score = np.empty(n, np.int64), np.empty(n)
+    other_uv = np.empty((len(rows) - n, 2))
+    other_hue = np.empty(len(rows) - n, np.int64)
+    why = np.empty(len(rows) - n, np.int64)
+    n = 0
+    for i in range(len(rows)):
+        if reason[i] < 0:
+            roundness = min(rows[i, search.CIRCULARITY] / SQUARE_CIRCULARITY, 1.0)
+            uv[n, 0], uv[n, 1] = rows[i, search.U], rows[i, search.V]
+            size[n, 0], size[n, 1] = rows[i, search.WIDTH], rows[i, search.HEIGHT]
+            hue[n] = int(rows[i, search.HUE])
+            score[n] = min(rows[i, search.CONVEXITY] * roundness, 1.0)
+            n += 1
+        else:
+            other_uv[m, 0], other_uv[m, 1] = rows[i, search.U], rows[i, search.V]
+            other_hue[m], why[m] = int(rows[i, search.HUE]), reason[i]
+            m += 1
+    return uv, size, hue, score, other_uv, other_hue, why
 
 
 @kernel
