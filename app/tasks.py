@@ -47,8 +47,8 @@ class Task(QObject):
     failed = Signal(str)
     ended = Signal()
 
-    def __init__(self, title: str, job: Job, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, title: str, job: Job) -> None:
+        super().__init__()
         self.title = title
         self._job = job
         self._progress = Progress(self.progressed.emit)
@@ -107,7 +107,9 @@ class TaskOwner(QObject):
         """Run ``job`` in its own thread. In this thread ``progressed`` hears of its progress,
         ``done`` gets its result or ``failed`` a sentence, and ``ended`` is called however it ends:
         all are connected before the job begins."""
-        task = Task(title, job, self)
+        # No child of the owner: what is connected to a task may hold the last reference to the
+        # owner, which would delete the task once more, in the middle of the task's own deletion.
+        task = Task(title, job)
         if progressed is not None:
             task.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)
         if failed is not None:
