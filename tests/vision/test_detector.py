@@ -119,6 +119,17 @@ def test_all_patches_are_found_with_a_tenth_of_a_pixel(stride: int) -> None:
     assert max(errors) < 0.4
 
 
+def test_the_memory_kept_between_calls_changes_nothing() -> None:
+    """Through the numbers of a byte and round again, with another hand's picture in between."""
+    rng, detector = np.random.default_rng(11), Detector(FOUR)
+    images = [draw(random_shapes(rng, 40)) for _ in range(2)]
+    fresh = [Detector(FOUR).detect(image)[0] for image in images]
+    for k in range(120):
+        found = detector.detect(images[k % 2])[0]
+        assert np.array_equal(found.uv, fresh[k % 2].uv)
+        assert np.array_equal(found.hue, fresh[k % 2].hue)
+
+
 def test_coarse_search_measures_the_same_regions_as_a_full_scan() -> None:
     image = draw(random_shapes(np.random.default_rng(9), 40))
     found = [Detector(FOUR, params=DetectorParams(stride=s)).detect(image)[0] for s in (1, 2, 4)]
