@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.demo_camera import start_camera
 from app.process import prepare_process
+from app.screen import NO_SCREEN, do_without, has_screen
 from resources import folder
 from tracker import __version__
 from tracker.errors import GlovetrackError
@@ -32,6 +33,11 @@ def main(argv: Sequence[str] | None = None) -> int:
         args.streams = with_streams(StreamParams(), args.stream, args.stream_host)
     except GlovetrackError as error:
         parser.error(str(error))
+    if not has_screen():
+        if args.headless_report is None:
+            print(NO_SCREEN, file=sys.stderr)
+            return 1
+        do_without()
     prepare_process()
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
@@ -95,7 +101,13 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--stream-host", default="", metavar="HOST", help="to or at which address")
     parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
-    parser.add_argument("--headless-report", type=float, metavar="SECONDS", default=None)
+    parser.add_argument(
+        "--headless-report",
+        type=float,
+        metavar="SECONDS",
+        default=None,
+        help="run so long by itself, with or without a screen, and leave a report in --out",
+    )
     parser.add_argument("--out", type=Path, default=Path("demo"), help="folder of the report")
     return parser
 

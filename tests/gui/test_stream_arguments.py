@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from environments import without_screen
 from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.__main__ import main
@@ -42,6 +43,7 @@ def test_a_report_without_a_screen_sends_too_and_leaves_its_files(tmp_path):
         done = subprocess.run(
             [sys.executable, "-m", "app", "--demo", *words, *stream],
             cwd=ROOT,
+            env=without_screen(),
             capture_output=True,
             text=True,
         )

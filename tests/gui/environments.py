@@ -1,0 +1,10 @@
+"""Environments for programs that tests start."""
+
+import os
+
+SCREENS = ("QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY")
+
+
+def without_screen() -> dict[str, str]:
+    """This process's environment on a machine that has no screen."""
+    return {name: value for name, value in os.environ.items() if name not in SCREENS}
