@@ -15,7 +15,6 @@ import tempfile
 import time
 from ctypes import c_long
 from dataclasses import dataclass
-from multiprocessing.sharedctypes import Synchronized
 from pathlib import Path
 
 from tests.session.conftest import ANCHOR, RESOURCES, MessageMaker
@@ -39,7 +38,7 @@ class Kill:
     gaps: int
 
 
-def victim(path: Path, pictures: str, written: Synchronized[int]) -> None:
+def victim(path: Path, pictures: str, written: c_long) -> None:
     """Records for ever, as fast as it can; ``written`` is the last packet handed over."""
     info = describe(
         (RESOURCES / "hands" / "reference-right.toml").read_text(),
@@ -66,7 +65,8 @@ def drill(folder: Path, kills: int, seed: int) -> list[Kill]:
     context.set_forkserver_preload(["tests.session.conftest"])
     out = []
     for n in range(kills):
-        path, written = folder / f"{n}.mcap", context.Value(c_long, -1)
+        # Without a lock, which a process killed at the wrong moment would hold for ever.
+        path, written = folder / f"{n}.mcap", context.Value(c_long, -1, lock=False)
         process = context.Process(target=victim, args=(path, PICTURES[n % 3], written))
         process.start()
         while written.value < 0 and process.is_alive():
