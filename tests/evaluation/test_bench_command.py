@@ -85,6 +85,8 @@ def test_json_that_cannot_be_written(tmp_path: Path) -> None:
         (row("r", 0.1, "s", "-", None, "<= 0.15 s"), True),
         (row("r", 1e-12, "", "-", None, "1e-10"), True),
         (row("r", 1e-9, "", "-", None, "1e-10"), False),
+        (row("r", 0.98, "of all", "peer", 0.5, ">= 0.97"), True),
+        (row("r", 0.96, "of all", "peer", 0.5, ">= 0.97"), False),
         (row("r", 98.6, "%", "peer", 99.0, ">= peer - 0.5"), True),
         (row("r", 98.4, "%", "peer", 99.0, ">= peer - 0.5"), False),
         (row("r", 0.6, "", "peer", 0.0, "<= peer + 0.5"), False),

@@ -21,7 +21,7 @@ def reached(row: BenchRow) -> bool | None:
     """Whether the goal is reached; None where there is none, or no peer to compare with.
 
     A bare number bounds the ratio, or the value of a row that has no unit to compare; "<= n s"
-    bounds the value; "<= peer + n" and ">= peer - n" bound it relative to the peer's.
+    and ">= n" bound the value; "<= peer + n" and ">= peer - n" bound it relative to the peer's.
     """
     match = _LIMIT.fullmatch(row.goal)
     if match is None:
@@ -32,6 +32,8 @@ def reached(row: BenchRow) -> bool | None:
             return None
         bound = row.peer_value + (number if "+" in peer else -number)
         return row.value >= bound if sense == ">= " else row.value <= bound
+    if sense == ">= ":
+        return row.value >= number
     if sense or row.peer == "-":
         return row.value <= number
     return None if row.ratio is None else row.ratio <= number

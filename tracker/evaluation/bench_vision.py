@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import resources
+from tracker.evaluation.bench_matching import matching_rows
 from tracker.evaluation.bench_peers_vision import PlainOpenCv
 from tracker.evaluation.bench_rows import BenchRow, Call, interleaved, row
 from tracker.glove.files import load_glove
@@ -52,8 +53,7 @@ def bench_vision(rounds: int = 9, pictures: int = 8, seed: int = 1) -> list[Benc
     rows: list[BenchRow] = []
     for kind in ("plain", "painted"):
         rows += detection_rows(profile, make_pictures(profile, kind, pictures, seed), kind, rounds)
-    rows += cpd_rows(rounds, seed)
-    return rows
+    return rows + cpd_rows(rounds, seed) + matching_rows()
 
 
 def make_pictures(profile: ColourProfile, kind: str, count: int, seed: int) -> list[Picture]:
