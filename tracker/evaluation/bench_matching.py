@@ -9,9 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.evaluation.bench_rows import BenchRow, row
+from tracker.evaluation.bench_rows import BenchRow, Call, row
 from tracker.messages import Array, IntArray
-from tracker.vision.correspondence import match_translation
+from tracker.vision.correspondence import TranslationParams, match_translation, normalised
+from tracker.vision.cpd import translation_em
 
 SHIFT, TILT = 0.020, np.deg2rad(3.0)  # m, rad (root mean square): error of the prediction
 MARKERS, SEEN = 37, 13
@@ -58,6 +59,17 @@ def ours(frame: Frame) -> IntArray:
     """Marker of each point, -1 for none."""
     points, hue, _, predicted, marker_hue, prior = frame
     return match_translation(points, hue, predicted, marker_hue, prior, COV_C).marker
+
+
+def registration(frame: Frame) -> Call:
+    """The EM alone, as `ours` runs it."""
+    params, n = TranslationParams(), len(frame.points)
+    each, prior = np.tile(COV_C, (n, 1, 1)), normalised(frame.prior, frame.marker_hue)
+    spread = params.spread_first, params.spread_last
+    return lambda: translation_em(
+        frame.points, frame.hue, each, frame.predicted, frame.marker_hue, prior,
+        params.outlier, params.volume, spread, params.iterations,
+    )  # fmt: skip
 
 
 def pycpd_rigid(frame: Frame) -> IntArray:

@@ -171,7 +171,7 @@ def match_translation(
         each,
         markers,
         marker_hue,
-        _normalised(prior, marker_hue),
+        normalised(prior, marker_hue),
         params.outlier,
         params.volume,
         (params.spread_first, params.spread_last),
@@ -184,7 +184,7 @@ def match_translation(
 
 
 @kernel
-def _normalised(prior: Array, hue: IntArray) -> Array:
+def normalised(prior: Array, hue: IntArray) -> Array:
     """Priors that sum to one within each hue; a hue of zeros stays so."""
     out = np.zeros(len(prior))
     for j in range(len(prior)):

@@ -96,14 +96,10 @@ def translation_em(
         for i in range(n):
             det = _inverse3(cov[i], s * s, inverse)
             scale = (1.0 - outlier) / math.sqrt((2.0 * math.pi) ** 3 * det)
-            _expect(P[i], points[i], hue[i], markers, marker_hue, prior, eta, inverse, scale)
-            total = outlier / volume
-            for j in range(m):
-                total += P[i, j]
-            for j in range(m):
-                if P[i, j] > 0.0:
-                    P[i, j] /= total
-                    _maximise(P[i, j], inverse, points[i], markers[j], information, weighted)
+            total = outlier / volume + _expect(
+                P[i], points[i], hue[i], markers, marker_hue, prior, eta, inverse, scale
+            )
+            _maximise(P[i], total, inverse, points[i], markers, information, weighted)
         if step < iterations:
             if information[0, 0] < 1e-9:
                 break
@@ -123,8 +119,9 @@ def _expect(
     eta: Array,
     W: Array,
     scale: float,
-) -> None:
-    """row[j] = (1 - w) p(m_j) N(o; m_j + eta, W^-1), eqs. 2 and 3 before division."""
+) -> float:
+    """row[j] = (1 - w) p(m_j) N(o; m_j + eta, W^-1), eqs. 2 and 3 before division; their sum."""
+    total = 0.0
     for j in range(len(markers)):
         row[j] = 0.0
         if marker_hue[j] != hue or prior[j] <= 0.0:
@@ -136,17 +133,33 @@ def _expect(
         d2 += 2.0 * (W[0, 1] * x * y + W[0, 2] * x * z + W[1, 2] * y * z)
         if d2 < 80.0:  # beyond, the density is nothing beside the outliers'
             row[j] = scale * prior[j] * math.exp(-0.5 * d2)
+            total += row[j]
+    return total
 
 
 @kernel
 def _maximise(
-    p: float, W: Array, point: Array, marker: Array, information: Array, weighted: Array
+    row: Array,
+    total: float,
+    W: Array,
+    point: Array,
+    markers: Array,
+    information: Array,
+    weighted: Array,
 ) -> None:
-    """Add p W and p W (o - m) to the normal equations of eta."""
+    """Divide the row by ``total``; add sum p W and W sum p (o - m) to eta's normal equations."""
+    mass, x, y, z = 0.0, 0.0, 0.0, 0.0
+    for j in range(len(markers)):
+        if row[j] > 0.0:
+            row[j] /= total
+            mass += row[j]
+            x += row[j] * (point[0] - markers[j, 0])
+            y += row[j] * (point[1] - markers[j, 1])
+            z += row[j] * (point[2] - markers[j, 2])
     for r in range(3):
         for c in range(3):
-            information[r, c] += p * W[r, c]
-            weighted[r] += p * W[r, c] * (point[c] - marker[c])
+            information[r, c] += mass * W[r, c]
+        weighted[r] += W[r, 0] * x + W[r, 1] * y + W[r, 2] * z
 
 
 @kernel
