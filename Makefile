@@ -2,7 +2,7 @@
 # make test         linters, type checker, import contracts and all tests
 # make lint         the same without the tests
 # make firmware     the glove's firmware and its simulator; prints their sizes
-# make screenshots  pictures of the window for the documentation
+# make screenshots  images of the window for the documentation
 # make docs         the documentation as a static site, build/site/index.html
 # make package      dist/glovetrack, a program that needs no Python, and packages of it
 # make bench        speed and accuracy against the goals, into bench.json; ten minutes for the app
@@ -52,7 +52,7 @@ firmware:
 	$(MAKE) -C resources/firmware BUILD=$(abspath $(FIRMWARE_BUILD)) all size
 
 screenshots: $(READY)
-	$(OFFSCREEN) $(BIN)/python -m app.screenshots --out docs/screenshots
+	$(OFFSCREEN) $(BIN)/python -m app.tools.screenshots --out docs/screenshots
 
 docs: $(READY)
 	packaging/site.sh $(BIN)/python build/site
@@ -63,7 +63,7 @@ package: $(READY)
 
 bench: $(READY)
 	-$(MAKE) --no-print-directory bench-peers
-	$(OFFSCREEN) $(BIN)/python -m tracker.evaluation.bench --json bench.json
+	$(OFFSCREEN) $(BIN)/python -m tests.benchmarks --json bench.json
 
 bench-peers: $(PEERS)/.ready
 

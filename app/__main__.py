@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
-from app.demo_camera import start_camera
-from app.process import prepare_process
-from app.screen import NO_SCREEN, do_without, has_screen
+from app.engines.demo_camera import start_camera
+from app.platform.process import prepare_process
+from app.platform.screen import NO_SCREEN, do_without, has_screen
 from resources import folder
 from tracker import __version__
 from tracker.errors import GlovetrackError
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
 
 if TYPE_CHECKING:
-    from app.crash import CrashWatch
-    from app.single_instance import Instance
+    from app.platform.crash import CrashWatch
+    from app.platform.single_instance import Instance
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -48,15 +48,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
     if args.headless_report is not None:
         camera = start_camera(fps=args.fps)  # before the window is even imported
-        from app.report import headless_report
+        from app.tools.report import headless_report
 
         return headless_report(app, args.headless_report, args.out, args.fps, camera, args.streams)
     return _run(app, args)
 
 
 def _run(app: QApplication, args: argparse.Namespace) -> int:
-    from app.crash import CrashWatch, log_folder, log_to_file
-    from app.single_instance import Instance, hand_over
+    from app.platform.crash import CrashWatch, log_folder, log_to_file
+    from app.platform.single_instance import Instance, hand_over
 
     if not args.demo and hand_over(args.session):
         return 0  # the window that is open has it now
@@ -73,7 +73,7 @@ def _show(
     app: QApplication, args: argparse.Namespace, crashes: CrashWatch, instance: Instance
 ) -> int:
     camera = start_camera(fps=args.fps) if args.demo else None
-    from app.main_window import MainWindow
+    from app.window.main_window import MainWindow
 
     window = MainWindow(crashes=crashes)
     instance.asked.connect(window.take_over)

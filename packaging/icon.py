@@ -18,12 +18,12 @@ SIZE = 256  # px
 
 def draw(source: Path, target: Path, size: int = SIZE) -> bool:
     """Render an SVG to a square PNG; whether it was written."""
-    picture = QImage(size, size, QImage.Format.Format_ARGB32)
-    picture.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(picture)
+    image = QImage(size, size, QImage.Format.Format_ARGB32)
+    image.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(image)
     QSvgRenderer(str(source)).render(painter)
     painter.end()
-    return picture.save(str(target))
+    return image.save(str(target))
 
 
 if __name__ == "__main__":

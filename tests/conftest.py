@@ -35,7 +35,7 @@ def compare_large(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(scope="session")
 def data_folder() -> Path:
-    """Real recordings and pictures; the test is skipped where they are absent."""
+    """Real recordings and images; the test is skipped where they are absent."""
     folder = Path(os.environ.get("GLOVETRACK_DATA", ROOT.parent / "shared" / "data"))
     if not folder.is_dir():
         pytest.skip(f"no recordings at {folder} (set GLOVETRACK_DATA)")

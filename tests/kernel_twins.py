@@ -37,7 +37,7 @@ CLOSE = 1e-9
 """Relative to the largest number of an array: sums in another order, and another LAPACK."""
 
 CLOSE_FAST = 1e-4
-"""The same with fast-math, where pictures are drawn in single precision."""
+"""The same with fast-math, where images are drawn in single precision."""
 
 OTHERWISE = {
     "tracker.vision.hue_table._fill_table": "16 million colours; test_detector asks OpenCV",

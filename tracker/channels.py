@@ -1,7 +1,7 @@
 """How threads hand messages to each other: a bounded queue and a slot of one.
 
 A lost IMU sample is a lost piece of an integral, so samples go through `Fifo`, which never drops in
-silence. A picture that nobody had time for is merely old, so pictures go through `Latest`.
+silence. An image that nobody had time for is merely old, so images go through `Latest`.
 """
 
 from __future__ import annotations

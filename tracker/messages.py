@@ -131,7 +131,7 @@ class RejectedBlobs(_Frozen):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class BlobFrame(_Frozen):
-    """What the detector found in one stereo exposure. A side without a picture is None."""
+    """What the detector found in one stereo exposure. A side without an image is None."""
 
     t: float
     t_arrival: float
@@ -166,7 +166,7 @@ class FrameResult(_Frozen):
 
     @staticmethod
     def nothing(t: float, tracking: Tracking, markers: int) -> FrameResult:
-        """Of a picture in which no marker was expected or matched."""
+        """Of an image in which no marker was expected or matched."""
         return FrameResult(
             t=t,
             tracking=tracking,

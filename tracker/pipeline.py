@@ -8,11 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from tracker.calibration.frame_timing import FrameTiming
-from tracker.calibration.time_offset import TimeOffset
 from tracker.errors import ConfigError
-from tracker.fusion.camera_tilt import CameraTilt
-from tracker.fusion.chain import ChainEngine
+from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.engine import Engine
 from tracker.fusion.hybrid import HybridEngine
 from tracker.fusion.vist.engine import VistEngine
@@ -28,11 +25,14 @@ from tracker.messages import (
     ImuSample,
     Tracking,
 )
+from tracker.online.camera_tilt import CameraTilt
+from tracker.online.frame_timing import FrameTiming
+from tracker.online.rig_watch import RigState, RigWatch
+from tracker.online.time_offset import TimeOffset
 from tracker.settings import Settings
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.outlook import Outlook
 from tracker.vision.rig import StereoRig
-from tracker.vision.rig_watch import RigState, RigWatch
 
 Builder = Callable[[HandModel, GloveModel, StereoRig, Settings], Engine]
 
@@ -95,7 +95,7 @@ class Pipeline:
         return estimate
 
     def feed_frame(self, frame: BlobFrame) -> None:
-        """Take what was seen in a picture; see `take_results`. Swapped pictures are not used."""
+        """Take what was seen in an image; see `take_results`. Swapped images are not used."""
         frame = through(frame, self.settings.lenses)
         if self._watch.usable(frame):
             self._engine.feed_frame(self._posed(self._timing.corrected(frame)))
@@ -105,11 +105,11 @@ class Pipeline:
             self._results.append(nothing)
 
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
-        """Take a sample of the camera's own IMU: pictures without a pose get one of it."""
+        """Take a sample of the camera's own IMU: images without a pose get one of it."""
         self._camera.feed(sample)
 
     def camera_pose(self, t: float) -> CameraPose:
-        """Where the camera is taken to be in a picture of ``t`` that brings no pose."""
+        """Where the camera is taken to be in an image of ``t`` that brings no pose."""
         return self._camera.pose(t) or self.rig.pose
 
     def _posed(self, frame: BlobFrame) -> BlobFrame:
@@ -123,7 +123,7 @@ class Pipeline:
             self._results.append(self._timing.restored(result))
 
     def take_results(self) -> list[FrameResult]:
-        """What was made of pictures since the last call, oldest first."""
+        """What was made of images since the last call, oldest first."""
         results, self._results = sorted(self._results, key=lambda r: r.t), []
         return results
 
@@ -134,7 +134,7 @@ class Pipeline:
 
     @property
     def timing(self) -> FrameTiming:
-        """How late pictures are stamped, and what is taken off."""
+        """How late images are stamped, and what is taken off."""
         return self._timing
 
     def take_words(self) -> list[str]:

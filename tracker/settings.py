@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from tracker.calibration.frame_timing import TimingParams
+from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.hybrid import HybridParams
-from tracker.fusion.params import ChainParams
 from tracker.fusion.vist.params import VistParams
+from tracker.online.frame_timing import TimingParams
 from tracker.streaming.params import StreamParams
 
 

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.bug_report import Choice, contents
+from app.platform.bug_report import Choice, contents
 
 
 class BugReportDialog(QDialog):
@@ -32,9 +32,9 @@ class BugReportDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setMinimumWidth(560)
         self.boxes = {
-            "screenshot": QCheckBox(self.tr("A picture of the window")),
+            "screenshot": QCheckBox(self.tr("An image of the window")),
             "session": QCheckBox(self.tr("The last seconds of the session")),
-            "pictures": QCheckBox(self.tr("Camera pictures of these seconds")),
+            "images": QCheckBox(self.tr("Camera images of these seconds")),
             "personal": QCheckBox(self.tr("Participant, task, notes and folder names")),
         }
         self.path = QLineEdit(str(path))
@@ -71,7 +71,7 @@ class BugReportDialog(QDialog):
         return Choice(**{name: box.isChecked() for name, box in self.boxes.items()})
 
     def _describe(self) -> None:
-        self.boxes["pictures"].setEnabled(self.boxes["session"].isChecked())
+        self.boxes["images"].setEnabled(self.boxes["session"].isChecked())
         lines = "".join(f"<li>{line}</li>" for line in contents(self.choice()))
         about = self.tr("The file stays on this computer until you send it. It will hold:")
         self.inside.setText(f"{about}<ul>{lines}</ul>")

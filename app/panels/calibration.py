@@ -14,20 +14,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.calibration_link import CalibrationLink
-from app.engine import EngineSetup
+from app.engines.engine import EngineSetup
+from app.engines.session import Session
+from app.jobs.calibration_link import CalibrationLink
 from app.panels.panel import Panel
 from app.panels.wearer_row import WearerRow
-from app.session import Session
-from app.settings import SettingsStore
+from app.storage.settings import SettingsStore
+from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import CalibrationView, Cell, calibration_view
 from app.viewmodels.camera_time import camera_time
 from app.viewmodels.snapshot import Snapshot
-from app.wearers import WearerStore
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.meter import SHARE_ROLE, MeterDelegate
 from tracker.errors import GlovetrackError
-from tracker.fusion.profile_file import WearerFile
+from tracker.fusion.chain.calibration.profile_file import WearerFile
 from tracker.messages import Calibration
 
 PROFILE_ENGINE = "chain"
@@ -63,7 +63,7 @@ class CalibrationPanel(Panel):
         self.length.setProperty("role", "figure")
         self.camera_time = QLabel("–")
         self.camera_time.setToolTip(
-            self.tr("How late pictures are stamped, from the motion of the hand and its gyroscope")
+            self.tr("How late images are stamped, from the motion of the hand and its gyroscope")
         )
         self.overall = QProgressBar()
         self.overall.setRange(0, 100)
@@ -77,7 +77,7 @@ class CalibrationPanel(Panel):
         head = FlowLayout(spacing=12)
         head.addWidget(QLabel(self.tr("Hand length")))
         head.addWidget(self.length)
-        head.addWidget(QLabel(self.tr("Pictures")))
+        head.addWidget(QLabel(self.tr("Images")))
         head.addWidget(self.camera_time)
         head.addWidget(self.overall)
         column = QVBoxLayout(self)

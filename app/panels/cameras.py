@@ -1,4 +1,4 @@
-"""Both pictures, with what was found in them and where markers were expected."""
+"""Both images, with what was found in them and where markers were expected."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ import numpy as np
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBoxLayout, QWidget
 
-from app.engine import EngineSetup
-from app.kept_pictures import Picture
+from app.engines.engine import EngineSetup
+from app.engines.session import Session
 from app.panels.panel import Panel
-from app.session import Session
-from app.viewmodels.colour_pictures import masks_picture
+from app.storage.kept_images import Image
+from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.overlay import Layers, hand_box, overlay
 from app.viewmodels.snapshot import Snapshot
 from app.widgets.flow_layout import FlowLayout
-from app.widgets.picture_view import PictureView
+from app.widgets.image_view import ImageView
 from tracker.messages import StereoFrame
 
 BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
@@ -28,9 +28,9 @@ class CamerasPanel(Panel):
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(session, parent)
-        waiting = self.tr("No picture yet")
-        self.left = PictureView(self.tr("Left"), waiting)
-        self.right = PictureView(self.tr("Right"), waiting)
+        waiting = self.tr("No image yet")
+        self.left = ImageView(self.tr("Left"), waiting)
+        self.right = ImageView(self.tr("Right"), waiting)
         self._shown: object = None
         self._view: Snapshot | None = None  # what is shown, or held while frozen
         self.hue_boxes: dict[str, QToolButton] = {}
@@ -43,9 +43,9 @@ class CamerasPanel(Panel):
         column.addLayout(self._controls)
         splitter = QSplitter(Qt.Orientation.Horizontal)
         splitter.setChildrenCollapsible(False)
-        for picture in (self.left, self.right):
-            picture.handled.connect(self._stop_following)
-            splitter.addWidget(picture)
+        for image in (self.left, self.right):
+            image.handled.connect(self._stop_following)
+            splitter.addWidget(image)
         column.addWidget(splitter, 1)
         session.opened.connect(self._open)
 
@@ -77,7 +77,7 @@ class CamerasPanel(Panel):
             self._controls.addWidget(box)
 
     def _add_views(self) -> None:
-        """What is shown of the pictures."""
+        """What is shown of the images."""
         self.masks = QCheckBox(self.tr("Masks"))
         self.masks.setToolTip(
             self.tr("Show what has the colours of the markers, each switched alone")
@@ -85,10 +85,10 @@ class CamerasPanel(Panel):
         self.masks.toggled.connect(self._toggle_masks)
         self.follow = QCheckBox(self.tr("Follow hand"))
         self.follow.setChecked(True)
-        self.follow.setToolTip(self.tr("Keep the hand large in both pictures"))
+        self.follow.setToolTip(self.tr("Keep the hand large in both images"))
         self.follow.toggled.connect(self._fit_unless)
         self.freeze = QCheckBox(self.tr("Freeze"))
-        self.freeze.setToolTip(self.tr("Hold the pictures; tracking goes on"))
+        self.freeze.setToolTip(self.tr("Hold the images; tracking goes on"))
         self.sides = QComboBox()
         self.sides.setAccessibleName(self.tr("Which cameras"))
         self.sides.addItems([self.tr("Both cameras"), self.tr("Left only"), self.tr("Right only")])
@@ -127,13 +127,13 @@ class CamerasPanel(Panel):
         return Layers(**{name: box.isChecked() for name, box in self._layer_boxes.items()})
 
     def _shown_hues(self) -> tuple[str, ...] | None:
-        """Names of the hues whose masks are wanted; None for the picture itself."""
+        """Names of the hues whose masks are wanted; None for the image itself."""
         if not self.masks.isChecked():
             return None
         return tuple(name for name, box in self.hue_boxes.items() if box.isChecked())
 
     def _stop_following(self) -> None:
-        """Who moves a picture does not want it moved."""
+        """Who moves an image does not want it moved."""
         with QSignalBlocker(self.follow):
             self.follow.setChecked(False)
 
@@ -152,15 +152,15 @@ class CamerasPanel(Panel):
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or view.frame is None:
             self._view = self._shown = None
-            self.left.show_picture(None)
-            self.right.show_picture(None)
+            self.left.show_image(None)
+            self.right.show_image(None)
             return
         if not self.freeze.isChecked() or self._view is None:
             self._view = view
         self._redraw()
 
     def _redraw(self) -> None:
-        """Show the latest or the held picture, unless just this stands there already."""
+        """Show the latest or the held image, unless just this stands there already."""
         view = self._view
         if view is None or view.frame is None:
             return
@@ -171,14 +171,14 @@ class CamerasPanel(Panel):
 
     def _show(self, view: Snapshot, frame: StereoFrame) -> None:
         layers, colours = self.layers(), hue_colours(view.setup.profile)
-        for widget, picture, right in (
+        for widget, image, right in (
             (self.left, frame.left, False),
             (self.right, frame.right, True),
         ):
             if widget.isHidden():
                 continue
             shapes = overlay(view, layers, colours, right)
-            widget.show_picture(self._picture(view, picture, right), shapes)
+            widget.show_image(self._image(view, image, right), shapes)
             if self.follow.isChecked():
                 box = hand_box(view, right)
                 if box is not None:
@@ -186,14 +186,14 @@ class CamerasPanel(Panel):
                 else:
                     widget.fit()
 
-    def _picture(self, view: Snapshot, picture: Picture | None, right: bool) -> Picture:
-        """The picture or its masks; black where the file holds none."""
+    def _image(self, view: Snapshot, image: Image | None, right: bool) -> Image:
+        """The image or its masks; black where the file holds none."""
         hues = self._shown_hues()
-        if picture is None:
+        if image is None:
             camera = view.setup.rig.right if right else view.setup.rig.left
             return np.zeros((camera.height, camera.width), np.uint8)
         if hues is None:
-            return picture
+            return image
         colours = hue_colours(view.setup.profile)
         wanted = {h: colours[h.name] for h in view.setup.profile.hues if h.name in hues}
-        return masks_picture(picture, wanted)
+        return masks_image(image, wanted)

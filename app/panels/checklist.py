@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
+from app.engines.session import Session
 from app.panels.panel import Panel
-from app.session import Session
-from app.settings import SettingsStore
+from app.storage.settings import SettingsStore
 from app.viewmodels.checklist import Step, steps
 from app.viewmodels.snapshot import Snapshot
 

@@ -17,8 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.engines.session import Session
 from app.panels.panel import Panel
-from app.session import Session
 from app.viewmodels.log import KINDS, Log
 from tracker.messages import Event
 

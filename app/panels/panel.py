@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.session import Session
+from app.engines.session import Session
 from app.viewmodels.snapshot import Snapshot
 
 

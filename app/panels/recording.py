@@ -17,10 +17,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engine import RecordingRequest
+from app.engines.engine import RecordingRequest
+from app.engines.session import Session
 from app.panels.panel import Panel
-from app.session import Session
-from app.settings import SettingsStore, sessions_folder
+from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.recording import (
     RateMeter,
     automatic_path,

@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engine import EngineSetup
+from app.engines.engine import EngineSetup
+from app.engines.session import Session
 from app.panels.panel import Panel
-from app.session import Session
 from app.viewmodels.sensors import (
     AngleHistory,
     Curves,

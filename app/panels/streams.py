@@ -21,9 +21,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.outputs import Outputs
+from app.engines.session import Session
+from app.jobs.outputs import Outputs
 from app.panels.panel import Panel
-from app.session import Session
 from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.streams import TITLES, WITHOUT_PORT, StreamRow, stream_row
 from tracker.hand.names import CHAINS

@@ -1,4 +1,4 @@
-"""How late the camera's pictures are stamped against the glove, in words."""
+"""How late the camera's images are stamped against the glove, in words."""
 
 from __future__ import annotations
 

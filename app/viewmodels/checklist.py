@@ -90,13 +90,13 @@ def _camera(view: Snapshot | None) -> Step:
     if view is not None and view.frame is not None:
         dark = [
             side
-            for side, picture in (("left", view.frame.left), ("right", view.frame.right))
-            if picture is None
+            for side, image in (("left", view.frame.left), ("right", view.frame.right))
+            if image is None
         ]
         if not dark:
-            return Step(name, True, "both pictures arrive")
-        return Step(name, False, f"The {dark[0]} picture is missing.", "hardware", "Look again")
-    return Step(name, False, "No pictures arrive.", "hardware", "Look again")
+            return Step(name, True, "both images arrive")
+        return Step(name, False, f"The {dark[0]} image is missing.", "hardware", "Look again")
+    return Step(name, False, "No images arrive.", "hardware", "Look again")
 
 
 def _stereo(view: Snapshot | None, calibration: str) -> Step:
@@ -113,7 +113,7 @@ def _exposure(view: Snapshot | None) -> Step:
     """A camera that exposes by itself changes the markers' colours."""
     name = "Exposure locked"
     if view is None or view.frame is None:
-        return Step(name, False, "Waits for pictures.")
+        return Step(name, False, "Waits for images.")
     if view.setup.simulated or view.setup.player is not None:
         return Step(name, True, "it does not change here")
     if view.setup.camera_controls is None:
@@ -133,7 +133,7 @@ def _exposure(view: Snapshot | None) -> Step:
 def _colours(view: Snapshot | None) -> Step:
     name = "Colours tuned"
     if view is None or view.blobs is None:
-        return Step(name, False, "Waits for pictures.")
+        return Step(name, False, "Waits for images.")
     rows = seen_rows(view, view.setup.profile)
     clashing = [r.name for r in rows if r.clash]
     if clashing:

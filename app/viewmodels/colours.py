@@ -17,7 +17,7 @@ from tracker.vision.colours import HUES, ColourProfile, HueRange
 
 
 def hue_hex(hue: float) -> str:
-    """A clear colour of this OpenCV hue, readable on a dark picture."""
+    """A clear colour of this OpenCV hue, readable on a dark image."""
     rgb = colorsys.hsv_to_rgb(hue / HUES, 0.85, 1.0)
     return "#" + "".join(f"{round(255 * x):02X}" for x in rgb)
 
@@ -94,8 +94,8 @@ def hue_rows(
     expected: Mapping[str, float] | None = None,
     room: Mapping[str, float] | None = None,
 ) -> list[HueRow]:
-    """One row per hue. ``found`` and ``expected`` are blobs in one picture, by hue; ``room`` is the
-    share of the picture beside the hand that has the hue."""
+    """One row per hue. ``found`` and ``expected`` are blobs in one image, by hue; ``room`` is the
+    share of the image beside the hand that has the hue."""
     colours, overlaps = hue_colours(profile), _overlaps(profile)
     rows = []
     for h in profile.hues:
@@ -108,7 +108,7 @@ def hue_rows(
 def seen_rows(
     view: Snapshot, profile: ColourProfile, room: Mapping[str, float] | None = None
 ) -> list[HueRow]:
-    """The rows of a live picture."""
+    """The rows of a live image."""
     found = {}
     if view.blobs is not None:
         sides = (view.blobs.left, view.blobs.right)
@@ -119,7 +119,7 @@ def seen_rows(
 def blob_counts(
     sides: Sequence[Blobs | None], names: Sequence[str], profile: ColourProfile
 ) -> dict[str, float]:
-    """Hue name to blobs of it in one picture: the mean over the sides. Empty without a picture."""
+    """Hue name to blobs of it in one image: the mean over the sides. Empty without an image."""
     there = [b for b in sides if b is not None]
     if not there:
         return {}
@@ -131,7 +131,7 @@ def blob_counts(
 
 
 def expected_counts(view: Snapshot) -> dict[str, float]:
-    """Hue name to markers that should be seen in one picture; empty while searching."""
+    """Hue name to markers that should be seen in one image; empty while searching."""
     if view.result is None or view.result.tracking != Tracking.TRACKING:
         return {}
     out: dict[str, float] = {}
@@ -146,7 +146,7 @@ def _count(
 ) -> tuple[str, str, Look]:
     """Short text, long text and state."""
     if not found or name not in found:
-        return "–", "no picture", IDLE
+        return "–", "no image", IDLE
     n = found[name]
     if not expected or name not in expected:
         return f"{n:g}", f"{n:g} found", IDLE

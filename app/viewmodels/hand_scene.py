@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.engine import EngineSetup
+from app.engines.engine import EngineSetup
 from app.viewmodels.overlay import VISIBLE
 from app.viewmodels.snapshot import Snapshot
 from tracker.hand.model import HandModel
@@ -15,7 +15,7 @@ from tracker.messages import Array, Estimate, FrameResult, IntArray, Tracking, V
 
 SEEN_LATELY = 0.5
 """s for which a marker counts as seen after its last match."""
-TRAIL_POINTS = 90  # 3 s of pictures at 30 a second
+TRAIL_POINTS = 90  # 3 s of images at 30 a second
 MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
 
 
@@ -139,7 +139,7 @@ def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArr
 
 
 def visible_count(result: FrameResult | None) -> tuple[int, int]:
-    """Markers matched in any picture, and those expected to be seen."""
+    """Markers matched in any image, and those expected to be seen."""
     if result is None:
         return 0, 0
     matched = (result.match_left >= 0) | (result.match_right >= 0)

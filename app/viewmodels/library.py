@@ -45,11 +45,11 @@ class SessionRow:
 
 @dataclass(frozen=True, eq=False)
 class Details:
-    """What is inside. ``picture`` (h, w, 3) BGR; None where there are no pictures."""
+    """What is inside. ``image`` (h, w, 3) BGR; None where there are no images."""
 
     quality: str
     look: Look | None
-    picture: NDArray[np.uint8] | None
+    image: NDArray[np.uint8] | None
 
 
 def session_row(path: Path, recording: Path | None = None) -> SessionRow:

@@ -1,4 +1,4 @@
-"""What is drawn over a camera picture, from one stereo exposure and what the tracker made of it."""
+"""What is drawn over a camera image, from one stereo exposure and what the tracker made of it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ REASONS = {
     "edge": "at the edge",
 }
 WHITE = "#FFFFFF"
-REASON_ZOOM, ID_ZOOM = 0.8, 0.4  # screen pixels per picture pixel
+REASON_ZOOM, ID_ZOOM = 0.8, 0.4  # screen pixels per image pixel
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def _blobs(
     pairs: bool,
 ) -> list[Shape]:
     """A ring per blob in its hue: full where it became a marker, dashed where nobody claims it,
-    filled (``pairs``) where the same marker is seen in the other picture too."""
+    filled (``pairs``) where the same marker is seen in the other image too."""
     claimed = _claimed(view.result, len(blobs), right)
     paired = _paired(view.result, right) if pairs else set()
     out: list[Shape] = []
@@ -133,7 +133,7 @@ def _predicted(
 
 
 def _marker_pixels(view: Snapshot, right: bool) -> Array:
-    """(M, 2) px of every marker of the estimate, in the picture or beside it."""
+    """(M, 2) px of every marker of the estimate, in the image or beside it."""
     glove, estimate = view.setup.glove, view.estimate_at_frame
     if estimate is None or estimate.tracking != Tracking.TRACKING:
         return np.full((len(glove.markers), 2), np.nan)
@@ -143,13 +143,13 @@ def _marker_pixels(view: Snapshot, right: bool) -> Array:
 
 
 def _outside(uv: Array, colour: str, view: Snapshot, right: bool) -> list[Shape]:
-    """A dim cross at the edge of the picture, on the side where the marker is."""
+    """A dim cross at the edge of the image, on the side where the marker is."""
     camera = view.setup.rig.right if right else view.setup.rig.left
     if not np.isfinite(uv).all():
         return []
     edge = np.clip(uv, EDGE_PX, [camera.width - EDGE_PX, camera.height - EDGE_PX])
     if np.array_equal(edge, uv):
-        return []  # in the picture, but the tracker expected nothing there
+        return []  # in the image, but the tracker expected nothing there
     return [Cross(float(edge[0]), float(edge[1]), colour, diagonal=True, opacity=DIM)]
 
 
@@ -208,7 +208,7 @@ def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
 
 
 def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] | None:
-    """Centre u, v and size w, h (px) of the hand in a picture; None where it is not known."""
+    """Centre u, v and size w, h (px) of the hand in an image; None where it is not known."""
     if view.estimate_at_frame is None:
         return None
     pixels = project(view, view.estimate_at_frame.keypoints, right)
@@ -224,7 +224,7 @@ def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] |
 
 
 def project(view: Snapshot, p_G: Array, right: bool) -> Array:
-    """Points (n, 3) of G to pixels (n, 2) of the picture as recorded."""
+    """Points (n, 3) of G to pixels (n, 2) of the image as recorded."""
     rig: StereoRig = view.setup.rig
     pose = rig.pose
     if view.frame is not None and view.frame.pose is not None:

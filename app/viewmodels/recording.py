@@ -52,7 +52,7 @@ def duration_text(seconds: float) -> str:
 
 
 def place_text(seconds: float) -> str:
-    """A place in a session to the hundredth: pictures are 17 ms apart."""
+    """A place in a session to the hundredth: images are 17 ms apart."""
     hundredths = max(0, round(seconds * 100))
     return f"{duration_text(hundredths // 100)}.{hundredths % 100:02d}"
 
@@ -62,7 +62,7 @@ def losses_text(values: Mapping[str, float]) -> str:
     lost = round(values.get("imu_lost", 0))
     thinned = round(values.get("pictures_thinned", 0))
     overflow = round(values.get("imu_overflow", 0))
-    out = [f"{lost} packets", f"{thinned} pictures not recorded"]
+    out = [f"{lost} packets", f"{thinned} images not recorded"]
     if overflow:
         out.append(f"{overflow} messages that the computer had no time for")
     return ", ".join(out)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from app.engine import EngineSetup, Truth
+from app.engines.engine import EngineSetup, Truth
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -24,7 +24,7 @@ from tracker.messages import (
 class Snapshot:
     """The latest of every stream; None where there is nothing yet.
 
-    ``estimate_at_frame`` is the estimate nearest to the exposure of ``frame``: pictures are some
+    ``estimate_at_frame`` is the estimate nearest to the exposure of ``frame``: images are some
     40 ms old when they arrive, so an overlay of the newest estimate would lead the hand.
     """
 

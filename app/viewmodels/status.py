@@ -11,10 +11,10 @@ from tracker.messages import Status
 LATENCY_WARN_MS = 60.0
 LATENCY_BAD_MS = 120.0
 STAGES = {
-    "detect": "Search of both pictures",
+    "detect": "Search of both images",
     "filter": "The engine's step for a message",
     "imu": "A packet's arrival to its estimate",
-    "total": "A picture's arrival to the estimate made of it",
+    "total": "An image's arrival to the estimate made of it",
 }
 
 
@@ -40,7 +40,7 @@ def fields(status: Status | None) -> list[Field]:
     v = status.values if status is not None else {}
     return [
         _rate("imu_rate_hz", "Glove", v, "Packets of the glove each second"),
-        _rate("frame_rate_hz", "Camera", v, "Stereo pictures each second"),
+        _rate("frame_rate_hz", "Camera", v, "Stereo images each second"),
         _rate("estimate_rate_hz", "Hand", v, "Estimates of the hand each second"),
         _latency(v),
         _losses(v),
@@ -79,10 +79,10 @@ def _ms(values: dict[str, float], key: str) -> str:
 
 
 def _losses(values: dict[str, float]) -> Field:
-    tip = "Packets of the glove that never arrived; pictures that came faster than they were read"
+    tip = "Packets of the glove that never arrived; images that came faster than they were read"
     lost, dropped = values.get("imu_lost", math.nan), values.get("frames_dropped", math.nan)
     if not math.isfinite(lost) and not math.isfinite(dropped):
         return Field("losses", "Lost", "–", IDLE, tip)
     lost, dropped = (0.0 if math.isnan(x) else x for x in (lost, dropped))
     look = BAD if lost > 0 else GOOD
-    return Field("losses", "Lost", f"{lost:.0f} packets, {dropped:.0f} pictures", look, tip)
+    return Field("losses", "Lost", f"{lost:.0f} packets, {dropped:.0f} images", look, tip)

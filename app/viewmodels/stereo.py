@@ -50,7 +50,7 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
     return [
         Meter("Views", f"{cover.views} of {p.views}", cover.views / p.views),
         Meter(
-            "Picture area",
+            "Image area",
             f"{100 * cover.area:.0f} of {100 * p.area:.0f} %",
             cover.area / p.area,
         ),
@@ -64,7 +64,7 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
 
 
 def say(answer: Answer, trouble: str, cover: Coverage) -> str:
-    """The sentence under the pictures."""
+    """The sentence under the images."""
     if answer is Answer.ABSENT:
         return trouble
     if answer is Answer.TAKEN:
@@ -81,7 +81,7 @@ def corner_shapes(corners: Corners | None, good: bool) -> list[Shape]:
 
 
 def row_lines(camera: Camera, corners: Corners | None, width: int) -> list[Shape]:
-    """Rows through a few corners of a rectified picture: the same corner is on the same row."""
+    """Rows through a few corners of a rectified image: the same corner is on the same row."""
     if corners is None or len(corners) == 0:
         return []
     rows = camera.rectify(corners.uv)[:: max(1, len(corners) // 6), 1]
@@ -138,8 +138,8 @@ def solution_figures(solution: Solution) -> list[tuple[str, str]]:
     """Name and value of what was found."""
     turn_deg = np.rad2deg(np.linalg.norm(so3.log(solution.R)))
     focal = [
-        f"{lens.K[0, 0]:.1f} px ± {100 * sd:.2f} %"
-        for lens, sd in zip((solution.left, solution.right), solution.focal_sd, strict=True)
+        f"{camera.K[0, 0]:.1f} px ± {100 * sd:.2f} %"
+        for camera, sd in zip((solution.left, solution.right), solution.focal_sd, strict=True)
     ]
     return [
         ("Error of all corners", f"{solution.rms_px:.3f} px"),
@@ -154,7 +154,7 @@ def solution_figures(solution: Solution) -> list[tuple[str, str]]:
 def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
     """The same of a calibration from a file."""
     return [
-        ("Picture", f"{rig.left.width} by {rig.left.height} px"),
+        ("Image", f"{rig.left.width} by {rig.left.height} px"),
         ("Distance of the lenses", f"{1000 * rig.baseline:.2f} mm"),
         ("Focal length, left", f"{rig.left.K[0, 0]:.1f} px"),
         ("Focal length, right", f"{rig.right.K[0, 0]:.1f} px"),
@@ -177,5 +177,5 @@ def check_rows(found: Verification) -> list[tuple[str, str]]:
 
 
 def split_fresh(views: Sequence[StereoView]) -> tuple[list[StereoView], list[StereoView]]:
-    """Of pictures from a folder every third is held back for the check."""
+    """Of images from a folder every third is held back for the check."""
     return [v for i, v in enumerate(views) if i % 3 != 2], list(views[2::3])

@@ -1,4 +1,4 @@
-"""Two small maps: which parts of the left and right picture the board has covered."""
+"""Two small maps: which parts of the left and right image the board has covered."""
 
 from __future__ import annotations
 

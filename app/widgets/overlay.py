@@ -1,4 +1,4 @@
-"""Shapes drawn over a picture: plain data in picture pixels, painted by `PictureView`."""
+"""Shapes drawn over an image: plain data in image pixels, painted by `ImageView`."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Ring:
-    """A circle around a point, ``radius`` in picture pixels; ``filled`` see-through."""
+    """A circle around a point, ``radius`` in image pixels; ``filled`` see-through."""
 
     u: float
     v: float
@@ -32,7 +32,7 @@ class Cross:
 
 @dataclass(frozen=True)
 class Ellipse:
-    """Half axes ``a``, ``b`` in picture pixels; ``angle`` rad of the first against u."""
+    """Half axes ``a``, ``b`` in image pixels; ``angle`` rad of the first against u."""
 
     u: float
     v: float
@@ -58,7 +58,7 @@ class Line:
 @dataclass(frozen=True)
 class Label:
     """Text beside a point, as large at any zoom; left out below ``least_zoom`` screen pixels per
-    picture pixel, where texts would cover each other."""
+    image pixel, where texts would cover each other."""
 
     u: float
     v: float

@@ -13,7 +13,7 @@ class Scrolled(QScrollArea):
     """Gives the panel all the room there is and scrolls only below what it needs at least.
 
     Qt's own way (``widgetResizable``) scrolls already below what a panel with wrapped text would
-    like to have, though its pictures and tables could give way.
+    like to have, though its images and tables could give way.
     """
 
     def __init__(self, panel: QWidget, parent: QWidget | None = None) -> None:

@@ -22,7 +22,7 @@ def _pen(colour: str, width: float, dashed: bool) -> QPen:
 
 
 def paint_shape(painter: QPainter, shape: Shape, s: float, origin: QPointF) -> None:
-    """One shape; ``s`` screen pixels per picture pixel, ``origin`` of the picture."""
+    """One shape; ``s`` screen pixels per image pixel, ``origin`` of the image."""
 
     def at(u: float, v: float) -> QPointF:
         return QPointF(origin.x() + (u + 0.5) * s, origin.y() + (v + 0.5) * s)
@@ -66,7 +66,7 @@ def _paint_cross(painter: QPainter, shape: Cross, centre: QPointF) -> None:
 
 
 def _paint_label(painter: QPainter, shape: Label, anchor: QPointF) -> None:
-    """Text with a dark edge, so that it reads on any picture."""
+    """Text with a dark edge, so that it reads on any image."""
     where = anchor + QPointF(5, -4)
     painter.setPen(QColor(0, 0, 0, 200))
     for dx, dy in ((1, 1), (-1, 1)):

@@ -26,7 +26,7 @@ class Mark:
 
 
 class Timeline(QWidget):
-    """Mouse: press and drag. Keys: arrows step pictures, Page goes by seconds, Home and End."""
+    """Mouse: press and drag. Keys: arrows step images, Page goes by seconds, Home and End."""
 
     sought = Signal(float)
     stepped = Signal(int)

@@ -1,4 +1,4 @@
-"""The camera's set-up: which one, and what of its picture is locked."""
+"""The camera's set-up: which one, and what of its image is locked."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.camera_choice import NAME, PAIR, by_name, by_names
-from app.session import Session
-from app.settings import SettingsStore
-from app.tasks import TaskOwner
+from app.engines.camera_choice import NAME, PAIR, by_name, by_names
+from app.engines.session import Session
+from app.platform.tasks import TaskOwner
+from app.storage.settings import SettingsStore
 from app.wizards.sizing import fit_to_screen
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
 from tracker.sensors.camera_plugins import all_cameras
-from tracker.sensors.picture_input import CameraName
+from tracker.sensors.image_input import CameraName
 
 TICK_MS = 300
 NAMES = {"exposure": "Exposure", "gain": "Gain", "white_balance": "White balance"}
@@ -80,7 +80,7 @@ class CameraSetup(QDialog):
         self.other.setPlaceholderText(self.tr("a video file, or rtsp:// or http:// of a stream"))
         form = QFormLayout()
         form.addRow(left_label, row)
-        form.addRow(self.tr("&Right pictures from"), self.right)
+        form.addRow(self.tr("&Right images from"), self.right)
         form.addRow(self.tr("&Or from"), self.other)
         form.addRow("", self.exchanged)
         self.use = QPushButton(self.tr("&Use this camera"))
@@ -115,7 +115,7 @@ class CameraSetup(QDialog):
         self.left.clear()
         self.left.addItem(self.tr("The first one found"), "")
         self.right.clear()
-        self.right.addItem(self.tr("the same picture, side by side"), None)
+        self.right.addItem(self.tr("the same image, side by side"), None)
         for camera in cameras:
             title = f"{camera.name} ({camera.path or camera.index})"
             self.left.addItem(title, camera)

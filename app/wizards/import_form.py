@@ -20,7 +20,7 @@ UNITS = (("mm", 1e-3), ("m", 1.0), ("cm", 1e-2), ("squares of the board", 0.0))
 
 
 class ImportFormDialog(QDialog):
-    """The picture's size, and the unit of the distance between the lenses."""
+    """The image's size, and the unit of the distance between the lenses."""
 
     def __init__(self, path: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -41,8 +41,8 @@ class ImportFormDialog(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         form = QFormLayout(self)
-        form.addRow(self.tr("Picture's &width, px"), self.width_px)
-        form.addRow(self.tr("Picture's &height, px"), self.height_px)
+        form.addRow(self.tr("Image's &width, px"), self.width_px)
+        form.addRow(self.tr("Image's &height, px"), self.height_px)
         form.addRow(self.tr("&Unit of T in the file"), self.unit)
         form.addRow(self.tr("Side of a &square"), self.square_mm)
         form.addRow(buttons)

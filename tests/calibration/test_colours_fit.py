@@ -1,4 +1,4 @@
-"""Fitting a profile: ranges that hold their samples, pictures in other light, clashes."""
+"""Fitting a profile: ranges that hold their samples, images in other light, clashes."""
 
 import cv2
 import numpy as np
@@ -10,7 +10,7 @@ from tracker.calibration.colours_fit import (
     FitParams,
     add_pixel,
     clashes,
-    fit_picture,
+    fit_image,
     fit_samples,
     hue_interval,
     parted,
@@ -32,7 +32,7 @@ RANGE = st.builds(
 )
 
 
-def glove_picture(shift: int = 0, gain: float = 1.0, seed: int = 0) -> np.ndarray:
+def glove_image(shift: int = 0, gain: float = 1.0, seed: int = 0) -> np.ndarray:
     """24 discs of four cloths on grey, all hues turned by ``shift`` as under other light."""
     rng = np.random.default_rng(seed)
     hsv = np.zeros((360, 480, 3), np.uint8)
@@ -112,37 +112,37 @@ def test_removed_pixel_is_left_out_and_nothing_is_gained(hue: HueRange, pixel) -
 
 
 @pytest.mark.parametrize(("shift", "gain"), [(0, 1.0), (6, 1.0), (-7, 0.6)])
-def test_picture_gives_ranges_that_find_the_patches(shift: int, gain: float) -> None:
-    fitted, found = fit_picture(glove_picture(shift, gain), PROFILE)
+def test_image_gives_ranges_that_find_the_patches(shift: int, gain: float) -> None:
+    fitted, found = fit_image(glove_image(shift, gain), PROFILE)
     assert [f.range.name for f in found] == list(CLOTH)
     assert [f.patches for f in found] == [6, 6, 6, 6]
     for name, hue in CLOTH.items():
         h = next(x for x in fitted.hues if x.name == name)
         assert abs((h.centre - hue - shift + 90) % 180 - 90) <= 3
-    blobs, _ = Detector(fitted).detect(glove_picture(shift, gain, seed=1))
+    blobs, _ = Detector(fitted).detect(glove_image(shift, gain, seed=1))
     assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
     assert clashes(fitted) == ()
 
 
 def test_fit_helps_where_the_light_is_off() -> None:
     """12 units of hue off, the old profile misses cloth that the fitted one finds."""
-    picture = glove_picture(12)
-    before, _ = Detector(PROFILE).detect(picture)
-    after, _ = Detector(fit_picture(picture, PROFILE)[0]).detect(picture)
+    image = glove_image(12)
+    before, _ = Detector(PROFILE).detect(image)
+    after, _ = Detector(fit_image(image, PROFILE)[0]).detect(image)
     assert len(before) < 24
     assert len(after) == 24
 
 
-def test_grey_picture_changes_nothing() -> None:
-    fitted, found = fit_picture(np.full((60, 80, 3), 128, np.uint8), PROFILE)
+def test_grey_image_changes_nothing() -> None:
+    fitted, found = fit_image(np.full((60, 80, 3), 128, np.uint8), PROFILE)
     assert fitted == PROFILE
     assert found == ()
 
 
 def test_coloured_wall_is_no_patch() -> None:
-    picture = np.full((240, 320, 3), 128, np.uint8)
-    picture[:, 160:] = (40, 160, 40)
-    assert fit_picture(picture, PROFILE)[1] == ()
+    image = np.full((240, 320, 3), 128, np.uint8)
+    image[:, 160:] = (40, 160, 40)
+    assert fit_image(image, PROFILE)[1] == ()
 
 
 def test_clashes_name_both_hues() -> None:

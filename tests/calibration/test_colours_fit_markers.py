@@ -1,4 +1,4 @@
-"""Fitting colours to tracked markers: pictures of which every disc's colour is known."""
+"""Fitting colours to tracked markers: images of which every disc's colour is known."""
 
 import dataclasses
 
@@ -31,7 +31,7 @@ def places(glove: GloveModel) -> np.ndarray:
     return np.column_stack([40 + 60 * (m % 10), 40 + 60 * (m // 10)]).astype(float)
 
 
-def picture(glove: GloveModel, shift: int = 0, value: int = 170) -> np.ndarray:
+def image(glove: GloveModel, shift: int = 0, value: int = 170) -> np.ndarray:
     """Every marker as a disc of its cloth on the dark glove, all hues turned by ``shift``."""
     hsv = np.zeros((300, 660, 3), np.uint8)
     hsv[..., 2] = 60
@@ -68,7 +68,7 @@ def off(profile: ColourProfile, name: str, shift: int) -> float:
 @pytest.mark.parametrize("shift", [0, 9, -12])
 def test_the_ranges_follow_the_light(glove, shift):
     everything = np.ones(len(glove.markers), bool)
-    profile, found = fitted(glove, side(glove, picture(glove, shift), everything))
+    profile, found = fitted(glove, side(glove, image(glove, shift), everything))
     assert [f.range.name for f in found] == list(CLOTH)
     assert all(off(profile, name, shift) <= 2 for name in CLOTH)
     assert clashes(profile) == ()
@@ -77,7 +77,7 @@ def test_the_ranges_follow_the_light(glove, shift):
 def test_a_hue_that_the_detector_misses_is_found_where_it_is_expected(glove):
     """No blue marker was matched, as after a change of light; its places still tell its colour."""
     others = np.array([m.hue != "blue" for m in glove.markers])
-    profile, found = fitted(glove, side(glove, picture(glove, 12), others))
+    profile, found = fitted(glove, side(glove, image(glove, 12), others))
     assert off(profile, "blue", 12) <= 2
     blue = sum(m.hue == "blue" for m in glove.markers)
     assert next(f.patches for f in found if f.range.name == "blue") == blue
@@ -85,7 +85,7 @@ def test_a_hue_that_the_detector_misses_is_found_where_it_is_expected(glove):
 
 def test_a_place_that_is_not_sure_is_not_taken(glove):
     others = np.array([m.hue != "blue" for m in glove.markers])
-    seen = side(glove, picture(glove, 12), others)
+    seen = side(glove, image(glove, 12), others)
     vague = dataclasses.replace(seen, cov=seen.cov * 400)
     profile, found = fitted(glove, vague)
     assert "blue" not in [f.range.name for f in found]
@@ -94,7 +94,7 @@ def test_a_place_that_is_not_sure_is_not_taken(glove):
 
 def test_a_marker_matched_with_the_wrong_patch_does_not_stretch_the_range(glove):
     everything = np.ones(len(glove.markers), bool)
-    seen = side(glove, picture(glove), everything)
+    seen = side(glove, image(glove), everything)
     red, green = (
         next(i for i, m in enumerate(glove.markers) if m.hue == hue) for hue in ("red", "green")
     )
@@ -106,18 +106,18 @@ def test_a_marker_matched_with_the_wrong_patch_does_not_stretch_the_range(glove)
 
 def test_dark_and_light_exposures_are_both_within_the_range(glove):
     everything = np.ones(len(glove.markers), bool)
-    dark, light = (picture(glove, value=v) for v in (90, 230))
+    dark, light = (image(glove, value=v) for v in (90, 230))
     profile, found = fitted(glove, side(glove, dark, everything), side(glove, light, everything))
     centre = places(glove)[[m.hue for m in glove.markers].index("green")]
-    for image in (dark, light):
-        pixels = disc_pixels(image, centre, 3.0)
+    for exposure in (dark, light):
+        pixels = disc_pixels(exposure, centre, 3.0)
         assert profile.hues[2].contains(pixels).all()
     assert found[0].patches == 2 * sum(m.hue == "red" for m in glove.markers)
 
 
 def test_old_exposures_are_forgotten(glove):
     everything = np.ones(len(glove.markers), bool)
-    before, now = (side(glove, picture(glove, s), everything) for s in (-10, 10))
+    before, now = (side(glove, image(glove, s), everything) for s in (-10, 10))
     profile, _ = fitted(glove, before, now, now, most_exposures=2)
     assert off(profile, "green", 10) <= 2
 
@@ -130,7 +130,7 @@ def test_glove_without_cloth_under_the_markers_changes_nothing(glove):
 
 
 @pytest.mark.parametrize("uv", [(-30.0, 10.0), (10.0, 400.0), (700.0, 10.0)])
-def test_a_disc_outside_the_picture_is_empty(uv):
+def test_a_disc_outside_the_image_is_empty(uv):
     assert disc_pixels(np.zeros((300, 660, 3), np.uint8), np.array(uv), 5.0).shape == (0, 3)
 
 

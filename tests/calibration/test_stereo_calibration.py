@@ -13,9 +13,9 @@ import pytest
 from tracker.calibration.stereo.board import (
     MARGIN,
     BoardSpec,
-    board_picture,
+    board_image,
     page_size,
-    print_picture,
+    print_image,
 )
 from tracker.calibration.stereo.checks import (
     Extrinsics,
@@ -32,29 +32,29 @@ from tracker.calibration.stereo.verify import verify
 from tracker.calibration.stereo.views import BoardFinder, Look, StereoView
 from tracker.errors import ConfigError, FileError
 from tracker.geometry import so3
-from tracker.sensors.stereo_calibration import Lens, rectified_rig
-from tracker.simulation.board_pictures import BoardPose, BoardRenderer, TrueRig, board_poses
+from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
+from tracker.simulation.board_images import BoardPose, BoardRenderer, TrueRig, board_poses
 
 WIDTH, HEIGHT = 640, 360
 SPEC = BoardSpec()
 NOISE_PX = 0.08
 
 
-def lens(f: float, cx: float, cy: float) -> Lens:
+def camera(f: float, cx: float, cy: float) -> Intrinsics:
     K = np.array([[f, 0.0, cx], [0.0, f * 1.003, cy], [0.0, 0.0, 1.0]])
-    return Lens(WIDTH, HEIGHT, K, np.array([-0.17, 0.026, 0.0004, -0.0003, 0.0]))
+    return Intrinsics(WIDTH, HEIGHT, K, np.array([-0.17, 0.026, 0.0004, -0.0003, 0.0]))
 
 
 RIG = TrueRig(
-    lens(350.0, 327.0, 176.0),
-    lens(352.0, 318.0, 183.0),
+    camera(350.0, 327.0, 176.0),
+    camera(352.0, 318.0, 183.0),
     so3.exp(np.array([0.004, 0.012, -0.003])),
     np.array([-0.063, 0.0004, -0.0002]),
 )
 
 
 def project(rig: TrueRig, p_C: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Pixels (n, 2) in both raw pictures of points (n, 3) of the left camera."""
+    """Pixels (n, 2) in both raw images of points (n, 3) of the left camera."""
     left, _ = cv2.projectPoints(p_C, np.zeros(3), np.zeros(3), rig.left.K, rig.left.D)
     right, _ = cv2.projectPoints(p_C, so3.log(rig.R), rig.T, rig.right.K, rig.right.D)
     return left.reshape(-1, 2), right.reshape(-1, 2)
@@ -102,7 +102,7 @@ def test_an_impossible_board_is_refused_in_words(change, words):
 def test_the_printed_page_has_its_corners_where_the_board_says(kind):
     """Seen straight on, the page is the board at its scale, shifted by the margin."""
     spec = replace(SPEC, kind=kind)
-    page, per_metre = print_picture(spec, dpi=110)
+    page, per_metre = print_image(spec, dpi=110)
     found = BoardFinder(spec).find(page)
     assert found is not None and len(found) == spec.corner_count
     margin = round(MARGIN * per_metre)
@@ -112,20 +112,20 @@ def test_the_printed_page_has_its_corners_where_the_board_says(kind):
 
 def test_the_default_board_fits_usual_paper():
     width, height = page_size(SPEC)
-    page, per_metre = print_picture(SPEC)
+    page, per_metre = print_image(SPEC)
     assert np.allclose(np.array(page.shape[::-1]) / per_metre, (width, height), atol=3e-4)
     for paper in ((0.297, 0.210), (0.2794, 0.2159)):
         assert width < paper[0] - 0.008 and height < paper[1] - 0.008  # what printers leave white
 
 
 def test_the_printed_ruler_is_100_mm_long():
-    page, per_metre = print_picture(SPEC, dpi=150)
+    page, per_metre = print_image(SPEC, dpi=150)
     below = page[round(per_metre * (SPEC.height + MARGIN)) + 4 :]
     longest = max(below, key=lambda row: int((row < 128).sum()))
     assert (longest < 128).sum() / per_metre == pytest.approx(0.1, abs=1e-3)
 
 
-# --- pictures
+# --- images
 
 
 @pytest.mark.parametrize("kind", ["charuco", "chessboard"])
@@ -150,13 +150,13 @@ def test_corners_are_found_where_the_lens_puts_them(kind):
     assert used == 2
 
 
-def test_what_is_wrong_with_a_picture_is_said():
+def test_what_is_wrong_with_a_image_is_said():
     finder = BoardFinder(SPEC)
-    page = cv2.copyMakeBorder(board_picture(SPEC, 30), *(40,) * 4, cv2.BORDER_CONSTANT, value=255)
+    page = cv2.copyMakeBorder(board_image(SPEC, 30), *(40,) * 4, cv2.BORDER_CONSTANT, value=255)
     wall = np.full_like(page, 90)
-    assert "not seen in the right picture" in finder.look(page, wall).trouble
+    assert "not seen in the right image" in finder.look(page, wall).trouble
     mirrored = np.ascontiguousarray(page[:, ::-1])
-    assert "left picture is mirrored" in finder.look(mirrored, page).trouble
+    assert "left image is mirrored" in finder.look(mirrored, page).trouble
     left, right = page.copy(), page.copy()
     left[:, 190:], right[:, :190] = 90, 90
     assert "same part of the board" in finder.look(left, right).trouble
@@ -185,7 +185,7 @@ def test_coverage_and_advice_follow_what_is_shown():
     alike = [view_at(straight, rng) for _ in range(20)]
     cover = coverage(alike, WIDTH, HEIGHT)
     assert cover.tilted == 0 and cover.distances < 1.01
-    assert "where the pictures are empty" in advice(cover)
+    assert "where the images are empty" in advice(cover)
     assert "Tilt" in advice(replace(cover, area=0.9))
     assert "nearer" in advice(replace(cover, area=0.9, tilted=9))
     good = coverage(views(16, 1), WIDTH, HEIGHT)
@@ -253,7 +253,7 @@ def test_a_cancelled_solution_stops():
 # --- what is refused
 
 
-def test_exchanged_pictures_are_told_as_such():
+def test_exchanged_images_are_told_as_such():
     """Left and right exchanged: the same views solve perfectly and must still be refused."""
     swapped = [replace(v, left=v.right, right=v.left) for v in views(12, 1)]
     s = solve(swapped, WIDTH, HEIGHT)
@@ -261,8 +261,8 @@ def test_exchanged_pictures_are_told_as_such():
     assert any("exchanged" in p for p in rig_problems(Extrinsics(s.left, s.right, s.R, s.T)))
 
 
-def test_mirrored_pictures_are_refused():
-    """Both pictures mirrored look like a rig whose cameras stand the other way round."""
+def test_mirrored_images_are_refused():
+    """Both images mirrored look like a rig whose cameras stand the other way round."""
 
     def flip(uv: np.ndarray) -> np.ndarray:
         return np.column_stack([WIDTH - 1 - uv[:, 0], uv[:, 1]])
@@ -286,9 +286,9 @@ def test_mirrored_pictures_are_refused():
         ({"T": np.array([-0.063, 0.0, 0.05])}, "before the other"),
         ({"R": so3.ry(0.6)}, "34 degrees apart"),
         ({"R": np.diag([-1.0, 1, 1])}, "mirrored"),
-        ({"left": lens(100.0, 327, 176)}, "focal length"),
-        ({"right": lens(500.0, 318, 183)}, "magnify"),
-        ({"right": lens(352.0, 60, 183)}, "middle of the right lens"),
+        ({"left": camera(100.0, 327, 176)}, "focal length"),
+        ({"right": camera(500.0, 318, 183)}, "magnify"),
+        ({"right": camera(352.0, 60, 183)}, "middle of the right lens"),
         ({"left": replace(RIG.left, D=np.array([1.5, 0, 0, 0, 0.0]))}, "left lens would bend"),
         ({"T": RIG.T * np.nan}, "no numbers"),
     ],
@@ -389,12 +389,12 @@ def test_what_is_no_calibration_is_told(tmp_path: Path):
         load_rig(tmp_path / "absent.yml")
 
 
-# --- real pictures
+# --- real images
 
 
 @pytest.mark.data
-def test_real_chessboard_pictures_give_a_plausible_rig(data_folder: Path):
-    """OpenCV's sample pictures, 10 by 7 squares; figures of PROVENANCE.txt: f 536/542 px,
+def test_real_chessboard_images_give_a_plausible_rig(data_folder: Path):
+    """OpenCV's sample images, 10 by 7 squares; figures of PROVENANCE.txt: f 536/542 px,
     baseline 3.34 squares, turned by 0.3 degrees, stereo RMS 0.45 px."""
     folder = data_folder / "stereo_chessboard"
     spec = BoardSpec("chessboard", 10, 7, 0.025)
@@ -413,6 +413,6 @@ def test_real_chessboard_pictures_give_a_plausible_rig(data_folder: Path):
     swapped = [replace(v, left=v.right, right=v.left) for v in found]
     w = solve(swapped, 640, 480)
     assert any("exchanged" in p for p in rig_problems(Extrinsics(w.left, w.right, w.R, w.T)))
-    # two pictures judge a rig made of the six others
+    # two images judge a rig made of the six others
     six = solve(found[:6], 640, 480, SolveParams(least_views=6))
     assert verify(six.rig, found[6:]).rms_px < 0.5

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tracker.evaluation.metrics import KEYPOINTS
-from tracker.evaluation.vist_judge import Judge, Record
-from tracker.evaluation.vist_trial import models
+from tracker.evaluation.vist.judge import Judge, Record
+from tracker.evaluation.vist.metrics import KEYPOINTS
+from tracker.evaluation.vist.trial import models
 from tracker.geometry import so3
 from tracker.messages import CameraImuSample, CameraPose, ImuSample
 from tracker.pipeline import Pipeline

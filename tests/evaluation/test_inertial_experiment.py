@@ -13,12 +13,13 @@ from scipy.spatial.transform import Rotation
 
 from tracker import GRAVITY
 from tracker.errors import FileError
-from tracker.evaluation import inertial_broad, inertial_goals
-from tracker.evaluation.inertial_broad import Trial, score
-from tracker.evaluation.inertial_commands import add_evaluate_inertial
-from tracker.evaluation.inertial_errors import MPU9250, draw
-from tracker.evaluation.inertial_experiment import Plan, Row, crossover, run
-from tracker.evaluation.inertial_motion import (
+from tracker.evaluation.inertial import broad as inertial_broad
+from tracker.evaluation.inertial import goals as inertial_goals
+from tracker.evaluation.inertial.broad import Trial, score
+from tracker.evaluation.inertial.commands import add_evaluate_inertial
+from tracker.evaluation.inertial.errors import MPU9250, draw
+from tracker.evaluation.inertial.experiment import Plan, Row, crossover, run
+from tracker.evaluation.inertial.motion import (
     CONDITIONS,
     DURATIONS,
     EXTENDED,
@@ -27,7 +28,7 @@ from tracker.evaluation.inertial_motion import (
     STATIC,
     grasp,
 )
-from tracker.evaluation.inertial_peers import available, peer_angles
+from tracker.evaluation.inertial.peers import available, peer_angles
 from tracker.inertial.finger import Finger, phalanx_angles
 
 FINGER = Finger()

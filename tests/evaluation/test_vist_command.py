@@ -10,20 +10,20 @@ import pytest
 
 from tracker.errors import ConfigError
 from tracker.evaluation.commands import add_commands
-from tracker.evaluation.metrics import Trial, summarise
-from tracker.evaluation.report import write_report
-from tracker.evaluation.vist_cases import (
+from tracker.evaluation.vist.cases import (
     ABLATIONS,
     Case,
     in_outage,
     judged_in_outage,
+    without_images,
     without_imus,
-    without_pictures,
 )
-from tracker.evaluation.vist_command import cases_of
-from tracker.evaluation.vist_run import Progress, run_cases
-from tracker.evaluation.vist_table import line_of, row_of
-from tracker.evaluation.vist_trial import owners
+from tracker.evaluation.vist.command import cases_of
+from tracker.evaluation.vist.metrics import Trial, summarise
+from tracker.evaluation.vist.report import write_report
+from tracker.evaluation.vist.run import Progress, run_cases
+from tracker.evaluation.vist.table import line_of, row_of
+from tracker.evaluation.vist.trial import owners
 from tracker.messages import BlobFrame, ImuSample
 from tracker.settings import Settings
 
@@ -62,8 +62,8 @@ def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
 
 
 def test_json_on_standard_output_is_json_alone(monkeypatch, capsys):
-    monkeypatch.setattr("tracker.evaluation.vist_run.run_cases", lambda *a: [])
-    monkeypatch.setattr("tracker.evaluation.vist_command.cases_of", lambda args: [])
+    monkeypatch.setattr("tracker.evaluation.vist.run.run_cases", lambda *a: [])
+    monkeypatch.setattr("tracker.evaluation.vist.command.cases_of", lambda args: [])
     args = parse("--json", "-")
     assert args.func(args) == 0
     assert json.loads(capsys.readouterr().out) == {"rows": []}
@@ -75,7 +75,7 @@ def test_ctrl_c_keeps_what_is_finished(monkeypatch, capsys, tmp_path):
         yield index, a_trial(0)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("tracker.evaluation.vist_run._results", interrupted)
+    monkeypatch.setattr("tracker.evaluation.vist.run._results", interrupted)
     target = tmp_path / "rows.json"
     args = parse("--participants", "3", "--json", str(target), "--out", str(tmp_path))
     assert args.func(args) == 1
@@ -184,13 +184,13 @@ def imu(t: float) -> ImuSample:
     return ImuSample(t, t, t, 0, np.zeros((2, 3)), np.zeros((2, 3)), np.ones(2, bool))
 
 
-def picture(t: float) -> BlobFrame:
+def image(t: float) -> BlobFrame:
     return BlobFrame(t, t, (), None, None)
 
 
-def test_outages_withhold_pictures_and_are_judged_at_their_end():
-    feed = [m for k in range(400) for m in (imu(k / 10), picture(k / 10))]
-    kept = [m.t for m in without_pictures(5.0)(iter(feed)) if isinstance(m, BlobFrame)]
+def test_outages_withhold_images_and_are_judged_at_their_end():
+    feed = [m for k in range(400) for m in (imu(k / 10), image(k / 10))]
+    kept = [m.t for m in without_images(5.0)(iter(feed)) if isinstance(m, BlobFrame)]
     assert not [t for t in kept if 10 <= t < 15 or 25 <= t < 30]
     assert 9.9 in kept
     assert 15.0 in kept
@@ -199,8 +199,8 @@ def test_outages_withhold_pictures_and_are_judged_at_their_end():
     assert all(in_outage(t, 5.0) for t in judged)
 
 
-def test_silent_imus_stay_silent_and_pictures_pass():
-    out = list(without_imus(iter([imu(1.0), imu(9.0), picture(9.0)])))
+def test_silent_imus_stay_silent_and_images_pass():
+    out = list(without_imus(iter([imu(1.0), imu(9.0), image(9.0)])))
     assert out[0].valid.all()
     assert not out[1].valid.any()
     assert out[2].t == 9.0

@@ -5,11 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tracker.evaluation.metrics import KEYPOINTS
-from tracker.evaluation.vist_cases import Case
-from tracker.evaluation.vist_judge import Judge, Record
-from tracker.evaluation.vist_scenes import motion_of, simulation_of
-from tracker.evaluation.vist_trial import models
+from tracker.evaluation.vist.cases import Case
+from tracker.evaluation.vist.judge import Judge, Record
+from tracker.evaluation.vist.metrics import KEYPOINTS
+from tracker.evaluation.vist.scenes import motion_of, simulation_of
+from tracker.evaluation.vist.trial import models
 
 
 @pytest.fixture(scope="module")

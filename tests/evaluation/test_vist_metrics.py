@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tracker.evaluation.metrics import (
+from tracker.evaluation.vist.metrics import (
     Trial,
     by_seen,
     confidence_interval,

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from tests.fusion.test_chain_engine import feed, simulation
-from tracker.fusion.bundle import solver
-from tracker.fusion.bundle.keyframes import Keyframe, Keyframes
-from tracker.fusion.bundle.rows import KeyframeRows
-from tracker.fusion.bundle.solver import Bundle, BundleWork, adopt
-from tracker.fusion.chain import ChainEngine
-from tracker.fusion.params import BundleParams, ChainParams
-from tracker.fusion.profile import profile_of
-from tracker.fusion.state import ChainState
+from tracker.fusion.chain.bundle import solver
+from tracker.fusion.chain.bundle.keyframes import Keyframe, Keyframes
+from tracker.fusion.chain.bundle.rows import KeyframeRows
+from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, adopt
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.params import BundleParams, ChainParams
+from tracker.fusion.chain.profile import profile_of
+from tracker.fusion.chain.state import ChainState
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -154,7 +154,7 @@ def test_a_saved_state_goes_on_in_the_middle_of_a_solution(sim: Simulation) -> N
 
 
 def test_postures_of_something_else_teach_nothing(engine: ChainEngine, sim: Simulation) -> None:
-    """Blobs of other pictures under each posture: the solution is thrown away, and they with it."""
+    """Blobs of other images under each posture: the solution is thrown away, and they with it."""
     frames = kept(engine)
     mixed = [replace(a, uv=b.uv) for a, b in zip(frames, frames[1:] + frames[:1], strict=True)]
     state, work = state_of(engine), BundleWork(0.0, 0.0, 1.0, Keyframes(mixed))

@@ -5,12 +5,12 @@ import pytest
 
 from tests.fusion.test_chain_engine import errors, feed, simulation
 from tracker.errors import ConfigError
-from tracker.fusion import calibration_control as control
-from tracker.fusion.chain import ChainEngine
-from tracker.fusion.layout import ChainLayout
-from tracker.fusion.params import ChainParams
-from tracker.fusion.prior import initial_covariance
-from tracker.fusion.state import initial_state
+from tracker.fusion.chain.calibration import control
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.state import initial_state
 from tracker.pipeline import Pipeline
 from tracker.session.engine_state import pack, unpack
 

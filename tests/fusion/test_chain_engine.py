@@ -179,7 +179,7 @@ def test_out_of_view_is_said_and_the_hand_is_found_again(sim: Simulation) -> Non
     assert all(e.tracking == Tracking.LOST and np.isnan(e.keypoints).all() for e in away)
     assert all(np.isfinite(e.angles).any() for e in away)
     assert np.nanmax(np.linalg.norm([e.segment_p[0] for e in away], axis=1)) < 2.0
-    back = t > 6 + 2 / 30 + 0.06  # two pictures and their delay
+    back = t > 6 + 2 / 30 + 0.06  # two images and their delay
     assert np.isfinite(error[back]).all() and error[t > 7].mean() < 0.010
 
 
@@ -229,8 +229,8 @@ def test_markers_on_the_tips_help(
     assert means[0] < 0.9 * means[1]
 
 
-def test_pictures_that_come_late_are_waited_for(sim: Simulation) -> None:
-    """A slow machine delivers 200 ms late; the filter must not run away from its pictures."""
+def test_images_that_come_late_are_waited_for(sim: Simulation) -> None:
+    """A slow machine delivers 200 ms late; the filter must not run away from its images."""
     late = sorted(
         (
             dataclasses.replace(m, t_arrival=m.t_arrival + 0.2) if isinstance(m, BlobFrame) else m

@@ -5,14 +5,14 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions
-from tracker.fusion.constraints import Constraints
-from tracker.fusion.imu_buffer import Intervals
-from tracker.fusion.layout import ChainLayout
-from tracker.fusion.params import ChainParams, ConstraintParams
-from tracker.fusion.propagate import propagate, transition
-from tracker.fusion.state import ChainState, initial_state, inject
-from tracker.fusion.tilt import tilt_rows
+from tracker.fusion.chain.constraints import Constraints
+from tracker.fusion.chain.kinematics import marker_jacobians, marker_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams, ConstraintParams
+from tracker.fusion.chain.propagate import propagate, transition
+from tracker.fusion.chain.state import ChainState, initial_state, inject
+from tracker.fusion.chain.tilt import tilt_rows
+from tracker.fusion.time.imu_buffer import Intervals
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

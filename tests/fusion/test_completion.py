@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from tracker.fusion.completion import Completion
-from tracker.fusion.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.output.completion import Completion
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 

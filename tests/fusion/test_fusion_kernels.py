@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from tracker.fusion.chain_kinematics import point_jacobians, tip_sd
+from tracker.fusion.chain.kinematics import point_jacobians, tip_sd
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.pixels_kernel import pixel_jacobians, stack_rows
+from tracker.fusion.chain.reports import _details
+from tracker.fusion.chain.state import initial_state
 from tracker.fusion.kalman import update
-from tracker.fusion.layout import ChainLayout
-from tracker.fusion.output import INFERRED_SD, HandOutput, Sensed
-from tracker.fusion.output_kernel import sensed_lately
-from tracker.fusion.pixels_kernel import pixel_jacobians, stack_rows
-from tracker.fusion.reports import _details
+from tracker.fusion.output.output import INFERRED_SD, HandOutput, Sensed
+from tracker.fusion.output.output_kernel import sensed_lately
 from tracker.fusion.sparse import joined, products, times
-from tracker.fusion.state import initial_state
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Tracking, Validity
@@ -166,7 +166,7 @@ def test_joined_measurements_stand_side_by_side() -> None:
     assert np.allclose(alone[0], H @ P) and np.allclose(alone[1], H @ P @ H.T)
 
 
-def test_details_of_a_picture_are_the_plain_ones() -> None:
+def test_details_of_a_image_are_the_plain_ones() -> None:
     """Residuals, sources, covariances and counts, marker by marker."""
     rng = np.random.default_rng(14)
     m, blobs = 6, 5

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from tracker.fusion.health import STUCK_AFTER, ImuHealth
-from tracker.fusion.imu_buffer import ImuBuffer
+from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.messages import ImuSample
+from tracker.online.imu_health import STUCK_AFTER, ImuHealth
 
 
 def packet(t: float, value: float = 0.0, n: int = 2, valid: bool = True) -> ImuSample:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tracker.fusion.chain_kinematics import marker_jacobians, marker_positions
-from tracker.fusion.kalman import update
-from tracker.fusion.layout import ChainLayout
-from tracker.fusion.params import NoiseParams
-from tracker.fusion.pixels import (
+from tracker.fusion.chain.kinematics import marker_jacobians, marker_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import NoiseParams
+from tracker.fusion.chain.pixels import (
     MIN_PRIOR,
     USUAL_SPREAD,
     PixelModel,
@@ -17,8 +16,9 @@ from tracker.fusion.pixels import (
     SeenBlobs,
     Tally,
 )
-from tracker.fusion.pixels_kernel import point_rows, spread, stack_rows, worn
-from tracker.fusion.state import ChainState, initial_state, inject
+from tracker.fusion.chain.pixels_kernel import point_rows, spread, stack_rows, worn
+from tracker.fusion.chain.state import ChainState, initial_state, inject
+from tracker.fusion.kalman import update
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import IntArray
@@ -42,7 +42,7 @@ def case(hand: HandModel, glove: GloveModel) -> Case:
 
 
 def test_expected_markers_are_the_plain_products(case: Case) -> None:
-    """Where they stand, their slopes, H P, and their spread in the room and in both pictures."""
+    """Where they stand, their slopes, H P, and their spread in the room and in both images."""
     layout, state, e = case
     p_C = (marker_positions(state, layout) - RIG.pose.p_GC) @ RIG.pose.R_GC
     for c in range(2):
@@ -74,7 +74,7 @@ def blobs(case: Case, seed: int) -> tuple[SeenBlobs, ...]:
 
 
 def test_matches_are_those_of_the_assignment(case: Case) -> None:
-    """Picture by picture, with a price of no match that grows with the spread."""
+    """Image by image, with a price of no match that grows with the spread."""
     layout, _, e = case
     seen = blobs(case, 1)
     match = PixelModel(layout, RIG, NOISE).match(e, seen)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from tests.fusion.test_chain_engine import errors, feed, simulation, times
-from tracker.fusion.chain import ChainEngine
+from tracker.fusion.chain.engine import ChainEngine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.pipeline import Pipeline

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from tracker.errors import FileError
-from tracker.fusion.chain import ChainEngine
-from tracker.fusion.layout import ChainLayout
-from tracker.fusion.params import ChainParams
-from tracker.fusion.profile_file import WearerFile, read_wearer, write_wearer
+from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.simulation.random_postures import RandomPostures

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from tracker.fusion import propagate_kernel as kernel
-from tracker.fusion.imu_buffer import ImuBuffer, Intervals
-from tracker.fusion.layout import ChainLayout
-from tracker.fusion.params import ChainParams
-from tracker.fusion.prior import initial_covariance
-from tracker.fusion.propagate import carry, propagate, transition
-from tracker.fusion.state import ChainState, initial_state, inject
+from tracker.fusion.chain import propagate_kernel as kernel
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.propagate import carry, propagate, transition
+from tracker.fusion.chain.state import ChainState, initial_state, inject
+from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, ImuSample
@@ -102,7 +102,7 @@ def test_carrying_is_propagating_without_covariance(layout: ChainLayout) -> None
 
 
 def test_a_way_in_parts_is_the_whole_way(layout: ChainLayout) -> None:
-    """Covariance included, bit for bit, and damped from where no picture has come for too long."""
+    """Covariance included, bit for bit, and damped from where no image has come for too long."""
     buffer = ImuBuffer(len(layout.glove.imus), span=10.0)
     for k in range(7):
         buffer.add(packet(layout, 1.0 + 0.01 * k, k, (k % 3,)))

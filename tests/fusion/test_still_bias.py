@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from tracker.fusion.chain import ChainEngine
-from tracker.fusion.still_bias import FLOOR, with_gyro_bias
+from tracker.fusion.chain.calibration.still_bias import FLOOR, with_gyro_bias
+from tracker.fusion.chain.engine import ChainEngine
 from tracker.pipeline import Pipeline
 from tracker.vision.rig import ideal_rig
 

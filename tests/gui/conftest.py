@@ -12,8 +12,8 @@ import time
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 
-from app.main_window import MainWindow
-from app.settings import SettingsStore
+from app.storage.settings import SettingsStore
+from app.window.main_window import MainWindow
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.engine import EngineSetup, Truth
+from app.engines.engine import EngineSetup, Truth
 from resources import folder
 from tracker.clock import ClockAnchor
 from tracker.glove.files import parse_glove
@@ -44,7 +44,7 @@ def simulation() -> Simulation:
 
 @lru_cache
 def frame_and_blobs(i: int):
-    """The i-th picture pair and what is in it."""
+    """The i-th image pair and what is in it."""
     sim = simulation()
     index, t, arrival = list(sim.exposures())[i]
     return sim.renderer.frame(t, arrival, index), sim.scene.blobs(t, arrival, index)
@@ -73,8 +73,8 @@ class ScriptedEngine:
 
     def latest_estimate(self) -> Estimate:
         hand, glove, _ = models()
-        picture, _ = frame_and_blobs(self.frame)
-        truth = simulation().truth(picture.t)
+        image, _ = frame_and_blobs(self.frame)
+        truth = simulation().truth(image.t)
         k = len(glove.keypoint_names(hand))
         state = np.full(k, Validity.MEASURED, np.int64)
         state[list(self.lost)] = Validity.LOST
@@ -83,7 +83,7 @@ class ScriptedEngine:
             if name.startswith(("ring", "little")):
                 angle_state[column] = Validity.INFERRED
         return Estimate(
-            picture.t,
+            image.t,
             self.tracking,
             truth.keypoints.copy(),
             np.tile([0.0, 0, 0, 1], (k, 1)),

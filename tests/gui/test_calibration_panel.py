@@ -7,12 +7,12 @@ import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from PySide6.QtWidgets import QInputDialog
 
-from app.main_window import MainWindow
+from app.storage.wearers import WearerStore, kept_name
 from app.viewmodels.calibration import calibration_view
-from app.wearers import WearerStore, kept_name
+from app.window.main_window import MainWindow
 from tracker.errors import GlovetrackError
-from tracker.fusion.chain import ChainEngine
-from tracker.fusion.params import ChainParams
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.params import ChainParams
 from tracker.messages import Event
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings

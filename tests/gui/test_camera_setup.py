@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup
 
-from app.camera_choice import by_name, by_names, choose
-from app.settings import Settings
+from app.engines.camera_choice import by_name, by_names, choose
+from app.storage.settings import Settings
 from app.viewmodels.checklist import steps
 from app.wizards.camera import CameraSetup
 from tracker.calibration.still import StillImu, StillPose
 from tracker.errors import DeviceError
-from tracker.fusion.chain import ChainEngine
+from tracker.fusion.chain.engine import ChainEngine
 from tracker.pipeline import Pipeline
 from tracker.sensors.camera_controls import Control, Locks
-from tracker.sensors.picture_input import CameraName, SideBySideInput
+from tracker.sensors.image_input import CameraName, SideBySideInput
 from tracker.vision.rig import ideal_rig
 
 ZED = CameraName(2, "ZED-M", "/dev/video2")
@@ -125,12 +125,12 @@ def test_two_cameras_a_file_and_an_address_are_choices_too(store, dialog, tmp_pa
     assert not chosen(str(tmp_path / "film.mp4")).source.live
 
 
-def test_pictures_can_be_exchanged(store, dialog, tmp_path):
+def test_images_can_be_exchanged(store, dialog, tmp_path):
     path = tmp_path / "film.avi"
     writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, (64, 32))
-    picture = np.zeros((32, 64, 3), np.uint8)
-    picture[:, :32] = 200
-    writer.write(picture)
+    image = np.zeros((32, 64, 3), np.uint8)
+    image[:, :32] = 200
+    writer.write(image)
     writer.release()
 
     def brighter_side() -> str:

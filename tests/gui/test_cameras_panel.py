@@ -1,4 +1,4 @@
-"""The pictures in the real window: masks, freeze, zoom, pairs, what is dimmed."""
+"""The images in the real window: masks, freeze, zoom, pairs, what is dimmed."""
 
 import dataclasses
 
@@ -8,8 +8,8 @@ from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from app.session import Session
-from app.tasks import TaskOwner
+from app.engines.session import Session
+from app.platform.tasks import TaskOwner
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.overlay import DIM, EDGE_PX, Layers, overlay
 from app.widgets.flow_layout import FlowLayout
@@ -54,7 +54,7 @@ def test_a_mask_shows_its_hue_alone_and_each_can_be_switched(cameras, engine):
     assert painted("red") > 0.8 and painted("blue") == 0.0
 
 
-def test_layers_change_on_a_frozen_picture(cameras, engine, qtbot):
+def test_layers_change_on_a_frozen_image(cameras, engine, qtbot):
     cameras.freeze.click()
     before = len(cameras.left._shapes)
     engine.frame = 60
@@ -68,22 +68,22 @@ def test_layers_change_on_a_frozen_picture(cameras, engine, qtbot):
     )
 
 
-def test_keys_zoom_and_move_and_the_picture_is_no_longer_followed(cameras, qtbot):
-    picture = cameras.left
+def test_keys_zoom_and_move_and_the_image_is_no_longer_followed(cameras, qtbot):
+    image = cameras.left
     assert cameras.follow.isChecked()
-    picture.fit()
-    middle = QPointF(picture.rect().center())
-    before = picture.to_picture(middle)
-    qtbot.keyClick(picture, Qt.Key.Key_Plus)
+    image.fit()
+    middle = QPointF(image.rect().center())
+    before = image.to_image(middle)
+    qtbot.keyClick(image, Qt.Key.Key_Plus)
     assert not cameras.follow.isChecked()
-    assert picture.to_picture(middle) == pytest.approx(before, abs=1e-6)
-    scale = picture._scale()
-    qtbot.keyClick(picture, Qt.Key.Key_Right)
-    assert picture.to_picture(middle)[0] > before[0]
-    qtbot.keyClick(picture, Qt.Key.Key_Minus)
-    assert picture._scale() < scale
-    qtbot.keyClick(picture, Qt.Key.Key_0)
-    assert picture._zoom == 1.0
+    assert image.to_image(middle) == pytest.approx(before, abs=1e-6)
+    scale = image._scale()
+    qtbot.keyClick(image, Qt.Key.Key_Right)
+    assert image.to_image(middle)[0] > before[0]
+    qtbot.keyClick(image, Qt.Key.Key_Minus)
+    assert image._scale() < scale
+    qtbot.keyClick(image, Qt.Key.Key_0)
+    assert image._zoom == 1.0
 
 
 def test_one_camera_takes_the_whole_width(cameras):
@@ -107,7 +107,7 @@ def test_blobs_of_markers_that_both_cameras_see_are_filled(view):
 
 
 def test_markers_out_of_view_are_dimmed_at_the_edge_where_they_left(view):
-    """The camera is moved so that the hand stands left of the picture, as a turned head does."""
+    """The camera is moved so that the hand stands left of the image, as a turned head does."""
     pose = view.setup.rig.pose
     moved = CameraPose(pose.R_GC, pose.p_GC + pose.R_GC @ [0.6, 0.0, 0.0])
     result = dataclasses.replace(

@@ -1,4 +1,4 @@
-"""Tuning colours in the real window: what a click, a fit, a kept picture and a restart do."""
+"""Tuning colours in the real window: what a click, a fit, a kept image and a restart do."""
 
 import dataclasses
 
@@ -10,13 +10,13 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QFileDialog
 
-from app.colour_store import ColourStore
-from app.kept_pictures import MOST, KeptPicture, PictureFolder, read_picture
-from app.main_window import MainWindow
-from app.panels.colours import MASK_STEP
-from app.viewmodels.colour_pictures import in_range, masks_picture, room_shares, to_hsv
+from app.panels.colours.panel import MASK_STEP
+from app.storage.colour_store import ColourStore
+from app.storage.kept_images import MOST, ImageFolder, KeptImage, read_image
+from app.viewmodels.colour_images import in_range, masks_image, room_shares, to_hsv
 from app.viewmodels.colours import hue_colours
 from app.widgets.hue_range import HueRangeSlider
+from app.window.main_window import MainWindow
 from tracker.messages import Tracking
 from tracker.vision.colours import HueRange
 from tracker.vision.detector import Detector
@@ -33,7 +33,7 @@ def colours(window, engine, qtbot):
     """The panel in sight, on a camera with a name."""
     window.session.adopt(setup_of(engine))
     window.run_command("show_colours")
-    qtbot.waitUntil(lambda: window.colours.source.picture() is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.colours.source.image() is not None, timeout=30_000)
     return window.colours
 
 
@@ -43,7 +43,7 @@ def idle(colours, qtbot):
 
 
 def widget_point(view, u: float, v: float) -> QPoint:
-    """Where a pixel of the camera's picture is on the mask view."""
+    """Where a pixel of the camera's image is on the mask view."""
     at = view._origin() + QPointF(u / MASK_STEP + 0.5, v / MASK_STEP + 0.5) * view._scale()
     return at.toPoint()
 
@@ -58,11 +58,11 @@ def narrow(colours, name: str) -> HueRange:
 
 
 def test_clicking_a_patch_takes_it_in_and_the_detector_finds_it(colours, engine, qtbot):
-    picture, blobs = frame_and_blobs(engine.frame)
+    image, blobs = frame_and_blobs(engine.frame)
     index = colours.profile.hue_names.index("green")
     green = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("green")]
     before = narrow(colours, "green")
-    missed = Detector(colours.profile).detect(picture.left)[0]
+    missed = Detector(colours.profile).detect(image.left)[0]
     assert not (missed.hue == index).any()
     colours.tools.pick.click()
     for uv in green:
@@ -71,12 +71,12 @@ def test_clicking_a_patch_takes_it_in_and_the_detector_finds_it(colours, engine,
         )
     tuned = engine.profiles[-1]
     assert tuned.hues[index].width > before.width
-    found = Detector(tuned).detect(picture.left)[0]
+    found = Detector(tuned).detect(image.left)[0]
     assert (found.hue == index).sum() >= len(green) - 1
 
 
 def test_the_other_eyedropper_leaves_a_pixel_out(colours, engine, qtbot):
-    picture, blobs = frame_and_blobs(engine.frame)
+    image, blobs = frame_and_blobs(engine.frame)
     colours.choose_hue(colours.profile.hue_names.index("red"))
     uv = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("red")][0]
     colours.tools.pick.click()
@@ -85,12 +85,12 @@ def test_the_other_eyedropper_leaves_a_pixel_out(colours, engine, qtbot):
     at = widget_point(colours.mask_view, *uv)
     qtbot.mouseClick(colours.mask_view, Qt.MouseButton.LeftButton, pos=at)
     v, u = round(float(uv[1])), round(float(uv[0]))
-    pixel = cv2.cvtColor(picture.left[v : v + 1, u : u + 1], cv2.COLOR_BGR2HSV)[0, 0]
+    pixel = cv2.cvtColor(image.left[v : v + 1, u : u + 1], cv2.COLOR_BGR2HSV)[0, 0]
     assert models()[2].hues[0].contains(pixel)
     assert not colours.profile.hues[0].contains(pixel)
 
 
-@pytest.mark.parametrize("signal", ["fit_markers", "fit_picture"])
+@pytest.mark.parametrize("signal", ["fit_markers", "fit_image"])
 def test_a_fit_repairs_a_hue_that_is_off_and_is_one_step_back(colours, engine, qtbot, signal):
     if signal == "fit_markers":  # the tracker still sees markers of the other hues
         narrow(colours, "blue")
@@ -101,8 +101,8 @@ def test_a_fit_repairs_a_hue_that_is_off_and_is_one_step_back(colours, engine, q
     assert engine.profiles[-1] == colours.profile != spoilt
     default, fitted = Detector(models()[2]), Detector(colours.profile)
     for frame in (5, 60, 120):
-        picture = frame_and_blobs(frame)[0].left
-        assert len(fitted.detect(picture)[0]) >= 0.9 * len(default.detect(picture)[0])
+        image = frame_and_blobs(frame)[0].left
+        assert len(fitted.detect(image)[0]) >= 0.9 * len(default.detect(image)[0])
     colours.undo()
     assert colours.profile == spoilt
 
@@ -111,9 +111,9 @@ def test_a_fit_without_a_tracked_hand_says_what_to_do(window, engine, qtbot):
     engine.tracking = Tracking.SEARCHING
     window.session.adopt(setup_of(engine))
     window.run_command("show_colours")
-    qtbot.waitUntil(lambda: window.colours.source.picture() is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.colours.source.image() is not None, timeout=30_000)
     window.colours.fit_markers()
-    assert "Fit from the picture" in window.banner.text()
+    assert "Fit from the image" in window.banner.text()
 
 
 def test_tuned_colours_come_back_for_the_same_camera_only(window, engine, store, qtbot, no_leaks):
@@ -148,52 +148,50 @@ def test_a_replay_keeps_no_colours(window, engine):
     assert not (window.store.path.parent / "colours").exists()
 
 
-def test_a_kept_picture_is_tuned_on_while_the_live_one_moves(colours, engine, qtbot):
-    picture = frame_and_blobs(engine.frame)[0]
+def test_a_kept_image_is_tuned_on_while_the_live_one_moves(colours, engine, qtbot):
+    image = frame_and_blobs(engine.frame)[0]
     colours.source.keep_button.click()
     qtbot.waitUntil(lambda: not colours.source.is_live, timeout=30_000)
     engine.frame = 60
     qtbot.wait(300)
-    assert np.array_equal(colours.source.picture(), picture.left)
+    assert np.array_equal(colours.source.image(), image.left)
     colours.source.side.setCurrentIndex(1)
-    assert np.array_equal(colours.source.picture(), picture.right)
+    assert np.array_equal(colours.source.image(), image.right)
     size = float(models()[1].marker_size.mean())
     fx = colours.session.setup.rig.fx
-    found = Detector(colours.profile, size, fx).detect(picture.right)[0]
+    found = Detector(colours.profile, size, fx).detect(image.right)[0]
     assert colours.hues.chips[0].text() == f"{int((found.hue == 0).sum())}"
     colours.source.choice.setCurrentIndex(0)
-    qtbot.waitUntil(
-        lambda: colours.source.picture() is frame_and_blobs(60)[0].right, timeout=30_000
-    )
+    qtbot.waitUntil(lambda: colours.source.image() is frame_and_blobs(60)[0].right, timeout=30_000)
 
 
-def test_kept_pictures_are_png_files_that_others_read(colours, engine, qtbot, tmp_path):
-    picture = frame_and_blobs(engine.frame)[0]
+def test_kept_images_are_png_files_that_others_read(colours, engine, qtbot, tmp_path):
+    image = frame_and_blobs(engine.frame)[0]
     colours.source.save_file(tmp_path / "glove.png")
     idle(colours, qtbot)
     read = cv2.imread(str(tmp_path / "glove.png"))
-    assert np.array_equal(read, np.hstack([picture.left, picture.right]))
+    assert np.array_equal(read, np.hstack([image.left, image.right]))
     colours.source.open_file(tmp_path / "glove.png")
     qtbot.waitUntil(lambda: not colours.source.is_live, timeout=30_000)
-    assert np.array_equal(colours.source.picture(), picture.left)
+    assert np.array_equal(colours.source.image(), image.left)
     colours.source.remove()
     assert colours.source.is_live and (tmp_path / "glove.png").exists()
 
 
-def test_the_oldest_kept_picture_goes_first(tmp_path):
-    folder = PictureFolder(tmp_path)
+def test_the_oldest_kept_image_goes_first(tmp_path):
+    folder = ImageFolder(tmp_path)
     tiny = np.zeros((4, 4, 3), np.uint8)
     for i in range(MOST + 2):
-        folder.keep(KeptPicture(f"{i:03d}", tiny))
+        folder.keep(KeptImage(f"{i:03d}", tiny))
     assert folder.names() == [f"{i:03d}" for i in range(2, MOST + 2)]
-    assert read_picture(folder.path("002")).right is None
+    assert read_image(folder.path("002")).right is None
 
 
-def test_a_frozen_picture_stays(colours, engine, qtbot):
+def test_a_frozen_image_stays(colours, engine, qtbot):
     colours.source.freeze.setChecked(True)
     engine.frame = 60
     qtbot.wait(300)
-    assert colours.source.picture() is frame_and_blobs(30)[0].left
+    assert colours.source.image() is frame_and_blobs(30)[0].left
 
 
 def test_red_runs_through_zero_on_the_slider(colours, qtbot):
@@ -244,7 +242,7 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
     assert colours._room == {}  # the grey table and the hand itself are no clash
     room = np.full((720, 1280, 3), 120, np.uint8)
     room[100:200, 100:300] = (30, 180, 30)
-    monkeypatch.setattr(colours.source, "picture", lambda: room)
+    monkeypatch.setattr(colours.source, "image", lambda: room)
     colours.check_room()
     assert "green: the room has this colour" in colours.words.text()
     assert room_shares(room, models()[2])["green"] == pytest.approx(
@@ -253,12 +251,12 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
 
 
 def test_fast_masks_are_those_of_the_profile():
-    picture = frame_and_blobs(30)[0].left
-    hsv, profile = to_hsv(picture), models()[2]
+    image = frame_and_blobs(30)[0].left
+    hsv, profile = to_hsv(image), models()[2]
     for hue in profile.hues:
         assert np.array_equal(in_range(hsv, hue) > 0, hue.contains(hsv))
     colours = hue_colours(profile)
-    shown = masks_picture(picture, {h: colours[h.name] for h in profile.hues})
+    shown = masks_image(image, {h: colours[h.name] for h in profile.hues})
     taken = np.any([h.contains(hsv) for h in profile.hues], axis=0)
     red = profile.hues[0]
     bgr = [int(colours["red"][i : i + 2], 16) for i in (5, 3, 1)]

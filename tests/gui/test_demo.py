@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from gui_fakes import models
 
-from app.demo import demo_setup
-from app.report import KEYPOINTS
+from app.engines.demo import demo_setup
+from app.tools.report import KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
 
@@ -61,7 +61,7 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     assert 0.5 < player.duration < 30.0
     player.play(False)
     player.seek(0.5 * player.duration)
-    # a paused replay goes on to the next picture, which a loaded machine may record late
+    # a paused replay goes on to the next image, which a loaded machine may record late
     half = 0.5 * player.duration
     qtbot.waitUntil(lambda: half - 0.01 <= player.position <= player.duration, timeout=30_000)
     assert not demo.commands.actions["record"].isEnabled()
@@ -79,7 +79,7 @@ def test_a_camera_process_that_is_killed_is_said_and_the_glove_goes_on(demo, qtb
 
 
 @pytest.mark.timeout(180)
-def test_closing_while_recording_leaves_a_whole_file_with_pictures_and_truth(demo, qtbot, tmp_path):
+def test_closing_while_recording_leaves_a_whole_file_with_images_and_truth(demo, qtbot, tmp_path):
     demo.recording.set_folder(tmp_path)
     demo.commands.actions["record"].trigger()
     path = demo.session.recording.path

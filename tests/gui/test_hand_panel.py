@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup
 
-from app.graphics import is_card
-from app.main_window import MainWindow
-from app.tasks import TaskOwner
-from app.view_chooser import PROVEN, ViewChooser
+from app.panels.hand.view_chooser import PROVEN, ViewChooser
+from app.platform.graphics import is_card
+from app.platform.tasks import TaskOwner
 from app.viewmodels.hand_scene import TRAIL_POINTS
-from app.widgets.view_3d import View3D
+from app.widgets.view3d.view_3d import View3D
+from app.window.main_window import MainWindow
 from tracker.errors import ConfigError
 from tracker.messages import Tracking
 
@@ -154,7 +154,7 @@ def test_a_card_that_ended_the_program_is_not_tried_again(chooser, store):
     assert "ended the program last time" in chooser.said[0]
 
 
-def test_a_card_is_trusted_after_some_pictures(chooser, store, monkeypatch):
+def test_a_card_is_trusted_after_some_images(chooser, store, monkeypatch):
     monkeypatch.setattr(View3D, "use_card", lambda _self: True)
     store.update(view_3d="card")
     monkeypatch.setattr(View3D, "on_card", False)
@@ -182,7 +182,7 @@ def test_a_card_that_cannot_be_used_is_said_where_it_was_asked_for(
 
 
 def test_an_installation_without_the_cards_view_says_so(chooser, store, monkeypatch):
-    monkeypatch.setattr("app.view_chooser.is_there", lambda: False)
+    monkeypatch.setattr("app.panels.hand.view_chooser.is_there", lambda: False)
     chooser.start()  # "auto" paints without a word
     assert chooser.said == [] and not chooser._tasks.tasks
     chooser.choose("card")
@@ -193,8 +193,9 @@ def test_an_installation_without_the_cards_view_says_so(chooser, store, monkeypa
 def test_the_painted_view_needs_no_vtk():
     """A program that was never asked for the graphics card does not load what draws on it."""
     code = (
-        "import sys; from PySide6.QtWidgets import QApplication; from app.widgets.view_3d import "
-        "View3D; app = QApplication([]); view = View3D(); view.resize(99, 99); "
+        "import sys; from PySide6.QtWidgets import QApplication; "
+        "from app.widgets.view3d.view_3d import View3D; "
+        "app = QApplication([]); view = View3D(); view.resize(99, 99); "
         "view.render_scene(); print([m for m in sys.modules if 'vtk' in m or 'pyvista' in m])"
     )
     done = subprocess.run(
@@ -220,11 +221,11 @@ import numpy as np
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 from gui_fakes import ScriptedEngine, scripted_setup
-from app.panels.hand import HandPanel
-from app.report import wait_until
-from app.session import Session
-from app.settings import SettingsStore
-from app.tasks import TaskOwner
+from app.panels.hand.panel import HandPanel
+from app.tools.report import wait_until
+from app.engines.session import Session
+from app.storage.settings import SettingsStore
+from app.platform.tasks import TaskOwner
 app = QApplication([])
 store = SettingsStore(Path({folder!r}) / "window.json")
 store.update(view_3d="card")

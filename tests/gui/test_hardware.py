@@ -1,4 +1,4 @@
-"""Glove and camera as the window finds them: a glove on a port, a stereo picture from a file."""
+"""Glove and camera as the window finds them: a glove on a port, a stereo image from a file."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ import pytest
 from gui_fakes import frame_and_blobs, models, simulation
 
 from app.viewmodels.checklist import steps
-from app.wizards.glove_choice import SESSION
+from app.wizards.glove.choice import SESSION
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
 from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
 
-PICTURES = 2
+IMAGES = 2
 SECONDS = 2.0
 
 
@@ -37,9 +37,9 @@ def film(tmp_path_factory):
     path = tmp_path_factory.mktemp("film") / "stereo.avi"
     size = (2 * 1280, 720)
     writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, size)
-    pairs = [frame_and_blobs(30 + i)[0] for i in range(PICTURES)]
+    pairs = [frame_and_blobs(30 + i)[0] for i in range(IMAGES)]
     for k in range(round(10 * SECONDS)):
-        frame = pairs[k % PICTURES]
+        frame = pairs[k % IMAGES]
         writer.write(np.hstack([frame.left, frame.right]))
     writer.release()
     return path

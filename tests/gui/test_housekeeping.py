@@ -12,13 +12,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDialogButtonBox, QPlainTextEdit, QPushButton
 
-from app.about import AboutDialog
-from app.bug_report import Choice, Material, contents, cut_tail, write_bundle
-from app.crash import CrashWatch
-from app.licences import parts
-from app.main_window import MainWindow
 from app.panels.bug_report_dialog import BugReportDialog
-from app.settings import Settings
+from app.platform.bug_report import Choice, Material, contents, cut_tail, write_bundle
+from app.platform.crash import CrashWatch
+from app.platform.licences import parts
+from app.storage.settings import Settings
+from app.window.about import AboutDialog
+from app.window.main_window import MainWindow
 from tracker import __version__
 from tracker.messages import Event, ImuSample, StereoFrame
 from tracker.offline.simulate import SimulateOptions, simulate
@@ -29,7 +29,7 @@ CRASHING = """
 import faulthandler, sys
 from pathlib import Path
 from PySide6.QtCore import QCoreApplication
-from app.crash import CrashWatch
+from app.platform.crash import CrashWatch
 app = QCoreApplication([])
 watch = CrashWatch(Path(sys.argv[1]))
 faulthandler._sigsegv()
@@ -157,10 +157,10 @@ def test_a_worker_that_dies_is_said_and_the_window_lives(live, engine, qtbot):
 
 @pytest.fixture(scope="session")
 def session_file(tmp_path_factory):
-    """12 s with two pictures, a participant and a note."""
+    """12 s with two images, a participant and a note."""
     folder = tmp_path_factory.mktemp("bug")
     plain = folder / "plain.mcap"
-    options = SimulateOptions(seed=1, duration=12.0, fps=5, pictures=False)
+    options = SimulateOptions(seed=1, duration=12.0, fps=5, images=False)
     simulate(plain, options)
     path = folder / "Mustermann_pinch.mcap"
     with SessionReader(plain) as reader:
@@ -173,7 +173,7 @@ def session_file(tmp_path_factory):
 
 
 def test_the_excerpt_is_the_last_seconds_with_nobodys_name(session_file, tmp_path):
-    cut_tail(session_file, tmp_path / "cut.mcap", 10.0, pictures=False, personal=False)
+    cut_tail(session_file, tmp_path / "cut.mcap", 10.0, images=False, personal=False)
     with SessionReader(tmp_path / "cut.mcap") as cut, SessionReader(session_file) as whole:
         assert cut.duration == pytest.approx(10.0, abs=0.5)
         assert cut.span_ns[1] >= whole.span_ns[1] - 500_000_000
@@ -181,7 +181,7 @@ def test_the_excerpt_is_the_last_seconds_with_nobodys_name(session_file, tmp_pat
         assert ImuSample in kinds and StereoFrame not in kinds
         assert (cut.info.participant, cut.info.notes) == ("", "")
     assert b"Mustermann" not in (tmp_path / "cut.mcap").read_bytes()
-    cut_tail(session_file, tmp_path / "own.mcap", 10.0, pictures=False, personal=True)
+    cut_tail(session_file, tmp_path / "own.mcap", 10.0, images=False, personal=True)
     with SessionReader(tmp_path / "own.mcap") as own:
         assert own.info.participant == "Mustermann"
 
@@ -238,10 +238,10 @@ def test_a_report_is_saved_by_clicks_and_told_about(live, qtbot, tmp_path):
     with zipfile.ZipFile(path) as bundle:
         names = bundle.namelist()
         status = json.loads(bundle.read("status.json"))
-        picture = QImage.fromData(bundle.read("window.png"))
+        image = QImage.fromData(bundle.read("window.png"))
         assert b"Mustermann" not in bundle.read("settings.json")
     assert status["values"]["imu_rate_hz"] == 100.0
-    assert picture.width() >= 1366
+    assert image.width() >= 1366
     assert "versions.txt" in names
 
 

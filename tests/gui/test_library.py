@@ -9,13 +9,13 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QDialogButtonBox
 
-from app.engine import ENGINES
-from app.export import CANCELLED, DONE, FAILED, WAITING, ExportQueue, ExportRequest
-from app.panels.compare_dialog import CompareDialog
-from app.panels.export_dialog import ExportDialog
-from app.panels.track_dialog import TrackDialog
-from app.tasks import Progress, TaskOwner
-from app.track_again import USUAL_SETTINGS, TrackRequest, track_job
+from app.engines.engine import ENGINES
+from app.jobs.export import CANCELLED, DONE, FAILED, WAITING, ExportQueue, ExportRequest
+from app.jobs.track_again import USUAL_SETTINGS, TrackRequest, track_job
+from app.panels.library.compare_dialog import CompareDialog
+from app.panels.library.export_dialog import ExportDialog
+from app.panels.library.track_dialog import TrackDialog
+from app.platform.tasks import Progress, TaskOwner
 from app.viewmodels.library import session_row
 from tracker.errors import ConfigError
 from tracker.messages import Estimate
@@ -33,7 +33,7 @@ def recorded(tmp_path_factory):
     """A session like one of the demo: sensors, `chain`'s estimates, the truth."""
     folder = tmp_path_factory.mktemp("library")
     simulated, tracked = folder / "simulated.mcap", folder / "tracked.mcap"
-    simulate(simulated, SimulateOptions(seed=3, duration=SECONDS, fps=30, pictures=False))
+    simulate(simulated, SimulateOptions(seed=3, duration=SECONDS, fps=30, images=False))
     track(simulated, tracked, TrackOptions("chain", with_sensors=True))
     whole = folder / "whole.mcap"
     with SessionReader(tracked) as reader:
@@ -102,7 +102,7 @@ def test_the_timeline_is_dragged_and_stepped(replayed, window, qtbot):
     qtbot.mousePress(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
     qtbot.mouseRelease(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
     qtbot.waitUntil(lambda: player.position == pytest.approx(1.0, abs=0.08), timeout=10_000)
-    qtbot.waitUntil(lambda: player._pictures_due == 0, timeout=10_000)
+    qtbot.waitUntil(lambda: player._images_due == 0, timeout=10_000)
     before = window.session.snapshot().frame.index
     line.setFocus()
     qtbot.keyClick(line, Qt.Key.Key_Right)
@@ -147,7 +147,7 @@ def test_exports_wait_for_each_other_and_can_be_cancelled(qtbot, tmp_path, monke
 
         return job
 
-    monkeypatch.setattr("app.export.export_job", job_of)
+    monkeypatch.setattr("app.jobs.export.export_job", job_of)
     tasks = TaskOwner()
     queue = ExportQueue(tasks)
     names = ("csv", "bvh", "bad", "h5")
@@ -170,8 +170,8 @@ def test_exports_wait_for_each_other_and_can_be_cancelled(qtbot, tmp_path, monke
 
 
 def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
-    from app.export import export_job
-    from app.tasks import Cancelled
+    from app.jobs.export import export_job
+    from app.platform.tasks import Cancelled
 
     told = []
     progress = Progress(lambda share, _text: told.append(share))
@@ -208,7 +208,7 @@ def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
     player = window.session.setup.player
     player.seek(2.0)
-    qtbot.waitUntil(lambda: player.position >= 2.0 and player._pictures_due == 0, timeout=10_000)
+    qtbot.waitUntil(lambda: player.position >= 2.0 and player._images_due == 0, timeout=10_000)
     view = window.session.snapshot()
     wanted = other[round(view.estimate.t, 6)]
     assert view.ghost().p_GB == pytest.approx(wanted.segment_p, abs=1e-6)

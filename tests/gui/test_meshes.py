@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.widgets.meshes import Mesh, mesh_of
-from app.widgets.raster.solids import block_surface
-from app.widgets.shapes import Block, Capsule, Disc, ball
+from app.widgets.view3d.meshes import Mesh, mesh_of
+from app.widgets.view3d.raster.solids import block_surface
+from app.widgets.view3d.shapes import Block, Capsule, Disc, ball
 
 OBLIQUE = np.array([0.6, 0.0, -0.8])
 BODIES = {

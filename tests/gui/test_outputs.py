@@ -9,9 +9,9 @@ import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 
-from app.main_window import MainWindow
-from app.outputs import HapticRule, params_from
-from app.settings import SettingsStore
+from app.jobs.outputs import HapticRule, params_from
+from app.storage.settings import SettingsStore
+from app.window.main_window import MainWindow
 from tracker.streaming.params import STREAMS, StreamParams
 
 

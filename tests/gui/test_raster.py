@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 
-from app.panels.hand_actors import HandActors
-from app.widgets.orbit import VIEW_ANGLE_DEG, Orbit
-from app.widgets.raster.scene import RasterScene
-from app.widgets.scene import Grid, Look
-from app.widgets.shapes import Block, Capsule, Disc, Shape, ball, polyline
+from app.panels.hand.actors import HandActors
+from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
+from app.widgets.view3d.raster.scene import RasterScene
+from app.widgets.view3d.scene import Grid, Look
+from app.widgets.view3d.shapes import Block, Capsule, Disc, Shape, ball, polyline
 
 WIDTH, HEIGHT = 160, 120
 FOCAL = 0.5 * HEIGHT / np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2))
@@ -32,7 +32,7 @@ def cover_of(shape: Shape, R: np.ndarray | None = None, p: np.ndarray | None = N
 
 
 def facing(orbit: Orbit) -> np.ndarray:
-    """(3, 3) R_GB whose x is the picture's right, y its up, z towards the eye."""
+    """(3, 3) R_GB whose x is the image's right, y its up, z towards the eye."""
     return np.stack([np.cross(orbit.up, orbit.direction), orbit.up, orbit.direction], axis=1)
 
 
@@ -185,19 +185,19 @@ def test_a_line_that_goes_past_the_eye_is_cut() -> None:
     assert rendered(scene).any()
 
 
-def test_the_same_scene_gives_the_same_picture() -> None:
-    def picture() -> np.ndarray:
+def test_the_same_scene_gives_the_same_image() -> None:
+    def image() -> np.ndarray:
         scene = RasterScene()
         for k in range(5):
             look = Look("#4080C0", opacity=0.3 + 0.15 * k, specular=0.2, grid=Grid.OVER)
             scene.add(Capsule(0.05, 0.008), look).move(np.eye(3), np.full(3, 0.005 * k))
         return rendered(scene).copy()
 
-    np.testing.assert_array_equal(picture(), picture())
+    np.testing.assert_array_equal(image(), image())
 
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 3), (17, 15)])
-def test_a_picture_may_be_tiny_and_the_scene_empty(size: tuple[int, int]) -> None:
+def test_a_image_may_be_tiny_and_the_scene_empty(size: tuple[int, int]) -> None:
     scene = RasterScene()
     scene.set_background("#102030")
     assert (scene.render(Orbit(), *size) == 0xFF102030).all()
@@ -208,7 +208,7 @@ def test_a_picture_may_be_tiny_and_the_scene_empty(size: tuple[int, int]) -> Non
 
 
 def test_more_pieces_than_the_first_list_holds() -> None:
-    """Thousands of lines over the whole picture, whose last one is still drawn."""
+    """Thousands of lines over the whole image, whose last one is still drawn."""
     scene, R = RasterScene(), facing(Orbit())
     across = np.array([[-0.2, 0.0, 0.0], [0.2, 0.0, 0.0]]) @ R.T
     for k in range(400):

@@ -5,8 +5,8 @@ from datetime import datetime
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 
-from app.engine import RecordingRequest
-from app.recorder import PausableRecorder
+from app.engines.engine import RecordingRequest
+from app.engines.recorder import PausableRecorder
 from app.viewmodels.recording import (
     LOW_BYTES,
     STOP_BYTES,
@@ -56,7 +56,7 @@ def test_the_panel_tells_what_was_written_and_what_was_lost(recording, engine, q
         engine.recorder.write(engine.latest_estimate())
     shown = recording.recording.messages_label
     qtbot.waitUntil(lambda: shown.text().startswith("7  ("), timeout=30_000)
-    assert recording.recording.losses_label.text() == "0 packets, 0 pictures not recorded"
+    assert recording.recording.losses_label.text() == "0 packets, 0 images not recorded"
 
 
 def test_closing_the_window_while_recording_closes_the_file(recording, engine, recorders):
@@ -143,7 +143,7 @@ def test_figures_as_people_write_them():
 
 def test_losses_are_named_for_what_they_are():
     values = {"imu_lost": 3.0, "pictures_thinned": 2.0}
-    assert losses_text(values) == "3 packets, 2 pictures not recorded"
+    assert losses_text(values) == "3 packets, 2 images not recorded"
     assert "4 messages" in losses_text({**values, "imu_overflow": 4.0})
 
 

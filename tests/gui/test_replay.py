@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.replay import ReplayEngine, open_replay
-from app.replay_ghost import GhostTrack
+from app.engines.replay import ReplayEngine, open_replay
+from app.engines.replay_ghost import GhostTrack
 from tracker.messages import BlobFrame, Estimate
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import TrackOptions, track
@@ -20,7 +20,7 @@ def sessions(tmp_path_factory) -> dict[str, Path]:
     """One movement: as simulated (with truth), tracked by `chain` and tracked by `vist`."""
     folder = tmp_path_factory.mktemp("sessions")
     made = {name: folder / f"{name}.mcap" for name in ("simulated", "chain", "vist")}
-    simulate(made["simulated"], SimulateOptions(seed=3, duration=SECONDS, fps=30, pictures=False))
+    simulate(made["simulated"], SimulateOptions(seed=3, duration=SECONDS, fps=30, images=False))
     track(made["simulated"], made["chain"], TrackOptions("chain", with_sensors=True))
     track(made["simulated"], made["vist"], TrackOptions("vist"))
     return made
@@ -28,7 +28,7 @@ def sessions(tmp_path_factory) -> dict[str, Path]:
 
 @pytest.fixture
 def replay(sessions, qtbot):
-    """A paused replay of the `chain` session, its first picture shown."""
+    """A paused replay of the `chain` session, its first image shown."""
     engine = ReplayEngine(sessions["chain"])
     engine.play(False)
     engine.start()
@@ -48,7 +48,7 @@ def shown(engine: ReplayEngine) -> float:
     return np.nan if frame is None else frame[1].t
 
 
-def test_steps_go_through_every_picture_and_back(replay, frames, qtbot):
+def test_steps_go_through_every_image_and_back(replay, frames, qtbot):
     assert shown(replay) == frames[0].t
     for i in (1, 2, 3):
         replay.step(1)

@@ -12,26 +12,26 @@ import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from PySide6.QtCore import Qt
 
-from app.set_up_desk import board_from, board_text
 from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
 from app.viewmodels.stereo import split_fresh
-from app.wizards.import_form import ImportFormDialog
-from app.wizards.picture_choices import (
-    SessionPictures,
+from app.window.set_up_desk import board_from, board_text
+from app.wizards.image_choices import (
+    SessionImages,
     folder_choice,
     folder_input,
-    picture_choices,
+    image_choices,
 )
-from app.wizards.stereo import BOARD, CHECK, RESULT, VIEWS, StereoWizard
-from app.wizards.stereo_board import PictureChoice
+from app.wizards.import_form import ImportFormDialog
+from app.wizards.stereo.board import ImageChoice
+from app.wizards.stereo.wizard import BOARD, CHECK, RESULT, VIEWS, StereoWizard
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.files import load_rig, save_calibration
 from tracker.calibration.wiggle import WiggleTest
 from tracker.errors import DeviceError
 from tracker.geometry import so3
-from tracker.sensors.picture_input import CameraName
-from tracker.sensors.stereo_calibration import Lens
-from tracker.simulation.board_pictures import BoardRenderer, TrueRig, board_pose
+from tracker.sensors.image_input import CameraName
+from tracker.sensors.stereo_calibration import Intrinsics
+from tracker.simulation.board_images import BoardRenderer, TrueRig, board_pose
 from tracker.simulation.imu import ImuSimulator
 from tracker.simulation.wiggles import Wiggle, wiggling_wearer
 
@@ -41,8 +41,8 @@ SPEC = BoardSpec()
 
 def small_rig() -> TrueRig:
     K = np.array([[262.0, 0, 243.0], [0, 263.0, 132.0], [0, 0, 1.0]])
-    lens = Lens(WIDTH, HEIGHT, K, np.array([-0.1, 0.01, 0, 0, 0]))
-    return TrueRig(lens, lens, so3.exp(np.array([0.002, 0.01, 0.0])), np.array([-0.06, 0, 0]))
+    camera = Intrinsics(WIDTH, HEIGHT, K, np.array([-0.1, 0.01, 0, 0, 0]))
+    return TrueRig(camera, camera, so3.exp(np.array([0.002, 0.01, 0.0])), np.array([-0.06, 0, 0]))
 
 
 @lru_cache
@@ -52,12 +52,12 @@ def renderer() -> BoardRenderer:
 
 @lru_cache
 def board_pair(k: int):
-    """Pictures of the k-th pose."""
+    """Images of the k-th pose."""
     return renderer().pair(board_pose(SPEC, small_rig(), k, 1), np.random.default_rng(k))
 
 
 class StillBoard:
-    """A `PictureInput`: every pose stands for two pictures. ``swapped`` exchanges the sides."""
+    """An `ImageInput`: every pose stands for two images. ``swapped`` exchanges the sides."""
 
     live, name, fps = True, "board", 0.0
 
@@ -78,10 +78,10 @@ class StillBoard:
 
 @pytest.fixture
 def wizard(window, tmp_path):
-    """Opens the calibration as the window does, on a source of pictures; closes with the window."""
+    """Opens the calibration as the window does, on a source of images; closes with the window."""
 
     def make(source) -> StereoWizard:
-        choices = [PictureChoice("Test camera", lambda _spec: source)]
+        choices = [ImageChoice("Test camera", lambda _spec: source)]
         dialog = StereoWizard(window.tasks, choices, tmp_path / "cameras", SPEC, window)
         window.set_up.show_dialog("stereo", dialog)
         return dialog
@@ -199,7 +199,7 @@ def test_a_file_of_before_can_be_tried_or_used_and_a_bad_one_is_refused(wizard, 
 
 
 @pytest.mark.data
-def test_real_pictures_from_a_folder_are_split_into_views_and_check(wizard, qtbot, data_folder):
+def test_real_images_from_a_folder_are_split_into_views_and_check(wizard, qtbot, data_folder):
     dialog = wizard(StillBoard())
     dialog.board.kind.setCurrentIndex(dialog.board.kind.findData("chessboard"))
     dialog.use_folder(data_folder / "stereo_chessboard")
@@ -209,7 +209,7 @@ def test_real_pictures_from_a_folder_are_split_into_views_and_check(wizard, qtbo
     qtbot.waitUntil(lambda: "at least 8" in dialog.outcome.reasons.text(), timeout=30_000)
 
 
-def test_a_folder_needs_as_many_left_as_right_pictures(tmp_path):
+def test_a_folder_needs_as_many_left_as_right_images(tmp_path):
     for name in ("left1.png", "left2.png", "right1.png", "notes.txt"):
         (tmp_path / name).write_bytes(b"")
     with pytest.raises(DeviceError, match="2 left and 1 right"):
@@ -218,18 +218,18 @@ def test_a_folder_needs_as_many_left_as_right_pictures(tmp_path):
     assert split_fresh(range(7)) == ([0, 1, 3, 4, 6], [2, 5])
 
 
-def test_the_camera_in_use_gives_each_picture_once(window):
+def test_the_camera_in_use_gives_each_image_once(window):
     engine = ScriptedEngine()
     window.session.adopt(scripted_setup(engine))
-    pictures = SessionPictures(window.session)
-    first = pictures.read()
+    images = SessionImages(window.session)
+    first = images.read()
     assert first is not None and first[0].shape == (720, 1280, 3)
-    assert pictures.read() is None
+    assert images.read() is None
     engine.frame = 31
-    assert pictures.read() is not None
+    assert images.read() is not None
     window.session.shut_down()
     with pytest.raises(DeviceError, match="was closed"):
-        pictures.read()
+        images.read()
 
 
 def test_an_import_asks_for_size_and_unit(qtbot, tmp_path):
@@ -262,7 +262,7 @@ def test_the_window_opens_each_dialog_once_and_closes_them(window, qtbot):
 def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration(
     window, qtbot, monkeypatch, tmp_path
 ):
-    monkeypatch.setattr("app.hardware.serial_ports", list)
+    monkeypatch.setattr("app.engines.hardware.serial_ports", list)
     window.start_hardware()
     qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
     assert window.docks["checklist"].isVisible() and window.start_page.isVisible()
@@ -276,7 +276,7 @@ def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration
 def test_a_new_calibration_is_used_at_once_where_the_devices_are_in_use(
     window, store, qtbot, monkeypatch, tmp_path
 ):
-    monkeypatch.setattr("app.hardware.serial_ports", list)
+    monkeypatch.setattr("app.engines.hardware.serial_ports", list)
     rig = small_rig()
     path = tmp_path / "mine.yml"
     save_calibration(path, rig.left, rig.right, rig.R, rig.T)
@@ -300,10 +300,10 @@ def test_a_new_calibration_is_used_at_once_where_the_devices_are_in_use(
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
 
 
-def test_pictures_may_come_from_the_chosen_camera_all_others_and_a_simulation(window):
+def test_images_may_come_from_the_chosen_camera_all_others_and_a_simulation(window):
     cameras = [CameraName(0, "Webcam", "/dev/video0"), CameraName(2, "ZED-M", "/dev/video2")]
     window.store.update(camera="name:ZED-M")
-    titles = [c.title for c in picture_choices(window.session, window.store.value, cameras)]
+    titles = [c.title for c in image_choices(window.session, window.store.value, cameras)]
     assert titles == [
         "Chosen camera: ZED-M",
         "Webcam (/dev/video0)",
@@ -311,14 +311,14 @@ def test_pictures_may_come_from_the_chosen_camera_all_others_and_a_simulation(wi
         "Simulated board (demo)",
     ]
     plugged = CameraName(-1, "Depth camera", "depth://7")
-    (other, *_) = picture_choices(window.session, replace(window.store.value, camera=""), [plugged])
+    (other, *_) = image_choices(window.session, replace(window.store.value, camera=""), [plugged])
     with pytest.raises(DeviceError, match="depth://7"):
         other.make(SPEC).open()  # by its address: there is no such plug-in here
     window.session.adopt(scripted_setup(ScriptedEngine()))
-    first = picture_choices(window.session, window.store.value, cameras)[0]
+    first = image_choices(window.session, window.store.value, cameras)[0]
     assert first.simulated
     window.session.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
-    in_use = picture_choices(window.session, window.store.value, cameras)[0]
+    in_use = image_choices(window.session, window.store.value, cameras)[0]
     assert in_use.make(SPEC).read() is not None and not in_use.simulated
 
 
@@ -423,7 +423,7 @@ def test_gloves_that_are_found_after_the_window_for_them_has_gone_harm_nothing(
         assert gone.wait(30)
         return []
 
-    monkeypatch.setattr("app.wizards.glove.serial_ports", slow_ports)
+    monkeypatch.setattr("app.wizards.glove.wizard.serial_ports", slow_ports)
     window.run_command("glove_setup")
     dialog = window.set_up.dialogs["glove"]
     destroyed = []

@@ -4,7 +4,14 @@ import json
 
 import pytest
 
-from app.settings import MIGRATIONS, VERSION, Settings, SettingsStore, migrated, sessions_folder
+from app.storage.settings import (
+    MIGRATIONS,
+    VERSION,
+    Settings,
+    SettingsStore,
+    migrated,
+    sessions_folder,
+)
 
 
 def test_values_come_back(tmp_path):

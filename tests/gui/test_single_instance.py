@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import QDir
 from PySide6.QtNetwork import QLocalSocket
 
-from app.single_instance import Instance, hand_over
+from app.platform.single_instance import Instance, hand_over
 from tracker.offline.simulate import SimulateOptions, simulate
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -21,7 +21,7 @@ FIRST = """
 import sys
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
-from app.main_window import MainWindow
+from app.window.main_window import MainWindow
 
 opened = MainWindow._opened
 
@@ -53,7 +53,7 @@ def home(tmp_path, monkeypatch):
 @pytest.fixture
 def session_file(tmp_path):
     path = tmp_path / "P01.mcap"
-    simulate(path, SimulateOptions(seed=1, duration=1.0, fps=10, pictures=False))
+    simulate(path, SimulateOptions(seed=1, duration=1.0, fps=10, images=False))
     return path
 
 

@@ -5,9 +5,9 @@ from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
 
-from app.main_window import SMALLEST
-from app.panels.colours import TWO_COLUMNS
+from app.panels.colours.panel import TWO_COLUMNS
 from app.widgets.scrolled import Scrolled
+from app.window.main_window import SMALLEST
 
 SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 200 %
 
@@ -30,7 +30,7 @@ def test_every_panel_has_what_it_needs_or_scrolls(window, qtbot, size):
         assert panel.height() <= room.height() or area.verticalScrollBar().maximum() > 0, name
 
 
-def test_at_1366_by_768_the_pictures_and_the_hand_need_no_scrolling(window, qtbot):
+def test_at_1366_by_768_the_images_and_the_hand_need_no_scrolling(window, qtbot):
     window.session.adopt(scripted_setup(ScriptedEngine()))
     window.resize(1366, 768)
     qtbot.wait(50)

@@ -1,14 +1,14 @@
-"""What `python -m app.soak` would find, in short."""
+"""What `python -m app.tools.soak` would find, in short."""
 
 import pytest
 
-from app import soak
+from app.tools import soak
 from tracker.offline.simulate import SimulateOptions, simulate
 
 
 def test_opening_and_closing_on_a_session_leaves_nothing(qapp, tmp_path, monkeypatch):
     path = tmp_path / "session.mcap"
-    simulate(path, SimulateOptions(duration=1.0, fps=10.0, pictures=False))
+    simulate(path, SimulateOptions(duration=1.0, fps=10.0, images=False))
     monkeypatch.setattr(soak, "_session", lambda folder: path)
     found = soak.cycle(qapp, 3, tmp_path)
     # Fewer than before where windows of earlier tests went meanwhile.

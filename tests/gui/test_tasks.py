@@ -10,7 +10,7 @@ OWNER_GOES_FIRST = """
 import weakref
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication
-from app.tasks import TaskOwner
+from app.platform.tasks import TaskOwner
 
 app = QApplication([])
 gone = []

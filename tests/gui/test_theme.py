@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 COLLECTED_MEANWHILE = """
 import gc
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
-from app import theme
+from app.window import theme
 
 class Collector(QWidget):
     def changeEvent(self, event):

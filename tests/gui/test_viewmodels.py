@@ -7,17 +7,17 @@ import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 
-from app.session import Session
-from app.tasks import TaskOwner
+from app.engines.session import Session
+from app.platform.tasks import TaskOwner
 from app.viewmodels.calibration import RANGES, calibration_view, convergence
-from app.viewmodels.colour_pictures import hue_histogram, pixel_hsv
+from app.viewmodels.colour_images import hue_histogram, pixel_hsv
 from app.viewmodels.colours import ProfileHistory, hue_rows, seen_rows, with_range
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
 from app.viewmodels.overlay import Layers, bones, overlay
 from app.viewmodels.sensors import curves, imu_states
 from app.viewmodels.status import fields
-from app.widgets.orbit import Orbit
 from app.widgets.overlay import Cross, Ellipse, Line, Ring
+from app.widgets.view3d.orbit import Orbit
 from tracker.messages import Status, Tracking, Validity
 
 
@@ -47,7 +47,7 @@ def test_the_ellipse_is_two_sigma_of_the_covariance(view):
         assert np.sin(e.angle) == pytest.approx(0.0, abs=1e-9)
 
 
-def test_the_right_picture_has_no_ellipses_since_none_is_known(view):
+def test_the_right_image_has_no_ellipses_since_none_is_known(view):
     shapes = overlay(view, Layers(), {}, right=True)
     assert not any(isinstance(s, Ellipse) for s in shapes)
 
@@ -150,7 +150,7 @@ def test_overlapping_hues_are_named_with_how_much():
     assert not any(r.clash for r in hue_rows(profile))
 
 
-def test_blob_counts_per_hue_are_means_over_both_pictures(view):
+def test_blob_counts_per_hue_are_means_over_both_images(view):
     rows = {r.name: r for r in seen_rows(view, view.setup.profile)}
     index = view.blobs.hue_names.index("red")
     both = (view.blobs.left.hue == index).sum() + (view.blobs.right.hue == index).sum()
@@ -169,10 +169,10 @@ def test_histogram_peaks_at_the_hue_that_is_there():
 
 
 def test_eyedropper_reads_the_colour_under_it():
-    picture = frame_and_blobs(30)[0].left
-    hsv = cv2.cvtColor(picture, cv2.COLOR_BGR2HSV)
+    image = frame_and_blobs(30)[0].left
+    hsv = cv2.cvtColor(image, cv2.COLOR_BGR2HSV)
     v, u = np.unravel_index(int(hsv[..., 1].argmax()), hsv.shape[:2])
-    h, _, _ = pixel_hsv(picture, float(u), float(v))
+    h, _, _ = pixel_hsv(image, float(u), float(v))
     assert min((h - int(hsv[v, u, 0])) % 180, (int(hsv[v, u, 0]) - h) % 180) < 8
 
 
@@ -225,8 +225,8 @@ def test_each_stage_has_its_latency():
     values = {"latency_total_ms": 7.8, "latency_total_p99_ms": 24.3, "latency_detect_ms": 1.01}
     shown = {f.key: f for f in fields(Status(0.0, Tracking.TRACKING, values))}["latency"]
     assert shown.text == "8 ms (99 %: 24)"
-    assert "Search of both pictures: 1.0 ms (–)" in shown.tip
-    assert "A picture's arrival to the estimate made of it: 7.8 ms (24.3 ms)" in shown.tip
+    assert "Search of both images: 1.0 ms (–)" in shown.tip
+    assert "An image's arrival to the estimate made of it: 7.8 ms (24.3 ms)" in shown.tip
 
 
 def test_orbit_keeps_its_distance_and_looks_where_it_is_told():

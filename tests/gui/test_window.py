@@ -11,11 +11,11 @@ from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from app.main_window import MainWindow
-from app.panels.hand_actors import segment_shape
+from app.panels.hand.actors import segment_shape
 from app.viewmodels.overlay import project
 from app.widgets.command_palette import CommandPalette, rank
-from app.widgets.meshes import mesh_of
+from app.widgets.view3d.meshes import mesh_of
+from app.window.main_window import MainWindow
 from tracker.messages import Event, Status, Tracking
 
 
@@ -42,18 +42,18 @@ def test_every_command_is_in_a_menu_and_no_shortcut_is_taken_twice(window):
     assert len(keys) == len(set(keys))
 
 
-def test_the_camera_panel_paints_the_picture_it_is_given(live, engine):
+def test_the_camera_panel_paints_the_image_it_is_given(live, engine):
     view = live.cameras.left
     live.cameras.follow.setChecked(False)
     for box in live.cameras._layer_boxes.values():
         box.setChecked(False)
     live.cameras._shown = None
     live.cameras.refresh(live.session.snapshot())
-    shown, picture = pixels(view), frame_and_blobs(engine.frame)[0].left
+    shown, image = pixels(view), frame_and_blobs(engine.frame)[0].left
     for u, v in ((640, 360), (400, 500), (900, 200)):
         at = view._origin() + QPointF(u + 0.5, v + 0.5) * view._scale()
         colour = shown[int(at.y()), int(at.x())].astype(int)
-        assert np.abs(colour - picture[v, u, ::-1].astype(int)).max() < 60
+        assert np.abs(colour - image[v, u, ::-1].astype(int)).max() < 60
 
 
 def test_a_pixel_of_the_view_maps_back_to_itself_at_any_zoom(live, qtbot):
@@ -62,7 +62,7 @@ def test_a_pixel_of_the_view_maps_back_to_itself_at_any_zoom(live, qtbot):
     for zoom, centre in ((1.0, (0.5, 0.5)), (3.7, (0.3, 0.6))):
         view._zoom, view._centre = zoom, QPointF(*centre)
         at = view._origin() + QPointF(200.5, 300.5) * view._scale()
-        assert view.to_picture(at) == pytest.approx((200.0, 300.0), abs=1e-6)
+        assert view.to_image(at) == pytest.approx((200.0, 300.0), abs=1e-6)
 
 
 def test_the_skeleton_is_projected_onto_the_hand(live):
@@ -151,7 +151,7 @@ def test_palette_finds_and_runs_a_command(live, qtbot):
     palette = CommandPalette(list(live.commands.actions.values()), live)
     qtbot.addWidget(palette)
     palette._query.setText("freeze")
-    assert palette.names()[0] == "Freeze the pictures"
+    assert palette.names()[0] == "Freeze the images"
     qtbot.keyClick(palette._query, Qt.Key.Key_Return)
     assert live.cameras.freeze.isChecked()
 
@@ -195,7 +195,7 @@ def test_errors_stand_in_the_banner_until_dismissed(window):
 
 
 def test_without_devices_the_window_says_what_is_missing(window, qtbot, monkeypatch):
-    monkeypatch.setattr("app.hardware.serial_ports", list)
+    monkeypatch.setattr("app.engines.hardware.serial_ports", list)
     window.start_hardware()
     qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
     assert window.start_page.isVisible()
@@ -301,5 +301,5 @@ def test_the_latency_of_each_stage_is_a_command(window):
     values = {"latency_total_ms": 7.8, "latency_detect_ms": 1.0}
     window.bar.show_status(Status(0.0, Tracking.TRACKING, values), running=True)
     window.commands.actions["latencies"].trigger()
-    assert "Search of both pictures: 1.0 ms" in QToolTip.text()
+    assert "Search of both images: 1.0 ms" in QToolTip.text()
     assert "7.8 ms" in window.bar.chips["latency"].accessibleDescription()

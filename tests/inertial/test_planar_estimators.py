@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from tracker import GRAVITY
-from tracker.evaluation.inertial_errors import MPU9250, draw
-from tracker.evaluation.inertial_motion import HORIZONTAL, MOVING, VERTICAL, Condition, grasp
+from tracker.evaluation.inertial.errors import MPU9250, draw
+from tracker.evaluation.inertial.motion import HORIZONTAL, MOVING, VERTICAL, Condition, grasp
 from tracker.inertial.finger import Finger
 from tracker.inertial.gravity import Gravity
 from tracker.inertial.integration import Integration

@@ -191,7 +191,7 @@ def test_parts_that_are_no_more_are_removed(monkeypatch, tmp_path):
     names = ["_compiled_app_widgets.so", "_compiled_tracker_old.so", "_compiled_tracker_old.txt"]
     for name in [*names, "_compiled.so", "_dispatch.so", "library.py"]:
         (tmp_path / name).touch()
-    parts.remove_others([parts.part_of("app.widgets.raster.picture.draw")])
+    parts.remove_others([parts.part_of("app.widgets.view3d.raster.image.draw")])
     left = sorted(path.name for path in tmp_path.iterdir())
     assert left == ["_compiled_app_widgets.so", "_dispatch.so", "library.py"]
 

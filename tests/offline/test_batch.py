@@ -21,8 +21,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two sessions, one of them further down, and one that is no session."""
     path = tmp_path_factory.mktemp("many")
     (path / "monday").mkdir()
-    simulate(path / "a.mcap", SimulateOptions(seed=1, duration=2.0, fps=30, pictures=False))
-    simulate(path / "monday" / "b.mcap", SimulateOptions(seed=2, duration=2.0, pictures=False))
+    simulate(path / "a.mcap", SimulateOptions(seed=1, duration=2.0, fps=30, images=False))
+    simulate(path / "monday" / "b.mcap", SimulateOptions(seed=2, duration=2.0, images=False))
     (path / "c.mcap").write_text("shopping list")
     return path
 

@@ -11,7 +11,7 @@ from tracker.offline.track import TrackOptions, track
 from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
 
-OPTIONS = SimulateOptions(seed=4, duration=2.5, fps=20.0, pictures=False, camera="head-imu")
+OPTIONS = SimulateOptions(seed=4, duration=2.5, fps=20.0, images=False, camera="head-imu")
 
 
 @pytest.fixture(scope="module")

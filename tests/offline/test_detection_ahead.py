@@ -1,4 +1,4 @@
-"""Pictures searched ahead of the engine: the same blobs in the same order, whatever the threads."""
+"""Images searched ahead of the engine: the same blobs in the same order, whatever the threads."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,14 +12,14 @@ from tracker.offline.detection import AHEAD, detected
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import make_detector, profile_of
 from tracker.session.decode import Decoded
-from tracker.session.pictures import PackedFrame
+from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 from tracker.vision.detector import detect_frame
 
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("pictures") / "in.mcap"
+    path = tmp_path_factory.mktemp("images") / "in.mcap"
     simulate(path, SimulateOptions(seed=3, duration=1.0, fps=30))
     return path
 
@@ -46,7 +46,7 @@ def test_threads_change_nothing(session: Path) -> None:
         assert same(a.left, b.left) and same(a.right, b.right)
 
 
-def test_no_more_than_a_few_pictures_wait(session: Path) -> None:
+def test_no_more_than_a_few_images_wait(session: Path) -> None:
     read = 0
 
     def counted(messages: Iterator[Decoded]) -> Iterator[Decoded]:
@@ -64,11 +64,11 @@ def test_no_more_than_a_few_pictures_wait(session: Path) -> None:
             assert read - given <= AHEAD + 1
 
 
-def test_a_damaged_picture_is_told_in_words(session: Path) -> None:
+def test_a_damaged_image_is_told_in_words(session: Path) -> None:
     def spoilt(messages: Iterator[Decoded]) -> Iterator[Decoded]:
         for m in messages:
             if isinstance(m, PackedFrame):
-                bad = {c: p._replace(data=b"no picture") for c, p in m.parts.items()}
+                bad = {c: p._replace(data=b"no image") for c, p in m.parts.items()}
                 m = PackedFrame(m.t, m.t_arrival, bad, m.pose, m.index)
             yield m
 

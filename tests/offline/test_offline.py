@@ -12,14 +12,14 @@ from tracker.messages import Estimate, StereoFrame
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import TrackOptions, track
 from tracker.session.compare import compare
-from tracker.session.pictures import PackedFrame
+from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("sessions") / "in.mcap"
-    simulate(path, SimulateOptions(seed=1, duration=6.0, fps=30, pictures=False))
+    simulate(path, SimulateOptions(seed=1, duration=6.0, fps=30, images=False))
     return path
 
 
@@ -28,7 +28,7 @@ def estimates(path: Path) -> list[Estimate]:
         return [m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)]
 
 
-def pictures(path: Path) -> list[bytes]:
+def images(path: Path) -> list[bytes]:
     with SessionReader(path) as reader:
         frames = reader.packed_messages((StereoFrame,))
         found = [p.data for f in frames if isinstance(f, PackedFrame) for p in f.parts.values()]
@@ -67,15 +67,15 @@ def test_another_engine_by_command_line(
     assert report["error_mm"]["dorsum"] < 5 and report["frames"] > 170
 
 
-def test_pictures_are_searched_where_there_are_no_blobs(tmp_path: Path) -> None:
-    path = tmp_path / "pictures.mcap"
+def test_images_are_searched_where_there_are_no_blobs(tmp_path: Path) -> None:
+    path = tmp_path / "images.mcap"
     simulate(path, SimulateOptions(seed=2, duration=2.0, fps=15))
     options = TrackOptions(colours="fabric-default", with_sensors=True)
     report = track(path, tmp_path / "out.mcap", options)
     assert report.error_mm["mean"] < 12 and report.frames > 25
-    assert pictures(path) == pictures(tmp_path / "out.mcap"), "copied byte for byte"
+    assert images(path) == images(tmp_path / "out.mcap"), "copied byte for byte"
     track(tmp_path / "out.mcap", tmp_path / "again.mcap", TrackOptions(with_sensors=True))
-    assert pictures(path) == pictures(tmp_path / "again.mcap")
+    assert images(path) == images(tmp_path / "again.mcap")
     assert compare(tmp_path / "out.mcap", tmp_path / "again.mcap")["identical"]
 
 
@@ -84,7 +84,7 @@ def test_pictures_are_searched_where_there_are_no_blobs(tmp_path: Path) -> None:
     [
         (["--engine", "magic"], "There is no engine 'magic'"),
         (["--hand", "nobody"], "There is no 'nobody' among the hands"),
-        (["--colours", "fabric-default"], "no pictures"),
+        (["--colours", "fabric-default"], "no images"),
     ],
 )
 def test_what_cannot_be_done_is_said_in_words(

@@ -13,11 +13,11 @@ from tracker.offline.simulate import SimulateOptions, build, truth_message
 from tracker.offline.track import TrackOptions, track
 from tracker.pipeline import Pipeline
 from tracker.session.compare import compare
-from tracker.session.container import McapOutput
 from tracker.session.description import SessionInfo
 from tracker.session.engine_state import MEDIA_TYPE, NAME
+from tracker.session.mcap.container import McapOutput
+from tracker.session.mcap.recover import recover
 from tracker.session.reader import SessionReader
-from tracker.session.recover import recover
 from tracker.session.writer import SessionRecorder
 from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation
@@ -30,7 +30,7 @@ BEGIN, CHANGE = 1.0, 1.8  # s
 def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Tracked since 0 s, recorded since 1.0 s, with another engine from 1.8 s on."""
     path = tmp_path_factory.mktemp("middle") / "in.mcap"
-    sim, info = build(SimulateOptions(seed=5, duration=2.5, fps=30, pictures=False))
+    sim, info = build(SimulateOptions(seed=5, duration=2.5, fps=30, images=False))
     info = replace(info, settings_text=to_toml(Settings()))
     pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
     messages = [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
@@ -110,7 +110,7 @@ def moved(info: SessionInfo, by: float) -> StereoRig:
 
 def test_a_camera_that_is_moved_while_recording(tmp_path: Path) -> None:
     """Half way it is calibrated anew, 5 cm aside: nothing else than the rig says so."""
-    sim, info = build(SimulateOptions(seed=6, duration=4.0, fps=30, pictures=False))
+    sim, info = build(SimulateOptions(seed=6, duration=4.0, fps=30, images=False))
     aside = Simulation(sim.hand, sim.glove, sim.motion, 6, fps=30, rig=moved(info, 0.05))
     told, silent = tmp_path / "told.mcap", tmp_path / "silent.mcap"
     for path in (told, silent):

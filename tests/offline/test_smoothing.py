@@ -72,7 +72,7 @@ def test_what_was_set_anew_says_nothing_of_the_past() -> None:
 
 @pytest.fixture(scope="module")
 def simulated() -> tuple[Simulation, SessionInfo, Messages]:
-    sim, info = build(SimulateOptions(seed=2, duration=8.0, fps=30, pictures=False))
+    sim, info = build(SimulateOptions(seed=2, duration=8.0, fps=30, images=False))
     return sim, info, [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
 
 
@@ -114,7 +114,7 @@ def test_it_is_nearer_to_the_truth_than_live_and_without_steps(
     simulated: tuple[Simulation, SessionInfo, Messages],
 ) -> None:
     sim, info, messages = simulated
-    blind = (5.0, 5.8)  # s in which no picture comes
+    blind = (5.0, 5.8)  # s in which no image comes
     messages = [m for m in messages if isinstance(m, ImuSample) or not blind[0] < m.t < blind[1]]
     before, after = live(info, messages), smoothed(info, messages)
     t = np.array([e.t for e in before])
@@ -157,7 +157,7 @@ def record_short() -> Callable[[Path], Path]:
     from tracker.offline.simulate import simulate
 
     def write(path: Path) -> Path:
-        simulate(path, replace(SimulateOptions(), seed=4, duration=1.0, fps=30, pictures=False))
+        simulate(path, replace(SimulateOptions(), seed=4, duration=1.0, fps=30, images=False))
         return path
 
     return write

@@ -33,7 +33,7 @@ def run(line: str) -> int:
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> bytes:
-    """Three seconds without pictures, made once for all pages."""
+    """Three seconds without images, made once for all pages."""
     path = tmp_path_factory.mktemp("guide") / "session.mcap"
     assert run(f"glovetrack simulate -o {path} --duration 3 --blobs-only") == 0
     return path.read_bytes()
@@ -55,7 +55,7 @@ def test_every_command_of_a_page_runs(
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.stem)
-def test_links_and_pictures_are_there(page: Path) -> None:
+def test_links_and_images_are_there(page: Path) -> None:
     targets = LINK.findall(page.read_text("utf-8"))
     assert targets
     assert [t for t in targets if not (page.parent / t).exists()] == []
@@ -68,7 +68,7 @@ def test_every_page_is_listed() -> None:
 
 def test_shortcuts_are_the_windows() -> None:
     """Each key that the guide names is one that the window knows."""
-    root = GUIDE.parents[1] / "app"
+    root = GUIDE.parents[1] / "app" / "window"
     known = set(re.findall(r'"([^"\n]{1,12})"', (root / "window_commands.py").read_text("utf-8")))
     told = {
         key

@@ -35,9 +35,9 @@ def test_the_desktop_opens_the_type_that_is_declared() -> None:
 def test_the_desktops_icon_is_one_of_ours() -> None:
     name = desktop_entry()["Icon"]
     assert QSvgRenderer(str(ICONS / f"{name}.svg")).isValid()
-    picture = QImage(str(ICONS / f"{name}.png"))
-    assert (picture.width(), picture.height()) == (256, 256)
-    assert picture.pixelColor(0, 0).alpha() == 0 < picture.pixelColor(128, 128).alpha()
+    image = QImage(str(ICONS / f"{name}.png"))
+    assert (image.width(), image.height()) == (256, 256)
+    assert image.pixelColor(0, 0).alpha() == 0 < image.pixelColor(128, 128).alpha()
 
 
 def test_the_script_fills_every_field_of_control() -> None:

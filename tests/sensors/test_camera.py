@@ -13,7 +13,7 @@ import pytest
 
 from tracker.errors import DeviceError
 from tracker.sensors.camera import StereoCamera
-from tracker.sensors.picture_input import (
+from tracker.sensors.image_input import (
     CaptureFormat,
     Image,
     Pair,
@@ -29,7 +29,7 @@ RIG = ideal_rig(64, 48)
 BLACK = np.zeros((48, 64, 3), np.uint8)
 
 
-def picture(n: int) -> Image:
+def image(n: int) -> Image:
     return np.random.default_rng(n).integers(30, 255, (48, 64, 3)).astype(np.uint8)
 
 
@@ -53,7 +53,7 @@ class Scripted:
 
 
 class Bench:
-    """A camera on a clock of its own, 0.1 s a picture."""
+    """A camera on a clock of its own, 0.1 s an image."""
 
     def __init__(self, pairs: list[Pair | None]) -> None:
         self.t, self.source = 100.0, Scripted(pairs)
@@ -71,24 +71,24 @@ class Bench:
 
 
 def test_stamps_and_rate() -> None:
-    bench = Bench([(picture(n), picture(n + 50)) for n in range(5)])
+    bench = Bench([(image(n), image(n + 50)) for n in range(5)])
     frames = [bench.read() for _ in range(5)]
     assert [f.index for f in frames] == [0, 1, 2, 3, 4]
     assert [f.t_arrival - f.t for f in frames] == pytest.approx([0.035] * 5)
     assert bench.camera.fps == pytest.approx(10.0)
-    assert np.array_equal(frames[2].right, picture(52))
+    assert np.array_equal(frames[2].right, image(52))
 
 
 def test_a_dark_side_is_none_and_told_once() -> None:
-    pairs: list[Pair | None] = [(picture(n), BLACK) for n in range(3)]
-    bench = Bench([*pairs, (picture(9), picture(10))])
+    pairs: list[Pair | None] = [(image(n), BLACK) for n in range(3)]
+    bench = Bench([*pairs, (image(9), image(10))])
     frames = [bench.read() for _ in range(4)]
     assert [f.right is None for f in frames] == [True, True, True, False]
     assert all(f.left is not None for f in frames)
     assert [t for t in bench.texts if "black" in t] == [
-        "The right camera's picture is black: is the lens covered?"
+        "The right camera's image is black: is the lens covered?"
     ]
-    assert bench.texts[-1] == "The right camera's picture is back."
+    assert bench.texts[-1] == "The right camera's image is back."
 
 
 def test_both_dark_gives_no_frame() -> None:
@@ -96,38 +96,38 @@ def test_both_dark_gives_no_frame() -> None:
     assert bench.read() is None
 
 
-def test_frozen_pictures_are_left_out() -> None:
-    bench = Bench([(picture(1), picture(n)) for n in range(10)])
+def test_frozen_images_are_left_out() -> None:
+    bench = Bench([(image(1), image(n)) for n in range(10)])
     frames = [bench.read() for _ in range(10)]
     assert frames[0] is not None
     assert frames[1:] == [None] * 9
     assert bench.camera.repeated == 9
-    assert sum("left camera's picture is frozen" in t for t in bench.texts) == 1
+    assert sum("left camera's image is frozen" in t for t in bench.texts) == 1
 
 
 def test_unplugged_and_back() -> None:
-    bench = Bench([(picture(0), picture(1)), None])
+    bench = Bench([(image(0), image(1)), None])
     assert bench.read() is not None
     assert bench.read() is None
     bench.source.plugged = False
     for _ in range(30):
         assert bench.read() is None
     bench.source.plugged = True
-    bench.source.pairs = [(picture(n), picture(n + 50)) for n in range(20)]
+    bench.source.pairs = [(image(n), image(n + 50)) for n in range(20)]
     start = bench.t
     while bench.read() is None:
         assert bench.t - start < 1.3
     assert bench.source.opened == 2
     assert bench.texts == [
         "The camera bench is connected.",
-        "The camera bench gives no pictures; waiting for it.",
+        "The camera bench gives no images; waiting for it.",
         "The camera bench cannot be opened.",
         "The camera bench is connected.",
     ]
 
 
 def test_wrong_size_is_refused_in_words() -> None:
-    bench = Bench([(picture(0)[:40], picture(1))])
+    bench = Bench([(image(0)[:40], image(1))])
     assert bench.read() is None
     assert "64 by 40 pixels, but the calibration is for 64 by 48" in bench.texts[-1]
 
@@ -187,22 +187,22 @@ def test_two_captures_stay_apart(tmp_path: Path) -> None:
 def test_image_sequence(tmp_path: Path) -> None:
     paths = [tmp_path / f"{n}.png" for n in range(4)]
     for n, path in enumerate(paths):
-        cv2.imwrite(str(path), picture(n))
+        cv2.imwrite(str(path), image(n))
     source = SequenceInput(paths[:2], paths[2:])
     pairs = [source.read(), source.read()]
     assert all(p is not None for p in pairs)
-    assert np.array_equal(pairs[1][1], picture(3))
+    assert np.array_equal(pairs[1][1], image(3))
     assert source.read() is None
     with pytest.raises(DeviceError, match="2 left and 1 right"):
         SequenceInput(paths[:2], paths[:1])
-    paths[0].write_text("no picture")
+    paths[0].write_text("no image")
     source.open()
-    with pytest.raises(DeviceError, match="no picture that can be read"):
+    with pytest.raises(DeviceError, match="no image that can be read"):
         source.read()
 
 
 class Mjpeg(BaseHTTPRequestHandler):
-    """Ten JPEG pictures as multipart/x-mixed-replace, then the end."""
+    """Ten JPEG images as multipart/x-mixed-replace, then the end."""
 
     def do_GET(self) -> None:
         self.send_response(200)

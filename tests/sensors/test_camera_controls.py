@@ -44,7 +44,7 @@ class Driver:
 
 
 class Input:
-    """A picture input on drivers; remembers the thread in which they are touched."""
+    """An image input on drivers; remembers the thread in which they are touched."""
 
     live, name, fps = True, "camera", 30.0
 
@@ -57,8 +57,8 @@ class Input:
         self.is_open = True
 
     def read(self):
-        picture = np.zeros((2, 2, 3), np.uint8)
-        return picture, picture
+        image = np.zeros((2, 2, 3), np.uint8)
+        return image, image
 
     def captures(self):
         self.threads.add(threading.get_ident())
@@ -91,7 +91,7 @@ def test_a_lock_switches_the_automatic_off_and_is_lifted_again():
     assert by_name(source)["exposure"].locked and by_name(source)["exposure"].value == 157
     assert driver.values[cv2.CAP_PROP_AUTO_WB] == 1.0
     source.want(Locks(white_balance=5000.0))
-    assert driver.values[cv2.CAP_PROP_AUTO_WB] == 1.0  # not before the next picture
+    assert driver.values[cv2.CAP_PROP_AUTO_WB] == 1.0  # not before the next image
     source.read()
     assert driver.values[cv2.CAP_PROP_AUTO_EXPOSURE] == 3.0
     assert driver.values[cv2.CAP_PROP_WB_TEMPERATURE] == 5000.0

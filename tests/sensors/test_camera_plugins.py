@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.camera_choice import choose
-from app.settings import Settings
+from app.engines.camera_choice import choose
+from app.storage.settings import Settings
 from tests.conftest import ROOT
 from tracker.errors import DeviceError
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.camera_plugins import all_cameras, open_plugin, plugin_cameras
-from tracker.sensors.picture_input import CaptureFormat
+from tracker.sensors.image_input import CaptureFormat
 from tracker.vision.rig import ideal_rig
 
 EXAMPLE = ROOT / "docs" / "examples" / "glovetrack-folder-camera"
@@ -39,7 +39,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def folder(site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Three pictures in a folder that the installed plug-in knows."""
+    """Three images in a folder that the installed plug-in knows."""
     monkeypatch.syspath_prepend(str(site))
     monkeypatch.setenv("GLOVETRACK_FOLDER_CAMERAS", str(tmp_path))
     rng = np.random.default_rng(1)
@@ -50,7 +50,7 @@ def folder(site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Itera
     sys.modules.pop("glovetrack_folder_camera", None)
 
 
-def test_its_camera_is_among_all_and_gives_pictures(folder: Path) -> None:
+def test_its_camera_is_among_all_and_gives_images(folder: Path) -> None:
     (camera,) = [c for c in all_cameras() if c.path.startswith("folder://")]
     assert camera.name == f"Folder {folder.name}"
     t = [0.0]
@@ -79,7 +79,7 @@ def test_what_is_wrong_with_a_plugin_is_said(folder: Path, caplog) -> None:
     with pytest.raises(DeviceError, match="There is no camera plug-in realsense"):
         open_plugin("realsense://1", WANT)
     (folder / "site").mkdir()
-    with pytest.raises(DeviceError, match="no pictures in"):
+    with pytest.raises(DeviceError, match="no images in"):
         open_plugin(f"folder://{folder / 'site'}", WANT).open()
     module = sys.modules["glovetrack_folder_camera"]
     module.FolderDriver.cameras = lambda self: 1 / 0  # type: ignore[attr-defined]

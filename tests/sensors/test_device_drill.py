@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tracker.cli import main
-from tracker.evaluation.fault_drill import FAULTS, DrillParams, DrillReport, drill
+from tracker.evaluation.faults.drill import FAULTS, DrillParams, DrillReport, drill
 
 QUICK = DrillParams(fps=15.0, shortest=0.1, longest=0.7, rest_longest=0.3)
 
@@ -28,12 +28,12 @@ def test_nothing_wrong_is_shown_in_silence(report: DrillReport) -> None:
 @pytest.mark.parametrize(
     "words",
     [
-        "The left and the right picture are swapped",
+        "The left and the right image are swapped",
         "pixels apart in height: a lens has moved",
-        "The pictures have moved against each other",
+        "The images have moved against each other",
         "All markers have jumped",
-        "picture is black",
-        "The camera has given no usable picture",
+        "image is black",
+        "The camera has given no usable image",
         "The glove was unplugged",
         "The glove has restarted",
         "The glove's clock jumped",
@@ -45,8 +45,8 @@ def test_the_log_says_what_happened(report: DrillReport, words: str) -> None:
 
 def test_a_liar_is_caught(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without the watch a swapped or moved camera goes unnoticed, and the drill says so."""
-    monkeypatch.setattr("tracker.vision.rig_watch.RigWatch.usable", lambda self, frame: True)
-    monkeypatch.setattr("tracker.vision.rig_watch.RigWatch.check", lambda self, result: None)
+    monkeypatch.setattr("tracker.online.rig_watch.RigWatch.usable", lambda self, frame: True)
+    monkeypatch.setattr("tracker.online.rig_watch.RigWatch.check", lambda self, result: None)
     lasting = DrillParams(fps=15.0, shortest=0.7, longest=0.8)
     report = drill(2, seed=1, params=lasting, kinds=("lens up", "swapped"))
     assert report.unsaid == {"lens up": 1, "swapped": 1}

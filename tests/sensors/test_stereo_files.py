@@ -99,7 +99,7 @@ def test_real_zed_files(data_folder: Path) -> None:
         assert_triangulates(rig, turn, np.array([-0.120, 0, 0]))
     with pytest.raises(FileError, match="cut short"):
         load_zed(folder / "zed1_orbslam2ros6_spaced_partial.conf")
-    with pytest.raises(FileError, match="no pictures 480"):
+    with pytest.raises(FileError, match="no images 480"):
         load_zed(folder / "SN1010_zed1_factory.conf", 480)
 
 

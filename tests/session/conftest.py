@@ -88,7 +88,7 @@ class MessageMaker:
             index=index,
         )
 
-    def picture(self, ms: float, index: int) -> StereoFrame:
+    def image(self, ms: float, index: int) -> StereoFrame:
         left, right = self.rng.integers(0, 256, (2, 48, 64, 3), dtype=np.uint8)
         return StereoFrame(at(ms), at(ms + 12), left, right, index=index)
 
@@ -113,7 +113,7 @@ class MessageMaker:
         rows[0][1, 1] = np.nan
         return Calibration(at(ms), ("dorsum", "index_proximal"), *rows, 0.183, 0.004)
 
-    def stream(self, duration_ms: int, pictures: bool = True) -> Iterator[Message]:
+    def stream(self, duration_ms: int, images: bool = True) -> Iterator[Message]:
         """A live run: 100 Hz packets, 50 Hz frames, in the order in which they would be fed."""
         waiting: list[BlobFrame] = []
         for k in range(duration_ms // 10):
@@ -124,8 +124,8 @@ class MessageMaker:
             yield sample
             yield self.estimate(ms, lost=k % 20 > 14)
             if k % 2 == 0:
-                if pictures:
-                    yield self.picture(ms + 1, k // 2)
+                if images:
+                    yield self.image(ms + 1, k // 2)
                 waiting.append(self.blob_frame(ms + 1, k // 2))
         yield self.calibration(duration_ms - 10)
         yield Event(at(duration_ms - 5), "note", "grasp ✓", {"object": "cup", "n": 3})

@@ -20,13 +20,13 @@ from pathlib import Path
 from tests.session.conftest import ANCHOR, RESOURCES, MessageMaker
 from tracker.messages import ImuSample
 from tracker.session.description import describe
+from tracker.session.mcap.recover import needs_recovery, recover
 from tracker.session.reader import SessionReader
-from tracker.session.recover import needs_recovery, recover
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.vision.rig import ideal_rig
 
 PERIOD_MS = 10.0
-PICTURES = ("none", "jpeg", "png")
+IMAGES = ("none", "jpeg", "png")
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Kill:
     gaps: int
 
 
-def victim(path: Path, pictures: str, written: c_long) -> None:
+def victim(path: Path, images: str, written: c_long) -> None:
     """Records for ever, as fast as it can; ``written`` is the last packet handed over."""
     info = describe(
         (RESOURCES / "hands" / "reference-right.toml").read_text(),
@@ -47,13 +47,13 @@ def victim(path: Path, pictures: str, written: c_long) -> None:
         rig=ideal_rig(64, 48),
     )
     maker = MessageMaker(info)
-    with SessionRecorder(path, info, RecorderParams(pictures=pictures)) as recorder:
+    with SessionRecorder(path, info, RecorderParams(images=images)) as recorder:
         for k in itertools.count():
             recorder.write(maker.imu(PERIOD_MS * k, seq=k))
             recorder.write(maker.estimate(PERIOD_MS * k))
             if k % 3 == 0:
                 recorder.write(maker.blob_frame(PERIOD_MS * k, k))
-                recorder.write(maker.picture(PERIOD_MS * k, k))
+                recorder.write(maker.image(PERIOD_MS * k, k))
             written.value = k
 
 
@@ -67,7 +67,7 @@ def drill(folder: Path, kills: int, seed: int) -> list[Kill]:
     for n in range(kills):
         # Without a lock, which a process killed at the wrong moment would hold for ever.
         path, written = folder / f"{n}.mcap", context.Value(c_long, -1, lock=False)
-        process = context.Process(target=victim, args=(path, PICTURES[n % 3], written))
+        process = context.Process(target=victim, args=(path, IMAGES[n % 3], written))
         process.start()
         while written.value < 0 and process.is_alive():
             time.sleep(0.002)

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from tracker.messages import Blobs
-from tracker.session import ros_motion as motion
-from tracker.session import ros_sensors as sensors
-from tracker.session.cdr import CdrError
-from tracker.session.schemas import definition, typestore
+from tracker.session.mcap.schemas import definition, typestore
+from tracker.session.ros import motion, sensors
+from tracker.session.ros.cdr import CdrError
 from tracker.vision.rig import ideal_rig
 
 NS = 1_700_000_000_123_456_789

@@ -93,8 +93,8 @@ def forged(said: object, blob: bytes = b"", size: int | None = None) -> bytes:
     "state",
     [
         {"class": "os:system", "has": {}},
-        {"class": "tracker.fusion.chain:np", "has": {}},
-        {"class": "tracker.fusion.state:ChainState", "has": {"t": 1}},
+        {"class": "tracker.fusion.chain.engine:np", "has": {}},
+        {"class": "tracker.fusion.chain.state:ChainState", "has": {"t": 1}},
         {"enum": "tracker.messages:Tracking", "value": 99},
         {"row": "tracker.messages:Blobs", "has": []},
         {"array": 0, "type": "float64", "shape": [10**9, 10**9], "scalar": False},

@@ -1,4 +1,4 @@
-"""Rates, axes, pictures, copies and what is left out, seen through libraries that are not ours."""
+"""Rates, axes, images, copies and what is left out, seen through libraries that are not ours."""
 
 import csv
 import json
@@ -108,7 +108,7 @@ def test_a_fast_shake_does_not_fold_over_into_a_slow_rate(
 
 @pytest.fixture
 def filmed(tmp_path: Path, maker, session_info) -> Path:
-    """Twenty grey pictures at 50 a second, each brighter than the last, and a still hand."""
+    """Twenty grey images at 50 a second, each brighter than the last, and a still hand."""
     info = replace(
         session_info,
         rig=replace(
@@ -119,13 +119,13 @@ def filmed(tmp_path: Path, maker, session_info) -> Path:
     with SessionRecorder(tmp_path / "in.mcap", info) as recorder:
         for k in range(20):
             grey = np.full((48, 64, 3), 10 * k, np.uint8)
-            recorder.write(replace(maker.picture(20.0 * k, k), left=grey))
+            recorder.write(replace(maker.image(20.0 * k, k), left=grey))
             recorder.write(replace(still, t=maker.estimate(20.0 * k).t))
     return tmp_path / "in.mcap"
 
 
 def test_png_folder_in_pillow(filmed: Path, tmp_path: Path) -> None:
-    out = tmp_path / "pictures"
+    out = tmp_path / "images"
     assert main(["export", str(filmed), "--format", "png", "-o", str(out), "--every", "4"]) == 0
     names = sorted(p.name for p in out.glob("*.png"))
     assert names == [f"{k:06d}.png" for k in range(5)]
@@ -133,10 +133,10 @@ def test_png_folder_in_pillow(filmed: Path, tmp_path: Path) -> None:
         rows = list(csv.DictReader(file))
     assert [r["file"] for r in rows] == names
     assert float(rows[1]["t"]) - float(rows[0]["t"]) == pytest.approx(0.08, abs=1e-6)
-    with Image.open(out / names[2]) as picture:
-        assert picture.size == (64, 48)
-        assert np.median(np.asarray(picture)) == pytest.approx(80, abs=4)
-    assert json.loads((tmp_path / "pictures.json").read_text())["pictures"] == 5
+    with Image.open(out / names[2]) as image:
+        assert image.size == (64, 48)
+        assert np.median(np.asarray(image)) == pytest.approx(80, abs=4)
+    assert json.loads((tmp_path / "images.json").read_text())["images"] == 5
     with pytest.raises(FileError, match="exists already"):
         export(filmed, "png", out)
     assert not list(tmp_path.glob(".*.part"))
@@ -155,7 +155,7 @@ def test_a_film_at_another_rate_lasts_as_long(
 def test_a_part_of_the_session_in_rosbags(tmp_path: Path, maker, session_info) -> None:
     source, out = tmp_path / "in.mcap", tmp_path / "part.mcap"
     with SessionRecorder(source, session_info) as recorder:
-        for m in maker.stream(2000, pictures=False):
+        for m in maker.stream(2000, images=False):
             recorder.write(m)
         recorder.write(Event(maker.imu(1000).t, "note", "Anna says hello"))
     options = ExportOptions(start=0.5, stop=1.0, anonymous=("participant", "notes"))

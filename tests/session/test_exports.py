@@ -190,7 +190,7 @@ def test_mp4_in_opencv(tmp_path: Path, record: Callable[..., Path], maker, sessi
     keypoints = info.glove.keypoint_positions(hand, R, p)
     with SessionRecorder(tmp_path / "in.mcap", info) as recorder:
         for k in range(10):
-            frame = maker.picture(20.0 * k, k)
+            frame = maker.image(20.0 * k, k)
             recorder.write(replace(frame, left=np.zeros((48, 64, 3), np.uint8)))
             recorder.write(replace(maker.estimate(20.0 * k), keypoints=keypoints))
     export(tmp_path / "in.mcap", "mp4", tmp_path / "o.mp4")
@@ -268,9 +268,8 @@ def test_the_command_exports(tracked, tmp_path: Path) -> None:
 
 def test_foreign_sessions_are_grouped_by_instant(tmp_path: Path, session_info, maker) -> None:
     """Topics of a stranger: no packets, no metadata, stamps that differ by IMU, late arrival."""
-    from tracker.session import ros_sensors as sensors
-    from tracker.session import topics
-    from tracker.session.container import McapOutput
+    from tracker.session.mcap.container import McapOutput
+    from tracker.session.ros import sensors, topics
 
     out = McapOutput(tmp_path / "f.mcap", "zstd", sync=False)
     for name, text in session_info.attachments().items():

@@ -21,8 +21,8 @@ from tracker.messages import (
     Tracking,
     Validity,
 )
+from tracker.session.mcap.schemas import typestore
 from tracker.session.reader import SessionReader
-from tracker.session.schemas import typestore
 from tracker.session.writer import SessionRecorder
 
 RESOURCES = Path(__file__).resolve().parents[2] / "resources"
@@ -175,11 +175,11 @@ def test_truth_is_kept_apart(tmp_path: Path, session_info, maker) -> None:
     assert np.array_equal(other.keypoints, estimate.keypoints)
 
 
-def test_jpeg_pictures_return_nearly(tmp_path: Path, record: Record, maker) -> None:
-    frame = maker.picture(0, 0)
+def test_jpeg_images_return_nearly(tmp_path: Path, record: Record, maker) -> None:
+    frame = maker.image(0, 0)
     smooth = np.broadcast_to(np.arange(64, dtype=np.uint8)[None, :, None] * 3, (48, 64, 3)).copy()
     frame = replace(frame, left=smooth, right=None)
-    path = record(tmp_path / "a.mcap", [frame], pictures="jpeg", jpeg_quality=95)
+    path = record(tmp_path / "a.mcap", [frame], images="jpeg", jpeg_quality=95)
     with SessionReader(path) as reader:
         (found,) = reader.messages([StereoFrame])
     assert found.right is None

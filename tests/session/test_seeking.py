@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tracker.messages import Estimate, ImuSample, Message, StereoFrame
-from tracker.session.mcap_input import McapInput
+from tracker.session.mcap.input import McapInput
 from tracker.session.reader import SessionReader
 
 KINDS = (ImuSample, StereoFrame, Estimate)
@@ -30,7 +30,7 @@ def count_bytes(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
 
 def session(path: Path, record: Callable[..., Path], maker, duration_ms: int) -> Path:
-    return record(path, list(maker.stream(duration_ms)), pictures="jpeg")
+    return record(path, list(maker.stream(duration_ms)), images="jpeg")
 
 
 def cost(reader: SessionReader, read: list[int], share: float) -> int:

@@ -16,13 +16,13 @@ from tests.session.kill_drill import drill
 from tracker.cli import main
 from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Estimate, ImuSample
-from tracker.session import disk
 from tracker.session.compare import compare
-from tracker.session.container import McapOutput
-from tracker.session.mcap_input import McapInput
-from tracker.session.ordering import ordered
+from tracker.session.mcap import disk
+from tracker.session.mcap.container import McapOutput
+from tracker.session.mcap.input import McapInput
+from tracker.session.mcap.ordering import ordered
+from tracker.session.mcap.recover import recover
 from tracker.session.reader import SessionReader
-from tracker.session.recover import recover
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import SessionRecorder
 
@@ -31,7 +31,7 @@ Record = Callable[..., Path]
 
 @pytest.fixture
 def session(tmp_path: Path, record: Record, maker) -> Path:
-    return record(tmp_path / "a.mcap", list(maker.stream(1500, pictures=False)))
+    return record(tmp_path / "a.mcap", list(maker.stream(1500, images=False)))
 
 
 def test_a_killed_recording_loses_less_than_half_a_second(tmp_path: Path) -> None:
@@ -106,7 +106,7 @@ def test_a_chunk_that_admits_to_swell_is_not_unpacked(
         packed = lz4.frame.compress(zeros)
     else:
         packed = zstandard.ZstdCompressor().compress(zeros)
-    monkeypatch.setattr("tracker.session.mcap_input.decompress", lambda *_: pytest.fail("unpacked"))
+    monkeypatch.setattr("tracker.session.mcap.input.decompress", lambda *_: pytest.fail("unpacked"))
     body = struct.pack("<QQQII", 0, 1, size, 0, len(kind)) + kind.encode()
     body += struct.pack("<Q", len(packed)) + packed
     path = tmp_path / "bomb.mcap"
@@ -190,12 +190,12 @@ def test_a_full_disk_leaves_whole_chunks(tmp_path: Path, session_info, maker, mo
         recorder.write(maker.imu(0))
 
 
-def test_overload_costs_pictures_and_nothing_else(tmp_path: Path, session_info, maker) -> None:
+def test_overload_costs_images_and_nothing_else(tmp_path: Path, session_info, maker) -> None:
     path = tmp_path / "a.mcap"
     with SessionRecorder(path, session_info) as recorder:
         for k in range(20):
             recorder.write(maker.imu(10.0 * k, k), overloaded=True)
-            recorder.write(maker.picture(10.0 * k, k), overloaded=k % 2 == 0)
+            recorder.write(maker.image(10.0 * k, k), overloaded=k % 2 == 0)
         assert (recorder.status.frames, recorder.status.frames_thinned) == (10, 10)
     with SessionReader(path) as reader:
         kinds = [type(m).__name__ for m in reader.messages()]
@@ -208,7 +208,7 @@ def test_verify_finds_gaps_jumps_and_missing_topics(tmp_path: Path, record: Reco
     said = " ".join(f"{f.where} {f.what}" for f in found)
     assert "gaps, the longest 0.810 s" in said
     assert "no message of this IMU" in said
-    assert "neither pictures nor blobs" in said
+    assert "neither images nor blobs" in said
     assert is_ok(found)
 
 

@@ -17,7 +17,7 @@ SPEC = DemoSpec(
 )
 
 
-def test_pictures_come_in_time_and_are_those_of_the_simulation() -> None:
+def test_images_come_in_time_and_are_those_of_the_simulation() -> None:
     camera = SimulatedCamera(SPEC)
     try:
         assert camera.wait_ready(60.0)

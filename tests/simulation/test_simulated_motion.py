@@ -76,7 +76,7 @@ def test_motion_is_the_same_in_any_order(hand: HandModel) -> None:
     assert not np.allclose(one.angles, RandomPostures(hand, 9).poses(t).angles)
 
 
-def test_leaving_is_out_of_both_pictures_just_in_the_span(hand: HandModel) -> None:
+def test_leaving_is_out_of_both_images_just_in_the_span(hand: HandModel) -> None:
     motion = RandomPostures(hand, 4, duration=20)
     away = leaving(motion, ((5.0, 10.0),))
     p_C = (away.poses(np.array([3.0, 5.0, 7.5, 10.0, 12.0])).p_GB - default_pose().p_GC) @ (

@@ -46,7 +46,7 @@ def test_feed_is_the_same_again(simulation: Simulation, hand: HandModel, glove: 
 
 
 def test_stereo_blobs_triangulate_to_true_markers(simulation: Simulation) -> None:
-    """Rows agree in both pictures and the points lie on the wearer's true markers."""
+    """Rows agree in both images and the points lie on the wearer's true markers."""
     t = 1.0
     now, rig = simulation.scene.instant(t), simulation.rig
     left, right = (simulation.scene.markers_seen(now, side) for side in (False, True))
@@ -69,7 +69,7 @@ def test_truth_is_the_wearers_hand(simulation: Simulation, glove: GloveModel) ->
     assert size == pytest.approx(0.082, rel=0.15)
 
 
-def test_pictures_come_as_stereo_frames(simulation: Simulation) -> None:
+def test_images_come_as_stereo_frames(simulation: Simulation) -> None:
     frame = next(iter(simulation.frames(images=True)))
     assert isinstance(frame, StereoFrame)
     assert frame.left is not None and frame.left.shape == (720, 1280, 3)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tracker.evaluation.bench_matching import hand_points, ours, right
+from tests.benchmarks.matching import hand_points, ours, right
 from tracker.messages import CameraPose
 from tracker.vision.correspondence import TranslationParams, match_translation
 from tracker.vision.cpd import parallax_em, translation_em

@@ -120,7 +120,7 @@ def test_all_patches_are_found_with_a_tenth_of_a_pixel(stride: int) -> None:
 
 
 def test_the_memory_kept_between_calls_changes_nothing() -> None:
-    """Through the numbers of a byte and round again, with another hand's picture in between."""
+    """Through the numbers of a byte and round again, with another hand's image in between."""
     rng, detector = np.random.default_rng(11), Detector(FOUR)
     images = [draw(random_shapes(rng, 40)) for _ in range(2)]
     fresh = [Detector(FOUR).detect(image)[0] for image in images]
@@ -292,7 +292,7 @@ def test_frame_keeps_its_stamps_and_a_dark_side(detector: Detector) -> None:
     assert got.right is None
 
 
-def test_detection_is_repeatable_and_leaves_the_picture_alone(detector: Detector) -> None:
+def test_detection_is_repeatable_and_leaves_the_image_alone(detector: Detector) -> None:
     image = draw(random_shapes(np.random.default_rng(1), 40))
     before = image.copy()
     first, second = detector.detect(image)[0], detector.detect(image)[0]
@@ -301,12 +301,12 @@ def test_detection_is_repeatable_and_leaves_the_picture_alone(detector: Detector
 
 
 @pytest.mark.parametrize("bad", [np.zeros((4, 4), np.uint8), np.zeros((4, 4, 3), np.float32)])
-def test_picture_of_a_wrong_kind_is_refused(detector: Detector, bad) -> None:
+def test_image_of_a_wrong_kind_is_refused(detector: Detector, bad) -> None:
     with pytest.raises(GlovetrackError, match="8 bits a channel"):
         detector.detect(bad)
 
 
-def test_picture_of_one_pixel(detector: Detector) -> None:
+def test_image_of_one_pixel(detector: Detector) -> None:
     assert len(detector.detect(np.full((1, 1, 3), 200, np.uint8))[0]) == 0
 
 
@@ -318,7 +318,7 @@ def test_too_many_hues_are_refused() -> None:
 
 @pytest.mark.data
 def test_photographs_take_no_marker_away(detector: Detector, data_folder) -> None:
-    """Patches pasted on real pictures: as many found as plain drawing finds, save merged ones."""
+    """Patches pasted on real images: as many found as plain drawing finds, save merged ones."""
     shapes = random_shapes(np.random.default_rng(5), 40)
     found = total = 0
     for path in sorted((data_folder / "photos" / "skimage").glob("*.png"))[:3]:

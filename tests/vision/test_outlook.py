@@ -1,4 +1,4 @@
-"""What is expected of a picture, and how little of it then has to be searched."""
+"""What is expected of an image, and how little of it then has to be searched."""
 
 from dataclasses import replace
 
@@ -31,7 +31,7 @@ def outlook(t: float = 1.0, v: float = 0.0) -> Outlook:
     )
 
 
-def test_places_and_hues_are_those_of_the_pictures() -> None:
+def test_places_and_hues_are_those_of_the_images() -> None:
     left, right = outlook().hints(RIG, 1.0, RIG.pose, ("red", "green", "blue"))
     assert left.uv[0] == pytest.approx([RIG.cx, RIG.cy])
     assert left.uv[1] == pytest.approx([RIG.cx + RIG.fx * 0.05 / 0.4, RIG.cy])
@@ -55,7 +55,7 @@ def test_speed_is_taken_from_the_outlook_before() -> None:
     assert np.all(second.after(None).v_G == 0)
 
 
-def test_every_sixth_picture_is_searched_whole() -> None:
+def test_every_sixth_image_is_searched_whole() -> None:
     plan = SearchPlan(every=6)
     whole = [
         plan.hints(outlook(0.01 * k), RIG, 0.01 * k, None, ("red",)) is None for k in range(18)
@@ -63,7 +63,7 @@ def test_every_sixth_picture_is_searched_whole() -> None:
     assert [k for k in range(18) if whole[k]] == [5, 11, 17]
 
 
-def test_whole_pictures_while_nothing_is_sure() -> None:
+def test_whole_images_while_nothing_is_sure() -> None:
     plan = SearchPlan()
     assert plan.hints(None, RIG, 1.0, None, ("red",)) is None
     assert plan.hints(outlook(1.0), RIG, 1.2, None, ("red",)) is None  # too old
@@ -96,7 +96,7 @@ def found(blobs: Blobs, markers: Array) -> set[tuple[float, float]]:
     return {(round(u, 6), round(v, 6)) for u, v in blobs.uv[d.min(axis=1) < 4].tolist()}
 
 
-def test_regions_find_what_the_whole_picture_shows(sim: Simulation) -> None:
+def test_regions_find_what_the_whole_image_shows(sim: Simulation) -> None:
     """A tracked hand: from the engine's outlook, marker for marker what a whole search finds."""
     pipeline, seen = Pipeline(sim.hand, sim.glove, sim.rig), None
     detector = Detector(profile(sim), fx=sim.rig.fx)

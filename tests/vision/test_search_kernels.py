@@ -1,4 +1,4 @@
-"""The detector's kernels beside plain numpy and OpenCV on pictures of random coloured noise."""
+"""The detector's kernels beside plain numpy and OpenCV on images of random coloured noise."""
 
 from dataclasses import replace
 
@@ -56,7 +56,7 @@ def broad(mask: np.ndarray) -> np.ndarray:
 def regions(classes: np.ndarray, seeds: np.ndarray) -> set[tuple[int, int, int]]:
     """Hue, area and sum of columns of the regions that a seed meets, as OpenCV labels them.
 
-    A seed that no square of 2 x 2 px of its hue holds meets none, but at the picture's edge.
+    A seed that no square of 2 x 2 px of its hue holds meets none, but at the image's edge.
     """
     inner = np.pad(np.ones(np.subtract(classes.shape, 2), bool), 1)
     out = set()

@@ -10,7 +10,7 @@ from tracker.vision.visibility import HandShape, visibility
 
 @pytest.fixture(scope="module")
 def prior_and_truth(hand, glove) -> tuple[np.ndarray, np.ndarray]:
-    """Prior and visibility of every marker in both pictures, 40 instants."""
+    """Prior and visibility of every marker in both images, 40 instants."""
     simulation = Simulation(hand, glove, RandomPostures(hand, 2, duration=60.0), 2)
     wearer, scene = simulation.wearer, simulation.scene
     prior, seen = [], []

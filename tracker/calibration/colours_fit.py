@@ -1,4 +1,4 @@
-"""Fitting a colour profile to the light in a room: from one picture, from samples, by eyedropper.
+"""Fitting a colour profile to the light in a room: from one image, from samples, by eyedropper.
 
 All in OpenCV's HSV: hue 0..179 on a circle, saturation and value 0..255.
 """
@@ -30,7 +30,7 @@ class FitParams:
     dimmest: float = 0.45  # of the least value: how dark the same cloth is when it turns away
     half_width: int = 11  # of a fitted hue, at most
     least_area_px: float = 20.0
-    largest_share: float = 0.02  # of the picture, for a patch
+    largest_share: float = 0.02  # of the image, for a patch
     roundness: float = 0.5  # 4 pi area / perimeter²
     nearest_hue: int = 14  # how far a cluster may be from the hue it replaces
     least_patches: int = 1
@@ -140,10 +140,10 @@ class FoundHue:
     pixels: int
 
 
-def fit_picture(
+def fit_image(
     image: Image, profile: ColourProfile, params: FitParams | None = None
 ) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
-    """A profile fitted to a BGR picture of the glove; hues that it does not show are kept.
+    """A profile fitted to a BGR image of the glove; hues that it does not show are kept.
 
     Patches are looked for among all saturated pixels, whatever their hue, and given to the hue of
     the profile that is nearest. The ranges never overlap in hue: neighbours share the gap.
@@ -265,7 +265,7 @@ def parted(hues: tuple[HueRange, ...]) -> tuple[HueRange, ...]:
 class Clash:
     """``hue`` shares colours with ``other`` (another hue's name, or "room"); share in 0..1.
 
-    Of two hues: the share of the narrower interval. Of the room: the share of the picture's pixels.
+    Of two hues: the share of the narrower interval. Of the room: the share of the image's pixels.
     """
 
     hue: str
@@ -289,7 +289,7 @@ def clashes(profile: ColourProfile) -> tuple[Clash, ...]:
 def room_clashes(
     empty_room: Image, profile: ColourProfile, least_share: float = 1e-4
 ) -> tuple[Clash, ...]:
-    """Hues that a BGR picture without the glove already shows, worst first."""
+    """Hues that a BGR image without the glove already shows, worst first."""
     hsv = np.asarray(cv2.cvtColor(empty_room, cv2.COLOR_BGR2HSV), np.uint8)
     shares = [Clash(h.name, "room", float(h.contains(hsv).mean())) for h in profile.hues]
     worst = sorted(shares, key=lambda c: -c.share)

@@ -1,4 +1,4 @@
-"""Fitting a colour profile to the markers that are being tracked: no picture has to be labelled.
+"""Fitting a colour profile to the markers that are being tracked: no image has to be labelled.
 
 The tracker knows which marker stands where, so every patch labels its own pixels. Where the profile
 misses the patches of a hue (the light has changed) the places where its markers are expected serve.
@@ -28,7 +28,7 @@ from tracker.vision.colours import HUES, ColourProfile
 
 @dataclass(frozen=True)
 class MarkerFitParams:
-    """Which discs of a picture are taken for cloth, and how ranges are drawn around them."""
+    """Which discs of an image are taken for cloth, and how ranges are drawn around them."""
 
     core: float = 0.35  # of a blob's extent: radius of the disc that is surely cloth
     least_visible: float = 0.6  # for a marker that no blob was matched with
@@ -43,7 +43,7 @@ class MarkerFitParams:
 
 @dataclass(frozen=True, eq=False)
 class SeenSide:
-    """One picture: BGR image, blobs found, the blob of each marker (-1), where each is expected.
+    """One image: BGR image, blobs found, the blob of each marker (-1), where each is expected.
 
     ``cov`` (M, 2, 2) px² of the expected place; NaN where it is not known for this side.
     """
@@ -61,7 +61,7 @@ def seen_sides(
     blobs: tuple[Blobs | None, Blobs | None],
     result: FrameResult,
 ) -> tuple[SeenSide, ...]:
-    """The sides of an exposure of which there are a picture and blobs."""
+    """The sides of an exposure of which there are an image and blobs."""
     unknown = np.full_like(result.predicted_cov, np.nan)
     sides = (
         (left, blobs[0], result.match_left, result.predicted_left, result.predicted_cov),
@@ -139,7 +139,7 @@ def _take_side(
     glove: GloveModel,
     params: MarkerFitParams,
 ) -> None:
-    """Add the discs of one picture to those of their hues."""
+    """Add the discs of one image to those of their hues."""
     matched = np.flatnonzero(side.match >= 0)
     if len(matched) == 0:
         return
@@ -163,7 +163,7 @@ def _is_sure(cov: Array, limit: float) -> bool:
 
 
 def disc_pixels(image: Image, uv: Array, radius: float) -> NDArray[np.uint8]:
-    """HSV pixels (n, 3) of a BGR picture within ``radius`` px of ``uv`` (2,); none outside it."""
+    """HSV pixels (n, 3) of a BGR image within ``radius`` px of ``uv`` (2,); none outside it."""
     height, width = image.shape[:2]
     reach = int(np.ceil(radius))
     column, row = (round(float(x)) for x in uv)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from tracker.evaluation.fault_command import add_evaluate_faults
-from tracker.evaluation.inertial_commands import add_evaluate_inertial
-from tracker.evaluation.vist_command import add_evaluate_vist
+from tracker.evaluation.faults.command import add_evaluate_faults
+from tracker.evaluation.inertial.commands import add_evaluate_inertial
+from tracker.evaluation.vist.command import add_evaluate_vist
 
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

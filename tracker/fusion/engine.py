@@ -25,7 +25,7 @@ class Engine(Protocol):
         """Take what was seen; processed once IMU data cover its exposure."""
 
     def take_results(self) -> list[FrameResult]:
-        """What was made of pictures since the last call, oldest first."""
+        """What was made of images since the last call, oldest first."""
 
     def predict(self, t: float) -> Estimate:
         """The hand at any instant near now. Moves nothing."""

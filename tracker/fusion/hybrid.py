@@ -14,11 +14,10 @@ from typing import Any
 import numpy as np
 
 from tracker.errors import ConfigError
-from tracker.fusion.chain import SEEN_LATELY, ChainEngine
-from tracker.fusion.health import ImuHealth
-from tracker.fusion.layout import ChainLayout
-from tracker.fusion.output import HandOutput, Sensed
-from tracker.fusion.params import ChainParams
+from tracker.fusion.chain.engine import SEEN_LATELY, ChainEngine
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.inertial.finger3d import FingerEstimator3D, ImuPair, finger_geometry, finger_pairs
@@ -33,6 +32,7 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
+from tracker.online.imu_health import ImuHealth
 from tracker.vision.rig import StereoRig
 
 MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings

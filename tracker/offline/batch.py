@@ -9,8 +9,8 @@ from typing import Any
 
 from tracker.errors import ConfigError
 from tracker.offline.track import TrackOptions, TrackReport, track
-from tracker.session.disk import disk_error
 from tracker.session.folders import sessions_in
+from tracker.session.mcap.disk import disk_error
 from tracker.workers import (
     Outcome,
     Task,

@@ -31,7 +31,7 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=float, default=60.0)
     parser.add_argument("--glove", default="vist-small", help="name or file")
     parser.add_argument("--hand", default="", help="name or file; the glove's own if not given")
-    parser.add_argument("--blobs-only", action="store_true", help="blobs instead of pictures")
+    parser.add_argument("--blobs-only", action="store_true", help="blobs instead of images")
     parser.add_argument(
         "--camera",
         choices=("stand", "head", "head-imu"),
@@ -51,7 +51,7 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--glove", default="", help="name or file")
     parser.add_argument("--colours", default="", help="name or file")
     parser.add_argument(
-        "--lenses", default="", choices=("left", "right"), help="use the pictures of one lens alone"
+        "--lenses", default="", choices=("left", "right"), help="use the images of one lens alone"
     )
     parser.add_argument("--smooth", action="store_true", help="use what comes later, too")
     parser.add_argument("--with-sensors", action="store_true", help="copy the sensor topics too")
@@ -71,7 +71,7 @@ def _simulate(args: argparse.Namespace) -> int:
         seed=args.seed,
         duration=args.duration,
         fps=args.fps,
-        pictures=not args.blobs_only,
+        images=not args.blobs_only,
         camera=args.camera,
     )
     simulate(args.out, options, progress_line("simulating"))
@@ -120,7 +120,7 @@ def _track_many(args: argparse.Namespace, jobs: Sequence[Job], options: TrackOpt
 def _summary(report: dict[str, Any]) -> str:
     text = (
         f"{report['estimates']} estimates over {report['duration_s']:.1f} s in "
-        f"{report['wall_s']:.1f} s, {report['frames']} pictures, lost for {report['lost_s']:.1f} s"
+        f"{report['wall_s']:.1f} s, {report['frames']} images, lost for {report['lost_s']:.1f} s"
     )
     if "error_mm" in report:
         text += f", mean error {report['error_mm']['mean']:.1f} mm"

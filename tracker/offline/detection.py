@@ -1,4 +1,4 @@
-"""Pictures of a session searched ahead of the engine, on a few threads."""
+"""Images of a session searched ahead of the engine, on a few threads."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ from concurrent.futures import Future, ThreadPoolExecutor
 
 from tracker.messages import BlobFrame, CameraImuSample, ImuSample
 from tracker.session.decode import Decoded
-from tracker.session.pictures import PackedFrame
+from tracker.session.images import PackedFrame
 from tracker.vision.detector import Detector, detect_frame
 
 _Packet = ImuSample | CameraImuSample
-AHEAD = 12  # pairs of pictures unpacked before the engine asks for them: 65 MB at 720p
+AHEAD = 12  # pairs of images unpacked before the engine asks for them: 65 MB at 720p
 
 
 def detected(
     messages: Iterable[Decoded], detector: Detector, threads: int, keep: bool = False
 ) -> Iterator[_Packet | PackedFrame | BlobFrame]:
-    """Packets as they are and what is found in the pictures, in the order of ``messages``.
+    """Packets as they are and what is found in the images, in the order of ``messages``.
 
-    With ``keep`` each pair of pictures comes too, before what is found in it.
+    With ``keep`` each pair of images comes too, before what is found in it.
 
-    Unpacking and detection hold no interpreter lock and depend on nothing but their picture, so
+    Unpacking and detection hold no interpreter lock and depend on nothing but their image, so
     the result is the same with any number of ``threads``.
     """
     waiting: deque[_Packet | PackedFrame | Future[BlobFrame]] = deque()
-    pictures = 0
+    images = 0
     pool = ThreadPoolExecutor(threads, "glovetrack-detect")
     try:
         for message in messages:
@@ -34,12 +34,12 @@ def detected(
                 if keep:
                     waiting.append(message)
                 waiting.append(pool.submit(_find, detector, message))
-                pictures += 1
+                images += 1
             elif isinstance(message, ImuSample | CameraImuSample):
                 waiting.append(message)
-            while pictures > AHEAD or (waiting and not isinstance(waiting[0], Future)):
+            while images > AHEAD or (waiting and not isinstance(waiting[0], Future)):
                 first = waiting.popleft()
-                pictures -= isinstance(first, Future)
+                images -= isinstance(first, Future)
                 yield _ready(first)
         yield from map(_ready, waiting)
     finally:

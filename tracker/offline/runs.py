@@ -10,7 +10,6 @@ from typing import Protocol
 import numpy as np
 
 from tracker.errors import FileError
-from tracker.fusion.camera_tilt import CameraTilt
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -22,9 +21,10 @@ from tracker.messages import (
 )
 from tracker.offline.report import Counter, TrackReport, TruthCheck
 from tracker.offline.smooth import Smoother
+from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
 from tracker.session import engine_state
-from tracker.session.pictures import PackedFrame
+from tracker.session.images import PackedFrame
 from tracker.session.writer import SessionRecorder
 from tracker.vision.rig import StereoRig
 

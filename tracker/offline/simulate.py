@@ -34,7 +34,7 @@ class SimulateOptions:
     seed: int = 0
     duration: float = 60.0
     fps: float = 60.0
-    pictures: bool = True
+    images: bool = True
     jpeg_quality: int = 90
     camera: str = "stand"  # or head, head-imu: on the wearer's head, telling its pose or its IMU
 
@@ -83,11 +83,11 @@ def simulate(
 ) -> SessionInfo:
     """Write a simulated session with its truth; ``progress`` hears the share that is done."""
     sim, info = build(options)
-    pictures = "jpeg" if options.pictures else "none"
-    params = RecorderParams(pictures=pictures, jpeg_quality=options.jpeg_quality, sync=False)
+    images = "jpeg" if options.images else "none"
+    params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality, sync=False)
     end = min(sim.duration, options.duration)
     with SessionRecorder(out, info, params) as recorder:
-        for message in sim.messages(images=options.pictures):
+        for message in sim.messages(images=options.images):
             if message.t > end:
                 break
             recorder.write(message)

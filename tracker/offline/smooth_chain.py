@@ -14,15 +14,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
-from tracker.fusion.chain import ChainEngine
-from tracker.fusion.chain_kinematics import segment_positions
-from tracker.fusion.imu_buffer import Intervals
-from tracker.fusion.layout import ChainLayout
-from tracker.fusion.output import Sensed
-from tracker.fusion.params import ChainParams
-from tracker.fusion.pixels import Prediction, SeenBlobs
-from tracker.fusion.propagate import transition
-from tracker.fusion.state import ChainState, inject
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.kinematics import segment_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.pixels import Prediction, SeenBlobs
+from tracker.fusion.chain.propagate import transition
+from tracker.fusion.chain.state import ChainState, inject
+from tracker.fusion.output.output import Sensed
+from tracker.fusion.time.imu_buffer import Intervals
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, CameraPose, Estimate, ImuSample, IntArray, Tracking
@@ -88,7 +88,7 @@ def shown_rows(layout: ChainLayout) -> IntArray:
 def smoothing_params(params: ChainParams) -> ChainParams:
     """The filter's settings as its smoothing needs them.
 
-    What is wrong with a marker's place or with anatomy hardly changes from one picture to the next,
+    What is wrong with a marker's place or with anatomy hardly changes from one image to the next,
     although the filter takes it for new each time. A filter forgets the older ones; smoothing adds
     them all up, and so each has to weigh less. Factors from simulated wearers.
     """
@@ -129,7 +129,7 @@ class TapedChain(ChainEngine):
         return self.tracking != Tracking.SEARCHING and newest is not None and newest.t == sample.t
 
     def come_to_the_end(self) -> None:
-        """Move the filter itself to the newest packet: no picture will come any more."""
+        """Move the filter itself to the newest packet: no image will come any more."""
         newest = self._buffer.newest
         if newest is not None and self.tracking != Tracking.SEARCHING:
             self._advance(newest.t)

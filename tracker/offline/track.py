@@ -15,7 +15,6 @@ import numpy as np
 from tracker import __version__, library
 from tracker.config import from_toml, to_toml
 from tracker.errors import ConfigError, FileError
-from tracker.fusion.camera_tilt import CameraTilt
 from tracker.messages import (
     BlobFrame,
     CameraImuSample,
@@ -27,10 +26,11 @@ from tracker.offline.detection import detected
 from tracker.offline.report import TrackReport, TruthCheck
 from tracker.offline.runs import LiveRun, Output, Run, Sensed, SmoothRun
 from tracker.offline.smooth import Smoother
+from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import ENGINES, Pipeline
-from tracker.session import topics
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
+from tracker.session.ros import topics
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.settings import Settings
 from tracker.toml_reader import read_text
@@ -65,7 +65,7 @@ def track(
 ) -> TrackReport:
     """Track ``source`` again into the new file ``out``.
 
-    ``threads`` search pictures, as many as there are cores unless told; the result is the same.
+    ``threads`` search images, as many as there are cores unless told; the result is the same.
     Raises FileError for a session that lacks what tracking needs.
     """
     options = options or TrackOptions()
@@ -190,7 +190,7 @@ def _messages(
     """Packets and blobs in the order of the live run.
 
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
-    there are none, the pictures are searched.
+    there are none, the images are searched.
     """
     has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
     keep = options.with_sensors
@@ -198,7 +198,7 @@ def _messages(
         kinds = (ImuSample, CameraImuSample, BlobFrame, *((StereoFrame,) if keep else ()))
         return reader.packed_messages(kinds)  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
-        what = "no pictures to try other colours on" if has_blobs else "neither blobs nor pictures"
+        what = "no images to try other colours on" if has_blobs else "neither blobs nor images"
         raise FileError(f"{reader.path} holds {what}.")
     packed = reader.packed_messages((ImuSample, CameraImuSample, StereoFrame))
     return detected(packed, make_detector(profile_of(info), info), threads, keep)

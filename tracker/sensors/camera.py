@@ -10,14 +10,14 @@ from dataclasses import dataclass, field
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import DeviceError
 from tracker.messages import Event, StereoFrame
-from tracker.sensors.picture_input import Image, Pair, PictureInput
-from tracker.sensors.picture_watch import PictureWatch, WatchParams
+from tracker.sensors.image_input import Image, ImageInput, Pair
+from tracker.sensors.image_watch import ImageWatch, WatchParams
 from tracker.vision.rig import StereoRig
 
 
 @dataclass(frozen=True)
 class CameraParams:
-    """``delay``: s from the middle of an exposure to the picture's arrival."""
+    """``delay``: s from the middle of an exposure to the image's arrival."""
 
     delay: float = 0.035
     retry: float = 0.4  # s between attempts to open a camera that is gone
@@ -33,13 +33,13 @@ def monotonic() -> float:
 class StereoCamera:
     """Opens its input when first read, and again whenever it went away.
 
-    A dark side is None in the frame, and a picture that is the last one again is left out: neither
+    A dark side is None in the frame, and an image that is the last one again is left out: neither
     is passed off as a new exposure. Files are paced by their own frame rate.
     """
 
     def __init__(
         self,
-        source: PictureInput,
+        source: ImageInput,
         rig: StereoRig,
         params: CameraParams | None = None,
         clock: Callable[[], float] = monotonic,
@@ -56,17 +56,17 @@ class StereoCamera:
         self._restart_watch()
         self._index = 0
         self.repeated = 0
-        """Pictures left out because they were the one before again."""
+        """Images left out because they were the one before again."""
         self.missed = 0
-        """Pictures that should have come between two that came, at the rate asked for."""
+        """Images that should have come between two that came, at the rate asked for."""
 
     def _restart_watch(self) -> None:
-        self._watch = (PictureWatch(self._params.watch), PictureWatch(self._params.watch))
+        self._watch = (ImageWatch(self._params.watch), ImageWatch(self._params.watch))
         self._arrivals.clear()
 
     @property
     def fps(self) -> float:
-        """Measured over the last pictures; 0 before there are two."""
+        """Measured over the last images; 0 before there are two."""
         if len(self._arrivals) < 2:
             return 0.0
         return (len(self._arrivals) - 1) / max(self._arrivals[-1] - self._arrivals[0], 1e-9)
@@ -130,7 +130,7 @@ class StereoCamera:
 
     def _gone(self) -> None:
         if self._source.live:
-            self._refuse(f"The camera {self._source.name} gives no pictures; waiting for it.")
+            self._refuse(f"The camera {self._source.name} gives no images; waiting for it.")
         else:
             self.close()
             self._say("link", f"The end of {self._source.name} is reached.")
@@ -142,15 +142,15 @@ class StereoCamera:
         self._say("link", why)
 
     def _check_size(self, pair: Pair) -> None:
-        for image, lens, side in zip(pair, (self.rig.left, self.rig.right), SIDES, strict=True):
+        for image, camera, side in zip(pair, (self.rig.left, self.rig.right), SIDES, strict=True):
             height, width = image.shape[:2]
-            if (width, height) != (lens.width, lens.height):
+            if (width, height) != (camera.width, camera.height):
                 raise DeviceError(
-                    f"The {side} camera gives pictures of {width} by {height} pixels, but the "
-                    f"calibration is for {lens.width} by {lens.height}."
+                    f"The {side} camera gives images of {width} by {height} pixels, but the "
+                    f"calibration is for {camera.width} by {camera.height}."
                 )
 
-    # ---- the pictures
+    # ---- the images
 
     def _frame(self, pair: Pair) -> StereoFrame | None:
         arrival = self._clock()
@@ -175,19 +175,19 @@ class StereoCamera:
             self.missed += round(intervals) - 1 if intervals > 2.5 else 0
 
     def _judge(self, k: int, image: Image, t: float) -> Image | None:
-        """The picture, or None where it is black."""
+        """The image, or None where it is black."""
         watch = self._watch[k]
         watch.look(image, t)
         if watch.black:
-            self._say(SIDES[k], f"The {SIDES[k]} camera's picture is black: is the lens covered?")
+            self._say(SIDES[k], f"The {SIDES[k]} camera's image is black: is the lens covered?")
         elif watch.frozen and self._source.live:
-            self._say(SIDES[k], f"The {SIDES[k]} camera's picture is frozen; it is not used.")
+            self._say(SIDES[k], f"The {SIDES[k]} camera's image is frozen; it is not used.")
         elif watch.torn:
-            text = f"The {SIDES[k]} camera's picture is torn: a part of it did not arrive."
+            text = f"The {SIDES[k]} camera's image is torn: a part of it did not arrive."
             self._say(SIDES[k], text)
         elif SIDES[k] in self._said and not watch.repeated:
             del self._said[SIDES[k]]
-            self._tell(f"The {SIDES[k]} camera's picture is back.")
+            self._tell(f"The {SIDES[k]} camera's image is back.")
         return None if watch.black else image
 
     def _watch_rate(self) -> None:
@@ -196,7 +196,7 @@ class StereoCamera:
         if full and self._source.live and 0 < self.fps < self._params.slow * asked:
             self._say(
                 "rate",
-                f"The camera gives {self.fps:.0f} pictures a second instead of {asked:.0f}: "
+                f"The camera gives {self.fps:.0f} images a second instead of {asked:.0f}: "
                 "a long exposure in poor light, or a slow USB port.",
             )
 

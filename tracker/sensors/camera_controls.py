@@ -12,7 +12,7 @@ from typing import Protocol
 
 import cv2
 
-from tracker.sensors.picture_input import Pair, PictureInput
+from tracker.sensors.image_input import ImageInput, Pair
 
 
 @dataclass(frozen=True)
@@ -61,17 +61,17 @@ class Capture(Protocol):
     def set(self, prop: int, value: float) -> bool: ...
 
 
-class HasCaptures(PictureInput, Protocol):
-    """A picture input on devices."""
+class HasCaptures(ImageInput, Protocol):
+    """An image input on devices."""
 
     def captures(self) -> list[cv2.VideoCapture]:
         """The open devices."""
 
 
 class ControlledInput:
-    """A picture input whose cameras' controls can be set while another thread reads pictures.
+    """An image input whose cameras' controls can be set while another thread reads images.
 
-    What is wanted is applied between two pictures, in the thread that reads; a camera that was away
+    What is wanted is applied between two images, in the thread that reads; a camera that was away
     gets it again.
     """
 
@@ -103,7 +103,7 @@ class ControlledInput:
             return self._controls
 
     def want(self, locks: Locks) -> None:
-        """Have this from the next picture on."""
+        """Have this from the next image on."""
         with self._lock:
             self._locks, self._changed = locks, True
 

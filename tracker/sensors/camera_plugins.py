@@ -12,7 +12,7 @@ from importlib.metadata import EntryPoint, entry_points
 from typing import Protocol
 
 from tracker.errors import DeviceError
-from tracker.sensors.picture_input import CameraName, CaptureFormat, PictureInput, list_cameras
+from tracker.sensors.image_input import CameraName, CaptureFormat, ImageInput, list_cameras
 
 GROUP = "glovetrack.cameras"
 _log = logging.getLogger(__name__)
@@ -24,8 +24,8 @@ class CameraDriver(Protocol):
     def cameras(self) -> Sequence[tuple[str, str]]:
         """Cameras that are there: an id, the same each time, and a name for people."""
 
-    def open(self, camera: str, want: CaptureFormat) -> PictureInput:
-        """The camera of that id, not open yet. ``want`` is for one eye's picture."""
+    def open(self, camera: str, want: CaptureFormat) -> ImageInput:
+        """The camera of that id, not open yet. ``want`` is for one eye's image."""
 
 
 def plugin_cameras() -> list[CameraName]:
@@ -46,12 +46,12 @@ def all_cameras() -> list[CameraName]:
 
 
 def is_plugin(address: str) -> bool:
-    """Whether an address such as ``folder:///srv/pictures`` is a plug-in's."""
+    """Whether an address such as ``folder:///srv/images`` is a plug-in's."""
     return address.partition("://")[0] in {e.name for e in entry_points(group=GROUP)}
 
 
-def open_plugin(address: str, want: CaptureFormat) -> PictureInput:
-    """The picture input behind ``driver://id``. Raises DeviceError in words."""
+def open_plugin(address: str, want: CaptureFormat) -> ImageInput:
+    """The image input behind ``driver://id``. Raises DeviceError in words."""
     name, _, camera = address.partition("://")
     for entry in entry_points(group=GROUP, name=name):
         try:

@@ -14,7 +14,7 @@ import numpy as np
 
 from tracker.errors import FileError
 from tracker.messages import Array, CameraPose
-from tracker.sensors.stereo_calibration import Lens, rectified_rig
+from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
 from tracker.toml_reader import read_text
 from tracker.vision.rig import StereoRig
 
@@ -47,7 +47,7 @@ def load_opencv_stereo(
     for what in NAMES:
         if what not in found:
             raise FileError(f"{where} does not hold {what} ({' or '.join(NAMES[what])}).")
-    left, right = (_lens(found, side, width, height, where) for side in ("left", "right"))
+    left, right = (_intrinsics(found, side, width, height, where) for side in ("left", "right"))
     R = _shaped(found["the rotation R"], (3, 3), "the rotation R", where)
     T = _shaped(found["the translation T"].reshape(-1), (3,), "the translation T", where)
     if not np.allclose(R @ R.T, np.eye(3), atol=1e-3):
@@ -55,9 +55,11 @@ def load_opencv_stereo(
     return rectified_rig(left, right, R, T * unit, pose)
 
 
-def _lens(found: dict[str, Array], side: str, width: int, height: int, where: str) -> Lens:
+def _intrinsics(
+    found: dict[str, Array], side: str, width: int, height: int, where: str
+) -> Intrinsics:
     K = _shaped(found[f"K of the {side} camera"], (3, 3), f"K of the {side} camera", where)
-    return Lens(width, height, K, _distortion(found[f"D of the {side} camera"], side, where))
+    return Intrinsics(width, height, K, _distortion(found[f"D of the {side} camera"], side, where))
 
 
 def _matrices(path: Path) -> dict[str, Array]:

@@ -30,7 +30,7 @@ class CameraSource(Protocol):
     """A stereo camera, real or simulated."""
 
     def read(self, timeout: float) -> StereoFrame | None:
-        """The next picture pair; None if none came within ``timeout`` s."""
+        """The next image pair; None if none came within ``timeout`` s."""
 
     def take_events(self) -> Sequence[Event]:
         """What happened to the device since the last call."""

@@ -12,7 +12,7 @@ from tracker.vision.rig import Camera, StereoRig, default_pose
 
 
 @dataclass(frozen=True, eq=False)
-class Lens:
+class Intrinsics:
     """One camera before rectification: K (3, 3) px, D (5,) k1 k2 p1 p2 k3."""
 
     width: int
@@ -22,7 +22,7 @@ class Lens:
 
 
 def rectified_rig(
-    left: Lens, right: Lens, R: Array, T: Array, pose: CameraPose | None = None
+    left: Intrinsics, right: Intrinsics, R: Array, T: Array, pose: CameraPose | None = None
 ) -> StereoRig:
     """The rig of X_right = R X_left + T, with R (3, 3) and T (3,) m.
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from tracker.errors import FileError
 from tracker.messages import Array, CameraPose
-from tracker.sensors.stereo_calibration import Lens, rectified_rig
+from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
 from tracker.toml_reader import read_text
 from tracker.vision.rig import StereoRig
 
@@ -25,7 +25,7 @@ MM = 1e-3
 
 @dataclass(frozen=True)
 class Resolution:
-    """One of the camera's picture sizes and how the file calls it."""
+    """One of the camera's image sizes and how the file calls it."""
 
     suffix: str
     width: int
@@ -41,7 +41,7 @@ RESOLUTIONS = (
 
 
 def load_zed(path: Path, height: int = 720, pose: CameraPose | None = None) -> StereoRig:
-    """The rig at one of the ZED's picture heights; ``pose`` as in `rectified_rig`.
+    """The rig at one of the ZED's image heights; ``pose`` as in `rectified_rig`.
 
     Raises FileError where the file is no such calibration or ends too early.
     """
@@ -49,9 +49,9 @@ def load_zed(path: Path, height: int = 720, pose: CameraPose | None = None) -> S
     resolution = next((r for r in RESOLUTIONS if r.height == height), None)
     if resolution is None:
         known = ", ".join(str(r.height) for r in RESOLUTIONS)
-        raise FileError(f"A ZED has no pictures {height} pixels high; there are {known}.")
-    left = _lens(sections, "LEFT", resolution, path)
-    right = _lens(sections, "RIGHT", resolution, path)
+        raise FileError(f"A ZED has no images {height} pixels high; there are {known}.")
+    left = _intrinsics(sections, "LEFT", resolution, path)
+    right = _intrinsics(sections, "RIGHT", resolution, path)
     R, T = _extrinsics(sections, resolution, path)
     return rectified_rig(left, right, R, T, pose)
 
@@ -72,15 +72,15 @@ def _read(path: Path) -> configparser.ConfigParser:
     return parser
 
 
-def _lens(
+def _intrinsics(
     sections: configparser.ConfigParser, side: str, resolution: Resolution, path: Path
-) -> Lens:
+) -> Intrinsics:
     section = f"{side}_CAM_{resolution.suffix}"
     fx, fy, cx, cy = (_number(sections, section, key, path) for key in ("fx", "fy", "cx", "cy"))
     D = [_number(sections, section, key, path) for key in ("k1", "k2")]
     D += [_number(sections, section, key, path, 0.0) for key in ("p1", "p2", "k3")]
     K = np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
-    return Lens(resolution.width, resolution.height, K, np.array(D))
+    return Intrinsics(resolution.width, resolution.height, K, np.array(D))
 
 
 def _extrinsics(

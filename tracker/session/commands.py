@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tracker.session.disk import disk_error
+from tracker.session.mcap.disk import disk_error
 
 if TYPE_CHECKING:
     from tracker.session.verify import Finding
@@ -56,7 +56,7 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     command.add_argument("--units", choices=UNIT_NAMES)
     command.add_argument("--start", type=float, metavar="S", help="from the first estimate")
     command.add_argument("--stop", type=float, metavar="S", help="from the first estimate")
-    command.add_argument("--every", type=int, default=1, metavar="N", help="draw every Nth picture")
+    command.add_argument("--every", type=int, default=1, metavar="N", help="draw every Nth image")
     command.add_argument("--joints", metavar="A,B", help="only these keypoints and angles")
     command.add_argument(
         "--anonymous",
@@ -145,7 +145,7 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
 
 
 def _recover(args: argparse.Namespace) -> int:
-    from tracker.session.recover import recover
+    from tracker.session.mcap.recover import recover
 
     saved = recover(args.file, args.output)
     lines = [f"byte {d.offset}: {d.what}" for d in saved.damage]

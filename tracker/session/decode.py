@@ -24,16 +24,14 @@ from tracker.messages import (
     Status,
     StereoFrame,
 )
-from tracker.session import ros_motion as motion
-from tracker.session import ros_sensors as sensors
-from tracker.session import topics
-from tracker.session.cdr import in_words
 from tracker.session.decode_estimate import EstimateDecoder, tracking_of
 from tracker.session.description import SessionInfo
 from tracker.session.encode import CALIBRATION_ROWS
 from tracker.session.grouping import Group, Grouper
-from tracker.session.mcap_input import RawMessage
-from tracker.session.pictures import PackedFrame
+from tracker.session.images import PackedFrame
+from tracker.session.mcap.input import RawMessage
+from tracker.session.ros import motion, sensors, topics
+from tracker.session.ros.cdr import in_words
 
 MESSAGE_KINDS: tuple[type, ...] = (
     ImuSample,
@@ -62,7 +60,7 @@ Decoded = Message | PackedFrame
 
 
 class Decoder:
-    """Feeds on raw messages in order and gives the engine's messages, pictures still packed."""
+    """Feeds on raw messages in order and gives the engine's messages, images still packed."""
 
     def __init__(self, info: SessionInfo, packets: bool, timing: Timing) -> None:
         """``packets``: the file tells where each glove packet ends."""

@@ -6,10 +6,9 @@ import numpy as np
 
 from tracker.geometry import so3
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
-from tracker.session import ros_motion as motion
-from tracker.session import topics
 from tracker.session.description import SessionInfo
-from tracker.session.mcap_input import RawMessage
+from tracker.session.mcap.input import RawMessage
+from tracker.session.ros import motion, topics
 
 _SEGMENTS_KEPT = 64  # estimates of one arrival are read transforms first
 

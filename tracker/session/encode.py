@@ -24,10 +24,8 @@ from tracker.messages import (
     Tracking,
     Validity,
 )
-from tracker.session import ros_motion as motion
-from tracker.session import ros_sensors as sensors
-from tracker.session import topics
 from tracker.session.description import SessionInfo
+from tracker.session.ros import motion, sensors, topics
 from tracker.vision.rig import StereoRig
 
 
@@ -82,10 +80,10 @@ class Encoder:
             yield from pose_messages(topics.TF, pose, self._wall(t_arrival), stamp)
 
     def image(
-        self, camera: str, t: float, t_arrival: float, index: int, kind: str, picture: bytes
+        self, camera: str, t: float, t_arrival: float, index: int, kind: str, image: bytes
     ) -> Out:
         stamp = self._wall(t)
-        data = sensors.pack_image(sensors.Image(stamp, topics.camera_frame(camera), kind, picture))
+        data = sensors.pack_image(sensors.Image(stamp, topics.camera_frame(camera), kind, image))
         log = self._wall(t_arrival)
         return Out(topics.image(camera), sensors.IMAGE, log, stamp, data, (index + 1) % 2**32)
 
@@ -199,8 +197,8 @@ class Encoder:
     def rig(self, rig: StereoRig, t: float) -> Iterator[Out]:
         """Both cameras; where they stand too, unless frames bring that."""
         now = self._wall(t)
-        for camera, lens in (("left", rig.left), ("right", rig.right)):
-            data = sensors.pack_camera_info(now, topics.camera_frame(camera), lens)
+        for camera, intrinsics in (("left", rig.left), ("right", rig.right)):
+            data = sensors.pack_camera_info(now, topics.camera_frame(camera), intrinsics)
             yield Out(topics.camera_info(camera), sensors.CAMERA_INFO, now, now, data)
         right = motion.Transform(
             now,

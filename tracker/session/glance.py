@@ -11,14 +11,12 @@ from numpy.typing import NDArray
 
 from tracker.errors import GlovetrackError
 from tracker.messages import Tracking
-from tracker.session import ros_motion as motion
-from tracker.session import ros_sensors as sensors
-from tracker.session import topics
 from tracker.session.decode_estimate import tracking_of
-from tracker.session.mcap_input import RawMessage
-from tracker.session.ordering import last_before, ordered
-from tracker.session.pictures import decode_picture
+from tracker.session.images import decode_image
+from tracker.session.mcap.input import RawMessage
+from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.reader import SessionReader
+from tracker.session.ros import motion, sensors, topics
 
 PLACES = 20
 
@@ -61,16 +59,16 @@ def _spread(reader: SessionReader, topic: str, places: int) -> Iterator[RawMessa
 
 
 def thumbnail(reader: SessionReader, width: int) -> NDArray[np.uint8] | None:
-    """(h, width, 3) BGR from the middle of the left pictures; None where there are none."""
+    """(h, width, 3) BGR from the middle of the left images; None where there are none."""
     wanted = frozenset([topics.image("left")])
     middle = sum(reader.span_ns) // 2
     for start in (middle, 0):
         for raw in ordered(reader.source, wanted, start):
-            picture = sensors.unpack_image(raw.data)
+            encoded = sensors.unpack_image(raw.data)
             try:
-                image = decode_picture(picture.data, picture.frame)
+                image = decode_image(encoded.data, encoded.frame)
             except GlovetrackError:
-                continue  # a damaged picture; the next one may be whole
+                continue  # a damaged image; the next one may be whole
             height = max(1, round(image.shape[0] * width / image.shape[1]))
             small = cv2.resize(image, (width, height), interpolation=cv2.INTER_AREA)
             return np.asarray(small, np.uint8)

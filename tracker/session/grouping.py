@@ -1,4 +1,4 @@
-"""Putting together what belongs to one instant: the IMUs of a packet, the two pictures."""
+"""Putting together what belongs to one instant: the IMUs of a packet, the two images."""
 
 from __future__ import annotations
 

@@ -14,10 +14,7 @@ from tracker.errors import ConfigError, FileError
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
-from tracker.session import description, engine_state, topics
-from tracker.session import ros_motion as motion
-from tracker.session import ros_sensors as sensors
-from tracker.session.cdr import CdrReader, in_words
+from tracker.session import description, engine_state
 from tracker.session.decode import (
     MESSAGE_KINDS,
     Decoded,
@@ -29,13 +26,15 @@ from tracker.session.decode import (
 )
 from tracker.session.decode_estimate import EstimateDecoder
 from tracker.session.description import SessionInfo
-from tracker.session.mcap_input import FOREVER, McapInput
-from tracker.session.ordering import last_before, ordered
-from tracker.session.pictures import PackedFrame
+from tracker.session.images import PackedFrame
+from tracker.session.mcap.input import FOREVER, McapInput
+from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.rigs import rig_changes
+from tracker.session.ros import motion, sensors, topics
+from tracker.session.ros.cdr import CdrReader, in_words
 from tracker.vision.rig import Camera, StereoRig
 
-_FOREIGN_PATIENCE = NS // 10  # pictures of others may be this late against their IMUs
+_FOREIGN_PATIENCE = NS // 10  # images of others may be this late against their IMUs
 _LOOK_FOR_RIG = 500  # messages
 _WATCH_EVERY = 200  # messages
 
@@ -217,7 +216,7 @@ class SessionReader:
     ) -> Iterator[Message]:
         """Messages of the given kinds in feed order, with start ≤ arrival < end (s).
 
-        Pictures cost their decoding; leave StereoFrame out of ``kinds`` where they are not needed.
+        Images cost their decoding; leave StereoFrame out of ``kinds`` where they are not needed.
         """
         for m in self.packed_messages(kinds, start, end):
             yield m.unpack() if isinstance(m, PackedFrame) else m

@@ -7,13 +7,11 @@ from dataclasses import dataclass, field
 
 from tracker.errors import ConfigError
 from tracker.messages import CameraPose
-from tracker.session import ros_motion as motion
-from tracker.session import ros_sensors as sensors
-from tracker.session import topics
-from tracker.session.cdr import in_words
 from tracker.session.decode import exact_pose, is_camera, pose_of
-from tracker.session.mcap_input import McapInput, RawMessage
-from tracker.session.ordering import ordered
+from tracker.session.mcap.input import McapInput, RawMessage
+from tracker.session.mcap.ordering import ordered
+from tracker.session.ros import motion, sensors, topics
+from tracker.session.ros.cdr import in_words
 from tracker.vision.rig import Camera, StereoRig
 
 _INFOS = {topics.camera_info(c): c for c in topics.SIDES}
@@ -65,7 +63,7 @@ class _Standing:
 def rig_changes(source: McapInput, moving: CameraPose | None) -> Iterator[tuple[int, StereoRig]]:
     """(log time ns, rig) of each calibration, the first one included; it holds until the next.
 
-    ``moving`` is the pose at the start of a camera whose poses come with the pictures.
+    ``moving`` is the pose at the start of a camera whose poses come with the images.
     """
     pose_topics = [] if moving is not None else [topics.TF_STATIC, topics.CAMERA_POSE]
     standing, changed = _Standing(pose=moving), -1

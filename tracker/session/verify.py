@@ -8,13 +8,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from tracker.errors import GlovetrackError
-from tracker.session import description, topics
-from tracker.session import ros_motion as motion
-from tracker.session import ros_sensors as sensors
-from tracker.session.cdr import CdrError, CdrReader
-from tracker.session.mcap_input import RawMessage
-from tracker.session.pictures import picture_size
+from tracker.session import description
+from tracker.session.images import image_size
+from tracker.session.mcap.input import RawMessage
 from tracker.session.reader import SessionReader
+from tracker.session.ros import motion, sensors, topics
+from tracker.session.ros.cdr import CdrError, CdrReader
 
 _STAMPED = {
     sensors.IMU,
@@ -122,7 +121,7 @@ def _follow(track: _Track, m: RawMessage) -> None:
         return
     try:
         stamp = CdrReader(m.data).time()
-        if m.type == sensors.IMAGE and picture_size(sensors.unpack_image(m.data).data) is None:
+        if m.type == sensors.IMAGE and image_size(sensors.unpack_image(m.data).data) is None:
             track.damaged += 1
     except CdrError:
         track.damaged += 1
@@ -173,5 +172,5 @@ def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[Finding]:
     out = [Finding("warning", "no message of this IMU", t) for t in wanted if t not in tracks]
     seen = any(f(c) in tracks for c in topics.SIDES for f in (topics.image, topics.blobs))
     if not seen:
-        out.append(Finding("warning", "neither pictures nor blobs of a camera", "/camera"))
+        out.append(Finding("warning", "neither images nor blobs of a camera", "/camera"))
     return out

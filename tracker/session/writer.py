@@ -27,22 +27,22 @@ from tracker.messages import (
     StereoFrame,
 )
 from tracker.session import engine_state
-from tracker.session.container import COMPRESSION, McapOutput
 from tracker.session.description import METADATA, SessionInfo
-from tracker.session.disk import DiskError, automatic_path, free_bytes
 from tracker.session.encode import Encoder, Out
-from tracker.session.pictures import PackedFrame
+from tracker.session.images import PackedFrame
+from tracker.session.mcap.container import COMPRESSION, McapOutput
+from tracker.session.mcap.disk import DiskError, automatic_path, free_bytes
 from tracker.vision.rig import StereoRig
 
-PICTURES = ("jpeg", "png", "none")
+IMAGES = ("jpeg", "png", "none")
 GB = 1e9
 
 
 @dataclass(frozen=True)
 class RecorderParams:
-    """``pictures``: jpeg, png (lossless) or none (blobs only)."""
+    """``images``: jpeg, png (lossless) or none (blobs only)."""
 
-    pictures: str = "jpeg"
+    images: str = "jpeg"
     jpeg_quality: int = 90
     compression: str = "lz4"  # or zstd, none
     chunk_bytes: int = 64 * 1024
@@ -130,7 +130,7 @@ class SessionRecorder:
         return self._out is None
 
     def write(self, message: Message, overloaded: bool = False) -> None:
-        """Take one message. While ``overloaded``, pictures are left out and counted.
+        """Take one message. While ``overloaded``, images are left out and counted.
 
         FrameResult has no place in a session: it follows from the rest.
         """
@@ -156,7 +156,7 @@ class SessionRecorder:
             case CameraImuSample():
                 return self._encoder.camera_imu(message)
             case StereoFrame():
-                return self._pictures(message)
+                return self._images(message)
             case BlobFrame():
                 return self._encoder.blobs(message)
             case Estimate():
@@ -171,7 +171,7 @@ class SessionRecorder:
                 return iter(())
 
     def write_packed(self, frame: PackedFrame) -> None:
-        """Pictures of another session, byte for byte."""
+        """Images of another session, byte for byte."""
         self._guarded(lambda out: self._put(out, self._packed(frame)))
 
     def _packed(self, frame: PackedFrame) -> Iterator[Out]:
@@ -195,15 +195,15 @@ class SessionRecorder:
         one = iter([Out(topic, kind, log, stamp, data, sequence)])
         self._guarded(lambda out: self._put(out, one))
 
-    def _pictures(self, m: StereoFrame) -> Iterator[Out]:
+    def _images(self, m: StereoFrame) -> Iterator[Out]:
         yield from self._encoder.camera_pose(m.t, m.t_arrival, m.pose)
-        if self.params.pictures == "none":
+        if self.params.images == "none":
             return
         for camera, image in (("left", m.left), ("right", m.right)):
             if image is not None:
-                picture = encode_picture(image, self.params.pictures, self.params.jpeg_quality)
+                encoded = encode_image(image, self.params.images, self.params.jpeg_quality)
                 yield self._encoder.image(
-                    camera, m.t, m.t_arrival, m.index, self.params.pictures, picture
+                    camera, m.t, m.t_arrival, m.index, self.params.images, encoded
                 )
 
     def _put(self, out: McapOutput, messages: Iterator[Out]) -> None:
@@ -256,8 +256,8 @@ class SessionRecorder:
         self.close()
 
 
-def encode_picture(image: NDArray[np.uint8], kind: str, quality: int) -> bytes:
-    """A BGR picture as JPEG or PNG bytes."""
+def encode_image(image: NDArray[np.uint8], kind: str, quality: int) -> bytes:
+    """A BGR image as JPEG or PNG bytes."""
     if kind == "jpeg":
         _, data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])
     else:
@@ -266,8 +266,8 @@ def encode_picture(image: NDArray[np.uint8], kind: str, quality: int) -> bytes:
 
 
 def _checked(p: RecorderParams) -> RecorderParams:
-    if p.pictures not in PICTURES:
-        raise ConfigError(f"Pictures can be {', '.join(PICTURES)}, not {p.pictures!r}.")
+    if p.images not in IMAGES:
+        raise ConfigError(f"Images can be {', '.join(IMAGES)}, not {p.images!r}.")
     if p.compression not in COMPRESSION:
         raise ConfigError(f"Compression can be {', '.join(COMPRESSION)}, not {p.compression!r}.")
     if not 1 <= p.jpeg_quality <= 100:

@@ -40,7 +40,7 @@ def fabric_bgr(hue: str) -> tuple[float, float, float]:
 
 @dataclass(frozen=True)
 class BackgroundParams:
-    """``kind``: plain, painted or photograph (then ``path`` names the picture)."""
+    """``kind``: plain, painted or photograph (then ``path`` names the image)."""
 
     kind: str = "plain"
     path: str = ""
@@ -105,10 +105,10 @@ def _thing(image: Image, rng: np.random.Generator) -> None:
 
 
 def _photograph(path: Path, width: int, height: int) -> Image:
-    picture = cv2.imread(str(path), cv2.IMREAD_COLOR) if path.is_file() else None
-    if picture is None:
-        raise FileError(f"{path} is not a picture that can be read.")
-    scale = max(width / picture.shape[1], height / picture.shape[0])
-    size = (round(picture.shape[1] * scale + 0.5), round(picture.shape[0] * scale + 0.5))
-    resized = cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
+    image = cv2.imread(str(path), cv2.IMREAD_COLOR) if path.is_file() else None
+    if image is None:
+        raise FileError(f"{path} is not an image that can be read.")
+    scale = max(width / image.shape[1], height / image.shape[0])
+    size = (round(image.shape[1] * scale + 0.5), round(image.shape[0] * scale + 0.5))
+    resized = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
     return np.ascontiguousarray(resized[:height, :width]).astype(np.uint8)

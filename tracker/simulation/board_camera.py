@@ -9,18 +9,18 @@ import numpy as np
 
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import extrinsics_of
-from tracker.sensors.picture_input import Pair
-from tracker.simulation.board_pictures import BoardRenderer, Picture, TrueRig, board_pose
+from tracker.sensors.image_input import Pair
+from tracker.simulation.board_images import BoardRenderer, Image, TrueRig, board_pose
 from tracker.simulation.smooth import rng_for
 from tracker.vision.rig import StereoRig
 
 HOLD = 3
-"""Pictures of each pose: the board stands still in all but the first."""
-PERIOD = 0.25  # s between pictures
+"""Images of each pose: the board stands still in all but the first."""
+PERIOD = 0.25  # s between images
 
 
 class BoardCamera:
-    """A `PictureInput` of the board ``spec`` seen by the lenses of ``rig``."""
+    """An `ImageInput` of the board ``spec`` seen by the lenses of ``rig``."""
 
     live = True
     name = "simulated camera"
@@ -43,7 +43,7 @@ class BoardCamera:
         self._renderer = BoardRenderer(self._rig, self._spec, noise=0.0)
 
     def read(self) -> Pair | None:
-        """The next picture pair, at the camera's pace; None while it is not open."""
+        """The next image pair, at the camera's pace; None while it is not open."""
         if self._renderer is None:
             return None
         pose, again = divmod(self._next, HOLD)
@@ -54,7 +54,7 @@ class BoardCamera:
             self._clean = self._renderer.pair(drawn, rng)
         else:
             self._sleep(PERIOD)
-        left, right = (_noisy(picture, rng) for picture in self._clean)
+        left, right = (_noisy(image, rng) for image in self._clean)
         return left, right
 
     def close(self) -> None:
@@ -63,10 +63,10 @@ class BoardCamera:
 
 def true_rig(rig: StereoRig) -> TrueRig:
     """The raw lenses behind a rectified rig."""
-    lenses = extrinsics_of(rig)
-    return TrueRig(lenses.left, lenses.right, lenses.R, lenses.T)
+    cameras = extrinsics_of(rig)
+    return TrueRig(cameras.left, cameras.right, cameras.R, cameras.T)
 
 
-def _noisy(picture: Picture, rng: np.random.Generator) -> Picture:
-    grey = picture[..., 0] + rng.normal(0, 2.0, picture.shape[:2])
+def _noisy(image: Image, rng: np.random.Generator) -> Image:
+    grey = image[..., 0] + rng.normal(0, 2.0, image.shape[:2])
     return np.repeat(np.clip(grey, 0, 255).astype(np.uint8)[..., None], 3, axis=2)

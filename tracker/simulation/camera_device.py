@@ -1,7 +1,7 @@
-"""A simulated stereo camera that behaves like a device: pictures come when they would come.
+"""A simulated stereo camera that behaves like a device: images come when they would come.
 
 A process of its own draws them, as a camera's own hardware would, and hands them over through
-shared memory. It draws ahead of time where it can; a picture that is not ready in time is dropped,
+shared memory. It draws ahead of time where it can; an image that is not ready in time is dropped,
 as a camera would drop it, and the gap in ``index`` tells.
 """
 
@@ -24,11 +24,11 @@ from tracker.simulation.demo import DemoSpec, build
 
 SLOTS = 6
 READY = "ready"
-LATE = 0.06  # s behind its arrival at which a picture is not drawn any more
+LATE = 0.06  # s behind its arrival at which an image is not drawn any more
 
 
 class _Drawn(NamedTuple):
-    """A picture in shared memory. Times in s since the start of the simulation."""
+    """An image in shared memory. Times in s since the start of the simulation."""
 
     slot: int
     number: int
@@ -37,7 +37,7 @@ class _Drawn(NamedTuple):
 
 
 class SimulatedCamera:
-    """Pictures of a `DemoSpec` in real time, from `begin` on.
+    """Images of a `DemoSpec` in real time, from `begin` on.
 
     Getting ready takes the process a second or two; meanwhile others may get ready too.
     """
@@ -59,7 +59,7 @@ class SimulatedCamera:
         theirs.close()
 
     def wait_ready(self, timeout: float) -> bool:
-        """Whether the first picture could be drawn within ``timeout`` s. Call it once."""
+        """Whether the first image could be drawn within ``timeout`` s. Call it once."""
         try:
             return self._pipe.poll(timeout) and self._pipe.recv() == READY
         except (EOFError, OSError):
@@ -72,7 +72,7 @@ class SimulatedCamera:
             self._pipe.send(t_0)
 
     def read(self, timeout: float) -> StereoFrame | None:
-        """The next picture pair at its time of arrival; None if none comes within ``timeout``."""
+        """The next image pair at its time of arrival; None if none comes within ``timeout``."""
         if self._closed:
             time.sleep(timeout)  # whoever asks in a loop shall not spin
             return None
@@ -93,12 +93,12 @@ class SimulatedCamera:
         return frame
 
     def _frame(self, drawn: _Drawn, arrival: float) -> StereoFrame:
-        pictures = self._view()[drawn.slot]
+        images = self._view()[drawn.slot]
         return StereoFrame(
             t=seconds(nanoseconds(self._t_0 + drawn.t)),
             t_arrival=seconds(nanoseconds(arrival)),
-            left=pictures[0].copy(),
-            right=pictures[1].copy(),
+            left=images[0].copy(),
+            right=images[1].copy(),
             index=drawn.number,
         )
 
@@ -132,21 +132,21 @@ def _draw_for_ever(spec: DemoSpec, name: str, shape: tuple[int, ...], pipe: Conn
     """The other process: draws until the pipe closes."""
     memory = SharedMemory(name=name)
     try:
-        pictures: NDArray[np.uint8] = np.ndarray(shape, np.uint8, buffer=memory.buf)
-        _draw(spec, pictures, pipe)
+        images: NDArray[np.uint8] = np.ndarray(shape, np.uint8, buffer=memory.buf)
+        _draw(spec, images, pipe)
     except (EOFError, BrokenPipeError, ConnectionResetError, KeyboardInterrupt):
         return
     finally:
-        del pictures
+        del images
         memory.close()
 
 
-def _draw(spec: DemoSpec, pictures: NDArray[np.uint8], pipe: Connection) -> None:
+def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
     sim = build(spec)
     sim.renderer.pair(0.1)  # compiles what is compiled
     pipe.send(READY)
     t_0: float = pipe.recv()
-    free = list(range(len(pictures)))
+    free = list(range(len(images)))
     for index, t, arrival in sim.exposures():
         if time.monotonic() > t_0 + arrival + LATE:
             continue
@@ -154,5 +154,5 @@ def _draw(spec: DemoSpec, pictures: NDArray[np.uint8], pipe: Connection) -> None
             free.append(pipe.recv())
         slot = free.pop(0)
         left, right = sim.renderer.pair(t)
-        pictures[slot, 0], pictures[slot, 1] = left, right
+        images[slot, 0], images[slot, 1] = left, right
         pipe.send(_Drawn(slot, index, t, arrival))

@@ -24,7 +24,7 @@ class DemoSpec:
     duration: float = 3600.0
     fps: float = 30.0
     motion: str = ""
-    exposures: int = 1  # per picture: no motion blur, half the time to draw
+    exposures: int = 1  # per image: no motion blur, half the time to draw
 
 
 def build(spec: DemoSpec) -> Simulation:

@@ -15,7 +15,7 @@ from tracker.simulation.smooth import SmoothNoise, rng_for
 class HeadParams:
     """Standard deviations along or about each axis; all zero is a stand.
 
-    ``tells``: its "pose" with each picture, what its "imu" measures, or "nothing".
+    ``tells``: its "pose" with each image, what its "imu" measures, or "nothing".
     """
 
     sway_mm: float = 0.0

@@ -25,8 +25,8 @@ class PostureParams:
     move_longest: float = 1.0  # s
     near: float = 0.27  # m from the camera along its axis, the palm's middle
     far: float = 0.42
-    wide: float = 0.30  # of the half picture, left and right
-    high: float = 0.25  # of the half picture, up and down
+    wide: float = 0.30  # of the half image, left and right
+    high: float = 0.25  # of the half image, up and down
     roll_deg: float = 45.0  # standard deviation, about the forearm
     pitch_deg: float = 26.0
     pitch_mean_deg: float = -3.0  # negative: fingers up
@@ -43,7 +43,7 @@ class PostureParams:
 class RandomPostures:
     """Postures and wrist poses at random, minimum-jerk moves between them, sway and tremor.
 
-    ``camera`` says where the working volume is; the hand stays near the middle of its picture.
+    ``camera`` says where the working volume is; the hand stays near the middle of its image.
     """
 
     follows_synergies = True
@@ -94,7 +94,7 @@ class RandomPostures:
         return so3.rz(yaw) @ so3.ry(pitch) @ so3.rx(roll)
 
     def _place(self, rng: np.random.Generator) -> Array:
-        """The palm's middle in C; a picture of 90° by 60° is 1 by 0.577 at unit distance."""
+        """The palm's middle in C; an image of 90° by 60° is 1 by 0.577 at unit distance."""
         p = self._params
         z = rng.uniform(p.near, p.far)
         x, y = rng.uniform(-p.wide, p.wide), 0.577 * rng.uniform(-p.high, p.high)
@@ -126,7 +126,7 @@ class RandomPostures:
 def _in_front(camera: CameraPose) -> Array:
     """The dorsum's rotation, palm down and fingers along the camera's view, seen from above."""
     forward = camera.R_GC[:, 2] * [1, 1, 0]
-    if np.linalg.norm(forward) < 1e-6:  # straight down: fingers towards the picture's top
+    if np.linalg.norm(forward) < 1e-6:  # straight down: fingers towards the image's top
         forward = -camera.R_GC[:, 1] * [1, 1, 0]
     x = forward / np.linalg.norm(forward)
     z = np.array([0.0, 0, 1])
@@ -136,5 +136,5 @@ def _in_front(camera: CameraPose) -> Array:
 def leaving(
     motion: Motion, spans: tuple[tuple[float, float], ...], camera: CameraPose | None = None
 ) -> Away:
-    """``motion`` out of both pictures during each (t0, t1): 0.8 m to the camera's right."""
+    """``motion`` out of both images during each (t0, t1): 0.8 m to the camera's right."""
     return Away(motion, spans, (camera or default_pose()).R_GC @ np.array([0.8, 0.0, 0.0]))

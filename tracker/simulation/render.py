@@ -1,4 +1,4 @@
-"""Pictures of a scene: shaded glove, curved patches, motion blur and sensor noise."""
+"""Images of a scene: shaded glove, curved patches, motion blur and sensor noise."""
 
 from __future__ import annotations
 
@@ -91,17 +91,17 @@ class Renderer:
         self._axes = np.concatenate([tangents(normal), normal[:, None]], axis=1)
 
     def frame(self, t: float, t_arrival: float | None = None, index: int = -1) -> StereoFrame:
-        """Both pictures of the exposure whose middle is t (s), and the camera's reported pose."""
+        """Both images of the exposure whose middle is t (s), and the camera's reported pose."""
         left, right = self.pair(t)
         arrival = t if t_arrival is None else t_arrival
         return StereoFrame(t, arrival, left, right, self.scene.reported_pose(t), index)
 
     def pair(self, t: float) -> tuple[Image, Image]:
-        """The left and the right picture (h, w, 3) uint8 BGR."""
+        """The left and the right image (h, w, 3) uint8 BGR."""
         moments = self._moments(t)
         ns = nanoseconds(t)
         rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
-        return self._picture(moments, False, rng), self._picture(moments, True, rng)
+        return self._image(moments, False, rng), self._image(moments, True, rng)
 
     def _moments(self, t: float) -> list[Instant]:
         """The scene at the middles of equal parts of the shutter; two parts do for a slow hand."""
@@ -114,7 +114,7 @@ class Renderer:
         middle = (np.arange(n) + 0.5) / n - 0.5
         return [self.scene.instant(t + shutter * m) for m in middle]
 
-    def _picture(self, moments: list[Instant], right: bool, rng: np.random.Generator) -> Image:
+    def _image(self, moments: list[Instant], right: bool, rng: np.random.Generator) -> Image:
         side = int(right)
         out: Image = self._noisy[side][int(rng.integers(4))].copy()
         eye = np.array([self.scene.rig.baseline * side, 0.0, 0.0])

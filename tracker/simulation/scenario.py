@@ -93,8 +93,8 @@ class Simulation:
             yield k, t, arrival
 
     def frames(self, images: bool = False) -> Iterator[BlobFrame] | Iterator[StereoFrame]:
-        """All frames in order: blobs, or pictures."""
-        return self._pictures() if images else self._blob_frames()
+        """All frames in order: blobs, or images."""
+        return self._images() if images else self._blob_frames()
 
     def _blob_frames(self) -> Iterator[BlobFrame]:
         for index, t, arrival in self.exposures():
@@ -102,10 +102,10 @@ class Simulation:
 
     @cached_property
     def renderer(self) -> Renderer:
-        """Made at the first picture: it holds ray maps and backgrounds."""
+        """Made at the first image: it holds ray maps and backgrounds."""
         return Renderer(self.scene, self.params.render)
 
-    def _pictures(self) -> Iterator[StereoFrame]:
+    def _images(self) -> Iterator[StereoFrame]:
         for index, t, arrival in self.exposures():
             yield self.renderer.frame(t, arrival, index)
 

@@ -1,4 +1,4 @@
-"""What the stereo camera sees of a wearer, marker by marker: blobs without pictures."""
+"""What the stereo camera sees of a wearer, marker by marker: blobs without images."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """A stereo camera on a clock of the caller's own, with every fault of a camera.
 
-Its pictures are drawn in a millisecond: an ellipse for each marker that the scene shows, on sensor
+Its images are drawn in a millisecond: an ellipse for each marker that the scene shows, on sensor
 noise. They go through the ordinary camera code and detector; `render` draws what is to look real.
 """
 
@@ -11,22 +11,22 @@ import numpy as np
 
 from tracker.errors import DeviceError
 from tracker.messages import Blobs
-from tracker.sensors.picture_input import Image, Pair
+from tracker.sensors.image_input import Image, Pair
 from tracker.simulation.backgrounds import fabric_bgr
 from tracker.simulation.scene import Scene
 
 FAULTS = (
-    "drop pictures", "torn", "unplug camera", "stall camera", "frozen", "black", "black left",
+    "drop images", "torn", "unplug camera", "stall camera", "frozen", "black", "black left",
     "swapped", "lens up", "lens aside", "knocked",
 )  # fmt: skip
 MOVED = 0.005  # m
-NOISE_PICTURES = 4
+NOISE_IMAGES = 4
 GREY, NOISE = 60, 12  # levels of the background and of its noise
 SUBPIXEL = 4  # bits that OpenCV draws with
 
 
 class VirtualCamera:
-    """A `PictureInput` that shows ``scene`` at the instant set last."""
+    """An `ImageInput` that shows ``scene`` at the instant set last."""
 
     name, live = "virtual camera", True
 
@@ -37,13 +37,13 @@ class VirtualCamera:
         shape = (rig.left.height, rig.left.width, 3)
         self._noise = [
             self._rng.integers(GREY - NOISE, GREY + NOISE, shape, np.uint8)
-            for _ in range(NOISE_PICTURES)
+            for _ in range(NOISE_IMAGES)
         ]
         self._bgr = [fabric_bgr(hue) for hue in scene.wearer.glove.hues]
         self._fault = ""
         self._last: Pair | None = None
         self.t = 0.0
-        """Exposure of the next picture, s."""
+        """Exposure of the next image, s."""
 
     def fail(self, kind: str) -> None:
         """Begin one of `FAULTS`."""
@@ -56,11 +56,11 @@ class VirtualCamera:
     @property
     def gives(self) -> bool:
         """Whether a read of this exposure would come back at all."""
-        if self._fault == "drop pictures":
+        if self._fault == "drop images":
             return bool(self._rng.random() < 0.5)
         return self._fault != "stall camera"
 
-    # ---- a picture input
+    # ---- an image input
 
     def open(self) -> None:
         if self._fault == "unplug camera":
@@ -107,7 +107,7 @@ class VirtualCamera:
         return (px, 0.0), (px, 0.0)
 
     def _draw(self, blobs: Blobs, shift: tuple[float, float]) -> Image:
-        image = self._noise[int(self._rng.integers(NOISE_PICTURES))].copy()
+        image = self._noise[int(self._rng.integers(NOISE_IMAGES))].copy()
         one = 1 << SUBPIXEL
         for uv, size, hue in zip(blobs.uv + np.array(shift), blobs.size, blobs.hue, strict=True):
             centre = (round(uv[0] * one), round(uv[1] * one))

@@ -19,7 +19,7 @@ MAX_RATE_HZ = 100.0  # of the glove; nothing is newer
 
 
 class HasEstimate(Protocol):
-    """What `tracker.runner.LiveTracker` offers."""
+    """What `tracker.live.runner.LiveTracker` offers."""
 
     def latest_estimate(self) -> Estimate | None: ...
 

@@ -70,7 +70,7 @@ def fill(
     """All runs of the 8-connected region that (x, y) belongs to, into ``runs`` (see `room`).
 
     ``visited`` has ``mark`` where a region was met, and less where none was: a number for each call
-    saves clearing a picture's worth of memory.
+    saves clearing an image's worth of memory.
     The list of runs is at once the queue of those whose neighbours are still to be looked at. A
     region longer than ``extent`` px or full of holes is background (a wall whose colour is on the
     border of a hue comes and goes with the noise): it is left as soon as that is known and marked

@@ -1,6 +1,6 @@
 """Which blob is which marker, with the filter's prediction as guide.
 
-`assign_gated` works on one picture: an optimal assignment under Mahalanobis distance.
+`assign_gated` works on one image: an optimal assignment under Mahalanobis distance.
 `match_translation` works on stereo points as Lee et al. 2021 do (eqs. 1 to 3): a 3-DOF CPD.
 """
 
@@ -33,7 +33,7 @@ FORBIDDEN = 1e6  # a cost that no dummy lets through
 
 @dataclass(frozen=True)
 class GateParams:
-    """Limits of the assignment in one picture."""
+    """Limits of the assignment in one image."""
 
     gate: float = 18.0  # Mahalanobis² of two degrees of freedom
     gate_px: float = 80.0

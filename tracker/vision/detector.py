@@ -1,4 +1,4 @@
-"""Coloured blobs in one picture: pixels of a hue, regions of pixels, regions of the right shape.
+"""Coloured blobs in one image: pixels of a hue, regions of pixels, regions of the right shape.
 
 The requirements are those of Lee et al. 2021: HSV within the intervals of a profile; size for the
 marker's distance, convexity and circularity. A foreshortened disc is an ellipse and stays.
@@ -30,7 +30,7 @@ LARGE = 2.0  # times the largest blob: two that touch are to be parted, more are
 
 @dataclass(frozen=True)
 class DetectorParams:
-    """How a picture is searched, and how far away markers may be where nothing is predicted."""
+    """How an image is searched, and how far away markers may be where nothing is predicted."""
 
     stride: int = 4  # of the seeds' grid; 1 scans every pixel
     hint_stride: int = 3  # the same around predicted markers, where nothing else is searched
@@ -41,7 +41,7 @@ class DetectorParams:
 
 @dataclass(frozen=True, eq=False)
 class DetectionHints:
-    """Where markers of one picture are expected, in pixels as recorded.
+    """Where markers of one image are expected, in pixels as recorded.
 
     uv (n, 2); radius_px (n,) within which the marker is surely; hue (n,) index into the profile's
     hues; size_px (n,) expected extent of a marker seen square on, None where unknown.
@@ -84,7 +84,7 @@ class Detector:
     def detect(
         self, image: Image, hints: DetectionHints | None = None
     ) -> tuple[Blobs, RejectedBlobs]:
-        """Blobs of a BGR picture (h, w, 3) uint8, and what had the hue but not the shape.
+        """Blobs of a BGR image (h, w, 3) uint8, and what had the hue but not the shape.
 
         With ``hints`` only what they stand for is looked for.
         """
@@ -157,7 +157,7 @@ def detect_frame(
     frame: StereoFrame,
     hints: tuple[DetectionHints, DetectionHints] | None = None,
 ) -> BlobFrame:
-    """Both pictures of an exposure; a side without a picture stays None."""
+    """Both images of an exposure; a side without an image stays None."""
     sides: list[Blobs | None] = []
     rejected: list[RejectedBlobs | None] = []
     for k, image in enumerate((frame.left, frame.right)):
@@ -180,7 +180,7 @@ def detect_frame(
 def _checked(image: Image) -> Image:
     if image.ndim != 3 or image.shape[2] != 3 or image.dtype != np.uint8:
         raise GlovetrackError(
-            f"A picture must be colour with 8 bits a channel; this one has shape {image.shape} "
+            f"An image must be colour with 8 bits a channel; this one has shape {image.shape} "
             f"and type {image.dtype}."
         )
     return np.ascontiguousarray(image)

@@ -2,7 +2,7 @@
 
 Colours are looked up in two steps: 32³ cells of 8³ colours each say which pattern their classes
 follow, and patterns hold the class of each colour within a cell. All cells of one class share a
-pattern. What a picture needs of both stays in the processor's caches, and there is no case to tell
+pattern. What an image needs of both stays in the processor's caches, and there is no case to tell
 apart: on a coloured background a wrong guess of the processor costs more than the second look.
 """
 

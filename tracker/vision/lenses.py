@@ -1,6 +1,6 @@
 """Tracking with one lens of two, or with a camera that has only one.
 
-A camera with one lens is a `StereoRig` whose other lens gives no pictures: see `one_lens_rig`.
+A camera with one lens is a `StereoRig` whose other lens gives no images: see `one_lens_rig`.
 """
 
 from __future__ import annotations

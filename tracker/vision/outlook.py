@@ -1,4 +1,4 @@
-"""Where markers are expected in pictures yet to come, and which of those are searched whole."""
+"""Where markers are expected in images yet to come, and which of those are searched whole."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Outlook:
     def hints(
         self, rig: StereoRig, t: float, pose: CameraPose, hue_names: tuple[str, ...]
     ) -> tuple[DetectionHints, DetectionHints]:
-        """Places in the two pictures taken at ``t``, hues numbered as in ``hue_names``.
+        """Places in the two images taken at ``t``, hues numbered as in ``hue_names``.
 
         A hue that is not among them has number -1.
         """
@@ -65,10 +65,10 @@ class Outlook:
 def seen_soon(  # type: ignore[no-untyped-def]
     p_G, v_G, sd, size, ahead, R_GC, p_GC, shift, fx, fy, cx, cy, width, height
 ):
-    """Rectified pixels uv (k, 2), radius (k,) px and row (k,) of the markers near a picture.
+    """Rectified pixels uv (k, 2), radius (k,) px and row (k,) of the markers near an image.
 
     p_G, v_G (n, 3), sd and size (n,) as in `Outlook`, ``ahead`` s later; the lens is ``shift`` m to
-    the right of the pose's. Not near is what lies behind the lens, or so far outside the picture
+    the right of the pose's. Not near is what lies behind the lens, or so far outside the image
     that a lens polynomial means nothing.
     """
     uv, radius, rows = np.empty((len(p_G), 2)), np.empty(len(p_G)), np.empty(len(p_G), np.int64)
@@ -90,7 +90,7 @@ def seen_soon(  # type: ignore[no-untyped-def]
 
 
 class SearchPlan:
-    """Regions around what is expected, and every few pictures the whole, to see what is not."""
+    """Regions around what is expected, and every few images the whole, to see what is not."""
 
     def __init__(self, every: int = 6, longest: float = 0.1) -> None:
         self._every, self._longest = every, longest
@@ -104,7 +104,7 @@ class SearchPlan:
         pose: CameraPose | None,
         hue_names: tuple[str, ...],
     ) -> tuple[DetectionHints, DetectionHints] | None:
-        """For the picture at ``t``; None where it should be searched whole.
+        """For the image at ``t``; None where it should be searched whole.
 
         That is every ``every``-th, any without an outlook not older than ``longest`` s, and any in
         which nothing at all is expected.

@@ -86,7 +86,7 @@ def find_regions(
 def _is_broad(
     image: _Bytes, y: int, x: int, hue: int, cells: Cells, patterns: Patterns
 ) -> np.bool_:
-    """Whether (x, y) is in a square of 2 x 2 px of ``hue``, or at the picture's edge.
+    """Whether (x, y) is in a square of 2 x 2 px of ``hue``, or at the image's edge.
 
     The neighbours are looked at without a branch, which on noise would be guessed wrong.
     """
@@ -138,7 +138,7 @@ def _classify_vivid(
     flags: NDArray[np.int64],
     line: NDArray[np.int64],
 ) -> int:
-    """The same for every pixel, where greys are told first: most pictures hold little else.
+    """The same for every pixel, where greys are told first: most images hold little else.
 
     For the processor's vector instructions every byte of the row counts as the first of a pixel;
     ``flags`` takes one for each, three words for eight pixels. Where any is set, all eight are

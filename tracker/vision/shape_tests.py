@@ -101,7 +101,7 @@ def parted(  # type: ignore[no-untyped-def]
 
 @kernel
 def windows_around(uv: Array, radius: Array, width: int, height: int, stride: int) -> IntArray:
-    """(k, 5) first and last column, first and last row, stride: squares cut to the picture.
+    """(k, 5) first and last column, first and last row, stride: squares cut to the image.
 
     Places that are not finite, or whose square lies outside, have no row. Where the squares overlap
     so much that one rectangle around all is smaller, it takes their place.

@@ -1,6 +1,6 @@
 """Which markers a camera can see: the prior p(m_j) of Lee et al. 2021, eqs. 4 to 6.
 
-Three factors per camera: the marker faces it (eq. 4), it lies in the picture (eq. 5), and no other
+Three factors per camera: the marker faces it (eq. 4), it lies in the image (eq. 5), and no other
 segment stands between (the paper's last condition). A product over both cameras (eq. 6) suits
 stereo points; an assignment in one image takes that camera's own row.
 """
@@ -17,7 +17,7 @@ from tracker.kernels import kernel
 from tracker.messages import Array, CameraPose, IntArray
 from tracker.vision.rig import Camera, StereoRig
 
-FAR_OUTSIDE = 0.5  # of the picture's size; beyond it a lens polynomial means nothing
+FAR_OUTSIDE = 0.5  # of the image's size; beyond it a lens polynomial means nothing
 
 
 @dataclass(frozen=True)
@@ -185,7 +185,7 @@ def _recorded(camera: Camera, uv: Array) -> Array:
 
 @kernel
 def _inside(uv: Array, sd: Array, right: float, bottom: float) -> Array:
-    """Eq. 5, (M,): probability that a pixel of uv (M, 2) lies inside the picture as recorded.
+    """Eq. 5, (M,): probability that a pixel of uv (M, 2) lies inside the image as recorded.
 
     Phi(d / sigma) with d the signed distance to the nearest edge, sigma along it.
     """

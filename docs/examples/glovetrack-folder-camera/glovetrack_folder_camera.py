@@ -1,7 +1,7 @@
 """A camera plug-in for Glovetrack: stereo pairs from NumPy files, one after the other.
 
 It stands for a camera with a driver package of its own. Where this one reads a file, a real one
-would start the driver's pipeline in ``open`` and wait for its next two pictures in ``read``.
+would start the driver's pipeline in ``open`` and wait for its next two images in ``read``.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from tracker.errors import DeviceError
-from tracker.sensors.picture_input import CaptureFormat, Pair
+from tracker.sensors.image_input import CaptureFormat, Pair
 
 FOLDERS = "GLOVETRACK_FOLDER_CAMERAS"
 """Environment variable: folders that play a camera, parted as in PATH."""
@@ -29,14 +29,14 @@ class FolderDriver:
         return [(folder, f"Folder {Path(folder).name}") for folder in listed]
 
     def open(self, camera: str, want: CaptureFormat) -> FolderCamera:
-        """A picture input that is not open yet."""
+        """An image input that is not open yet."""
         return FolderCamera(Path(camera), want)
 
 
 class FolderCamera:
     """Files ``*.npy`` of shape (2, height, width, 3), uint8, BGR: left and right."""
 
-    live = False  # a real camera is live: its pictures come by themselves
+    live = False  # a real camera is live: its images come by themselves
 
     def __init__(self, folder: Path, want: CaptureFormat) -> None:
         self.name, self.fps = f"folder {folder.name}", want.fps or 30.0
@@ -45,7 +45,7 @@ class FolderCamera:
     def open(self) -> None:
         files = sorted(self._folder.glob("*.npy"))
         if not files:
-            raise DeviceError(f"There are no pictures in {self._folder}.")
+            raise DeviceError(f"There are no images in {self._folder}.")
         self._files = iter(files)
 
     def read(self) -> Pair | None:

@@ -97,7 +97,7 @@ class BoardSpec:
         return cv2.aruco.CharucoBoard((self.columns, self.rows), self.square, side, dictionary)
 
 
-def board_picture(spec: BoardSpec, square_px: int = 60) -> NDArray[np.uint8]:
+def board_image(spec: BoardSpec, square_px: int = 60) -> NDArray[np.uint8]:
     """(rows, columns) · square_px grey pixels of the board alone, without a margin."""
     if spec.kind == "charuco":
         size = (spec.columns * square_px, spec.rows * square_px)
@@ -112,7 +112,7 @@ def page_size(spec: BoardSpec) -> tuple[float, float]:
     return spec.width + 2 * MARGIN, spec.height + MARGIN + FOOT
 
 
-def print_picture(spec: BoardSpec, dpi: int = 300) -> tuple[NDArray[np.uint8], float]:
+def print_image(spec: BoardSpec, dpi: int = 300) -> tuple[NDArray[np.uint8], float]:
     """The page to print: the board, a white margin, a ruler of 100 mm below.
 
     Returns grey pixels and how many of them make a metre; printed at that scale a square measures
@@ -120,7 +120,7 @@ def print_picture(spec: BoardSpec, dpi: int = 300) -> tuple[NDArray[np.uint8], f
     """
     square_px = max(12, round(spec.square * dpi / 0.0254))
     per_metre = square_px / spec.square
-    board = board_picture(spec, square_px)
+    board = board_image(spec, square_px)
     margin, foot = round(MARGIN * per_metre), round(FOOT * per_metre)
     page = cv2.copyMakeBorder(board, margin, foot, margin, margin, cv2.BORDER_CONSTANT, value=255)
     _draw_ruler(page, margin, board.shape[0] + margin + round(0.6 * foot), per_metre)

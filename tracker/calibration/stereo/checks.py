@@ -16,7 +16,7 @@ from tracker.calibration.stereo.solve import Solution
 from tracker.errors import ConfigError
 from tracker.geometry import so3
 from tracker.messages import Array
-from tracker.sensors.stereo_calibration import Lens
+from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.vision.rig import StereoRig
 
 SIDES = ("left", "right")
@@ -31,7 +31,7 @@ class RigLimits:
     baseline_known: float = 0.03  # relative, against what the user has measured
     turn_deg: float = 20.0  # between the cameras
     off_axis: float = 0.35  # |T_y| and |T_z| against the baseline
-    focal_least: float = 0.35  # of the picture's width: 110° across
+    focal_least: float = 0.35  # of the image's width: 110° across
     focal_most: float = 4.0  # 14° across
     aspect: float = 0.06  # |fy / fx - 1|
     focal_ratio: float = 0.15  # |fx right / fx left - 1|
@@ -45,7 +45,7 @@ class QualityLimits:
 
     rms_px: float = 0.8
     focal_sd: float = 0.006
-    area: float = 0.4  # of the pictures' cells that hold corners
+    area: float = 0.4  # of the images' cells that hold corners
     tilted: int = 3
 
 
@@ -53,15 +53,15 @@ class QualityLimits:
 class Extrinsics:
     """Lenses and X_right = R X_left + T."""
 
-    left: Lens
-    right: Lens
+    left: Intrinsics
+    right: Intrinsics
     R: Array
     T: Array
 
 
 def extrinsics_of(rig: StereoRig) -> Extrinsics:
     """The motion between the raw lenses of a rectified rig: R1, R2 turn them parallel."""
-    left, right = (Lens(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
+    left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
     T = rig.right.R.T @ np.array([-rig.baseline, 0.0, 0.0])
     return Extrinsics(left, right, rig.right.R.T @ rig.left.R, T)
 
@@ -106,7 +106,7 @@ def quality_problems(
         )
     if cover.area < p.area:
         out.append(
-            f"The views cover only {100 * cover.area:.0f} % of the pictures: show the board at "
+            f"The views cover only {100 * cover.area:.0f} % of the images: show the board at "
             "the edges too."
         )
     if cover.tilted < p.tilted or np.any(solution.focal_sd > p.focal_sd):
@@ -138,12 +138,12 @@ def _sides(rig: Extrinsics, p: RigLimits) -> list[str]:
     if abs(x) < rest:
         return [
             "The cameras stand above or behind each other, not side by side: turn the rig, "
-            "or the pictures, by 90 degrees."
+            "or the images, by 90 degrees."
         ]
     if x > 0:
         return [
             "Left and right are exchanged: what is called the left camera stands on the right. "
-            "Exchange the two pictures in the camera's set-up, or turn off mirroring, which looks "
+            "Exchange the two images in the camera's set-up, or turn off mirroring, which looks "
             "the same."
         ]
     return []
@@ -174,12 +174,12 @@ def _turn(rig: Extrinsics, p: RigLimits) -> list[str]:
 
 def _focal(rig: Extrinsics, p: RigLimits) -> list[str]:
     out = []
-    for side, lens in zip(SIDES, (rig.left, rig.right), strict=True):
-        fx, fy = float(lens.K[0, 0]), float(lens.K[1, 1])
-        if not p.focal_least <= fx / lens.width <= p.focal_most:
+    for side, camera in zip(SIDES, (rig.left, rig.right), strict=True):
+        fx, fy = float(camera.K[0, 0]), float(camera.K[1, 1])
+        if not p.focal_least <= fx / camera.width <= p.focal_most:
             out.append(
-                f"The {side} lens would have a focal length of {fx:.0f} px for a picture "
-                f"{lens.width} px wide, which no usual lens has."
+                f"The {side} lens would have a focal length of {fx:.0f} px for an image "
+                f"{camera.width} px wide, which no usual lens has."
             )
         elif abs(fy / fx - 1) > p.aspect:
             out.append(
@@ -196,27 +196,27 @@ def _focal(rig: Extrinsics, p: RigLimits) -> list[str]:
 
 def _centre(rig: Extrinsics, p: RigLimits) -> list[str]:
     out = []
-    for side, lens in zip(SIDES, (rig.left, rig.right), strict=True):
-        off = lens.K[:2, 2] - [(lens.width - 1) / 2, (lens.height - 1) / 2]
-        if np.linalg.norm(off) > p.centre * lens.width:
+    for side, camera in zip(SIDES, (rig.left, rig.right), strict=True):
+        off = camera.K[:2, 2] - [(camera.width - 1) / 2, (camera.height - 1) / 2]
+        if np.linalg.norm(off) > p.centre * camera.width:
             out.append(
                 f"The middle of the {side} lens would lie {np.linalg.norm(off):.0f} px from the "
-                "middle of the picture: is the picture cropped, or of another size?"
+                "middle of the image: is the image cropped, or of another size?"
             )
     return out
 
 
 def _distortion(rig: Extrinsics, p: RigLimits) -> list[str]:
-    """How far the lens shifts the picture's corner."""
+    """How far the lens shifts the image's corner."""
     out = []
-    for side, lens in zip(SIDES, (rig.left, rig.right), strict=True):
-        x = (lens.width / 2) / lens.K[0, 0]
-        y = (lens.height / 2) / lens.K[1, 1]
-        k1, k2, _, _, k3 = lens.D
+    for side, camera in zip(SIDES, (rig.left, rig.right), strict=True):
+        x = (camera.width / 2) / camera.K[0, 0]
+        y = (camera.height / 2) / camera.K[1, 1]
+        k1, k2, _, _, k3 = camera.D
         r2 = x * x + y * y
         if abs(k1 * r2 + k2 * r2**2 + k3 * r2**3) > p.distortion:
             out.append(
-                f"The {side} lens would bend the picture's corners beyond recognition: show the "
+                f"The {side} lens would bend the image's corners beyond recognition: show the "
                 "board in the corners too, or use a lens that is no fisheye."
             )
     return out

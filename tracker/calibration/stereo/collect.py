@@ -40,7 +40,7 @@ class Collector:
         self._last: StereoView | None = None
 
     def offer(self, look: Look, live: bool = True) -> Answer:
-        """Take the exposure if it is worth it; a still picture (not ``live``) cannot be moving."""
+        """Take the exposure if it is worth it; a still image (not ``live``) cannot be moving."""
         view, before = look.view, self._last
         self._last = view
         if view is None:
@@ -60,7 +60,7 @@ class Collector:
 
 
 def _motion(view: StereoView, before: StereoView) -> float:
-    """Median motion of the corners, px, the larger of both pictures."""
+    """Median motion of the corners, px, the larger of both images."""
     _, i, j = np.intersect1d(view.ids, before.ids, return_indices=True)
     if len(i) == 0:
         return float("inf")

@@ -1,4 +1,4 @@
-"""Which parts of the pictures, tilts and distances the views cover, and what is missing."""
+"""Which parts of the images, tilts and distances the views cover, and what is missing."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ GRID = (4, 6)
 
 @dataclass(frozen=True)
 class CoverageParams:
-    """What makes a good set of views; shares are of the cells of both pictures."""
+    """What makes a good set of views; shares are of the cells of both images."""
 
     views: int = 15
     area: float = 0.7
@@ -44,7 +44,7 @@ class Coverage:
 def coverage(
     views: Sequence[StereoView], width: int, height: int, params: CoverageParams | None = None
 ) -> Coverage:
-    """Of views of pictures ``width`` by ``height`` px."""
+    """Of views of images ``width`` by ``height`` px."""
     p = params or CoverageParams()
     maps = [
         sum((_cells(getattr(v, side), width, height) for v in views), np.zeros(GRID, np.int64))
@@ -66,7 +66,7 @@ def advice(cover: Coverage, params: CoverageParams | None = None) -> str:
     """How to hold the board next, in words; empty where nothing is missing."""
     p = params or CoverageParams()
     if cover.area < p.area:
-        return f"Hold the board where the pictures are empty: {_emptiest(cover)}."
+        return f"Hold the board where the images are empty: {_emptiest(cover)}."
     if cover.tilted < p.tilted:
         return "Tilt the board: by 30 degrees to the left, right, towards you and away."
     if cover.distances < p.distances:
@@ -85,7 +85,7 @@ class Shape:
 
 
 def shape_of(view: StereoView) -> Shape:
-    """Foreshortening of the left picture: needs no knowledge of the lens."""
+    """Foreshortening of the left image: needs no knowledge of the lens."""
     s = np.linalg.svd(_affine(view.points[:, :2], view.left)[:2], compute_uv=False)
     return Shape(float(s[0]), float(np.arccos(min(1.0, s[1] / s[0]))))
 
@@ -93,7 +93,7 @@ def shape_of(view: StereoView) -> Shape:
 def novelty(view: StereoView, other: StereoView, width: int) -> float:
     """0 for the same view; 1 for one that differs enough to be worth taking.
 
-    A shift by 8 % of the picture's width, or a change of size or shape by 15 %, is enough.
+    A shift by 8 % of the image's width, or a change of size or shape by 15 %, is enough.
     """
     a, b = (_affine(v.points[:, :2], v.left) for v in (view, other))
     centre = np.append(view.points[:, :2].mean(axis=0), 1.0)
@@ -119,7 +119,7 @@ def _cells(uv: Array, width: int, height: int) -> IntArray:
 
 
 def _emptiest(cover: Coverage) -> str:
-    """Words for the ninth of the pictures with the fewest views."""
+    """Words for the ninth of the images with the fewest views."""
     both = (cover.left > 0).astype(float) + (cover.right > 0)
     rows = np.array_split(np.arange(GRID[0]), 3)
     columns = np.array_split(np.arange(GRID[1]), 3)

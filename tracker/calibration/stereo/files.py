@@ -1,4 +1,4 @@
-"""Stereo calibrations on disk: ours are OpenCV's YAML with the picture's size and metres.
+"""Stereo calibrations on disk: ours are OpenCV's YAML with the image's size and metres.
 
 `load_rig` reads ours, other people's OpenCV files and a ZED's factory file, and refuses what cannot
 be right.
@@ -16,9 +16,9 @@ from tracker.calibration.stereo.checks import require_plausible
 from tracker.errors import ConfigError, FileError
 from tracker.messages import Array
 from tracker.sensors.opencv_yaml import load_opencv_stereo
-from tracker.sensors.stereo_calibration import Lens
+from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.sensors.zed_files import load_zed
-from tracker.session.disk import disk_error
+from tracker.session.mcap.disk import disk_error
 from tracker.toml_reader import read_text
 from tracker.vision.rig import StereoRig
 
@@ -28,7 +28,7 @@ SUFFIXES = (ZED_SUFFIX, ".yml", ".yaml", ".xml", ".json")
 
 @dataclass(frozen=True)
 class ImportForm:
-    """What files of others do not say: the pictures' size and the unit of T in m."""
+    """What files of others do not say: the images' size and the unit of T in m."""
 
     width: int = 1280
     height: int = 720
@@ -36,7 +36,7 @@ class ImportForm:
 
 
 def save_calibration(
-    path: Path, left: Lens, right: Lens, R: Array, T: Array, note: str = ""
+    path: Path, left: Intrinsics, right: Intrinsics, R: Array, T: Array, note: str = ""
 ) -> None:
     """Write X_right = R X_left + T (m) so that OpenCV reads it too. Replaces the file at once.
 
@@ -93,7 +93,7 @@ def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
 
 
 def _size(path: Path) -> tuple[int, int] | None:
-    """The pictures' size that the file names; None where it does not."""
+    """The images' size that the file names; None where it does not."""
     try:
         flags = cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY
         storage = cv2.FileStorage(read_text(path), flags)

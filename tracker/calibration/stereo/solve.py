@@ -11,7 +11,7 @@ import numpy as np
 from tracker.calibration.stereo.views import StereoView
 from tracker.errors import GlovetrackError
 from tracker.messages import Array
-from tracker.sensors.stereo_calibration import Lens, rectified_rig
+from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
 from tracker.vision.rig import StereoRig
 
 Progress = Callable[[float, str], None]
@@ -38,12 +38,12 @@ class Solution:
     """X_right = R X_left + T, R (3, 3), T (3,) m.
 
     ``used`` are rows of the views given, ``error`` (views, 2) px the RMS of each in the left and
-    right picture, also of those dropped. ``focal_sd`` (2,) is the relative deviation of each
+    right image, also of those dropped. ``focal_sd`` (2,) is the relative deviation of each
     focal length.
     """
 
-    left: Lens
-    right: Lens
+    left: Intrinsics
+    right: Intrinsics
     R: Array
     T: Array
     rms_px: float
@@ -101,10 +101,10 @@ def solve(
         chosen = [views[i] for i in used]
         rig = _solve_once(chosen, (width, height), p, progress)
     progress(1.0, "")
-    lenses = [Lens(width, height, rig.K[s], rig.D[s]) for s in range(2)]
-    error = view_errors(lenses[0], lenses[1], rig.R, rig.T, views)
+    cameras = [Intrinsics(width, height, rig.K[s], rig.D[s]) for s in range(2)]
+    error = view_errors(cameras[0], cameras[1], rig.R, rig.T, views)
     return Solution(
-        lenses[0], lenses[1], rig.R, rig.T, rig.rms_px, tuple(used), error, np.array(rig.focal_sd)
+        cameras[0], cameras[1], rig.R, rig.T, rig.rms_px, tuple(used), error, np.array(rig.focal_sd)
     )
 
 
@@ -178,8 +178,10 @@ def _bad_views(error: Array, dropped: int, total: int, p: SolveParams) -> np.nda
     return bad
 
 
-def view_errors(left: Lens, right: Lens, R: Array, T: Array, views: Sequence[StereoView]) -> Array:
-    """(views, 2) px RMS of each view in both pictures, the board's pose fitted to the left one."""
+def view_errors(
+    left: Intrinsics, right: Intrinsics, R: Array, T: Array, views: Sequence[StereoView]
+) -> Array:
+    """(views, 2) px RMS of each view in both images, the board's pose fitted to the left one."""
     out = np.full((len(views), 2), np.nan)
     for i, view in enumerate(views):
         found, rvec, tvec = cv2.solvePnP(view.points, view.left, left.K, left.D)
@@ -187,8 +189,8 @@ def view_errors(left: Lens, right: Lens, R: Array, T: Array, views: Sequence[Ste
             continue
         R_CB, p_CB = cv2.Rodrigues(rvec)[0], tvec.reshape(3)
         seen = view.points @ R_CB.T + p_CB
-        for s, (lens, uv) in enumerate(((left, view.left), (right, view.right))):
+        for s, (camera, uv) in enumerate(((left, view.left), (right, view.right))):
             p_C = seen if s == 0 else seen @ R.T + T
-            expected, _ = cv2.projectPoints(p_C, np.zeros(3), np.zeros(3), lens.K, lens.D)
+            expected, _ = cv2.projectPoints(p_C, np.zeros(3), np.zeros(3), camera.K, camera.D)
             out[i, s] = np.sqrt(np.mean(np.sum((expected.reshape(-1, 2) - uv) ** 2, axis=1)))
     return out

@@ -24,7 +24,7 @@ class VerifyParams:
 
 @dataclass(frozen=True, eq=False)
 class Verification:
-    """``epipolar`` (views,) px RMS: how far a corner's rows in the two rectified pictures differ.
+    """``epipolar`` (views,) px RMS: how far a corner's rows in the two rectified images differ.
 
     ``shape`` is the median relative error of the distances between corners in 3D, ``offset_px`` the
     median signed difference of rows.

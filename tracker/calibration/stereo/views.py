@@ -1,4 +1,4 @@
-"""The board in one picture, and in both pictures of an exposure."""
+"""The board in one image, and in both images of an exposure."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from tracker.messages import Array, IntArray
 
 LEAST_CORNERS = 12
 """Fewer say too little of a pose."""
-Picture = NDArray[np.uint8]
+Image = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
 class Corners:
-    """Inner corners found in one picture: ids (n,) rising, uv (n, 2) px."""
+    """Inner corners found in one image: ids (n,) rising, uv (n, 2) px."""
 
     ids: IntArray
     uv: Array
@@ -29,7 +29,7 @@ class Corners:
 
 @dataclass(frozen=True, eq=False)
 class StereoView:
-    """Corners seen in both pictures: ids (n,), points (n, 3) m on the board, uv (n, 2) px each."""
+    """Corners seen in both images: ids (n,), points (n, 3) m on the board, uv (n, 2) px each."""
 
     ids: IntArray
     points: Array
@@ -54,8 +54,8 @@ class BoardFinder:
         self.spec = spec
         self._charuco = cv2.aruco.CharucoDetector(spec.charuco) if spec.kind == "charuco" else None
 
-    def look(self, left: Picture, right: Picture) -> Look:
-        """Both pictures of an exposure, BGR or grey."""
+    def look(self, left: Image, right: Image) -> Look:
+        """Both images of an exposure, BGR or grey."""
         pair = [_grey(p) for p in (left, right)]
         found = [self.find(grey) for grey in pair]
         for side, corners, grey in zip(("left", "right"), found, pair, strict=True):
@@ -64,16 +64,16 @@ class BoardFinder:
         assert found[0] is not None and found[1] is not None
         view = self._common(found[0], found[1])
         if len(view.ids) < LEAST_CORNERS:
-            words = "Both pictures must show the same part of the board."
+            words = "Both images must show the same part of the board."
             return Look(found[0], found[1], None, words)
         return Look(found[0], found[1], view)
 
-    def find(self, picture: Picture) -> Corners | None:
-        """The board's corners in one picture; None where it is not seen well enough."""
-        grey = _grey(picture)
+    def find(self, image: Image) -> Corners | None:
+        """The board's corners in one image; None where it is not seen well enough."""
+        grey = _grey(image)
         return self._find_charuco(grey) if self._charuco is not None else self._find_chess(grey)
 
-    def _find_charuco(self, grey: Picture) -> Corners | None:
+    def _find_charuco(self, grey: Image) -> Corners | None:
         assert self._charuco is not None
         uv, ids, _, _ = self._charuco.detectBoard(grey)
         if ids is None or len(ids) < LEAST_CORNERS:
@@ -82,9 +82,9 @@ class BoardFinder:
         order = np.argsort(ids)
         return Corners(ids[order], uv[order])
 
-    def _find_chess(self, grey: Picture) -> Corners | None:
+    def _find_chess(self, grey: Image) -> Corners | None:
         size = (self.spec.corner_columns, self.spec.corner_rows)
-        # Most pictures of a waving hand show no whole board: this says so in a tenth of the time.
+        # Most images of a waving hand show no whole board: this says so in a tenth of the time.
         if not cv2.checkChessboard(grey, size):
             return None
         found, uv = cv2.findChessboardCornersSB(grey, size, flags=cv2.CALIB_CB_NORMALIZE_IMAGE)
@@ -94,18 +94,18 @@ class BoardFinder:
         grid = _upright(grid, grey)
         return Corners(np.arange(self.spec.corner_count), grid.reshape(-1, 2))
 
-    def _absence(self, side: str, grey: Picture) -> str:
+    def _absence(self, side: str, grey: Image) -> str:
         if self._charuco is not None and self.find(np.ascontiguousarray(grey[:, ::-1])):
-            return f"The {side} picture is mirrored: turn off the camera's mirror setting."
+            return f"The {side} image is mirrored: turn off the camera's mirror setting."
         whole = "" if self._charuco is not None else " whole"
-        return f"The board is not seen{whole} in the {side} picture."
+        return f"The board is not seen{whole} in the {side} image."
 
     def _common(self, left: Corners, right: Corners) -> StereoView:
         ids, i, j = np.intersect1d(left.ids, right.ids, return_indices=True)
         return StereoView(ids, self.spec.points_of(ids), left.uv[i], right.uv[j])
 
 
-def _upright(grid: Array, grey: Picture) -> Array:
+def _upright(grid: Array, grey: Image) -> Array:
     """The corner grid (rows, columns, 2) in the board's own order.
 
     OpenCV begins at any end of the board. x must go to the right of y, and the square right below
@@ -124,7 +124,7 @@ def _upright(grid: Array, grey: Picture) -> Array:
     return grid
 
 
-def _grey(picture: Picture) -> Picture:
-    if picture.ndim == 2:
-        return picture
-    return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY), np.uint8)
+def _grey(image: Image) -> Image:
+    if image.ndim == 2:
+        return image
+    return np.asarray(cv2.cvtColor(image, cv2.COLOR_BGR2GRAY), np.uint8)

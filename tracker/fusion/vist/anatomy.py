@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracker.fusion.constraints import Axis, Constraints
-from tracker.fusion.params import ConstraintParams
+from tracker.fusion.chain.constraints import Axis, Constraints
+from tracker.fusion.chain.params import ConstraintParams
 from tracker.fusion.vist.layout import ERRORS, PHI, TH, VistLayout
 from tracker.fusion.vist.params import VistConstraint
 from tracker.fusion.vist.points import jacobians, positions, spread

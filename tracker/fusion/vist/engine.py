@@ -1,19 +1,19 @@
-"""The vist engine: Lee et al. 2021 on packets and pictures, with an automatic start.
+"""The vist engine: Lee et al. 2021 on packets and images, with an automatic start.
 
-The ring buffer that brings late pictures and the present together is in `tracker.fusion.lagged`.
+The ring buffer that brings late images and the present together: `tracker.fusion.time.lagged`.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from tracker.fusion.imu_buffer import Intervals, Readings
-from tracker.fusion.lagged import LaggedEngine
-from tracker.fusion.output import HandOutput, Sensed
-from tracker.fusion.params import ChainParams
-from tracker.fusion.pixels import SeenBlobs, seen_blobs
-from tracker.fusion.start import Starter
-from tracker.fusion.variants import check_variant
+from tracker.fusion.ablations.variants import check_variant
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.pixels import SeenBlobs, seen_blobs
+from tracker.fusion.chain.start.start import Starter
+from tracker.fusion.output.output import HandOutput, Sensed
+from tracker.fusion.time.imu_buffer import Intervals, Readings
+from tracker.fusion.time.lagged import LaggedEngine
 from tracker.fusion.vist.filter import VistFilter
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.markers import Expected, MarkerModel, Matched, Previous
@@ -106,7 +106,7 @@ class VistEngine(LaggedEngine[VistState]):
         noise = self._params.noise
         propagate(state, self._layout, noise, sample, dt, coasting=coasting, covariance=covariance)
 
-    def _without_picture(self, t: float) -> None:
+    def _without_image(self, t: float) -> None:
         """Held together by anatomy."""
         self._track.judge(t, False, self._params.tracking)
         if t - self._track.last_constraint >= self._params.constraint.period:
@@ -123,7 +123,7 @@ class VistEngine(LaggedEngine[VistState]):
         if coasting and is_still(list(self._buffer), t, root, self._state.bg[0]):
             self._filter.rest(self._state)
 
-    # ---- pictures
+    # ---- images
 
     def _process(self, frame: BlobFrame) -> None:
         seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
@@ -147,7 +147,7 @@ class VistEngine(LaggedEngine[VistState]):
         self, state: VistState, seen: Seen, pose: CameraPose, previous: Expected | None
     ) -> tuple[Expected, Matched]:
         """Markers as ``state`` expects them, and which were recognised near there, or near where
-        the ``previous`` picture left them."""
+        the ``previous`` image left them."""
         expected = self._markers.expect(state, pose)
         return expected, self._markers.match(previous or expected, seen, pose)
 
@@ -179,7 +179,7 @@ class VistEngine(LaggedEngine[VistState]):
     def _search_again(
         self, seen: Seen, pose: CameraPose, expected: Expected, matched: Matched
     ) -> tuple[Expected, Matched]:
-        """Move to a better place where the pictures show one; else all stays as it is."""
+        """Move to a better place where the images show one; else all stays as it is."""
         chain = as_chain(self._layout, self._state)
         found = self._starter.again(chain, seen, pose, len(matched))
         if found is None:

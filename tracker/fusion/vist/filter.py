@@ -24,7 +24,7 @@ class VistFilter:
         self._anatomy = Anatomy(layout, params.constraint)
 
     def constrain(self, state: VistState) -> None:
-        """Anatomy alone, while no picture comes."""
+        """Anatomy alone, while no image comes."""
         H, r, variance = self._anatomy.rows(state)
         self._update(state, H, r, np.diag(variance))
 
@@ -38,7 +38,7 @@ class VistFilter:
         """Eq. 10 and the constraints in one stacked update, linearised at one place.
 
         ``often`` multiplies all noise: what is wrong with a marker's place or a joint's axis is
-        the same in the next picture, so more pictures a second tell no more. The innovation uses
+        the same in the next image, so more images a second tell no more. The innovation uses
         the predicted markers themselves; the shift that correspondence found only served the
         assignment.
         """

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.linalg import block_diag
 
-from tracker.fusion.segment_pose import by_segment, fit_pose, softened
+from tracker.fusion.ablations.segment_pose import by_segment, fit_pose, softened
 from tracker.fusion.vist.layout import ERRORS, PHI, TH, VistLayout
 from tracker.fusion.vist.markers import Matched
 from tracker.fusion.vist.points import jacobians, positions, spread

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tracker.fusion.completion import Completion
-from tracker.fusion.pixels import SeenBlobs
-from tracker.fusion.segment_pose import stereo_covariance
+from tracker.fusion.ablations.segment_pose import stereo_covariance
+from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.output.completion import Completion
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.params import VistMatch, VistNoise
 from tracker.fusion.vist.points import jacobians, own_covariance, positions
@@ -40,7 +40,7 @@ class Expected:
 
 @dataclass(frozen=True, eq=False)
 class Previous:
-    """Markers after the picture at ``t`` (s) as the filter then had them."""
+    """Markers after the image at ``t`` (s) as the filter then had them."""
 
     t: float
     markers: Expected
@@ -96,8 +96,8 @@ class MarkerModel:
         return Expected(p_G, prior, H, own_covariance(state, H, segment))
 
     def match(self, guide: Expected, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> Matched:
-        """Stereo points of the picture and their markers. ``guide`` is what is compared with: the
-        markers as they are expected now, or as the previous picture left them."""
+        """Stereo points of the image and their markers. ``guide`` is what is compared with: the
+        markers as they are expected now, or as the previous image left them."""
         left, right = seen
         i, j = (self._candidates(seen[c], guide, pose, bool(c)) for c in range(2))
         z = self._depth(guide, pose)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from tracker.fusion.params import MatchParams
+from tracker.fusion.chain.params import MatchParams
 
 
 @dataclass(frozen=True)
@@ -42,16 +42,16 @@ class VistPrior:
 
 @dataclass(frozen=True)
 class VistConstraint:
-    """Anatomy as pseudo-measurements, applied once per picture."""
+    """Anatomy as pseudo-measurements, applied once per image."""
 
     position: float = 0.0015  # m: two segments meet at their joint
     rotation: float = 0.06  # rad: no twist, no abduction of a hinge
-    period: float = 0.03  # s between two uses while no picture comes
+    period: float = 0.03  # s between two uses while no image comes
 
 
 @dataclass(frozen=True)
 class VistMatch:
-    """Correspondence. ``guide`` ("imu": eqs. 1 to 6) is explained in `tracker.fusion.variants`."""
+    """Correspondence. ``guide`` ("imu": eqs. 1 to 6): `tracker.fusion.ablations.variants`."""
 
     guide: str = "imu"
     gate: float = 30.0  # Mahalanobis² of three degrees of freedom
@@ -61,7 +61,7 @@ class VistMatch:
 
 @dataclass(frozen=True)
 class VistParams:
-    """The vist engine's settings. ``coupling`` is explained in `tracker.fusion.variants`."""
+    """The vist engine's settings. ``coupling``: `tracker.fusion.ablations.variants`."""
 
     coupling: str = "tight"
     noise: VistNoise = field(default_factory=VistNoise)

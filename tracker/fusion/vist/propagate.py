@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker import GRAVITY
-from tracker.fusion.imu_buffer import Readings
+from tracker.fusion.time.imu_buffer import Readings
 from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, P, V, VistLayout
 from tracker.fusion.vist.params import VistNoise
 from tracker.fusion.vist.state import VistState
@@ -39,7 +39,7 @@ def propagate(
 ) -> None:
     """Move ``state`` by ``dt`` with the mean readings ``sample`` over the interval.
 
-    ``coasting`` damps the hand's velocity: without pictures a double integral flies away.
+    ``coasting`` damps the hand's velocity: without images a double integral flies away.
     """
     j = layout.imu_of
     valid, gyro, accel = sample.valid[j], sample.gyro[j], sample.accel[j]

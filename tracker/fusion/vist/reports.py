@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracker.fusion.pixels import SeenBlobs
+from tracker.fusion.chain.pixels import SeenBlobs
 from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, VistLayout
 from tracker.fusion.vist.markers import Expected, Matched
 from tracker.fusion.vist.state import VistState
@@ -68,7 +68,7 @@ def frame_result(
     matched: Matched,
     seen: tuple[SeenBlobs, ...],
 ) -> FrameResult:
-    """What was made of a picture, in raw pixels; one row per marker of the whole glove."""
+    """What was made of an image, in raw pixels; one row per marker of the whole glove."""
     m, kept = len(layout.glove.markers), layout.kept
     p_C = (expected.p_G - pose.p_GC) @ pose.R_GC
     uv = [rig.project(p_C), rig.project(p_C, right=True)]

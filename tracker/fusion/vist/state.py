@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tracker.fusion.chain_kinematics import segment_positions
-from tracker.fusion.state import SCALE_LIMITS, ChainState, initial_state
+from tracker.fusion.chain.kinematics import segment_positions
+from tracker.fusion.chain.state import SCALE_LIMITS, ChainState, initial_state
 from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, P, V, VistLayout
 from tracker.fusion.vist.params import VistPrior
 from tracker.geometry.kernels import turn_all

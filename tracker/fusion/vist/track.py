@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.fusion.params import MatchParams
+from tracker.fusion.chain.params import MatchParams
 from tracker.messages import Array, Tracking
 
 DOUBTFUL_SHARE = 0.35  # of the expected markers
@@ -29,11 +29,11 @@ class Track:
     doubtful_since: float = np.inf
 
     def is_coasting(self, t: float, params: MatchParams) -> bool:
-        """No picture with enough markers lately."""
+        """No image with enough markers lately."""
         return t - self.last_good > params.lost_after
 
     def judge(self, t: float, enough: bool, params: MatchParams) -> None:
-        """After a picture, or without one."""
+        """After an image, or without one."""
         if enough:
             self.last_good, self.tracking = t, Tracking.TRACKING
         elif t - self.last_good > params.coast_limit and self.tip_sd[0] > LOST_SD:

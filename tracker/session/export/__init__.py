@@ -13,9 +13,9 @@ from typing import Any
 
 from tracker import __version__
 from tracker.errors import ConfigError, FileError
-from tracker.session.disk import disk_error
 from tracker.session.export.motion import ExportOptions, Motion
 from tracker.session.formats import FOLDERS, FORMATS, WHOLE_HAND
+from tracker.session.mcap.disk import disk_error
 from tracker.session.reader import SessionReader
 
 
@@ -59,7 +59,7 @@ def _check(format: str, path: Path, options: ExportOptions) -> None:
     if format in WHOLE_HAND and options.joints:
         raise ConfigError(f"{format} holds the whole hand; it cannot leave out joints.")
     if format in FOLDERS and path.exists():
-        raise FileError(f"{path} exists already; the pictures go into a new folder.")
+        raise FileError(f"{path} exists already; the images go into a new folder.")
 
 
 def _sidecar(path: Path) -> Path:

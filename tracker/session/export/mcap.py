@@ -7,15 +7,15 @@ from pathlib import Path
 
 from tracker.errors import ConfigError
 from tracker.messages import Estimate
-from tracker.session import description, engine_state, topics
-from tracker.session import ros_motion as motion
-from tracker.session.cdr import in_words
-from tracker.session.container import McapOutput
-from tracker.session.copying import Copier
+from tracker.session import description, engine_state
 from tracker.session.export.motion import ExportOptions
-from tracker.session.mcap_input import FOREVER, RawMessage
-from tracker.session.ordering import last_before, ordered
+from tracker.session.mcap.container import McapOutput
+from tracker.session.mcap.copying import Copier
+from tracker.session.mcap.input import FOREVER, RawMessage
+from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.reader import SessionReader
+from tracker.session.ros import motion, topics
+from tracker.session.ros.cdr import in_words
 
 _TELLS_OF_THE_PERSON = ("source",)  # a file's name holds the participant's
 

@@ -23,7 +23,7 @@ class ExportOptions:
     """None keeps what the session or the format has.
 
     ``rate`` Hz; ``start``, ``stop`` s from the first estimate; ``joints`` keypoints and angles to
-    keep; ``anonymous`` what is left out, of `formats.HIDEABLE`; ``every`` n-th picture is drawn.
+    keep; ``anonymous`` what is left out, of `formats.HIDEABLE`; ``every`` n-th image is drawn.
     """
 
     rate: float | None = None
@@ -39,7 +39,7 @@ class ExportOptions:
         if self.rate is not None and not RATES[0] <= self.rate <= RATES[1]:
             raise ConfigError(f"A rate of {self.rate:g} Hz is not between 1 and 2000 Hz.")
         if self.every < 1:
-            raise ConfigError(f"Every picture or every n-th, not every {self.every}.")
+            raise ConfigError(f"Every image or every n-th, not every {self.every}.")
         if self.axes is not None and self.axes not in AXES:
             raise ConfigError(f"Axes can be {', '.join(AXES)}, not {self.axes!r}.")
         if self.units is not None and self.units not in UNITS:

@@ -14,12 +14,12 @@ from tracker.session.reader import SessionReader
 
 
 def export_mp4(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
-    """Raises FileError if the session has no pictures, or this computer cannot write MP4."""
+    """Raises FileError if the session has no images, or this computer cannot write MP4."""
     overlay = Overlay(reader, options)
     rate, count = overlay.frame_rate(), 0
     writer: cv2.VideoWriter | None = None
     try:
-        for _, image in overlay.pictures():
+        for _, image in overlay.images():
             writer = writer or _open(path, rate, image)
             writer.write(image)
             count += 1

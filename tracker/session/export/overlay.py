@@ -1,4 +1,4 @@
-"""The left pictures with the tracked hand drawn over them."""
+"""The left images with the tracked hand drawn over them."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from tracker.errors import FileError
 from tracker.messages import Array, StereoFrame, Validity
 from tracker.session.export.motion import ExportOptions, Motion, load_motion
 from tracker.session.export.skeleton import bone_tree
-from tracker.session.pictures import PackedFrame
+from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 from tracker.vision.rig import StereoRig
 
 Image = NDArray[np.uint8]
 _COLOUR = {Validity.MEASURED: (80, 220, 80), Validity.INFERRED: (60, 180, 250)}  # BGR
 _NEAR_NS = 50_000_000
-_LATE_S = 0.2  # s that a picture may arrive after its exposure
+_LATE_S = 0.2  # s that an image may arrive after its exposure
 
 
 @dataclass(frozen=True, eq=False)
 class Overlay:
-    """A session's motion and its pictures, drawn one at a time."""
+    """A session's motion and its images, drawn one at a time."""
 
     reader: SessionReader
     options: ExportOptions
@@ -36,9 +36,9 @@ class Overlay:
         span = ExportOptions(start=self.options.start, stop=self.options.stop)
         object.__setattr__(self, "motion", load_motion(self.reader, span))
 
-    def pictures(self) -> Iterator[tuple[int, Image]]:
-        """(stamp ns, (h, w, 3) BGR) of every chosen picture of the tracked time, at ``rate`` with
-        pictures left out or repeated. Raises FileError if there is none."""
+    def images(self) -> Iterator[tuple[int, Image]]:
+        """(stamp ns, (h, w, 3) BGR) of every chosen image of the tracked time, at ``rate`` with
+        images left out or repeated. Raises FileError if there is none."""
         rig, first, before, given = self.reader.rig(), 0, None, 0
         for stamp, row, frame in self._chosen():
             if not given:
@@ -52,15 +52,15 @@ class Overlay:
             image = self._drawn(frame.unpack(), row, rig)
             if image is None:
                 continue
-            for _ in range(times - 1):  # where pictures are missing the last one stands still
+            for _ in range(times - 1):  # where images are missing the last one stands still
                 yield stamp, image if before is None else before
             yield stamp, image
             before, given = image, given + times
         if not given:
-            raise FileError(f"{self.reader.path} holds no pictures of the tracked time.")
+            raise FileError(f"{self.reader.path} holds no images of the tracked time.")
 
     def frame_rate(self) -> float:
-        """Of what `pictures` gives, a second, judged by the first hundred."""
+        """Of what `images` gives, a second, judged by the first hundred."""
         if self.options.rate is not None:
             return self.options.rate
         stamps: list[int] = []
@@ -72,7 +72,7 @@ class Overlay:
         return NS / float(np.median(steps)) if len(steps) else 30.0
 
     def _chosen(self) -> Iterator[tuple[int, int, PackedFrame]]:
-        """Stamp, row of the motion and the picture: of every n-th with an estimate near it."""
+        """Stamp, row of the motion and the image: of every n-th with an estimate near it."""
         anchor, stamps = self.reader.anchor, self.motion.stamp_ns
         start, stop = anchor.monotonic(int(stamps[0])), anchor.monotonic(int(stamps[-1]))
         near = self.reader.packed_messages((StereoFrame,), start - _LATE_S, stop + _LATE_S)
@@ -88,7 +88,7 @@ class Overlay:
             count += 1
 
     def _drawn(self, frame: StereoFrame, row: int, rig: StereoRig) -> Image | None:
-        """A copy of the left picture with bones and keypoints; what is lost is not drawn."""
+        """A copy of the left image with bones and keypoints; what is lost is not drawn."""
         if frame.left is None:
             return None
         m, pose = self.motion, frame.pose or rig.pose

@@ -1,4 +1,4 @@
-"""PNG: the overlay as a folder of numbered pictures, with a table of their instants."""
+"""PNG: the overlay as a folder of numbered images, with a table of their instants."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ TABLE = "pictures.csv"
 def export_png(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
     """``path`` becomes a folder of 000000.png… and ``pictures.csv`` (file, t in s).
 
-    Raises FileError if the session has no pictures.
+    Raises FileError if the session has no images.
     """
     overlay = Overlay(reader, options)
     zero = int(overlay.motion.stamp_ns[0]) if "time" in options.anonymous else 0
     path.mkdir()
     lines = ["file,t"]
-    for k, (stamp, image) in enumerate(overlay.pictures()):
+    for k, (stamp, image) in enumerate(overlay.images()):
         name = f"{k:06d}.png"
         if not cv2.imwrite(str(path / name), image):
             raise FileError(f"{name} cannot be written: the disk may be full.")

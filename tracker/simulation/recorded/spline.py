@@ -62,7 +62,7 @@ def in_working_volume(
     camera: CameraPose | None = None,
     depth: float = 0.36,
 ) -> SplineMotion:
-    """The recording moved as a whole, ``up`` to G's z, into the middle of the picture.
+    """The recording moved as a whole, ``up`` to G's z, into the middle of the image.
 
     Turned about the vertical so that the fingers point away from the camera on average; the middle
     of the path's range comes to ``depth`` (m) on the camera's axis, further where the path is wide.

@@ -1,0 +1,1 @@
+"""What runs behind the window: the demo, devices, a replayed session."""

@@ -1,0 +1,165 @@
+"""The demo: a simulated wearer, glove and camera, tracked by the real engine."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import numpy as np
+
+from app.engines.demo_camera import DURATION, demo_spec, start_camera
+from app.engines.engine import EngineSetup, Recorder, RecordingRequest, Truth
+from app.engines.recorder import recorder_maker
+from app.engines.warm_up import warm_up
+from app.platform.tasks import Progress
+from tracker import library
+from tracker.clock import ClockAnchor
+from tracker.config import to_toml
+from tracker.errors import DeviceError
+from tracker.geometry import so3
+from tracker.live.runner import LiveTracker
+from tracker.messages import Estimate, Message, Validity
+from tracker.pipeline import Pipeline
+from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.session.description import SessionInfo
+from tracker.session.writer import SessionRecorder
+from tracker.simulation.camera_device import SimulatedCamera
+from tracker.simulation.demo import DemoSpec, build
+from tracker.simulation.glove_device import SimulatedGlove
+from tracker.simulation.scenario import Simulation
+from tracker.simulation.scenario import Truth as SimulatedTruth
+from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.detector import Detector
+
+LEAD = 0.25  # s until the devices begin: a recording asked for at once misses nothing
+CAMERA_TIMEOUT = 120.0
+TRUTHS_AT_ONCE = 25
+CAMERA = "simulated camera"
+
+
+def demo_setup(
+    progress: Progress, seed: int, fps: float, camera: SimulatedCamera | None = None
+) -> EngineSetup:
+    """Build everything; takes a minute or so the first time where no kernel is compiled.
+
+    ``camera``: one that was started before, for the same seed and rate.
+    """
+    progress(0.1, "a simulated wearer and camera")
+    camera = camera or start_camera(seed, fps)  # its own process gets ready beside us
+    try:
+        return _setup_with(progress, demo_spec(seed, fps), camera)
+    except BaseException:  # Ctrl+C too must not leave the camera's process behind
+        camera.close()
+        raise
+
+
+def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> EngineSetup:
+    simulation = build(spec)
+    colours_text = library.text("colours", library.DEFAULT_COLOURS)
+    profile = parse_profile(colours_text)
+    pipeline = Pipeline(simulation.hand, simulation.glove, simulation.rig)
+
+    def make_detector(colours: ColourProfile) -> Detector:
+        size = float(simulation.glove.marker_size.mean())
+        return Detector(colours, size, simulation.rig.fx)
+
+    progress(0.5, "first image")
+    warm_up(simulation.hand, simulation.glove, make_detector(profile))
+    progress(0.9, "devices")
+    if not camera.wait_ready(CAMERA_TIMEOUT):
+        raise DeviceError("The simulated camera did not start.")
+    count = len(simulation.glove.imus)
+    device = SimulatedGlove(simulation.imu_samples(), count)
+    link = GloveLink(serial_port(device.path), count)
+    t_0 = time.monotonic() + LEAD
+    camera.begin(t_0)
+    device.begin(t_0)
+    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
+    info = _info(spec, simulation, pipeline, colours_text)
+
+    def truth(t: float) -> Truth:
+        true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
+        return Truth(true.keypoints, true.R_GB, true.p_GB)
+
+    record = recorder_maker(tracker, info)
+
+    def make_recorder(request: RecordingRequest) -> Recorder:
+        return TruthfulRecorder(record(request), simulation, t_0)
+
+    return EngineSetup(
+        name="demo",
+        engine=tracker,
+        hand=simulation.hand,
+        glove=simulation.glove,
+        rig=simulation.rig,
+        profile=profile,
+        anchor=info.anchor,
+        close=device.stop,
+        make_recorder=make_recorder,
+        truth=truth,
+        simulated=True,
+        vibrate=link.vibrate,
+        command=tracker.command,
+        shadowing=tracker,
+        camera=CAMERA,
+    )
+
+
+def _info(
+    spec: DemoSpec, simulation: Simulation, pipeline: Pipeline, colours_text: str
+) -> SessionInfo:
+    """What a recording of the demo is about."""
+    return SessionInfo(
+        hand=simulation.hand,
+        glove=simulation.glove,
+        hand_text=spec.hand_text,
+        glove_text=spec.glove_text,
+        anchor=ClockAnchor(time.time_ns(), time.monotonic_ns()),
+        rig=simulation.rig,
+        colours_text=colours_text,
+        settings_text=to_toml(pipeline.settings),
+        engine=pipeline.settings.engine,
+        simulated=True,
+    )
+
+
+class TruthfulRecorder:
+    """Writes beside each estimate what the hand truly did."""
+
+    def __init__(self, inner: SessionRecorder, simulation: Simulation, t_0: float) -> None:
+        self._inner, self._simulation, self._t_0 = inner, simulation, t_0
+        self._waiting: list[Estimate] = []
+        self._segments = simulation.glove.keypoint_segments(simulation.hand)
+
+    def write(self, message: Message, overloaded: bool = False) -> None:
+        self._inner.write(message, overloaded)
+        if isinstance(message, Estimate):
+            self._waiting.append(message)
+            if len(self._waiting) >= TRUTHS_AT_ONCE:
+                self._write_truths()
+
+    def _write_truths(self) -> None:
+        """Truth for many instants costs no more than for one."""
+        t = np.array([e.t for e in self._waiting]) - self._t_0
+        truths = self._simulation.truths(np.clip(t, 0.0, DURATION - 0.1))
+        for estimate, true in zip(self._waiting, truths, strict=True):
+            self._inner.write_truth(self._with_truth(estimate, true))
+        self._waiting.clear()
+
+    def _with_truth(self, estimate: Estimate, true: SimulatedTruth) -> Estimate:
+        """The estimate's shape with the true values."""
+        return replace(
+            estimate,
+            keypoints=true.keypoints.copy(),
+            angles=true.angles.copy(),
+            segment_R=true.R_GB.copy(),
+            segment_p=true.p_GB.copy(),
+            keypoint_q=so3.quat_from_matrix(true.R_GB)[self._segments],
+            keypoint_state=np.full(len(true.keypoints), Validity.MEASURED, np.int64),
+            angle_state=np.full(len(true.angles), Validity.MEASURED, np.int64),
+        )
+
+    def close(self) -> None:
+        if self._waiting:
+            self._write_truths()
+        self._inner.close()

@@ -1,0 +1,167 @@
+"""What the window needs of an engine: live, simulated or replayed, they all look like this."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+from tracker.clock import ClockAnchor
+from tracker.fusion.engine import Engine
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    Calibration,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    Message,
+    Status,
+    StereoFrame,
+)
+from tracker.sensors.camera_controls import Control, Locks
+from tracker.vision.colours import ColourProfile
+from tracker.vision.rig import StereoRig
+
+ENGINES = ("chain", "vist", "switching", "madgwick")
+"""`tracker.pipeline.ENGINES`, whose import takes a second."""
+
+
+class Recorder(Protocol):
+    """Takes every message for a file."""
+
+    def write(self, message: Message, overloaded: bool = False) -> None: ...
+
+    def close(self) -> None: ...
+
+
+class LiveEngine(Protocol):
+    """The part of `tracker.live.runner.LiveTracker` that the window talks to."""
+
+    def start(self) -> None: ...
+
+    def stop(self) -> None: ...
+
+    def latest_estimate(self) -> Estimate | None: ...
+
+    def latest_frame(self) -> tuple[StereoFrame, BlobFrame, FrameResult] | None: ...
+
+    def recent_imu(self) -> Sequence[ImuSample]: ...
+
+    def calibration(self) -> Calibration | None: ...
+
+    def status(self) -> Status: ...
+
+    def take_events(self) -> list[Event]: ...
+
+    def set_profile(self, profile: ColourProfile) -> None: ...
+
+    def set_engine(self, name: str) -> None: ...
+
+    def set_recorder(self, recorder: Recorder | None) -> None: ...
+
+    def keep_state(self) -> None: ...
+
+    def note(self, text: str) -> None: ...
+
+
+class Shadowing(Protocol):
+    """Tracks with a second engine beside the first, to be compared with."""
+
+    def set_shadow(self, name: str | None) -> None: ...
+
+    def shadow_estimate(self) -> Estimate | None: ...
+
+
+class CameraControls(Protocol):
+    """Exposure, gain and white balance of the camera in use."""
+
+    def controls(self) -> tuple[Control, ...]: ...
+
+    def want(self, locks: Locks) -> None: ...
+
+
+class Player(Protocol):
+    """Moves through a recorded session; times are s from its start."""
+
+    @property
+    def path(self) -> Path: ...
+
+    @property
+    def duration(self) -> float: ...
+
+    @property
+    def position(self) -> float: ...
+
+    @property
+    def playing(self) -> bool: ...
+
+    def seek(self, position: float) -> None: ...
+
+    def play(self, on: bool) -> None: ...
+
+    def set_speed(self, speed: float) -> None: ...
+
+    def set_loop(self, on: bool) -> None: ...
+
+    def set_range(self, start: float, stop: float) -> None: ...
+
+    def step(self, images: int) -> None: ...
+
+    @property
+    def range(self) -> tuple[float, float]: ...
+
+    @property
+    def events(self) -> Sequence[tuple[float, Event]]: ...
+
+    def set_ghost(self, path: Path | None) -> None: ...
+
+    def ghost(self) -> Truth | None: ...
+
+
+@dataclass(frozen=True)
+class Truth:
+    """The simulated hand as it is: keypoints (K, 3) m and segment poses R (S, 3, 3), p (S, 3)."""
+
+    keypoints: Array
+    R_GB: Array
+    p_GB: Array
+
+
+@dataclass(frozen=True)
+class RecordingRequest:
+    """What the user wants on disk."""
+
+    path: Path
+    participant: str
+    task: str
+
+
+@dataclass(frozen=True, eq=False)
+class EngineSetup:
+    """An engine and what it works with. ``close`` frees what `LiveEngine.stop` does not.
+
+    An engine is started once; to start again the window builds another one.
+    """
+
+    name: str
+    engine: LiveEngine
+    hand: HandModel
+    glove: GloveModel
+    rig: StereoRig
+    profile: ColourProfile
+    anchor: ClockAnchor
+    close: Callable[[], None]
+    make_recorder: Callable[[RecordingRequest], Recorder] | None = None
+    truth: Callable[[float], Truth | None] | None = None
+    simulated: bool = False
+    player: Player | None = None  # of a recorded session
+    command: Callable[[Callable[[Engine], None]], None] | None = None  # in the engine's own thread
+    shadowing: Shadowing | None = None
+    camera_controls: CameraControls | None = None  # of a device that is open
+    camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
+    vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms

@@ -1,0 +1,54 @@
+"""Kernels that no library brings are compiled before devices are opened, not while they wait."""
+
+from __future__ import annotations
+
+from app.widgets.view3d.orbit import Orbit
+from app.widgets.view3d.raster.scene import RasterScene
+from app.widgets.view3d.scene import Look
+from app.widgets.view3d.shapes import ball
+from tracker import kernels
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import BlobFrame, ImuSample
+from tracker.pipeline import Pipeline
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+from tracker.vision.detector import Detector, detect_frame
+
+MOTION = 0.6  # s: the hand is found, corrected and told once, which needs every kernel
+SEED, FPS = 1, 30.0
+
+
+def warm_up(hand: HandModel, glove: GloveModel, detector: Detector) -> None:
+    """Track simulated motion and search an image; at once where all is compiled already."""
+    if kernels.are_compiled():
+        return
+    warm_up_view()
+    motion = RandomPostures(hand, SEED, duration=MOTION)
+    simulation = Simulation(hand, glove, motion, SEED, fps=FPS)
+    pipeline = Pipeline(hand, glove, simulation.rig)
+    for message in simulation.feed():
+        if isinstance(message, ImuSample):
+            pipeline.feed_imu(message)
+        elif isinstance(message, BlobFrame):
+            pipeline.feed_frame(message)
+    pipeline.calibration()
+    _search(simulation, pipeline, detector)
+
+
+def warm_up_view() -> None:
+    """Paint a ball, so that the window need not wait for what the hand in 3D is painted with."""
+    if not kernels.are_compiled():
+        scene = RasterScene()
+        scene.add(ball(0.01), Look("#FFFFFF"))
+        scene.render(Orbit(), 2, 2)
+
+
+def _search(simulation: Simulation, pipeline: Pipeline, detector: Detector) -> None:
+    """A whole image, then the surroundings of the expected markers."""
+    index, t, arrival = next(simulation.exposures())
+    frame, names = simulation.renderer.frame(t, arrival, index), detector.profile.hue_names
+    detect_frame(detector, frame)
+    expected, rig = pipeline.outlook(MOTION), simulation.rig
+    if expected is not None:
+        detect_frame(detector, frame, expected.hints(rig, expected.t, rig.pose, names))

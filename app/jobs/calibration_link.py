@@ -1,0 +1,71 @@
+"""What the calibration panel asks of the engine; answers come back into the window's thread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QObject, Signal
+
+from app.engines.engine import EngineSetup
+from app.engines.session import Session
+from tracker.errors import ConfigError
+from tracker.fusion.chain.calibration.control import renewed
+from tracker.fusion.chain.calibration.profile_file import WearerFile
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.profile import WearerProfile
+from tracker.fusion.engine import Engine
+
+
+def chain_of(engine: Engine) -> ChainEngine:
+    """The engine, if it is one whose calibration can be worked on. Raises ConfigError."""
+    if isinstance(engine, ChainEngine):
+        return engine
+    raise ConfigError(
+        "Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu."
+    )
+
+
+class CalibrationLink(QObject):
+    """Commands to the engine of a `Session`."""
+
+    learned = Signal(object)  # WearerFile, after `ask`
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+
+    def layout(self) -> ChainLayout | None:
+        """Of the open glove and hand."""
+        setup = self._session.setup
+        return ChainLayout(setup.hand, setup.glove) if setup is not None else None
+
+    @property
+    def available(self) -> bool:
+        """Whether there is an engine that takes commands: not in a replay, nor after a stop."""
+        setup = self._session.setup
+        return setup is not None and setup.command is not None and self._session.running
+
+    def reset(self, segments: Sequence[str] | None) -> bool:
+        """Forget some segments, or (None) all."""
+        return self._command(lambda engine: engine.reset_calibration(segments))
+
+    def freeze(self, on: bool) -> bool:
+        return self._command(lambda engine: engine.freeze_calibration(on))
+
+    def put_on(self, profile: WearerProfile) -> bool:
+        """A profile of an earlier session, and of an earlier fit of the glove."""
+        return self._command(lambda engine: engine.put_on(renewed(profile, engine.layout)))
+
+    def ask(self) -> bool:
+        """Have what has been learned sent by `learned`."""
+        setup = self._session.setup
+        return setup is not None and self._command(lambda engine: self._answer(engine, setup))
+
+    def _answer(self, engine: ChainEngine, setup: EngineSetup) -> None:
+        calibration = engine.calibration()
+        wearer = WearerFile(setup.hand.name, setup.glove.name, engine.profile(), calibration)
+        self.learned.emit(wearer)
+
+    def _command(self, work: Callable[[ChainEngine], None]) -> bool:
+        return self._session.command(lambda engine: work(chain_of(engine)))

@@ -1,0 +1,153 @@
+"""Exports: what is asked for, the job that does it, and a queue that does one after the other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Signal
+
+from app.platform.tasks import Job, Progress, Task, TaskOwner
+from app.viewmodels.states import BAD, GOOD, IDLE, SKY, Look
+
+if TYPE_CHECKING:
+    from tracker.session.export import ExportOptions
+
+WAITING = Look(IDLE.colour, "◌", "waiting")
+RUNNING = Look(SKY, "▶", "under way")
+DONE = Look(GOOD.colour, GOOD.sign, "done")
+FAILED = Look(BAD.colour, BAD.sign, "failed")
+CANCELLED = Look(IDLE.colour, IDLE.sign, "cancelled")
+
+
+@dataclass(frozen=True)
+class ExportRequest:
+    """``part``: from and to in s of the replay; None is the whole session."""
+
+    source: Path
+    form: str
+    target: Path
+    part: tuple[float, float] | None = None
+    rate: float | None = None  # Hz
+    axes: str | None = None
+    units: str | None = None
+    anonymous: tuple[str, ...] = ()
+
+
+def export_job(request: ExportRequest) -> Job:
+    """A job that writes the file; cancelled, it leaves none behind."""
+
+    def run(progress: Progress) -> Path:
+        from tracker.session.export import export
+
+        progress(0.0, request.form)
+        options = _options(request)
+        export(request.source, request.form, request.target, options, progress)
+        return request.target
+
+    return run
+
+
+def _options(request: ExportRequest) -> ExportOptions:
+    """The engine's options; it counts time from the first estimate, a replay from the start."""
+    from tracker.session.export import ExportOptions
+
+    options = ExportOptions(
+        rate=request.rate,
+        axes=request.axes,
+        units=request.units,
+        anonymous=request.anonymous,
+    )
+    if request.part is None:
+        return options
+    first = _first_estimate(request.source)
+    start, stop = request.part
+    return replace(options, start=max(0.0, start - first), stop=max(0.0, stop - first))
+
+
+def _first_estimate(path: Path) -> float:
+    """Where in the replay the first estimate stands, s; 0 where there is none."""
+    from tracker.messages import Estimate
+    from tracker.session.reader import SessionReader
+
+    with SessionReader(path) as reader:
+        start = reader.anchor.monotonic(reader.span_ns[0])
+        return next((m.t - start for m in reader.messages((Estimate,))), 0.0)
+
+
+@dataclass(eq=False)
+class QueueItem:
+    """One export on its way."""
+
+    request: ExportRequest
+    look: Look = WAITING
+    share: float = 0.0
+    problem: str = ""
+    task: Task | None = field(default=None, repr=False)
+
+    @property
+    def open(self) -> bool:
+        """Still to be done or under way."""
+        return self.look in (WAITING, RUNNING)
+
+
+class ExportQueue(QObject):
+    """One export at a time: two would only wait for the same disk."""
+
+    changed = Signal()
+
+    def __init__(self, tasks: TaskOwner, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._tasks = tasks
+        self.items: list[QueueItem] = []
+
+    def add(self, request: ExportRequest) -> QueueItem:
+        item = QueueItem(request)
+        self.items.append(item)
+        self._go_on()
+        return item
+
+    def cancel(self, item: QueueItem) -> None:
+        """Take it out of the queue, or end it where it is under way."""
+        if item.task is not None:
+            item.task.cancel()
+        elif item.look == WAITING:
+            item.look = CANCELLED
+            self.changed.emit()
+
+    def forget_ended(self) -> None:
+        self.items = [i for i in self.items if i.open]
+        self.changed.emit()
+
+    def _go_on(self) -> None:
+        self.changed.emit()
+        if any(i.look == RUNNING for i in self.items):
+            return
+        item = next((i for i in self.items if i.look == WAITING), None)
+        if item is None:
+            return
+        item.look = RUNNING
+        item.task = self._tasks.run(
+            self.tr("Exporting {}").format(item.request.target.name),
+            export_job(item.request),
+            done=lambda _path: self._settle(item, DONE),
+            ended=lambda: self._ended(item),
+            progressed=lambda share, _text: self._progressed(item, share),
+            failed=lambda text: self._settle(item, FAILED, text),
+        )
+        self.changed.emit()
+
+    def _progressed(self, item: QueueItem, share: float) -> None:
+        item.share = min(max(share, 0.0), 1.0)
+        self.changed.emit()
+
+    def _settle(self, item: QueueItem, look: Look, problem: str = "") -> None:
+        item.look, item.problem = look, problem
+
+    def _ended(self, item: QueueItem) -> None:
+        """Neither done nor failed: it was cancelled."""
+        item.task = None
+        if item.look == RUNNING:
+            item.look = CANCELLED
+        self._go_on()

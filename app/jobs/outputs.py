@@ -1,0 +1,230 @@
+"""The live outputs of the window: which run, on what, and what became of the estimates sent.
+
+Each output is attached to the engine by itself, so that one can be switched without the others.
+Opening one resolves names and binds ports, closing one waits for what it is sending: both are
+jobs, never the window's own work.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, fields, replace
+from typing import Any, TypeVar
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from app.engines.engine import EngineSetup
+from app.engines.session import Session
+from app.platform.tasks import Progress, TaskOwner
+from app.storage.settings import SettingsStore
+from tracker.messages import Event, Validity
+from tracker.streaming.attach import Attachment, attach
+from tracker.streaming.haptics import HapticPublisher, Sphere
+from tracker.streaming.params import STREAMS, StreamParams, open_publishers
+from tracker.streaming.publisher import Names, Publisher
+from tracker.streaming.streams import StreamCounts
+
+HAPTICS = "haptics"
+TOUCHING = "index_tip"
+_log = logging.getLogger(__name__)
+P = TypeVar("P")
+
+
+@dataclass(frozen=True)
+class HapticRule:
+    """Fingertips that enter the sphere vibrate. ``center`` in m in G; empty where it has none."""
+
+    on: bool = False
+    radius: float = 0.03  # m
+    center: tuple[float, ...] = ()
+
+
+class Outputs(QObject):
+    """Follows the session: what is switched on runs while an engine runs."""
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        session: Session,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._session, self._store, self._tasks = session, store, tasks
+        self.params = params_from(StreamParams, store.value.streams)
+        self.rule = params_from(HapticRule, store.value.haptics)
+        self._attached: dict[str, Attachment] = {}
+        self._fresh: list[Publisher] = []  # open, and not yet attached
+        self._wanted: dict[str, int] = {}  # number of the latest wish for each output
+        self.problems: dict[str, str] = {}
+        session.running_changed.connect(self._follow)
+        session.closed.connect(lambda: self._follow(False))
+
+    # --- what the user asks
+
+    def switch(self, name: str, on: bool) -> None:
+        """Turn one output on or off, now and after the next start."""
+        changes: dict[str, Any] = {name: on}
+        self._change(replace(self.params, **changes), [name])
+
+    def use(self, asked: StreamParams) -> None:
+        """Turn on what the command line asks for; not remembered unless something is changed."""
+        for name in (n for n in STREAMS if getattr(asked, n)):
+            port = f"{name}_port"
+            changes: dict[str, Any] = {name: True}
+            if hasattr(asked, port):
+                changes[port] = getattr(asked, port)
+            self.params = replace(self.params, **changes)
+        if asked.host != StreamParams.host:
+            self.params = replace(self.params, host=asked.host)
+
+    def move(self, host: str) -> None:
+        """To or at another address; what runs is opened again there."""
+        self._change(replace(self.params, host=host), [n for n in STREAMS if self.is_on(n)])
+
+    def set_port(self, name: str, port: int) -> None:
+        changes: dict[str, Any] = {f"{name}_port": port}
+        self._change(replace(self.params, **changes), [name] if self.is_on(name) else [])
+
+    def _change(self, params: StreamParams, names: Sequence[str]) -> None:
+        self.params = params
+        self._store.update(streams=asdict(params))
+        for name in names:
+            self._apply(name)
+
+    def set_rule(self, rule: HapticRule) -> None:
+        """Another sphere, or none; one that has no place yet stands at the index fingertip."""
+        if rule.on and not rule.center:
+            rule = replace(rule, center=self.fingertip())
+        if rule.on and not rule.center:
+            rule = replace(rule, on=False)
+            self._session.error.emit(self.tr("The index fingertip is not seen: there is no place."))
+        self.rule = rule
+        self._store.update(haptics={**asdict(rule), "center": list(rule.center)})
+        self._apply(HAPTICS)
+
+    def fingertip(self) -> tuple[float, ...]:
+        """Where the index fingertip is now, m in G; empty where that is not known."""
+        setup = self._session.setup
+        estimate = setup.engine.latest_estimate() if setup is not None else None
+        if setup is None or estimate is None:
+            return ()
+        row = setup.glove.keypoint_names(setup.hand).index(TOUCHING)
+        if estimate.keypoint_state[row] == Validity.LOST:
+            return ()
+        return tuple(float(x) for x in estimate.keypoints[row])
+
+    def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> None:
+        """Let one motor run, to feel whether it does."""
+        setup = self._session.setup
+        if setup is not None and setup.vibrate is not None:
+            setup.vibrate(channel, amplitude, duration_ms)
+
+    @property
+    def can_vibrate(self) -> bool:
+        setup = self._session.setup
+        return setup is not None and setup.vibrate is not None and self._session.running
+
+    def is_on(self, name: str) -> bool:
+        return self.rule.on if name == HAPTICS else bool(getattr(self.params, name))
+
+    def counts(self, name: str) -> StreamCounts | None:
+        """Of an output that runs; None where it does not."""
+        attached = self._attached.get(name)
+        return attached.counts()[0] if attached is not None else None
+
+    # --- opening and closing
+
+    def _follow(self, running: bool) -> None:
+        for name in (*STREAMS, HAPTICS):
+            if running:
+                self._apply(name)
+            else:
+                self._close(name)
+
+    def _apply(self, name: str) -> None:
+        """Close what runs and open it as it is wanted now, where an engine runs."""
+        self._close(name)
+        setup = self._session.setup
+        if not self.is_on(name) or setup is None or not self._session.running:
+            return
+        if name == HAPTICS and setup.vibrate is None:
+            return
+        wish = self._wanted[name]
+
+        def opened(publisher: Publisher) -> None:
+            self._opened(name, wish, setup, publisher)
+
+        def job(progress: Progress) -> Publisher:
+            progress(-1.0, name)
+            publisher = self._publisher(name, setup)
+            self._fresh.append(publisher)
+            return publisher
+
+        self._tasks.run(
+            self.tr("Opening {}").format(name),
+            job,
+            done=opened,
+            failed=lambda text: self._failed(name, text),
+        )
+
+    def _publisher(self, name: str, setup: EngineSetup) -> Publisher:
+        """Open one output. Raises StreamError in words."""
+        if name == HAPTICS:
+            assert setup.vibrate is not None
+            sphere = Sphere(np.array(self.rule.center), self.rule.radius)
+            return HapticPublisher(Names.of(setup.hand, setup.glove), [sphere], setup.vibrate)
+        switches: dict[str, Any] = {n: n == name for n in STREAMS}
+        alone = replace(self.params, **switches)
+        return open_publishers(alone, setup.hand, setup.glove)[0]
+
+    def _opened(self, name: str, wish: int, setup: EngineSetup, publisher: Publisher) -> None:
+        """Attach it, unless something else is wanted by now, or the window has closed it."""
+        if publisher not in self._fresh:
+            return
+        self._fresh.remove(publisher)
+        if wish != self._wanted[name] or setup is not self._session.setup:
+            publisher.close()
+            return
+        self._attached[name] = attach(setup.engine, [publisher], say=self._say)
+        self._say(self.tr("The stream {} runs.").format(publisher.name))
+        self.changed.emit()
+
+    def _failed(self, name: str, text: str) -> None:
+        self.problems[name] = text
+        self.changed.emit()
+
+    def _close(self, name: str) -> None:
+        self._wanted[name] = self._wanted.get(name, 0) + 1
+        self.problems.pop(name, None)
+        attached = self._attached.pop(name, None)
+        if attached is not None:
+            self._tasks.run(self.tr("Closing {}").format(name), lambda _progress: attached.close())
+        self.changed.emit()
+
+    def _say(self, text: str) -> None:
+        """May be called from an output's thread."""
+        self._session.happened.emit(Event(0.0, "device", text))
+
+    def shut_down(self) -> None:
+        """After the last job: close what one has opened and nobody took."""
+        for publisher in self._fresh:
+            publisher.close()
+        self._fresh.clear()
+
+
+def params_from(kind: type[P], data: dict[str, Any]) -> P:
+    """Params from what was remembered; what is unknown or of a wrong type keeps its default."""
+    default = kind()
+    values: dict[str, Any] = {}
+    for f in fields(kind):  # type: ignore[arg-type]
+        value, usual = data.get(f.name), getattr(default, f.name)
+        if isinstance(usual, tuple) and isinstance(value, list):
+            values[f.name] = tuple(float(v) for v in value if isinstance(v, int | float))
+        elif type(value) is type(usual):
+            values[f.name] = value
+    return replace(default, **values)  # type: ignore[type-var]

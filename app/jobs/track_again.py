@@ -1,0 +1,95 @@
+"""A recorded session through the pipeline again, and how both trackings compare: one job."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from app.platform.tasks import Job, Progress
+from app.viewmodels.compare import Comparison
+from tracker.errors import FileError
+
+USUAL_SETTINGS = "usual"
+"""`tracker.offline.track.USUAL`, whose import takes a second."""
+TRACKING_SHARE = 0.9  # of the bar; the rest is the comparison
+
+
+@dataclass(frozen=True)
+class TrackRequest:
+    """What to track with: names or paths; empty takes what the session holds."""
+
+    engine: str = ""
+    hand: str = ""
+    glove: str = ""
+    colours: str = ""
+    settings: str = ""  # a TOML file, or `USUAL_SETTINGS`
+    smooth: bool = False  # estimates that know the whole session
+
+
+def track_job(source: Path, out: Path, wanted: TrackRequest) -> Job:
+    """A job that tracks ``source`` into the new file ``out``; cancelled, it leaves none behind.
+
+    Its result is a `Comparison`, or None where ``source`` was never tracked before.
+    """
+
+    def run(progress: Progress) -> Comparison | None:
+        from tracker.offline.track import TrackOptions, track
+        from tracker.session.reader import SessionReader
+
+        progress(0.0, wanted.engine)
+        options = TrackOptions(**asdict(wanted))
+        track(source, out, options, lambda share: progress(TRACKING_SHARE * share, wanted.engine))
+        with SessionReader(source) as reader:
+            tracked = any(n.startswith("/hand/") for n in reader.topic_names)
+        if not tracked:
+            return None
+        progress(TRACKING_SHARE, "comparing")
+        return compared(source, out)
+
+    return run
+
+
+def compare_job(first: Path, second: Path) -> Job:
+    """A job whose result is the `Comparison` of two sessions."""
+
+    def run(progress: Progress) -> Comparison:
+        progress(-1.0, "comparing")
+        return compared(first, second)
+
+    return run
+
+
+def compared(first: Path, second: Path) -> Comparison:
+    """Raises FileError where the two have no instant in common, or one was never tracked."""
+    from tracker.session.compare import compare
+    from tracker.session.truth_error import truth_error_mm
+
+    figures = compare(first, second)
+    errors: list[dict[str, float]] = []
+    truth = _with_truth(first, second)
+    for path in (first, second):
+        errors.append(truth_error_mm(path, truth) if truth is not None else {})
+    return Comparison(first, second, figures, (errors[0], errors[1]))
+
+
+def _with_truth(*paths: Path) -> Path | None:
+    """The first of the files that holds what the hand really did."""
+    from tracker.session.reader import SessionReader
+
+    for path in paths:
+        with SessionReader(path) as reader:
+            if any(n.startswith("/truth/") for n in reader.topic_names):
+                return path
+    return None
+
+
+def free_name(source: Path, engine: str) -> Path:
+    """``session_vist.mcap`` beside ``session.mcap``, or with a number where that is taken.
+
+    Raises FileError where nothing can be written there.
+    """
+    from tracker.session.mcap.disk import free_path
+
+    if not source.parent.is_dir():
+        raise FileError(f"The folder {source.parent} is not there any more.")
+    return free_path(source.with_name(f"{source.stem}_{engine or 'again'}{source.suffix}"))

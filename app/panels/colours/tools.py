@@ -1,0 +1,105 @@
+"""The row of tools under the colours: eyedropper, fits, back and forth, files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from PySide6.QtCore import Signal, SignalInstance
+from PySide6.QtWidgets import QMenu, QToolButton, QWidget
+
+from app.widgets.flow_layout import FlowLayout
+
+
+class ColoursTools(QWidget):
+    """Buttons that say what is wanted; `ColoursPanel` does it."""
+
+    picking = Signal(bool)
+    undo = Signal()
+    redo = Signal()
+    fit_image = Signal()
+    fit_markers = Signal()
+    load = Signal()
+    save = Signal()
+    shipped = Signal()
+    room = Signal()
+    take_over = Signal(str)  # the name of a camera
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.pick = self._toggle(
+            self.tr("Pick +"),
+            self.tr("Eyedropper: a click takes a pixel in, Ctrl+click leaves it out"),
+        )
+        self.drop = self._toggle(
+            self.tr("Pick −"), self.tr("Eyedropper: a click leaves a pixel out")
+        )
+        self.pick.toggled.connect(lambda on: self._toggled(self.drop, on))
+        self.drop.toggled.connect(lambda on: self._toggled(self.pick, on))
+        row = FlowLayout(self, spacing=4)
+        for widget in (self.pick, self.drop, self._fit_button()):
+            row.addWidget(widget)
+        row.addWidget(self._button(self.tr("Undo"), self.undo))
+        row.addWidget(self._button(self.tr("Redo"), self.redo))
+        row.addWidget(self._profile_button())
+
+    @property
+    def leaving_out(self) -> bool:
+        return self.drop.isChecked()
+
+    def _toggled(self, other: QToolButton, on: bool) -> None:
+        """One eyedropper at a time."""
+        if on:
+            other.setChecked(False)
+        self.picking.emit(self.pick.isChecked() or self.drop.isChecked())
+
+    @staticmethod
+    def _toggle(text: str, tip: str) -> QToolButton:
+        button = QToolButton()
+        button.setText(text)
+        button.setCheckable(True)
+        button.setToolTip(tip)
+        return button
+
+    @staticmethod
+    def _button(text: str, signal: SignalInstance) -> QToolButton:
+        button = QToolButton()
+        button.setText(text)
+        button.clicked.connect(lambda _checked=False: signal.emit())
+        return button
+
+    def _menu_button(self, text: str) -> tuple[QToolButton, QMenu]:
+        button = QToolButton()
+        button.setText(text)
+        menu = QMenu(button)
+        menu.setToolTipsVisible(True)
+        button.setMenu(menu)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        return button, menu
+
+    def _fit_button(self) -> QToolButton:
+        button, menu = self._menu_button(self.tr("Fit"))
+        image = menu.addAction(self.tr("From the image alone"), self.fit_image.emit)
+        image.setToolTip(self.tr("Round patches of like colour are looked for"))
+        markers = menu.addAction(self.tr("From the tracked markers"), self.fit_markers.emit)
+        markers.setToolTip(self.tr("Each tracked marker shows what its colour looks like here"))
+        menu.addSeparator()
+        room = menu.addAction(self.tr("Check the room without the hand"), self.room.emit)
+        room.setToolTip(self.tr("Take the hand out of the image first"))
+        return button
+
+    def _profile_button(self) -> QToolButton:
+        button, menu = self._menu_button(self.tr("Profile"))
+        menu.addAction(self.tr("Import…"), self.load.emit)
+        menu.addAction(self.tr("Export…"), self.save.emit)
+        self._others = menu.addMenu(self.tr("Take over from"))
+        menu.addSeparator()
+        menu.addAction(self.tr("Back to the colours from the start"), self.shipped.emit)
+        return button
+
+    def set_cameras(self, cameras: Sequence[str]) -> None:
+        """Offer the colours of other cameras."""
+        self._others.clear()
+        self._others.setEnabled(bool(cameras))
+        for camera in cameras:
+            self._others.addAction(camera, partial(self.take_over.emit, camera))

@@ -1,0 +1,171 @@
+"""The hand's bodies in the 3D scene: built once, then only moved and recoloured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from app.engines.engine import EngineSetup
+from app.viewmodels.hand_scene import (
+    MARKER_LATELY,
+    MARKER_NEVER,
+    MARKER_NOW,
+    TRAIL_POINTS,
+    HandScene,
+)
+from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY, VALIDITY, YELLOW
+from app.widgets.view3d.scene import Grid, Look, Scene
+from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, ball, polyline
+from tracker.hand.model import Segment
+from tracker.messages import Array, Validity
+
+WHITE = "#FFFFFF"
+HAND, GHOST = 1, 2  # groups of bodies that look like one where one sees through them
+SEGMENT_LOOK = {
+    Validity.MEASURED: Look(VALIDITY[Validity.MEASURED].colour, specular=0.2),
+    Validity.INFERRED: Look(
+        VALIDITY[Validity.INFERRED].colour, opacity=0.55, specular=0.2, grid=Grid.OVER, group=HAND
+    ),
+    Validity.LOST: Look(VALIDITY[Validity.LOST].colour, opacity=0.5, grid=Grid.ALONE),
+}
+"""Measured: solid. Inferred: see-through with its grid drawn. Lost: a faint grid."""
+GHOST_LOOK = Look(WHITE, opacity=0.22, group=GHOST)
+MARKER_SIZE = {MARKER_NOW: 1.0, MARKER_LATELY: 0.7}
+FRUSTUM_DEPTH = 0.05
+AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sensors
+AXIS_LENGTH = 2.2  # radii of the segment
+
+
+@dataclass(frozen=True)
+class Show:
+    """What the user wants to see beside the hand."""
+
+    markers: bool = True
+    uncertainty: bool = True
+    camera: bool = True
+    truth: bool = True
+    axes: bool = False
+    trail: bool = False
+
+
+class HandActors:
+    """One body per segment, marker, fingertip and the camera."""
+
+    def __init__(self, scene: Scene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
+        shapes = [segment_shape(s) for s in setup.hand.segments]
+        self._segments = [scene.add(s, SEGMENT_LOOK[Validity.LOST]) for s in shapes]
+        self._ghosts = [scene.add(s, GHOST_LOOK) for s in shapes]
+        self._marker_looks = [
+            marker_looks(hue_colours.get(m.hue, WHITE)) for m in setup.glove.markers
+        ]
+        self._markers = [
+            scene.add(_patch(m.size / 2, m.normal), looks[MARKER_NOW])
+            for m, looks in zip(setup.glove.markers, self._marker_looks, strict=True)
+        ]
+        tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
+        self._tips = [scene.add(ball(1.0), Look(SKY, opacity=0.3)) for _ in range(tips)]
+        self._camera = scene.add(_frustum(setup), Look(SKY, line_width=1.5))
+        self._trail = scene.add(polyline(np.zeros((TRAIL_POINTS, 3))), Look(YELLOW, line_width=2.5))
+        self._axes = [
+            scene.add(_axis(k, s.radius), Look(colour, line_width=2.0))
+            for s in setup.hand.segments
+            for k, colour in enumerate(AXIS_COLOURS)
+        ]
+        self._marker_segment = setup.glove.marker_segment(setup.hand)
+        # Nothing has its place before the first hand; a ball of unit size would fill the view.
+        for body in (*self._segments, *self._ghosts, *self._markers, *self._tips, *self._axes):
+            body.show(False)
+        self._camera.show(False)
+        self._trail.show(False)
+
+    def update(self, scene: HandScene, show: Show) -> None:
+        """Move every actor to ``scene``."""
+        for i, body in enumerate(self._segments):
+            body.show(True)
+            body.move(scene.segment_R[i], scene.segment_p[i])
+            body.wear(SEGMENT_LOOK[Validity(int(scene.segment_state[i]))])
+        self._update_ghosts(scene, show.truth)
+        self._update_markers(scene, show.markers)
+        self._update_tips(scene, show.uncertainty)
+        self._update_axes(scene, show.axes)
+        self._update_trail(scene, show.trail)
+        self._camera.show(show.camera)
+        self._camera.move(scene.R_GC, scene.p_GC)
+
+    def _update_ghosts(self, scene: HandScene, wanted: bool) -> None:
+        for i, body in enumerate(self._ghosts):
+            body.show(wanted and scene.truth is not None)
+            if wanted and scene.truth is not None:
+                body.move(scene.truth[0][i], scene.truth[1][i])
+
+    def _update_markers(self, scene: HandScene, wanted: bool) -> None:
+        for i, body in enumerate(self._markers):
+            state = int(scene.marker_state[i])
+            body.show(wanted)
+            body.wear(self._marker_looks[i][state])
+            size = MARKER_SIZE.get(state, 0.45)
+            R = scene.segment_R[self._marker_segment[i]]
+            body.move(R * size, scene.markers[i])
+
+    def _update_axes(self, scene: HandScene, wanted: bool) -> None:
+        """The frame B of each segment, at its joint."""
+        for i, body in enumerate(self._axes):
+            body.show(wanted)
+            if wanted:
+                segment = i // len(AXIS_COLOURS)
+                body.move(scene.segment_R[segment], scene.segment_p[segment])
+
+    def _update_trail(self, scene: HandScene, wanted: bool) -> None:
+        there = wanted and bool(np.isfinite(scene.trail).all())
+        self._trail.show(there)
+        if there:
+            self._trail.reshape(scene.trail)
+
+    def _update_tips(self, scene: HandScene, wanted: bool) -> None:
+        """A ball of 2σ around each fingertip."""
+        for i, body in enumerate(self._tips):
+            known = bool(np.isfinite(scene.tips[i]).all() and np.isfinite(scene.tip_sd[i]))
+            body.show(wanted and known)
+            if known:
+                radius = max(2 * float(scene.tip_sd[i]), 1e-4)
+                body.move(np.eye(3) * radius, scene.tips[i])
+
+
+def marker_looks(colour: str) -> dict[int, Look]:
+    """Of a marker that is seen now, was seen lately, or never."""
+    now = Look(colour, ambient=0.5)
+    faint = replace(now, opacity=0.55)
+    return {MARKER_NOW: now, MARKER_LATELY: faint, MARKER_NEVER: faint}
+
+
+def segment_shape(s: Segment) -> Shape:
+    """A capsule along x of B, or the dorsum's slab: ``width`` across (y) and two radii thick (z),
+    reaching over both ends (x)."""
+    if s.width <= 0:
+        return Capsule(s.length, s.radius)
+    half = np.array([s.length / 2 + 0.6 * s.radius, s.width / 2, s.radius])
+    return Block(half, np.array([s.length / 2, 0.0, 0.0]))
+
+
+def _patch(radius: float, normal: Array) -> Disc:
+    """A flat patch, a little proud of the surface so that it is not swallowed by the capsule."""
+    return Disc(radius, 0.0015, normal, normal * 0.0005)
+
+
+def _axis(k: int, radius: float) -> Lines:
+    """From the origin along axis ``k`` of B, out of the segment's body."""
+    ends = np.zeros((2, 3))
+    ends[1, k] = AXIS_LENGTH * radius
+    return polyline(ends)
+
+
+def _frustum(setup: EngineSetup) -> Lines:
+    """The left camera's field of view to `FRUSTUM_DEPTH`, in C."""
+    rig, z = setup.rig, FRUSTUM_DEPTH
+    us, vs = (0, rig.left.width - 1), (0, rig.left.height - 1)
+    corners = [(u, v) for u, v in ((us[0], vs[0]), (us[1], vs[0]), (us[1], vs[1]), (us[0], vs[1]))]
+    points = [((u - rig.cx) / rig.fx * z, (v - rig.cy) / rig.fy * z, z) for u, v in corners]
+    points.append((0.0, 0.0, 0.0))
+    pairs = [(0, 1), (1, 2), (2, 3), (3, 0), *((4, i) for i in range(4))]
+    return Lines(np.array(points, float), np.array(pairs))

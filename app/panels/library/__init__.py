@@ -1,0 +1,1 @@
+"""The library: sessions, their replay, export and comparison."""

@@ -1,0 +1,91 @@
+"""The exports on their way: a row each, with its progress and a button that ends it."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QProgressBar,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.jobs.export import ExportQueue, QueueItem
+
+
+class ExportList(QWidget):
+    """Shows an `ExportQueue`."""
+
+    def __init__(self, queue: ExportQueue, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._queue = queue
+        self._shown: list[QueueItem] = []
+        self.table = QTableWidget(0, 3)
+        self.table.setHorizontalHeaderLabels(
+            [self.tr("File"), self.tr("State"), self.tr("Progress")]
+        )
+        self.table.verticalHeader().hide()
+        self.table.setShowGrid(False)
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        self.cancel_button = QPushButton(self.tr("Cancel the export"))
+        self.cancel_button.clicked.connect(self.cancel_selected)
+        clear = QPushButton(self.tr("Forget what has ended"))
+        clear.clicked.connect(queue.forget_ended)
+        row = QHBoxLayout()
+        row.addWidget(self.cancel_button)
+        row.addWidget(clear)
+        row.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 6, 0, 0)
+        column.addWidget(self.table, 1)
+        column.addLayout(row)
+        queue.changed.connect(self._show)
+        self.table.itemSelectionChanged.connect(self._enable)
+        self._enable()
+
+    def _show(self) -> None:
+        if self._shown != self._queue.items:
+            self._shown = list(self._queue.items)
+            self._rebuild()
+        for i, item in enumerate(self._shown):
+            state, bar = self.table.item(i, 1), self.table.cellWidget(i, 2)
+            if state is not None and isinstance(bar, QProgressBar):
+                state.setText(f"{item.look.sign} {item.look.word}")
+                state.setToolTip(item.problem)
+                bar.setValue(round(100 * (1.0 if item.look.word == "done" else item.share)))
+        self._enable()
+
+    def _rebuild(self) -> None:
+        self.table.setRowCount(len(self._shown))
+        for i, item in enumerate(self._shown):
+            name = QTableWidgetItem(item.request.target.name)
+            name.setToolTip(str(item.request.target))
+            self.table.setItem(i, 0, name)
+            self.table.setItem(i, 1, QTableWidgetItem())
+            bar = QProgressBar()
+            bar.setRange(0, 100)
+            bar.setFixedWidth(140)
+            self.table.setCellWidget(i, 2, bar)
+        if self._shown and self.table.currentRow() < 0:
+            self.table.selectRow(len(self._shown) - 1)
+
+    def _selected(self) -> QueueItem | None:
+        row = self.table.currentRow()
+        return self._shown[row] if 0 <= row < len(self._shown) else None
+
+    def _enable(self) -> None:
+        item = self._selected()
+        self.cancel_button.setEnabled(item is not None and item.open)
+
+    def cancel_selected(self) -> None:
+        item = self._selected()
+        if item is not None:
+            self._queue.cancel(item)

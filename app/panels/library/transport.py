@@ -1,0 +1,156 @@
+"""The transport of a replay: timeline, play, step, range, loop and speed."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.engine import Player
+from app.viewmodels.log import KINDS
+from app.viewmodels.recording import place_text
+from app.widgets.timeline import Mark, Timeline
+
+SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
+
+
+class TransportBar(QWidget):
+    """Shown while there is a player."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._player: Player | None = None
+        self.timeline = Timeline()
+        self.timeline.setAccessibleName(self.tr("Position in the session"))
+        self.timeline.sought.connect(self.seek)
+        self.timeline.stepped.connect(self.step)
+        self.timeline.range_changed.connect(self.set_range)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addWidget(self.timeline)
+        column.addLayout(self._buttons())
+        self.set_player(None)
+
+    def _buttons(self) -> QHBoxLayout:
+        self.play_button = QToolButton()
+        self.loop_button = QToolButton()
+        self.loop_button.setCheckable(True)
+        row = QHBoxLayout()
+        row.setSpacing(4)
+        buttons = (
+            (QToolButton(), "◂", self.tr("The image before (,)"), lambda: self.step(-1)),
+            (self.play_button, self.tr("Pause"), self.tr("Ctrl+Space"), self.toggle),
+            (QToolButton(), "▸", self.tr("The next image (.)"), lambda: self.step(1)),
+            (QToolButton(), self.tr("In"), self.tr("Begin the range here (I)"), self.set_in),
+            (QToolButton(), self.tr("Out"), self.tr("End the range here (O)"), self.set_out),
+            (QToolButton(), self.tr("Whole"), self.tr("No range"), self.clear_range),
+            (self.loop_button, self.tr("Loop"), self.tr("Play the range over (L)"), self._loop),
+        )
+        for button, text, tip, slot in buttons:
+            button.setText(text)
+            button.setToolTip(tip)
+            button.setAccessibleName(tip if len(text) == 1 else text)
+            button.clicked.connect(slot)
+            row.addWidget(button)
+        self.speed = QComboBox()
+        self.speed.setAccessibleName(self.tr("Speed"))
+        for speed in SPEEDS:
+            self.speed.addItem(f"{speed:g}×", speed)
+        self.speed.setCurrentIndex(SPEEDS.index(1.0))
+        self.speed.currentIndexChanged.connect(self._set_speed)
+        row.addWidget(self.speed)
+        self.position = QLabel()
+        row.addStretch(1)
+        row.addWidget(self.position)
+        return row
+
+    def set_player(self, player: Player | None) -> None:
+        """Show a session from its start; None while there is none."""
+        self._player = player
+        self.setVisible(player is not None)
+        if player is None:
+            return
+        marks = []
+        for place, event in player.events:
+            look = KINDS.get(event.kind, KINDS["note"])
+            marks.append(Mark(place, f"{place_text(place)}  {event.text}", look.colour, look.sign))
+        self.timeline.show_session(player.duration, marks)
+        self.loop_button.setChecked(False)
+        self.speed.setCurrentIndex(SPEEDS.index(1.0))
+        self.refresh()
+
+    # --- what the user does
+
+    def toggle(self) -> None:
+        if self._player is not None:
+            self._player.play(not self._player.playing)
+            self.refresh()
+
+    def step(self, images: int) -> None:
+        if self._player is not None:
+            self._player.step(images)
+
+    def seek(self, place: float) -> None:
+        if self._player is not None:
+            self._player.seek(place)
+
+    def set_range(self, start: float, stop: float) -> None:
+        if self._player is not None:
+            self._player.set_range(start, stop)
+            self.refresh()
+
+    def set_in(self) -> None:
+        """Begin the range where the replay stands; an out point before it goes to the end."""
+        if self._player is not None:
+            here, stop = self._player.position, self._player.range[1]
+            self.set_range(here, stop if stop > here else self._player.duration)
+
+    def set_out(self) -> None:
+        if self._player is not None:
+            here, start = self._player.position, self._player.range[0]
+            self.set_range(start if start < here else 0.0, here)
+
+    def clear_range(self) -> None:
+        if self._player is not None:
+            self.set_range(0.0, self._player.duration)
+
+    def toggle_loop(self) -> None:
+        self.loop_button.toggle()
+        self._loop()
+
+    def _loop(self) -> None:
+        if self._player is not None:
+            self._player.set_loop(self.loop_button.isChecked())
+
+    def _set_speed(self, _index: int) -> None:
+        if self._player is not None:
+            self._player.set_speed(float(self.speed.currentData()))
+
+    # --- what it shows
+
+    def range(self) -> tuple[float, float] | None:
+        """The chosen part in s; None where it is the whole."""
+        if self._player is None or self._player.range == (0.0, self._player.duration):
+            return None
+        return self._player.range
+
+    def refresh(self) -> None:
+        player = self._player
+        if player is None:
+            return
+        self.play_button.setText(self.tr("Pause") if player.playing else self.tr("Play"))
+        text = f"{place_text(player.position)} / {place_text(player.duration)}"
+        part = self.range()
+        if part is not None:
+            text = f"{place_text(part[0])} – {place_text(part[1])}   {text}"
+        self.position.setText(text)
+        if not self.timeline.held:
+            self.timeline.show_place(player.position, player.range)
+        else:
+            self.timeline.show_range(player.range)

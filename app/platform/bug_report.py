@@ -1,0 +1,222 @@
+"""A bug report: one zip with what helps to find a fault, and without what is personal.
+
+`Material` is gathered in the window's thread; `write_bundle` does the slow rest in a job.
+"""
+
+from __future__ import annotations
+
+import json
+import platform
+import sys
+import zipfile
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import psutil
+
+from app.platform.licences import parts
+from app.storage.settings import Settings
+from tracker import __version__
+from tracker.clock import NS, ClockAnchor, nanoseconds, seconds
+from tracker.errors import GlovetrackError
+from tracker.messages import Event, StereoFrame
+from tracker.session.mcap.disk import disk_error
+
+EXCERPT_S = 10.0
+PERSONAL_SETTINGS = ("participant", "task", "sessions_folder")
+SHORTEST_NAME = 3  # letters; shorter ones stand in too many words
+PIXELS = "camera images"
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What the user ticked."""
+
+    screenshot: bool = True
+    session: bool = True
+    images: bool = False  # of the cameras, in the session's excerpt
+    personal: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Material:
+    """What the window knows. ``screenshot`` is a PNG; ``session_file`` the file whose last seconds
+    are taken; without one ``write_recent`` writes what is in memory to a path it is given.
+    """
+
+    log: str
+    settings: Settings
+    status: dict[str, object]
+    machine: dict[str, str]
+    log_folder: Path | None = None
+    screenshot: bytes = b""
+    session_file: Path | None = None
+    write_recent: Callable[[Path], None] | None = None
+    names: tuple[str, ...] = field(default=())  # that are personal where they occur in texts
+
+
+def contents(choice: Choice) -> list[str]:
+    """What will be inside, in words."""
+    out = [
+        "the log of the window and of the program, and of a crash if there was one",
+        "versions of Glovetrack, its packages and the operating system; size of the machine",
+        "the window's settings"
+        + ("" if choice.personal else ", without participant, task and folders"),
+        "rates, latencies and losses of now",
+    ]
+    if choice.screenshot:
+        masked = (
+            ""
+            if choice.personal
+            else ", with the library, the recording panel and the log blacked out"
+        )
+        out.append(f"an image of the window as it is now{masked}")
+    if choice.session:
+        what = "with" if choice.images else "without"
+        out.append(
+            f"the last {EXCERPT_S:.0f} s of the session that is open: sensor data and tracking, "
+            f"{what} {PIXELS}"
+        )
+    return out
+
+
+def machine() -> dict[str, str]:
+    """The computer and its software, nothing of the user's."""
+    from PySide6.QtCore import qVersion
+
+    packages = {p.name: p.version for p in parts()}
+    return {
+        "glovetrack": __version__,
+        "python": sys.version,
+        "bundle": str(bool(getattr(sys, "frozen", False))),
+        "system": platform.platform(),
+        "processor": f"{platform.machine()}, {psutil.cpu_count()} cores",
+        "memory": f"{psutil.virtual_memory().total / 1e9:.1f} GB",
+        "qt": qVersion(),
+        **{f"package {name}": number for name, number in packages.items()},
+        **_optional(("websockets", "pylsl")),
+    }
+
+
+def _optional(names: Sequence[str]) -> dict[str, str]:
+    out = {}
+    for name in names:
+        try:
+            out[f"package {name}"] = version(name)
+        except PackageNotFoundError:
+            out[f"package {name}"] = "not installed"
+    return out
+
+
+def write_bundle(path: Path, material: Material, choice: Choice) -> list[str]:
+    """Write the zip; returns sentences about what could not be put in.
+
+    Raises FileError where ``path`` cannot be written.
+    """
+    clean = _cleaner(material, choice)
+    troubles: list[str] = []
+    try:
+        with (
+            zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as out,
+            TemporaryDirectory() as folder,
+        ):
+            for name, text in _texts(material, choice).items():
+                out.writestr(name, clean(text))
+            if choice.screenshot and material.screenshot:
+                out.writestr("window.png", material.screenshot)
+            if choice.session:
+                excerpt = Path(folder) / "session.mcap"
+                troubles += _excerpt(material, choice, excerpt)
+                if excerpt.is_file():
+                    out.write(excerpt, "session.mcap", zipfile.ZIP_STORED)
+            out.writestr("README.txt", _readme(choice, troubles))
+    except OSError as error:
+        path.unlink(missing_ok=True)
+        raise disk_error(path, error) from error
+    return troubles
+
+
+def _readme(choice: Choice, troubles: Sequence[str]) -> str:
+    lines = ["A bug report of Glovetrack. It holds:", *(f"- {c}" for c in contents(choice))]
+    if troubles:
+        lines += ["", "Not in it:", *(f"- {t}" for t in troubles)]
+    return "\n".join(lines) + "\n"
+
+
+def _texts(material: Material, choice: Choice) -> dict[str, str]:
+    """The files of words, by name."""
+    settings = asdict(material.settings)
+    if not choice.personal:
+        settings |= dict.fromkeys(PERSONAL_SETTINGS, "")
+    out = {
+        "log.txt": material.log,
+        "settings.json": json.dumps(settings, indent=2, ensure_ascii=False),
+        "status.json": json.dumps(material.status, indent=2, default=str),
+        "versions.txt": "\n".join(f"{k}: {v}" for k, v in material.machine.items()) + "\n",
+    }
+    if material.log_folder is not None:
+        for path in sorted(material.log_folder.glob("*.log*")):
+            out[f"logs/{path.name}"] = path.read_text("utf-8", "replace")
+    return out
+
+
+def _cleaner(material: Material, choice: Choice) -> Callable[[str], str]:
+    """Takes names of people and of their folder out of texts, unless they may be in."""
+    if choice.personal:
+        return lambda text: text
+    home = Path.home()
+    names = [n for n in material.names if len(n) >= SHORTEST_NAME]
+
+    def clean(text: str) -> str:
+        text = text.replace(str(home), "~")
+        for name in sorted(names, key=len, reverse=True):
+            text = text.replace(name, "(left out)")
+        return text
+
+    return clean
+
+
+def _excerpt(material: Material, choice: Choice, path: Path) -> list[str]:
+    """The last seconds as a session file; sentences where that fails."""
+    try:
+        if material.session_file is not None:
+            cut_tail(material.session_file, path, EXCERPT_S, choice.images, choice.personal)
+        elif material.write_recent is not None:
+            material.write_recent(path)
+        else:
+            return ["the last seconds: no session is open"]
+    except (GlovetrackError, OSError) as error:
+        path.unlink(missing_ok=True)
+        return [f"the last seconds: {error}"]
+    return []
+
+
+def cut_tail(source: Path, out: Path, duration: float, images: bool, personal: bool) -> None:
+    """The last ``duration`` s of a session, finished or not, as a session of its own."""
+    from tracker.session.reader import SessionReader
+    from tracker.session.writer import RecorderParams, SessionRecorder
+
+    with SessionReader(source) as reader:
+        info = reader.info
+        if not personal:
+            info = replace(info, participant="", notes="", extra={})
+        start = max(reader.span_ns[1] - round(duration * NS), reader.span_ns[0])
+        # The same clock, told at the excerpt's own start: there the file begins.
+        begin = nanoseconds(reader.anchor.monotonic(start))
+        info = replace(info, anchor=ClockAnchor(reader.anchor.wall(seconds(begin)), begin))
+        params = RecorderParams(images="jpeg" if images else "none", sync=False)
+        with SessionRecorder(out, info, params) as recorder:
+            for message in reader.messages(_kinds(images), start=seconds(begin)):
+                recorder.write(message)
+
+
+def _kinds(images: bool) -> tuple[type, ...]:
+    """What is copied; images are not even unpacked where they are not wanted. Events may hold
+    what a user wrote, and the log has those of the program."""
+    from tracker.session.decode import MESSAGE_KINDS
+
+    unwanted = (Event,) if images else (Event, StereoFrame)
+    return tuple(k for k in MESSAGE_KINDS if k not in unwanted)

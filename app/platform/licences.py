@@ -1,0 +1,89 @@
+"""What Glovetrack contains and under which licences."""
+
+from __future__ import annotations
+
+import re
+import sys
+from dataclasses import dataclass
+from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from pathlib import Path
+
+OWN = "glovetrack"
+NAME = re.compile(r"[A-Za-z0-9._-]+")
+
+
+@dataclass(frozen=True)
+class Part:
+    """A package that the program is made of."""
+
+    name: str
+    version: str
+    licence: str
+
+
+def bundled_text() -> str:
+    """The list that was made with the bundle, with all texts; empty when run from source."""
+    path = Path(sys.executable).parent / "LICENCES.txt"
+    if getattr(sys, "frozen", False) and path.is_file():
+        return path.read_text("utf-8")
+    return ""
+
+
+def own_text() -> str:
+    """The words of Glovetrack's own licence; empty where the file did not travel along."""
+    path = Path(__file__).resolve().parents[2] / "LICENSE"
+    return path.read_text("utf-8") if path.is_file() else ""
+
+
+def parts() -> list[Part]:
+    """The packages that this installation needs to run, by name."""
+    found: dict[str, Part] = {}
+    waiting = [OWN]
+    while waiting:
+        name = waiting.pop()
+        key = name.lower().replace("_", "-")
+        if key in found:
+            continue
+        try:
+            package = distribution(name)
+        except PackageNotFoundError:
+            continue  # a requirement of another system
+        data = package.metadata
+        found[key] = Part(data["Name"], package.version, licence_of(package))
+        waiting += [m[0] for r in package.requires or () if (m := _needed(r))]
+    return sorted(
+        (p for k, p in found.items() if k != OWN), key=lambda part: (part.name.lower(), part.name)
+    )
+
+
+def _needed(requirement: str) -> re.Match[str] | None:
+    """The name in a requirement; None where it is for an extra."""
+    return None if "extra ==" in requirement else NAME.match(requirement)
+
+
+def licence_of(package: Distribution) -> str:
+    """The expression, else the old field's first line, else the classifiers."""
+    data = package.metadata
+    field = _first(data.get_all("License")).strip().partition("\n")[0]
+    classifiers = [
+        c.rpartition(" :: ")[2]
+        for c in data.get_all("Classifier") or []
+        if c.startswith("License :: ") and not c.endswith("OSI Approved")
+    ]
+    told = _first(data.get_all("License-Expression"))
+    return told or ", ".join(classifiers) or field or "see its package"
+
+
+def _first(values: list[str] | None) -> str:
+    return values[0] if values else ""
+
+
+def as_text() -> str:
+    """What the About box shows."""
+    made = bundled_text()
+    if made:
+        return made
+    found = parts()
+    width = max((len(f"{p.name} {p.version}") for p in found), default=0)
+    lines = [f"{f'{p.name} {p.version}':{width}}  {p.licence}" for p in found]
+    return "\n".join(["Glovetrack runs with these packages under these licences.", "", *lines])

@@ -1,0 +1,90 @@
+"""Images kept for tuning colours: both cameras side by side as PNG files in a folder."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.errors import FileError
+
+Image = NDArray[np.uint8]
+MOST = 24
+"""Images kept for a camera; the oldest goes when one more comes."""
+
+
+@dataclass(frozen=True, eq=False)
+class KeptImage:
+    """Both images (h, w, 3) BGR of an instant; ``right`` is None for a single image."""
+
+    name: str
+    left: Image
+    right: Image | None = None
+
+
+def read_image(path: Path) -> KeptImage:
+    """A PNG (or any image); twice as wide as high or more, it is a side-by-side pair.
+
+    Raises FileError in words.
+    """
+    image = cv2.imread(str(path), cv2.IMREAD_COLOR)
+    if image is None:
+        raise FileError(f"{path.name} is no image that can be read.")
+    pixels = np.asarray(image, np.uint8)
+    height, width = pixels.shape[:2]
+    if width < 2 * height:
+        return KeptImage(path.stem, pixels)
+    half = width // 2
+    left, right = pixels[:, :half], pixels[:, half : 2 * half]
+    return KeptImage(path.stem, np.ascontiguousarray(left), np.ascontiguousarray(right))
+
+
+def write_image(path: Path, shot: KeptImage) -> None:
+    """The pair side by side, lossless. Raises FileError in words."""
+    sides = [shot.left] if shot.right is None else [shot.left, shot.right]
+    ok, data = cv2.imencode(".png", np.hstack(sides), [cv2.IMWRITE_PNG_COMPRESSION, 3])
+    if not ok:
+        raise FileError(f"{path.name}: the image could not be packed.")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(data.tobytes())
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise FileError(f"The image was not saved to {path}: {reason}.") from error
+
+
+class ImageFolder:
+    """The kept images of one camera, by name; the newest last."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def names(self) -> list[str]:
+        return sorted(p.stem for p in self.folder.glob("*.png"))
+
+    def free_name(self, now: datetime) -> str:
+        """A name of the time of day that no kept image has."""
+        name = stem = now.strftime("%Y-%m-%d %H-%M-%S")
+        number = 2
+        while self.path(name).exists():
+            name, number = f"{stem} ({number})", number + 1
+        return name
+
+    def path(self, name: str) -> Path:
+        return self.folder / f"{name}.png"
+
+    def load(self, name: str) -> KeptImage:
+        return read_image(self.path(name))
+
+    def keep(self, shot: KeptImage) -> None:
+        """Write an image; beyond `MOST` the oldest ones go."""
+        write_image(self.path(shot.name), shot)
+        for old in self.names()[:-MOST]:
+            self.remove(old)
+
+    def remove(self, name: str) -> None:
+        self.path(name).unlink(missing_ok=True)

@@ -1,0 +1,144 @@
+"""What the window remembers between runs: one small JSON file, versioned, replaced atomically.
+
+A file of an earlier version is migrated step by step (`MIGRATIONS`) after a copy of it was put
+beside it; one that cannot be read, or that a later version wrote, is set aside under another name.
+What happened is said once, in `SettingsStore.notice`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import logging
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import platformdirs
+
+from tracker.session.mcap.disk import free_path
+
+VERSION = 2
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The user's choices; every field has a default that serves a first start."""
+
+    version: int = VERSION
+    theme: str = "system"  # "system", "light" or "dark"
+    geometry: str = ""  # base64 of QWidget.saveGeometry
+    layout: str = ""  # base64 of QMainWindow.saveState
+    sessions_folder: str = ""
+    participant: str = ""
+    task: str = ""
+    wearer: str = ""  # whose calibration is put on at the start
+    engine: str = "chain"  # what tracks
+    view_3d: str = "auto"  # "auto", "card" or "painted"
+    card_trial: bool = False  # the graphics card's view has not yet drawn enough to be trusted
+    hand: str = "reference-right"
+    glove: str = "vist-small"
+    port: str = ""
+    camera: str = ""  # see `app.engines.camera_choice`
+    camera_exchanged: bool = False  # left and right images change places
+    camera_locks: str = ""  # see `tracker.sensors.camera_controls.locks_text`
+    calibration: str = ""  # path of the stereo calibration
+    streams: dict[str, Any] = field(default_factory=dict)  # of `StreamParams`
+    haptics: dict[str, Any] = field(default_factory=dict)  # of `app.jobs.outputs.HapticRule`
+    board: str = ""  # of the stereo calibration: kind, squares across and down, side in m
+
+
+Migration = Callable[[dict[str, Any]], dict[str, Any]]
+
+
+def _from_1(data: dict[str, Any]) -> dict[str, Any]:
+    """Version 2 has other docks: where those of version 1 stood would hide the new ones."""
+    return {**data, "layout": ""}
+
+
+MIGRATIONS: dict[int, Migration] = {1: _from_1}
+"""From each version to the next."""
+
+
+class SettingsStore:
+    """Reads and writes `Settings`. ``notice``: a sentence for the user about the file, or empty."""
+
+    def __init__(self, path: Path | None = None) -> None:
+        folder = Path(platformdirs.user_config_dir("glovetrack", appauthor=False))
+        self.path = path or folder / "window.json"
+        self.notice = ""
+        self.value = self._read()
+
+    def update(self, **changes: Any) -> None:
+        """Change some fields and write the file."""
+        self.value = dataclasses.replace(self.value, **changes)
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        temporary = self.path.with_suffix(".tmp")
+        temporary.write_text(json.dumps(dataclasses.asdict(self.value), indent=2), "utf-8")
+        temporary.replace(self.path)
+
+    def _read(self) -> Settings:
+        if not self.path.exists():
+            return Settings()
+        try:
+            data = json.loads(self.path.read_text("utf-8"))
+            version = _version_of(data)
+            if version < VERSION:
+                self._back_up(version)
+                data = migrated(data, version)
+            return _settings_from(data)
+        except (OSError, ValueError) as error:
+            self._set_aside(error)
+            return Settings()
+
+    def _back_up(self, version: int) -> None:
+        """A copy as version ``version`` left it, so that one can go back to it."""
+        copy = free_path(self.path.with_suffix(f".v{version}.json"))
+        shutil.copy2(self.path, copy)
+        _log.info("Settings of version %d are kept as %s.", version, copy)
+
+    def _set_aside(self, error: Exception) -> None:
+        aside = free_path(self.path.with_suffix(".unreadable.json"))
+        self.path.replace(aside)
+        self.notice = (
+            f"The window's settings could not be used ({error}), so it starts with its own. "
+            f"They are kept in {aside}."
+        )
+        _log.warning("%s", self.notice)
+
+
+def _version_of(data: Any) -> int:
+    version = data.get("version") if isinstance(data, dict) else None
+    if type(version) is not int or version < 1:
+        raise ValueError("they do not say which version they are of")
+    if version > VERSION:
+        raise ValueError("a later version of Glovetrack wrote them")
+    return version
+
+
+def migrated(data: dict[str, Any], version: int) -> dict[str, Any]:
+    """Settings of ``version`` as those of today."""
+    for step in range(version, VERSION):
+        data = {**MIGRATIONS[step](data), "version": step + 1}
+    return data
+
+
+def _settings_from(data: dict[str, Any]) -> Settings:
+    """Settings from JSON. Unknown keys are dropped; wrong types are ValueErrors."""
+    default = Settings()
+    known = {f.name for f in dataclasses.fields(Settings)}
+    values = {k: v for k, v in data.items() if k in known}
+    for key, value in values.items():
+        if type(value) is not type(getattr(default, key)):
+            raise ValueError(f"{key} has a wrong type")
+    return dataclasses.replace(default, **values)
+
+
+def sessions_folder(settings: Settings) -> Path:
+    """Where recordings go: the user's choice, else the documents folder."""
+    if settings.sessions_folder:
+        return Path(settings.sessions_folder)
+    return Path(platformdirs.user_documents_dir()) / "Glovetrack"

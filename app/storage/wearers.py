@@ -1,0 +1,47 @@
+"""Profiles of the people who wear the glove, in the user's settings folder."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from tracker.errors import GlovetrackError
+from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
+from tracker.fusion.chain.layout import ChainLayout
+
+SUFFIX = ".npz"
+
+
+def kept_name(name: str) -> str:
+    """A person's name as every file system takes it."""
+    return re.sub(r"[^\w .-]+", "_", name).strip(" ._")[:60] or "unnamed"
+
+
+class WearerStore:
+    """One file per person in ``folder``; people are known by the name they were saved under."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def names(self) -> list[str]:
+        return sorted(p.stem for p in self.folder.glob(f"*{SUFFIX}"))
+
+    def path(self, name: str) -> Path:
+        return self.folder / f"{kept_name(name)}{SUFFIX}"
+
+    def load(self, name: str, layout: ChainLayout) -> WearerFile:
+        """Raises FileError where there is none, or one of another glove."""
+        return read_wearer(self.path(name), layout)
+
+    def save(self, name: str, wearer: WearerFile) -> str:
+        """Write the file; the name that it is kept under. Raises FileError."""
+        write_wearer(self.path(name), wearer)
+        return kept_name(name)
+
+    def remove(self, name: str) -> None:
+        """Raises GlovetrackError where the disk refuses."""
+        try:
+            self.path(name).unlink(missing_ok=True)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            raise GlovetrackError(f"The profile {name} was not removed: {reason}.") from error

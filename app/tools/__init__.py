@@ -1,0 +1,1 @@
+"""The window used as a tool: screenshots, soak test, headless report."""

@@ -1,0 +1,180 @@
+"""The window off-screen for some seconds: a session, an export, a screenshot and a short report."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtWidgets import QApplication
+
+from app.engines.engine import RecordingRequest
+from app.engines.session import SetupFactory
+from app.jobs.export import ExportRequest, export_job
+from app.platform.tasks import Progress
+from app.storage.settings import SettingsStore
+from app.viewmodels.snapshot import Snapshot
+from app.window.main_window import MainWindow
+from app.window.sources import demo_factory
+from tracker.messages import Array, Tracking
+from tracker.simulation.camera_device import SimulatedCamera
+from tracker.streaming.params import StreamParams
+
+START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
+SAMPLE_MS = 50
+KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
+SCREENSHOT_AFTER = 0.6
+"""Share of the time after which an image of a tracked hand is taken as soon as there is one."""
+
+
+@dataclass
+class Figures:
+    """What is gathered while the window runs."""
+
+    error: list[Array] = field(default_factory=list)  # (4,) m
+    states: deque[int] = field(default_factory=deque)
+    screenshot: bool = False
+
+
+def headless_report(
+    app: QApplication,
+    duration: float,
+    out: Path,
+    fps: float,
+    camera: SimulatedCamera,
+    streams: StreamParams,
+) -> int:
+    """Run the demo for ``duration`` s of tracking and leave its results in ``out``."""
+    out.mkdir(parents=True, exist_ok=True)
+    store = SettingsStore(out / "window.json")
+    window = MainWindow(store)
+    window.resize(1440, 900)
+    window.set_theme("dark")
+    window.outputs.use(streams)
+    window.show()
+    try:
+        return _run(app, window, duration, out, demo_factory(fps=fps, camera=camera))
+    finally:
+        window.close()
+        (out / "window.json").unlink(missing_ok=True)
+
+
+def _run(
+    app: QApplication, window: MainWindow, duration: float, out: Path, demo: SetupFactory
+) -> int:
+    problems: list[str] = []
+    window.tasks.failed.connect(problems.append)
+    window.session.error.connect(problems.append)
+    window.session.open("demo", demo)
+    wait_until(lambda: window.session.running or bool(problems), START_TIMEOUT)
+    if not window.session.running:
+        print(f"The demo did not start: {' '.join(problems) or 'it took too long.'}")
+        return 1
+    path = _free(out / "session.mcap")
+    window.session.record(RecordingRequest(path, "demo", "random postures"))
+    figures, began, ticks = Figures(), time.monotonic(), window.refreshes
+    _gather(window, figures, duration, out / "window.png")
+    rate = (window.refreshes - ticks) / (time.monotonic() - began)
+    view = window.session.snapshot()
+    window.session.stop()
+    export_job(ExportRequest(path, "csv", path.with_suffix(".csv")))(Progress(lambda _f, _t: None))
+    print(_report(figures, view, rate, path))
+    return 0
+
+
+def _free(path: Path) -> Path:
+    """The demo's own file of an earlier run is replaced."""
+    path.unlink(missing_ok=True)
+    return path
+
+
+def wait_until(done: Callable[[], bool], timeout: float) -> bool:
+    """Let the window live until ``done()`` or for ``timeout`` s; whether it was done."""
+    loop, poll = QEventLoop(), QTimer()
+    end = time.monotonic() + timeout
+    poll.timeout.connect(lambda: loop.quit() if done() or time.monotonic() > end else None)
+    poll.start(20)
+    loop.exec()
+    poll.stop()
+    return done()
+
+
+def _gather(window: MainWindow, figures: Figures, duration: float, image: Path) -> None:
+    """Watch the engine for ``duration`` s."""
+    began = time.monotonic()
+    sampler = QTimer()
+
+    def sample() -> None:
+        view = window.session.snapshot()
+        if view is None or view.estimate is None:
+            return
+        _take(view, figures)
+        late = time.monotonic() - began > SCREENSHOT_AFTER * duration
+        if late and not figures.screenshot and view.estimate.tracking == Tracking.TRACKING:
+            figures.screenshot = window.grab().save(str(image))
+
+    sampler.timeout.connect(sample)
+    sampler.start(SAMPLE_MS)
+    wait_until(lambda: False, duration)
+    sampler.stop()
+    if not figures.screenshot:
+        window.grab().save(str(image))
+
+
+def _take(view: Snapshot, figures: Figures) -> None:
+    estimate = view.estimate
+    assert estimate is not None
+    figures.states.append(int(estimate.tracking))
+    truth = view.truth()
+    if truth is not None:
+        names = view.setup.glove.keypoint_names(view.setup.hand)
+        rows = [names.index(k) for k in KEYPOINTS if k in names]
+        delta = estimate.keypoints[rows] - truth.keypoints[rows]
+        if np.isfinite(delta).all():
+            figures.error.append(np.linalg.norm(delta, axis=1))
+
+
+def _report(figures: Figures, view: Snapshot | None, rate: float, path: Path) -> str:
+    values = view.status.values if view is not None and view.status is not None else {}
+    tracked = _share(figures, Tracking.TRACKING)
+    located = _share(figures, Tracking.TRACKING, Tracking.COASTING)
+    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else float("nan")
+
+    def figure(key: str, pattern: str = "{:.1f}") -> str:
+        return pattern.format(values[key]) if key in values else "–"
+
+    stages = ("detect", "filter", "imu", "total")
+    latency = [
+        f"{s} {figure(f'latency_{s}_ms')} (99 %: {figure(f'latency_{s}_p99_ms')})" for s in stages
+    ]
+    lines = [
+        f"rates        glove {figure('imu_rate_hz')} Hz, camera {figure('frame_rate_hz')} Hz, "
+        f"estimates {figure('estimate_rate_hz')} Hz, window {rate:.1f} Hz",
+        f"latency ms   {', '.join(latency)}",
+        f"losses       {figure('imu_lost', '{:.0f}')} packets, "
+        f"{figure('frames_dropped', '{:.0f}')} images not searched, "
+        f"{figure('pictures_thinned', '{:.0f}')} images not recorded",
+        f"tracking     {100 * tracked:.0f} % of the time, position known {100 * located:.0f} %",
+        f"error        {_error_text(figures)}",
+        f"session      {path} ({path.stat().st_size / 1e6:.1f} MB), {path.stem}.csv",
+        f"machine      {os.cpu_count()} cores, load {load:.1f}",
+    ]
+    return "\n".join(lines)
+
+
+def _share(figures: Figures, *states: Tracking) -> float:
+    """Share of the time spent in one of ``states``."""
+    return sum(s in states for s in figures.states) / max(1, len(figures.states))
+
+
+def _error_text(figures: Figures) -> str:
+    if not figures.error:
+        return "no estimate with a position"
+    errors = 1000 * np.array(figures.error)
+    each = ", ".join(f"{k} {m:.1f}" for k, m in zip(KEYPOINTS, errors.mean(axis=0), strict=True))
+    return f"{errors.mean():.1f} mm on average ({each}), median {np.median(errors):.1f} mm"

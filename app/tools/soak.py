@@ -1,0 +1,231 @@
+"""``python -m app.tools.soak``: does the window leak, and does the demo keep its pace?
+
+``--cycles 200`` opens and closes the window that often on an engine and looks for threads, timers
+and memory left behind. ``--minutes 10`` runs the demo off-screen at full rate with everything
+visible, then a while with the 3D view hidden. Both write what they measured as JSON.
+"""
+
+from __future__ import annotations
+
+import argparse
+import gc
+import json
+import os
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+import psutil
+from PySide6.QtCore import QCoreApplication, QEvent, QTimer
+from PySide6.QtWidgets import QApplication
+
+from app.engines.demo_camera import start_camera
+from app.platform.process import prepare_process
+
+STARTED = psutil.Process().create_time()
+MB = 1e6
+SIZE = (1440, 900)
+FPS = 60.0
+HIDDEN_S = 10.0  # with the 3D view hidden
+SETTLE_CYCLES = 20  # after which memory should stay
+START_TIMEOUT = 300.0
+
+
+@dataclass(frozen=True)
+class Cycles:
+    """Of opening and closing. Memory of this process in MB; what is left after the last close."""
+
+    cycles: int
+    memory_mb: list[float]
+    growth_mb_per_100: float
+    threads_left: int
+    timers_left: int
+    windows_left: int
+
+
+@dataclass
+class Soak:
+    """Of the demo. ``memory_mb``: this process, at the start, each minute and the end."""
+
+    minutes: float
+    fps: float
+    start_to_tracked_s: float = float("nan")
+    memory_mb: list[float] = field(default_factory=list)
+    camera_memory_mb: float = float("nan")  # the simulated camera's own process
+    refreshes_hz: float = float("nan")
+    refreshes_hidden_3d_hz: float = float("nan")
+    imu_lost: float = float("nan")
+    frames_dropped: float = float("nan")
+    latency_ms: dict[str, float] = field(default_factory=dict)
+    load: float = float("nan")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="app.tools.soak", description=__doc__)
+    parser.add_argument("--cycles", type=int, default=0)
+    parser.add_argument("--minutes", type=float, default=0.0)
+    parser.add_argument("--json", type=Path, default=None, help="a file for the figures")
+    args = parser.parse_args(argv)
+    prepare_process()
+    app = QApplication.instance() or QApplication(["glovetrack"])
+    assert isinstance(app, QApplication)
+    app.setApplicationName("glovetrack")
+    figures: dict[str, object] = {}
+    with tempfile.TemporaryDirectory() as folder:
+        if args.cycles:
+            figures["cycles"] = asdict(cycle(app, args.cycles, Path(folder)))
+        if args.minutes:
+            figures["soak"] = asdict(soak(args.minutes, Path(folder)))
+    text = json.dumps(figures, indent=2)
+    print(text)
+    if args.json is not None:
+        args.json.write_text(text + "\n", "utf-8")
+    return 0
+
+
+def memory_mb() -> float:
+    """What this process holds in memory, MB."""
+    return round(psutil.Process().memory_info().rss / MB, 1)
+
+
+# --- opening and closing
+
+
+def cycle(app: QApplication, cycles: int, folder: Path) -> Cycles:
+    """Open the window on a replayed session, let it draw, close it; again and again."""
+    session = _session(folder)
+    threads = threading.active_count()
+    timers = _timers()
+    memory = []
+    for i in range(cycles):
+        _open_and_close(app, folder, session)
+        if i % 10 == 9 or i == cycles - 1:
+            gc.collect()
+            memory.append(memory_mb())
+    settled = memory[SETTLE_CYCLES // 10 :] or memory
+    return Cycles(
+        cycles,
+        memory,
+        _slope(settled) * 10,
+        threading.active_count() - threads,
+        _timers() - timers,
+        sum(w.isVisible() for w in app.topLevelWidgets()),
+    )
+
+
+def _slope(values: Sequence[float]) -> float:
+    """Growth per value by the median of all pairs' slopes (Theil and Sen)."""
+    import numpy as np
+
+    n = len(values)
+    slopes = [(values[j] - values[i]) / (j - i) for i in range(n) for j in range(i + 1, n)]
+    return round(float(np.median(slopes)), 3) if slopes else 0.0
+
+
+def _timers() -> int:
+    gc.collect()
+    return sum(issubclass(type(o), QTimer) for o in gc.get_objects())  # not of weak proxies
+
+
+def _session(folder: Path) -> Path:
+    """Two seconds of blobs and samples."""
+    from tracker.offline.simulate import SimulateOptions, simulate
+    from tracker.offline.track import TrackOptions, track
+
+    simulated, path = folder / "simulated.mcap", folder / "session.mcap"
+    simulate(simulated, SimulateOptions(duration=2.0, fps=30.0, images=False))
+    track(simulated, path, TrackOptions(with_sensors=True))
+    return path
+
+
+def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
+    from app.engines.replay import open_replay
+    from app.platform.tasks import Progress
+    from app.storage.settings import SettingsStore
+    from app.window.main_window import MainWindow
+
+    window = MainWindow(SettingsStore(folder / "window.json"))
+    window.resize(*SIZE)
+    window.show()
+    window.session.adopt(open_replay(session, Progress(lambda *_: None)))
+    end = time.monotonic() + 0.1
+    while time.monotonic() < end:
+        app.processEvents()
+        time.sleep(0.005)
+    window.close()
+    window.deleteLater()
+    # Outside an event loop Qt deletes only where it is asked to.
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    app.processEvents()
+
+
+# --- the demo
+
+
+def soak(minutes: float, folder: Path) -> Soak:
+    """The demo with everything visible for ``minutes``, then a while without the 3D view."""
+    camera = start_camera(fps=FPS)
+    from app.storage.settings import SettingsStore
+    from app.window.main_window import MainWindow
+    from app.window.sources import demo_factory
+
+    window = MainWindow(SettingsStore(folder / "window.json"))
+    window.resize(*SIZE)
+    window.show()
+    try:
+        window.session.open("demo", demo_factory(fps=FPS, camera=camera))
+        return _watch(window, Soak(minutes, FPS))
+    finally:
+        window.close()
+
+
+def _watch(window, out: Soak) -> Soak:  # type: ignore[no-untyped-def]
+    from app.tools.report import wait_until
+
+    if not wait_until(lambda: _tracked(window), START_TIMEOUT):
+        raise SystemExit("The demo did not find the hand.")
+    out.start_to_tracked_s = round(time.time() - STARTED, 2)
+    out.memory_mb.append(memory_mb())
+    before, began = window.refreshes, time.monotonic()
+    left = 60.0 * out.minutes
+    while left > 0:
+        wait_until(lambda: False, min(60.0, left))
+        left -= 60.0
+        out.memory_mb.append(memory_mb())
+    out.refreshes_hz = round((window.refreshes - before) / (time.monotonic() - began), 1)
+    _take_status(window, out)
+    window.docks["hand"].hide()
+    before, began = window.refreshes, time.monotonic()
+    wait_until(lambda: False, HIDDEN_S)
+    hidden = (window.refreshes - before) / (time.monotonic() - began)
+    out.refreshes_hidden_3d_hz = round(hidden, 1)
+    return out
+
+
+def _tracked(window) -> bool:  # type: ignore[no-untyped-def]
+    from tracker.messages import Tracking
+
+    view = window.session.snapshot()
+    if view is None or view.estimate is None:
+        return False
+    return bool(view.estimate.tracking == Tracking.TRACKING)
+
+
+def _take_status(window, out: Soak) -> None:  # type: ignore[no-untyped-def]
+    values = window.session.snapshot().status.values
+    out.imu_lost = values.get("imu_lost", float("nan"))
+    out.frames_dropped = values.get("frames_dropped", float("nan"))
+    out.latency_ms = {k: round(v, 2) for k, v in values.items() if k.startswith("latency")}
+    children = psutil.Process().children(recursive=True)
+    out.camera_memory_mb = round(sum(c.memory_info().rss for c in children) / MB, 1)
+    out.load = round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else float("nan")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,66 @@
+"""The 3D view of every machine: our own renderer makes an image, Qt paints it.
+
+It needs neither OpenGL nor a graphics card. On software GL a QOpenGLWidget would make Qt compose
+the whole window in GL, which halves the window's rate. `QWidget.grab` sees what is painted.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from app.widgets.view3d.orbit import Orbit
+from app.widgets.view3d.raster.scene import RasterScene
+
+MAX_PIXELS = 1000 * 800
+"""A larger view is scaled up, so that an image takes no more than a quarter of its time."""
+
+
+class PaintedView(QWidget):
+    """An image is made where it is asked for: it takes milliseconds and no lock of Python's."""
+
+    on_card = False
+
+    def __init__(self, orbit: Orbit, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._orbit = orbit
+        self._caption = ""
+        self._image: QImage | None = None
+        self.scene = RasterScene()
+
+    def set_caption(self, text: str) -> None:
+        self._caption = text
+
+    def render_scene(self) -> None:
+        """Render the scene from the orbit's eye and show it."""
+        if self.width() < 2 or self.height() < 2:
+            return
+        pixels = self.scene.render(self._orbit, *self._size_px())  # the image shares its memory
+        height, width = pixels.shape
+        self._image = QImage(
+            pixels.data, width, height, pixels.strides[0], QImage.Format.Format_RGB32
+        )
+        self.update()
+
+    def _size_px(self) -> tuple[int, int]:
+        ratio = self.devicePixelRatioF()
+        w, h = self.width() * ratio, self.height() * ratio
+        shrink = min(1.0, (MAX_PIXELS / (w * h)) ** 0.5)
+        return max(2, int(w * shrink)), max(2, int(h * shrink))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        if self._image is not None:
+            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+            painter.drawImage(QRectF(self.rect()), self._image, QRectF(self._image.rect()))
+        if self._caption:
+            box = self.rect().adjusted(12, self.height() - 44, -12, -8)
+            painter.setPen(QColor("#E69F00"))
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(box, int(flags), self._caption)
+        painter.end()
+
+    def shut_down(self) -> None:
+        """Forget the bodies."""
+        self.scene.clear()

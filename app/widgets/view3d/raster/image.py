@@ -1,0 +1,211 @@
+"""The image: a ray through the middle of each pixel, three more where surfaces meet."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from app.widgets.view3d.raster.blending import blend
+from app.widgets.view3d.raster.layers import gather
+from app.widgets.view3d.raster.placing import place, project_line
+from app.widgets.view3d.raster.tiles import TILE, line_pairs, solid_pairs, sort_pairs
+from app.widgets.view3d.raster.view import LINES, WIDTH, Bundle, View, new_bundle
+from tracker.kernels import kernel
+from tracker.messages import Array, IntArray
+
+Pixels = npt.NDArray[np.uint32]
+Numbers = npt.NDArray[np.int32]
+Bool = npt.NDArray[np.bool_]
+
+FIRST_PAIRS = 4096
+MORE = ((0.376, 0.137), (-0.306, 0.257), (-0.069, -0.394))
+"""px from a pixel's middle where more rays go: with the first, no two in one row or column."""
+RAYS = TILE * TILE * len(MORE)
+FAINT = 16
+"""Steps of 255 by which colours may differ without anybody seeing stairs."""
+
+
+@kernel(error_model="numpy")
+def draw(
+    kinds: IntArray, shown: Bool, R_GB: Array, p_GB: Array, R_BS: Array, p_BS: Array,
+    forms: Array, looks: Array, points: Array, ends: IntArray, owner: IntArray,
+    R_GC: Array, p_GC: Array, focal: float, background: Array, image: Pixels, numbers: Numbers,
+) -> None:  # fmt: skip
+    """Fill ``image`` (H, W) with 0xFFRRGGBB.
+
+    Of N bodies: kinds, shown (N,); R_GB, p_GB, R_BS, p_BS (N, ...) their places, R_GB times a size;
+    forms (N, 5) m; looks (N, 9) as `view` has them. Of lines: points (P, 3) m in B, ends (M, 2)
+    rows of points, owner (M,) body. numbers (H, W) is for what the pixels show.
+    """
+    height, width = image.shape
+    places, sized = _place_solids(kinds, shown, R_GB, p_GB, R_BS, p_BS, forms, R_GC, p_GC)
+    lines = _project_lines(
+        shown, R_GB, p_GB, points, ends, owner, R_GC, p_GC, focal, 0.5 * width, 0.5 * height
+    )
+    view = View(
+        kinds, sized, places, looks, lines, owner, focal, 0.5 * width, 0.5 * height, background
+    )
+    items, starts = _sort(view, (height, width))
+    image[:] = packed((background[0], background[1], background[2]))
+    numbers[:] = 0
+    bundle, at = new_bundle(RAYS), np.empty((RAYS, 2), np.int64)
+    columns = (width + TILE - 1) // TILE
+    for smooth in (False, True):
+        for tile in range(len(starts) - 1):
+            first, stop = starts[tile], starts[tile + 1]
+            if first == stop:
+                continue
+            top, left = tile // columns * TILE, tile % columns * TILE
+            if smooth:
+                rays = _edge_rays(view, image, numbers, top, left, at, bundle)
+            else:
+                rays = _middle_rays(view, image, top, left, at, bundle)
+            gather(view, items, first, stop, rays, bundle)
+            blend(view, rays, bundle)
+            if smooth:
+                _mix(rays, at, bundle.colour, image)
+            else:
+                _paint(rays, at, bundle.colour, bundle.number, image, numbers)
+
+
+@kernel(error_model="numpy")
+def _middle_rays(
+    view: View, image: Pixels, top: int, left: int, at: IntArray, bundle: Bundle
+) -> int:
+    """A ray through the middle of each pixel of a tile, and which pixel; how many."""
+    rays, (height, width) = 0, image.shape
+    xs, ys, focal, middle_u, middle_v = bundle.x, bundle.y, view.focal, view.middle_u, view.middle_v
+    for v in range(top, min(top + TILE, height)):
+        for u in range(left, min(left + TILE, width)):
+            xs[rays] = (u + 0.5 - middle_u) / focal
+            ys[rays] = (v + 0.5 - middle_v) / focal
+            at[rays, 0], at[rays, 1] = v, u
+            rays += 1
+    return rays
+
+
+@kernel(error_model="numpy")
+def _edge_rays(
+    view: View, image: Pixels, numbers: Numbers, top: int, left: int, at: IntArray, bundle: Bundle
+) -> int:
+    """`MORE` rays one after another through each pixel of a tile whose neighbour shows
+    something else."""
+    rays, (height, width) = 0, image.shape
+    xs, ys, focal, middle_u, middle_v = bundle.x, bundle.y, view.focal, view.middle_u, view.middle_v
+    for v in range(top, min(top + TILE, height)):
+        above, below = max(v - 1, 0), min(v + 1, height - 1)
+        for u in range(left, min(left + TILE, width)):
+            before, after = max(u - 1, 0), min(u + 1, width - 1)
+            mine, colour = numbers[v, u], image[v, u]
+            if not (
+                (numbers[v, before] != mine and _differ(image[v, before], colour))
+                or (numbers[v, after] != mine and _differ(image[v, after], colour))
+                or (numbers[above, u] != mine and _differ(image[above, u], colour))
+                or (numbers[below, u] != mine and _differ(image[below, u], colour))
+            ):
+                continue
+            for du, dv in MORE:
+                xs[rays] = (u + 0.5 + du - middle_u) / focal
+                ys[rays] = (v + 0.5 + dv - middle_v) / focal
+                at[rays, 0], at[rays, 1] = v, u
+                rays += 1
+    return rays
+
+
+@kernel(error_model="numpy")
+def _paint(
+    rays: int, at: IntArray, colour: Array, number: IntArray, image: Pixels, numbers: Numbers
+) -> None:
+    """Each ray's colour to its pixel."""
+    for k in range(rays):
+        image[at[k, 0], at[k, 1]] = packed((colour[k, 0], colour[k, 1], colour[k, 2]))
+        numbers[at[k, 0], at[k, 1]] = number[k]
+
+
+@kernel(error_model="numpy")
+def _mix(rays: int, at: IntArray, colour: Array, image: Pixels) -> None:
+    """The mean of `MORE` rays and the first one to their pixel."""
+    share = 1.0 / (len(MORE) + 1)
+    for k in range(0, rays, len(MORE)):
+        v, u = at[k, 0], at[k, 1]
+        before = image[v, u]
+        red, green, blue = (
+            (before >> 16 & 255) / 255,
+            (before >> 8 & 255) / 255,
+            (before & 255) / 255,
+        )
+        for j in range(k, k + len(MORE)):
+            red, green, blue = red + colour[j, 0], green + colour[j, 1], blue + colour[j, 2]
+        image[v, u] = packed((share * red, share * green, share * blue))
+
+
+@kernel(error_model="numpy", inline="always")
+def _differ(a: int, b: int) -> bool:
+    """Whether two colours 0xFFRRGGBB differ by more than `FAINT` in one part."""
+    red = abs(np.int64(a >> 16 & 255) - np.int64(b >> 16 & 255))
+    green = abs(np.int64(a >> 8 & 255) - np.int64(b >> 8 & 255))
+    blue = abs(np.int64(a & 255) - np.int64(b & 255))
+    return bool(max(red, green, blue) > FAINT)
+
+
+@kernel(error_model="numpy", inline="always")
+def packed(colour: tuple[float, float, float]) -> np.uint32:
+    """Red, green and blue, shares of one, as 0xFFRRGGBB."""
+    red = np.uint32(min(max(colour[0], 0.0), 1.0) * 255.0 + 0.5)
+    green = np.uint32(min(max(colour[1], 0.0), 1.0) * 255.0 + 0.5)
+    blue = np.uint32(min(max(colour[2], 0.0), 1.0) * 255.0 + 0.5)
+    return np.uint32(0xFF000000) | red << np.uint32(16) | green << np.uint32(8) | blue
+
+
+@kernel(error_model="numpy")
+def _place_solids(
+    kinds: IntArray, shown: Bool, R_GB: Array, p_GB: Array, R_BS: Array, p_BS: Array,
+    forms: Array, R_GC: Array, p_GC: Array,
+) -> tuple[Array, Array]:  # fmt: skip
+    """(N, 13) of `placing.place`, size 0 for what is not drawn; (N, 5) forms in m."""
+    places, sized = np.zeros((len(kinds), 13)), np.zeros(forms.shape)
+    for i in range(len(kinds)):
+        if shown[i] and kinds[i] != LINES:
+            places[i] = place(R_GB[i], p_GB[i], R_BS[i], p_BS[i], R_GC, p_GC)
+            sized[i] = forms[i] * places[i, 12]
+    return places, sized
+
+
+@kernel(error_model="numpy")
+def _project_lines(
+    shown: Bool, R_GB: Array, p_GB: Array, points: Array, ends: IntArray, owner: IntArray,
+    R_GC: Array, p_GC: Array, focal: float, cx: float, cy: float,
+) -> Array:  # fmt: skip
+    """(M, 6) of `placing.project_line`; NaN for what is not drawn."""
+    lines = np.full((len(ends), 6), np.nan)
+    a, b = np.empty(3), np.empty(3)
+    for m in range(len(ends)):
+        i = owner[m]
+        if shown[i]:
+            for k in range(3):
+                a[k] = b[k] = p_GB[i, k]
+                for j in range(3):
+                    a[k] += R_GB[i, k, j] * points[ends[m, 0], j]
+                    b[k] += R_GB[i, k, j] * points[ends[m, 1], j]
+            project_line(a, b, R_GC, p_GC, focal, cx, cy, lines[m])
+    return lines
+
+
+@kernel(error_model="numpy")
+def _sort(view: View, size: tuple[int, int]) -> tuple[IntArray, IntArray]:
+    """Items of each tile, as `tiles.sort_pairs`: a body's row, or N and more for a line."""
+    bodies, pairs = len(view.kinds), np.empty((FIRST_PAIRS, 2), np.int64)
+    tiles = ((size[0] + TILE - 1) // TILE) * ((size[1] + TILE - 1) // TILE)
+    while True:
+        found = 0
+        for i in range(bodies):
+            if view.places[i, 12] > 0.0:
+                form, at = view.forms[i], view.places[i]
+                found = solid_pairs(i, view.kinds[i], form, at, view.focal, size, pairs, found)
+        for m in range(len(view.lines)):
+            if view.lines[m, 2] > 0.0:
+                width_px = view.looks[view.owner[m], WIDTH]
+                found = line_pairs(bodies + m, view.lines, m, width_px, size, pairs, found)
+        if found <= len(pairs):
+            return sort_pairs(pairs, found, tiles)
+        pairs = np.empty((found, 2), np.int64)

@@ -1,0 +1,139 @@
+"""The scene of the painted view: bodies as rows of a few arrays, and the image made of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
+from app.widgets.view3d.raster.image import Pixels, draw
+from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, DISC
+from app.widgets.view3d.raster.view import LINES
+from app.widgets.view3d.scene import Look, rgb
+from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, turn_x_to
+from tracker.messages import Array, IntArray
+
+
+class RasterBody:
+    """A row of the scene's arrays."""
+
+    def __init__(self, scene: RasterScene, row: int, points: slice) -> None:
+        self._scene, self._row, self._points = scene, row, points
+        self._look: Look | None = None
+
+    @property
+    def shown(self) -> bool:
+        return bool(self._scene.shown[self._row])
+
+    def show(self, on: bool) -> None:
+        self._scene.shown[self._row] = on
+
+    def wear(self, look: Look) -> None:
+        if look is not self._look:
+            self._look = look
+            self._scene.looks[self._row] = _look_row(look)
+
+    def reshape(self, points: Array) -> None:
+        self._scene.points[self._points] = points
+
+    def move(self, R: Array, p: Array) -> None:
+        self._scene.R_GB[self._row] = R
+        self._scene.p_GB[self._row] = p
+
+
+class RasterScene:
+    """Its arrays are what `image.draw` takes."""
+
+    def __init__(self) -> None:
+        self._background = np.zeros(3)
+        self._image: Pixels = np.empty((0, 0), np.uint32)
+        self._numbers = np.empty((0, 0), np.int32)
+        self.clear()
+
+    def clear(self) -> None:
+        """Without bodies; those that were here are not to be used any more."""
+        self.kinds: IntArray = np.empty(0, np.int64)
+        self.shown: npt.NDArray[np.bool_] = np.empty(0, np.bool_)
+        self.R_GB: Array = np.empty((0, 3, 3))
+        self.p_GB: Array = np.empty((0, 3))
+        self.R_BS: Array = np.empty((0, 3, 3))
+        self.p_BS: Array = np.empty((0, 3))
+        self.forms: Array = np.empty((0, 5))
+        self.looks: Array = np.empty((0, 9))
+        self.points: Array = np.empty((0, 3))
+        self.ends = np.empty((0, 2), np.int64)
+        self.owner = np.empty(0, np.int64)
+
+    def set_background(self, colour: str) -> None:
+        self._background = np.array(rgb(colour))
+
+    def add(self, shape: Shape, look: Look) -> RasterBody:
+        row, first = len(self.kinds), len(self.points)
+        kind, form, R_BS, p_BS = _form_of(shape)
+        self.kinds = _with(self.kinds, kind)
+        self.shown = _with(self.shown, True)
+        self.R_GB, self.p_GB = _with(self.R_GB, np.eye(3)), _with(self.p_GB, np.zeros(3))
+        self.R_BS, self.p_BS = _with(self.R_BS, R_BS), _with(self.p_BS, p_BS)
+        self.forms, self.looks = _with(self.forms, form), _with(self.looks, _look_row(look))
+        if isinstance(shape, Lines):
+            self.points = np.concatenate([self.points, shape.points])
+            self.ends = np.concatenate([self.ends, shape.pairs + first])
+            self.owner = np.concatenate([self.owner, np.full(len(shape.pairs), row)])
+        return RasterBody(self, row, slice(first, len(self.points)))
+
+    def render(self, orbit: Orbit, width: int, height: int) -> Pixels:
+        """(height, width) of 0xFFRRGGBB from the orbit's eye; good until the next."""
+        if self._image.shape != (height, width):
+            self._image = np.empty((height, width), np.uint32)
+            self._numbers = np.empty((height, width), np.int32)
+        if not self.shown.any():  # nor need the kernels be there before there is a hand
+            red, green, blue = np.rint(255 * self._background).astype(np.uint32)
+            self._image.fill(0xFF000000 | red << 16 | green << 8 | blue)
+            return self._image
+        R_GC, p_GC = camera_pose(orbit)
+        draw(
+            self.kinds, self.shown, self.R_GB, self.p_GB, self.R_BS, self.p_BS, self.forms,
+            self.looks, self.points, self.ends, self.owner, R_GC, p_GC, focal_px(height),
+            self._background, self._image, self._numbers,
+        )  # fmt: skip
+        return self._image
+
+
+def camera_pose(orbit: Orbit) -> tuple[Array, Array]:
+    """R_GC (3, 3), whose columns are the image's right, its down, and ahead; p_GC (3,) m."""
+    right = np.cross(orbit.up, orbit.direction)
+    R_GC = np.stack([right, -orbit.up, -orbit.direction], axis=1)
+    return np.ascontiguousarray(R_GC), np.ascontiguousarray(orbit.eye, float)
+
+
+def focal_px(height: int) -> float:
+    """Focal length of an image that is so high, px."""
+    return float(0.5 * height / np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2)))
+
+
+def _form_of(shape: Shape) -> tuple[int, Array, Array, Array]:
+    """Kind, form (5,) m, and the place R_BS (3, 3), p_BS (3,) of a shape in its body."""
+    form, R, p = np.zeros(5), np.eye(3), np.zeros(3)
+    if isinstance(shape, Capsule):
+        form[:2] = shape.length, shape.radius
+        return CAPSULE, form, R, p
+    if isinstance(shape, Disc):
+        form[:2] = shape.height / 2, shape.radius
+        return DISC, form, turn_x_to(shape.normal), shape.centre
+    if isinstance(shape, Block):
+        form[:] = *shape.half, shape.corner, shape.edge
+        return BLOCK, form, R, shape.centre
+    return LINES, form, R, p
+
+
+def _look_row(look: Look) -> list[float]:
+    """As `view` has it."""
+    strength = (look.opacity, look.ambient, look.specular, look.line_width)
+    return [*rgb(look.colour), *strength, float(look.grid), float(look.group)]
+
+
+def _with(rows: npt.NDArray[Any], row: object) -> npt.NDArray[Any]:
+    """One row more."""
+    return np.concatenate([rows, np.asarray([row], rows.dtype)])

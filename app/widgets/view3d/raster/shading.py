@@ -1,0 +1,56 @@
+"""Light on a surface: lamps that go with the camera."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.widgets.view3d.raster.solids import Rotation, Vector
+from tracker.kernels import kernel
+
+
+def _lamp(azimuth_deg: float, elevation_deg: float, strength: float) -> tuple[float, ...]:
+    """Direction in C towards a lamp, from the camera's right-hand side and from above, and how
+    strong it is."""
+    a, e = np.deg2rad(azimuth_deg), np.deg2rad(elevation_deg)
+    way = np.sin(a) * np.cos(e), -np.sin(e), -np.cos(a) * np.cos(e)
+    return float(way[0]), float(way[1]), float(way[2]), strength
+
+
+KEY = _lamp(10, 50, 0.75)
+FILL = _lamp(0, -75, 0.25)  # what the key light leaves
+HEAD = 0.25  # strength of the lamp at the camera
+EDGE = _lamp(110, 0, 0.21)  # from behind, on either side, where it draws the edges
+"""As a photographer's light kit (and VTK's) has them."""
+
+
+def _halfway(lamp: tuple[float, ...]) -> tuple[float, ...]:
+    """Between a lamp and the camera: the normal that shines most."""
+    way = np.array(lamp[:3]) - [0.0, 0.0, 1.0]
+    unit = way / np.linalg.norm(way)
+    return float(unit[0]), float(unit[1]), float(unit[2])
+
+
+GLOSS = _halfway(KEY)
+GLOSS_TURNS = 4
+"""The shine is the cosine, squared so many times."""
+
+
+@kernel(error_model="numpy", inline="always")
+def lit(R_CS: Rotation, n_S: Vector, ambient: float, specular: float) -> tuple[float, float]:
+    """Factor of a surface's colour, and white to be added; the normal is in S."""
+    n = (
+        R_CS[0] * n_S[0] + R_CS[1] * n_S[1] + R_CS[2] * n_S[2],
+        R_CS[3] * n_S[0] + R_CS[4] * n_S[1] + R_CS[5] * n_S[2],
+        R_CS[6] * n_S[0] + R_CS[7] * n_S[1] + R_CS[8] * n_S[2],
+    )
+    bright = ambient
+    bright += KEY[3] * max(KEY[0] * n[0] + KEY[1] * n[1] + KEY[2] * n[2], 0.0)
+    bright += FILL[3] * max(FILL[1] * n[1] + FILL[2] * n[2], 0.0)
+    bright += HEAD * max(-n[2], 0.0)
+    bright += EDGE[3] * max(EDGE[0] * abs(n[0]) + EDGE[2] * n[2], 0.0)
+    if specular == 0.0:
+        return bright, 0.0
+    shine = max(GLOSS[0] * n[0] + GLOSS[1] * n[1] + GLOSS[2] * n[2], 0.0)
+    for _ in range(GLOSS_TURNS):
+        shine *= shine
+    return bright, specular * shine

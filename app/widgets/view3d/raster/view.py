@@ -1,0 +1,67 @@
+"""What all rays of one image share, and what a bundle of them meets."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.kernels import kernel
+from tracker.messages import Array, IntArray
+
+LINES = 3
+"""Kind of a body that has no surface; the others are those of `solids`."""
+
+RED, GREEN, BLUE, OPACITY, AMBIENT, SPECULAR, WIDTH, STYLE, GROUP = range(9)  # of a look
+OVER, ALONE = 1.0, 2.0  # STYLE, as `app.widgets.view3d.scene.Grid`
+
+DEEPEST = 16
+"""Layers that are kept of one ray."""
+
+
+class View(NamedTuple):
+    """Bodies before a camera. Of N bodies: kinds (N,), forms (N, 5) m, places (N, 13) as
+    `placing.place` has them, looks (N, 9). Of M lines: lines (M, 6) as `placing.project_line` has
+    them, owner (M,) row of the body. focal, middle_u, middle_v in px; background (3,)."""
+
+    kinds: IntArray
+    forms: Array
+    places: Array
+    looks: Array
+    lines: Array
+    owner: IntArray
+    focal: float
+    middle_u: float
+    middle_v: float
+    background: Array
+
+
+class Bundle(NamedTuple):
+    """Up to R rays (x, y, 1) of one tile, x and y (R,), and the layers that each meets.
+
+    Layers (R, `DEEPEST`), nearest first, of which many (R,) are there: depth in m, cover as a
+    share, row of the body. found and share (R,) are for depth and cover of one body; colour (R, 3)
+    and number (R,) are what `blending.blend` makes of all.
+    """
+
+    x: Array
+    y: Array
+    many: IntArray
+    depth: Array
+    cover: Array
+    body: IntArray
+    found: Array
+    share: Array
+    colour: Array
+    number: IntArray
+
+
+@kernel(error_model="numpy")
+def new_bundle(rays: int) -> Bundle:
+    """Room for so many."""
+    layers = (rays, DEEPEST)
+    return Bundle(
+        np.empty(rays), np.empty(rays), np.empty(rays, np.int64),
+        np.empty(layers), np.empty(layers), np.empty(layers, np.int64),
+        np.empty(rays), np.empty(rays), np.empty((rays, 3)), np.empty(rays, np.int64),
+    )  # fmt: skip

@@ -1,0 +1,122 @@
+"""The 3D view: drawn by the graphics card where there is one, painted where there is none."""
+
+from __future__ import annotations
+
+import logging
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
+
+from app.widgets.view3d.orbit import Orbit
+from app.widgets.view3d.orbit_control import OrbitControl
+from app.widgets.view3d.painted_view import PaintedView
+from app.widgets.view3d.scene import Scene
+
+if TYPE_CHECKING:
+    from app.widgets.view3d.gpu_view import GpuView
+
+_log = logging.getLogger(__name__)
+
+
+class View3D(QWidget):
+    """Owns the orbit and the view that draws; ``scene`` is None once it is shut down.
+
+    ``scene_changed``: another view draws now, and its scene is empty.
+    """
+
+    scene_changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.orbit = Orbit()
+        self._background = "#000000"
+        self._view: PaintedView | GpuView | None = None
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self.setMinimumSize(200, 160)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.use_painted()
+
+    def sizeHint(self) -> QSize:
+        return QSize(480, 400)
+
+    # --- which view
+
+    @property
+    def scene(self) -> Scene | None:
+        return self._view.scene if self._view is not None else None
+
+    @property
+    def on_card(self) -> bool:
+        """Whether the graphics card draws into the window."""
+        return self._view is not None and self._view.on_card
+
+    def use_painted(self) -> None:
+        """Paint: works everywhere."""
+        self._put(PaintedView(self.orbit))
+
+    def use_card(self) -> bool:
+        """Draw into the window; False, and as before, where that cannot be done."""
+        try:
+            from app.widgets.view3d.gpu_view import GpuView
+
+            view = GpuView(self.orbit)
+        except Exception as error:  # noqa: BLE001  a dead driver fails in its own ways
+            _log.warning("The 3D view stays painted: %s", error)
+            return False
+        self._put(view)
+        return True
+
+    def _put(self, view: PaintedView | GpuView) -> None:
+        """Let ``view`` take the place of the present one."""
+        before, self._view = self._view, view
+        if before is not None:
+            self._column.removeWidget(before)
+            before.shut_down()
+            before.deleteLater()
+        surface = getattr(view, "surface", view)
+        surface.setAccessibleName(self.tr("The hand in 3D"))
+        OrbitControl(surface, self.orbit).turned.connect(self.render_scene)
+        self.setFocusProxy(surface)
+        self._column.addWidget(view, 1)
+        if view.scene is not None:
+            view.scene.set_background(self._background)
+        self.scene_changed.emit()
+
+    # --- drawing
+
+    @property
+    def caption(self) -> str:
+        return self._caption
+
+    @caption.setter
+    def caption(self, text: str) -> None:
+        self._caption = text
+        if self._view is not None:
+            self._view.set_caption(text)
+
+    _caption = ""
+
+    def set_background(self, colour: str) -> None:
+        self._background = colour
+        if self.scene is not None:
+            self.scene.set_background(colour)
+
+    def render_scene(self) -> None:
+        """Draw the scene from the orbit's eye; a card that fails gives way to the painted view."""
+        if self._view is None:
+            return
+        try:
+            self._view.render_scene()
+        except Exception as error:
+            if not self.on_card:
+                raise
+            _log.warning("The graphics card gave up, the 3D view is painted from now on: %s", error)
+            self.use_painted()
+
+    def shut_down(self) -> None:
+        """Free what the view holds while its surface is still there."""
+        if self._view is not None:
+            self._view.shut_down()
+            self._view = None

@@ -1,0 +1,1 @@
+"""The main window: commands, layout, status bar, theme."""

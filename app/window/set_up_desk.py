@@ -1,0 +1,178 @@
+"""Opens the set-up dialogs and does what they decide."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QDialog, QWidget
+
+from app.engines.session import Session
+from app.platform.tasks import TaskOwner
+from app.storage.settings import SettingsStore
+from tracker import library
+from tracker.calibration.stereo.board import BoardSpec
+from tracker.calibration.still import StillPose
+from tracker.errors import ConfigError, GlovetrackError
+from tracker.fusion.chain.calibration.still_bias import with_gyro_bias
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.engine import Engine
+from tracker.sensors.camera_controls import Locks, locks_text
+from tracker.sensors.camera_plugins import all_cameras
+from tracker.sensors.image_input import CameraName
+
+if TYPE_CHECKING:
+    from app.wizards.stereo.wizard import StereoWizard
+
+
+class SetUpDesk(QObject):
+    """At most one dialog of each kind is open; ``restart`` asks for glove and camera anew."""
+
+    error = Signal(str)
+    restart = Signal()
+    changed = Signal()  # what is stored of the devices
+
+    def __init__(
+        self, session: Session, store: SettingsStore, tasks: TaskOwner, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._session, self._store, self._tasks = session, store, tasks
+        self._window = window
+        self.dialogs: dict[str, QDialog] = {}
+
+    # --- stereo calibration
+
+    def open_stereo(self) -> None:
+        """The stereo calibration. The cameras' names are asked for in the background."""
+        if not self._raise("stereo"):
+            self._tasks.run(
+                self.tr("Looking for cameras"), lambda _progress: all_cameras(), self._open_stereo
+            )
+
+    def _open_stereo(self, cameras: list[CameraName]) -> None:
+        if self._raise("stereo"):
+            return
+        from app.wizards.image_choices import image_choices
+        from app.wizards.stereo.wizard import StereoWizard
+
+        wizard = StereoWizard(
+            self._tasks,
+            image_choices(self._session, self._store.value, cameras),
+            library.user_folder("cameras"),
+            board_from(self._store.value.board),
+            self._window,
+        )
+        self.show_stereo(wizard)
+
+    def show_stereo(self, wizard: StereoWizard) -> None:
+        """Show it, and take what comes out of it."""
+        wizard.finished_with.connect(self._calibrated)
+        wizard.board_used.connect(lambda spec: self._store.update(board=board_text(spec)))
+        self.show_dialog("stereo", wizard)
+
+    def _calibrated(self, path: Path, real: bool) -> None:
+        """A calibration of the simulated camera is kept as a file and used for nothing."""
+        if real and self.set_calibration(path):
+            self._restart_devices()
+
+    def set_calibration(self, path: Path) -> bool:
+        """Remember the camera's calibration file; it is checked before it is taken."""
+        from tracker.calibration.stereo.files import load_rig
+
+        try:
+            load_rig(path)
+        except GlovetrackError as error:
+            self.error.emit(str(error))
+            return False
+        self._store.update(calibration=str(path))
+        self.changed.emit()
+        return True
+
+    # --- glove
+
+    def open_glove(self) -> None:
+        """Port, files, biases at rest, wiggle test."""
+        if self._raise("glove"):
+            return
+        from app.wizards.glove.wizard import GloveSetup
+
+        dialog = GloveSetup(self._session, self._store, self._tasks, self._window)
+        dialog.chosen.connect(self._restart_devices)
+        dialog.measured.connect(self.take_bias)
+        self.show_dialog("glove", dialog)
+
+    def take_bias(self, pose: StillPose) -> None:
+        """The engine knows the gyros from now on, where it keeps what it knows of a wearer."""
+        bias = np.array([i.gyro_bias for i in pose.imus])
+        sd = np.array([i.gyro_bias_sd for i in pose.imus])
+
+        def tell(engine: Engine) -> None:
+            if isinstance(engine, ChainEngine):
+                engine.put_on(with_gyro_bias(engine.profile(), engine.layout, bias, sd))
+
+        self._session.command(tell)
+
+    # --- camera
+
+    def open_camera(self) -> None:
+        """Which camera, and what of its image is locked."""
+        if self._raise("camera"):
+            return
+        from app.wizards.camera import CameraSetup
+
+        dialog = CameraSetup(self._session, self._store, self._tasks, self._window)
+        dialog.chosen.connect(self._restart_devices)
+        self.show_dialog("camera", dialog)
+
+    def lock_camera(self) -> None:
+        """Lock what the camera has found by itself, as it is now."""
+        setup = self._session.setup
+        if setup is None or setup.camera_controls is None:
+            return
+        found = {c.name: c.value for c in setup.camera_controls.controls() if c.available}
+        self._store.update(camera_locks=locks_text(Locks(**found)))
+        setup.camera_controls.want(Locks(**found))
+
+    # --- all
+
+    def _restart_devices(self) -> None:
+        """What was chosen is used at once where the devices are in use."""
+        setup = self._session.setup
+        if setup is not None and not setup.simulated and setup.player is None:
+            self.restart.emit()
+
+    def _raise(self, name: str) -> bool:
+        dialog = self.dialogs.get(name)
+        if dialog is None:
+            return False
+        dialog.raise_()
+        dialog.activateWindow()
+        return True
+
+    def show_dialog(self, name: str, dialog: QDialog) -> None:
+        """Show a dialog until it, or the window, is closed."""
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.dialogs[name] = dialog
+        dialog.finished.connect(lambda _result: self.dialogs.pop(name, None))
+        dialog.show()
+
+    def shut_down(self) -> None:
+        """Close what is open; its jobs end with the window's."""
+        for dialog in list(self.dialogs.values()):
+            dialog.close()
+
+
+def board_text(spec: BoardSpec) -> str:
+    """As the settings hold it."""
+    return f"{spec.kind} {spec.columns} {spec.rows} {spec.square!r}"
+
+
+def board_from(text: str) -> BoardSpec:
+    """The default where the settings hold none, or one that is impossible."""
+    try:
+        kind, columns, rows, square = text.split()
+        return BoardSpec(kind, int(columns), int(rows), float(square))
+    except (ValueError, ConfigError):
+        return BoardSpec()

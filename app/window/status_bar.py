@@ -1,0 +1,70 @@
+"""The bottom line: state of tracking, rates, latency, losses, and what is under way."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QToolTip, QWidget
+
+from app.platform.tasks import Task, TaskOwner
+from app.viewmodels.status import fields, tracking_look
+from app.widgets.chip import Chip
+from tracker.messages import Status
+
+
+class StatusBar(QStatusBar):
+    def __init__(self, tasks: TaskOwner, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tasks = tasks
+        self.setSizeGripEnabled(False)
+        self.tracking = Chip()
+        self.addWidget(self.tracking)
+        self.chips = {f.key: Chip() for f in fields(None)}
+        for chip in self.chips.values():
+            self.addWidget(chip)
+        self.recording = Chip()
+        self._task_name = QLabel()
+        self._bar = QProgressBar()
+        self._bar.setFixedWidth(140)
+        self._cancel = QPushButton(self.tr("Cancel"))
+        self._cancel.clicked.connect(self._cancel_task)
+        for widget in (self.recording, self._task_name, self._bar, self._cancel):
+            self.addPermanentWidget(widget)
+        self._watched: Task | None = None
+        tasks.changed.connect(self._watch)
+        self._watch()
+
+    def show_status(self, status: Status | None, running: bool) -> None:
+        look = tracking_look(status, running)
+        self.tracking.show_state(look.colour, look.sign, look.word)
+        for field in fields(status if running else None):
+            text = f"{field.name} {field.text}"
+            self.chips[field.key].show_state(field.look.colour, field.look.sign, text, field.tip)
+
+    def show_latencies(self) -> None:
+        """What the pointer would show over the latency: each stage's."""
+        chip = self.chips["latency"]
+        QToolTip.showText(chip.mapToGlobal(chip.rect().topLeft()), chip.toolTip(), chip)
+
+    def show_recording(self, text: str, colour: str) -> None:
+        self.recording.setVisible(bool(text))
+        self.recording.show_state(colour, "●", text)
+
+    def _watch(self) -> None:
+        """Show the newest job under way, or nothing."""
+        self._watched = self._tasks.tasks[-1] if self._tasks.tasks else None
+        for widget in (self._task_name, self._bar, self._cancel):
+            widget.setVisible(self._watched is not None)
+        if self._watched is not None:
+            self._task_name.setText(self._watched.title)
+            self._bar.setRange(0, 0)
+            self._watched.progressed.connect(self._progressed)
+
+    def _progressed(self, fraction: float, text: str) -> None:
+        if self.sender() is not self._watched or self._watched is None:
+            return
+        self._bar.setRange(0, 0 if fraction < 0 else 100)
+        self._bar.setValue(round(100 * max(0.0, fraction)))
+        self._task_name.setText(f"{self._watched.title}: {text}" if text else self._watched.title)
+
+    def _cancel_task(self) -> None:
+        if self._watched is not None:
+            self._watched.cancel()

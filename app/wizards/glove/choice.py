@@ -1,0 +1,167 @@
+"""Which glove: its port, its file, the side, the hand."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFormLayout,
+    QHBoxLayout,
+    QInputDialog,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.storage.settings import Settings
+from tracker import library
+from tracker.errors import GlovetrackError
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.sensors.discovery import PortReport, latency_advice
+from tracker.toml_reader import read_toml
+
+SIMULATED = "simulated"
+SESSION = "session"
+
+
+class ChoicePage(QWidget):
+    """``models()`` is the chosen hand and glove; ``port()`` a path, `SIMULATED` or `SESSION`."""
+
+    changed = Signal()
+    search = Signal()
+
+    def __init__(self, settings: Settings, wearers: list[str], with_session: bool) -> None:
+        super().__init__()
+        self._with_session = with_session
+        self.ports, self.side = QComboBox(), QComboBox()
+        self.gloves, self.hands = QComboBox(), QComboBox()
+        self.wearers = QComboBox()
+        self.wearers.addItem(self.tr("Somebody new"), "")
+        for name in wearers:
+            self.wearers.addItem(name, name)
+        self.wearers.setCurrentIndex(max(0, self.wearers.findData(settings.wearer)))
+        self.again = QPushButton(self.tr("&Look again"))
+        self.again.clicked.connect(self.search)
+        self.other = QPushButton(self.tr("&Other port…"))
+        self.other.clicked.connect(self._ask_port)
+        self.words = QLabel()
+        self.words.setWordWrap(True)
+        self.words.setProperty("role", "faint")
+        self.side.addItem(self.tr("Right hand"), "right")
+        self.side.addItem(self.tr("Left hand"), "left")
+        self._lay_out()
+        self.side.setCurrentIndex(max(0, self.side.findData(_side("gloves", settings.glove))))
+        self._fill(settings.glove, settings.hand)
+        self.show_ports([], SESSION if with_session else settings.port)
+        self.side.currentIndexChanged.connect(lambda _i: self._fill("", ""))
+        for box in (self.gloves, self.hands, self.ports):
+            box.currentIndexChanged.connect(lambda _i: self.changed.emit())
+
+    def _lay_out(self) -> None:
+        port_row = QHBoxLayout()
+        port_row.addWidget(self.ports, 1)
+        port_row.addWidget(self.again)
+        port_row.addWidget(self.other)
+        form = QFormLayout()
+        port_label = QLabel(self.tr("&Port"))
+        port_label.setBuddy(self.ports)
+        form.addRow(port_label, port_row)
+        form.addRow(self.tr("&Side"), self.side)
+        form.addRow(self.tr("&Glove file"), self.gloves)
+        form.addRow(self.tr("&Hand file"), self.hands)
+        form.addRow(self.tr("&Wearer"), self.wearers)
+        column = QVBoxLayout(self)
+        column.addLayout(form)
+        column.addWidget(self.words)
+        column.addStretch(1)
+
+    def _fill(self, glove: str, hand: str) -> None:
+        """Only files of the chosen side."""
+        side = self.side.currentData()
+        for box, kind, chosen in ((self.gloves, "gloves", glove), (self.hands, "hands", hand)):
+            box.blockSignals(True)
+            box.clear()
+            box.addItems([n for n in library.names(kind) if _side(kind, n) == side])
+            box.setCurrentIndex(max(0, box.findText(chosen)))
+            box.blockSignals(False)
+        if not glove:
+            self._match_hand()
+        self.changed.emit()
+
+    def _match_hand(self) -> None:
+        """The hand that the glove's file refers to."""
+        try:
+            hand, _ = library.load(self.gloves.currentText())
+        except GlovetrackError:
+            return  # the page says it where the glove is used
+        self.hands.setCurrentIndex(max(0, self.hands.findText(hand.name)))
+
+    def models(self) -> tuple[HandModel, GloveModel] | None:
+        """None, with the reason on the page, where the files do not fit each other."""
+        try:
+            return library.load(self.gloves.currentText(), self.hands.currentText())
+        except GlovetrackError as error:
+            self.words.setText(str(error))
+            return None
+
+    def port(self) -> str:
+        return str(self.ports.currentData() or "")
+
+    def _ask_port(self) -> None:
+        words = self.tr("A port that is not on USB, such as /dev/rfcomm0 or COM7:")
+        path, ok = QInputDialog.getText(self, self.tr("Other port"), words)
+        if ok and path.strip():
+            self.add_port(path.strip())
+
+    def add_port(self, path: str) -> None:
+        """Offer and choose a port that nobody asked yet."""
+        self.ports.insertItem(0, path, path)
+        self.ports.setCurrentIndex(0)
+
+    def show_searching(self) -> None:
+        self.words.setText(self.tr("Looking for gloves…"))
+        self.again.setEnabled(False)
+
+    def show_ports(self, reports: list[PortReport], last: str) -> None:
+        """Gloves that answered first; then what else there is."""
+        self.again.setEnabled(True)
+        before = self.port() or last
+        self.ports.blockSignals(True)
+        self.ports.clear()
+        if self._with_session:
+            self.ports.addItem(self.tr("The glove in use"), SESSION)
+        for report in reports:
+            if report.is_glove:
+                self.ports.addItem(_title(report), report.path)
+        if before not in ("", SESSION, SIMULATED) and self.ports.findData(before) < 0:
+            self.ports.addItem(before, before)  # it may come back, and is not on every list
+        self.ports.addItem(self.tr("Simulated glove (plays along)"), SIMULATED)
+        self.ports.setCurrentIndex(max(0, self.ports.findData(before)))
+        self.ports.blockSignals(False)
+        self.words.setText("\n".join(_remarks(reports)))
+        self.changed.emit()
+
+
+def _title(report: PortReport) -> str:
+    if report.hello is None:
+        return f"{report.path}: a glove that is sending"
+    hello = report.hello
+    return f"{report.path}: glove {hello.glove_id}, {hello.imu_count} IMUs"
+
+
+def _remarks(reports: list[PortReport]) -> list[str]:
+    """What there is to say about the ports."""
+    if not reports:
+        return ["No USB serial port is there. Plug the glove in and look again."]
+    advice = [latency_advice(r.path) for r in reports if r.is_glove]
+    return [w for w in (*(r.trouble for r in reports), *advice) if w]
+
+
+def _side(kind: str, name: str) -> str:
+    """``side`` of a hand or glove file; "" for one that cannot be read."""
+    try:
+        return read_toml(library.text(kind, name), name).text("side")
+    except GlovetrackError:
+        return ""

@@ -1,0 +1,119 @@
+"""Samples of a glove for the set-up: of the open session, of a port, or simulated."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from app.engines.session import Session
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Event, ImuSample
+from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.simulation.glove_device import SimulatedGlove
+from tracker.simulation.wiggles import PlayAlong
+
+KEPT = 12.0  # s of samples
+WAIT = 0.05
+
+
+class GloveFeed(Protocol):
+    """What the set-up's pages need of a glove."""
+
+    @property
+    def trouble(self) -> str:
+        """What keeps samples from coming, in words."""
+
+    def recent(self) -> Sequence[ImuSample]:
+        """Samples of the last seconds, oldest first."""
+
+    def ask(self, part: str) -> None:
+        """Tell a simulated wearer what to move."""
+
+    def stop(self) -> None:
+        """Free the port; may take a moment."""
+
+
+class SessionFeed:
+    """The glove that the window tracks already."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+
+    @property
+    def trouble(self) -> str:
+        return "" if self._session.setup is not None else "The session was closed."
+
+    def recent(self) -> Sequence[ImuSample]:
+        setup = self._session.setup
+        return setup.engine.recent_imu() if setup is not None else ()
+
+    def ask(self, part: str) -> None:
+        """A real wearer reads it."""
+
+    def stop(self) -> None:
+        """The session frees its port itself."""
+
+
+class PortFeed:
+    """A glove at a port of its own, read in a thread. ``free`` is called at the end."""
+
+    def __init__(
+        self,
+        path: str,
+        imu_count: int,
+        ask: Callable[[str], None] | None = None,
+        free: Callable[[], None] | None = None,
+    ) -> None:
+        self._link = GloveLink(serial_port(path), imu_count)
+        self._ask, self._free = ask, free
+        self._samples: deque[ImuSample] = deque()
+        self._lock = threading.Lock()
+        self._stopping = threading.Event()
+        self.trouble = ""
+        self._thread = threading.Thread(target=self._run, name="glovetrack-set-up", daemon=True)
+        self._thread.start()
+
+    def recent(self) -> Sequence[ImuSample]:
+        with self._lock:
+            return list(self._samples)
+
+    def ask(self, part: str) -> None:
+        if self._ask is not None:
+            self._ask(part)
+
+    def stop(self) -> None:
+        self._stopping.set()
+        self._thread.join()
+        self._link.close()
+        if self._free is not None:
+            self._free()
+
+    def _run(self) -> None:
+        while not self._stopping.is_set():
+            for item in self._link.poll(WAIT):
+                if isinstance(item, Event):
+                    self.trouble = item.text
+                else:
+                    self._keep(item)
+
+    def _keep(self, sample: ImuSample) -> None:
+        self.trouble = ""
+        with self._lock:
+            self._samples.append(sample)
+            while sample.t - self._samples[0].t > KEPT:
+                self._samples.popleft()
+
+
+def simulated_feed(hand: HandModel, glove: GloveModel) -> PortFeed:
+    """A glove on a pseudo-terminal, worn by somebody who does what is asked."""
+    wearer = PlayAlong(hand, glove)
+    device = SimulatedGlove(wearer.samples(), len(glove.imus), t_0=time.monotonic())
+
+    def ask(part: str) -> None:
+        wearer.part = part
+
+    return PortFeed(device.path, len(glove.imus), ask, device.stop)

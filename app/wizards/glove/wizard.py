@@ -1,0 +1,178 @@
+"""The glove's set-up: which glove, biases at rest, and whether each IMU is where it should be."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QTimer, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.session import Session
+from app.platform.tasks import Progress, TaskOwner
+from app.storage.settings import SettingsStore
+from app.storage.wearers import WearerStore
+from app.wizards.glove.choice import SESSION, SIMULATED, ChoicePage
+from app.wizards.glove.feed import GloveFeed, PortFeed, SessionFeed, simulated_feed
+from app.wizards.glove.pages import StillPage, WigglePage
+from app.wizards.sizing import fit_to_screen
+from tracker.messages import ImuSample
+from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
+
+TICK_MS = 80
+
+
+class GloveSetup(QDialog):
+    """Not modal. ``chosen`` says that port, glove and hand were stored for the next start;
+    ``measured`` gives a `StillPose` of the glove in use."""
+
+    chosen = Signal()
+    measured = Signal(object)
+
+    def __init__(
+        self,
+        session: Session,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._session, self._store, self._tasks = session, store, tasks
+        self._feed: GloveFeed | None = None
+        self._source: tuple[str, str, str] | None = None
+        setup = session.setup
+        real = setup is not None and not setup.simulated and setup.player is None
+        self.choice = ChoicePage(
+            store.value, WearerStore(store.path.parent / "wearers").names(), real
+        )
+        self.still, self.wiggle = StillPage(), WigglePage()
+        self._lay_out()
+        self._timer = QTimer(self)
+        self._timer.timeout.connect(self._tick)
+        self._timer.start(TICK_MS)
+        self._connect()
+        self._choose()
+        self.search()
+
+    def _lay_out(self) -> None:
+        self.setWindowTitle(self.tr("Glove set-up"))
+        self.setObjectName("glove_setup")
+        fit_to_screen(self, 820, 600)
+        self.tabs = QTabWidget()
+        self.tabs.addTab(self.choice, self.tr("&1 Glove"))
+        self.tabs.addTab(self.still, self.tr("&2 At rest"))
+        self.tabs.addTab(self.wiggle, self.tr("&3 Wiggle test"))
+        self.state = QLabel()
+        self.use = QPushButton(self.tr("&Use this glove"))
+        self.use.setProperty("role", "primary")
+        self.use.setDefault(True)
+        self.stop = QPushButton(self.tr("Close"))
+        row = QHBoxLayout()
+        row.addWidget(self.state, 1)
+        row.addWidget(self.stop)
+        row.addWidget(self.use)
+        column = QVBoxLayout(self)
+        column.addWidget(self.tabs, 1)
+        column.addLayout(row)
+
+    def _connect(self) -> None:
+        self.choice.changed.connect(self._choose)
+        self.choice.search.connect(self.search)
+        self.use.clicked.connect(self._use)
+        self.stop.clicked.connect(self.close)
+        for page in (self.still, self.wiggle):
+            page.asked.connect(self._ask)
+        self.still.measured.connect(self._measured)
+
+    # --- which glove
+
+    def search(self) -> None:
+        """Ask every port whether a glove is behind it; a silent one takes seconds."""
+        self.choice.show_searching()
+        setup, port = self._session.setup, self.choice.port()
+        # a port that is being read already answers nobody else
+        busy = {port, self._store.value.port if setup is not None else ""}
+        self._tasks.run(
+            self.tr("Looking for gloves"),
+            lambda progress: _search(progress, busy),
+            self._found,  # a method: not called any more once this window is gone
+        )
+
+    def _found(self, reports: list[PortReport]) -> None:
+        self.choice.show_ports(reports, self._store.value.port)
+
+    def _choose(self) -> None:
+        """Turn to the glove that is chosen now."""
+        models, port = self.choice.models(), self.choice.port()
+        if models is None or not port:
+            return
+        hand, glove = models
+        source = (port, hand.name, glove.name)
+        if source == self._source:
+            return
+        self._source = source
+        self._leave()
+        for page in (self.still, self.wiggle):
+            page.set_glove(hand, glove)
+        if port == SESSION:
+            self._feed = SessionFeed(self._session)
+        elif port == SIMULATED:
+            self._feed = simulated_feed(hand, glove)
+        else:
+            self._feed = PortFeed(port, len(glove.imus))
+
+    def _leave(self) -> None:
+        feed, self._feed = self._feed, None
+        if feed is not None:
+            self._tasks.run(self.tr("Freeing the glove's port"), lambda _progress: feed.stop())
+
+    def _use(self) -> None:
+        port = self.choice.port()
+        kept = self._store.value.port if port in (SESSION, SIMULATED) else port
+        self._store.update(
+            port=kept,
+            glove=self.choice.gloves.currentText(),
+            hand=self.choice.hands.currentText(),
+            wearer=str(self.choice.wearers.currentData()),
+        )
+        self.chosen.emit()
+        self.close()
+
+    # --- what it does
+
+    def _tick(self) -> None:
+        recent: list[ImuSample] = list(self._feed.recent()) if self._feed is not None else []
+        self.state.setText(self._feed.trouble if self._feed is not None else "")
+        page = self.tabs.currentWidget()
+        if page is self.still:
+            self.still.look(recent)
+        elif page is self.wiggle:
+            self.wiggle.look(recent)
+
+    def _ask(self, part: str) -> None:
+        if self._feed is not None:
+            self._feed.ask(part)
+
+    def _measured(self, pose: object) -> None:
+        if isinstance(self._feed, SessionFeed):
+            self.measured.emit(pose)
+
+    def done(self, result: int) -> None:
+        """However it is closed: the port is freed."""
+        self._timer.stop()
+        self._leave()
+        super().done(result)
+
+
+def _search(progress: Progress, busy: set[str]) -> list[PortReport]:
+    paths = [p for p in serial_ports() if p not in busy]
+    reports = []
+    for i, path in enumerate(paths):
+        progress(i / len(paths), path)
+        reports += find_gloves([path])
+    return reports

@@ -1,0 +1,1 @@
+"""Calibration of the stereo camera from a printed board."""

@@ -1,0 +1,122 @@
+"""Reads images of a board and finds it, in a thread of its own."""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from tracker.calibration.stereo.collect import Answer, Collector
+from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
+from tracker.calibration.stereo.views import BoardFinder, Look, StereoView
+from tracker.errors import GlovetrackError
+from tracker.sensors.image_input import ImageInput, Pair
+
+NO_IMAGE = 0.05  # s to wait where the device has none
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """One exposure, what was found in it and what became of it."""
+
+    number: int
+    pair: Pair
+    look: Look
+    answer: Answer
+
+
+class BoardWatcher:
+    """Collects views until it is stopped. Every method may be called from the window's thread."""
+
+    def __init__(self, make_source: Callable[[], ImageInput], finder: BoardFinder) -> None:
+        self._make_source, self._finder = make_source, finder
+        self._stopping = threading.Event()
+        self._lock = threading.Lock()
+        self._collector: Collector | None = None
+        self._seen: Seen | None = None
+        self._errors: dict[StereoView, float] = {}
+        self._number = 0
+        self.live = True
+        self.trouble = ""
+        self.ended = False
+        self._thread = threading.Thread(target=self._run, name="glovetrack-board", daemon=True)
+        self._thread.start()
+
+    # --- the window's side
+
+    def latest(self) -> Seen | None:
+        return self._seen
+
+    def views(self) -> tuple[StereoView, ...]:
+        with self._lock:
+            return tuple(self._collector.views) if self._collector is not None else ()
+
+    def error_px(self, view: StereoView) -> float:
+        """How far a view's corners are off in a calibration of all views so far; NaN before one."""
+        return self._errors.get(view, math.nan)
+
+    def remove(self, index: int) -> None:
+        with self._lock:
+            if self._collector is not None and index < len(self._collector.views):
+                self._collector.remove(index)
+
+    def begin_anew(self) -> None:
+        """Forget all views; the next are fresh ones."""
+        with self._lock:
+            self._collector = None
+
+    def stop(self) -> None:
+        """End the thread and free the camera. May be called again."""
+        self._stopping.set()
+        self._thread.join()
+
+    # --- the thread's side
+
+    def _run(self) -> None:
+        try:
+            source = self._make_source()
+            source.open()
+        except GlovetrackError as error:
+            self.trouble, self.ended = str(error), True
+            return
+        self.live = source.live
+        try:
+            self._read(source)
+        except GlovetrackError as error:
+            self.trouble = str(error)
+        finally:
+            source.close()
+            self.ended = True
+
+    def _read(self, source: ImageInput) -> None:
+        while not self._stopping.is_set():
+            pair = source.read()
+            if pair is not None:
+                self._take(pair, source.live)
+            elif not source.live:
+                return
+            else:
+                self._stopping.wait(NO_IMAGE)
+
+    def _take(self, pair: Pair, live: bool) -> None:
+        look = self._finder.look(*pair)
+        with self._lock:
+            if self._collector is None:
+                self._collector = Collector(pair[0].shape[1])
+            answer = self._collector.offer(look, live)
+        self._number += 1
+        self._seen = Seen(self._number, pair, look, answer)
+        if answer is Answer.TAKEN:
+            self._judge(pair[0].shape[1], pair[0].shape[0])
+
+    def _judge(self, width: int, height: int) -> None:
+        """Tells a bad view while there is time to take a better one."""
+        views = self.views()
+        if len(views) < SolveParams().least_views:
+            return
+        try:
+            found = solve(views, width, height)
+        except CalibrationError:
+            return  # the result page says why
+        self._errors = dict(zip(views, found.error.max(axis=1).tolist(), strict=True))

@@ -1,0 +1,257 @@
+"""The pages that look at the board: collecting views, and checking the result on fresh ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import cv2
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QProgressBar,
+    QPushButton,
+    QSplitter,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.viewmodels.stereo import (
+    VERDICTS,
+    Meter,
+    check_figures,
+    check_rows,
+    corner_shapes,
+    meters,
+    rig_figures,
+    row_lines,
+    say,
+    view_name,
+)
+from app.widgets.coverage_map import CoverageMap
+from app.widgets.image_view import ImageView
+from app.wizards.stereo.board_watcher import Seen
+from tracker.calibration.stereo.collect import Answer
+from tracker.calibration.stereo.coverage import coverage
+from tracker.calibration.stereo.verify import Verification, verify
+from tracker.calibration.stereo.views import Image, StereoView
+from tracker.vision.rig import Camera, StereoRig
+
+
+class ImagePair(QSplitter):
+    """Both images side by side."""
+
+    def __init__(self) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        waiting = self.tr("Waiting for the camera")
+        self.left = ImageView(self.tr("Left"), waiting)
+        self.right = ImageView(self.tr("Right"), waiting)
+        self.setChildrenCollapsible(False)
+        for view in (self.left, self.right):
+            self.addWidget(view)
+
+    def wait(self, words: str) -> None:
+        for view in (self.left, self.right):
+            view.set_placeholder(words)
+            view.show_image(None)
+
+
+class CollectPage(QWidget):
+    """Live images, what they cover, and the views taken."""
+
+    removed = Signal(int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.images = ImagePair()
+        self.words = QLabel()
+        self.words.setProperty("role", "figure")
+        self.words.setWordWrap(True)
+        self.map = CoverageMap((self.tr("Left image"), self.tr("Right image")))
+        self.list = QListWidget()
+        self.list.setAccessibleName(self.tr("Views taken"))
+        self.list.setMinimumHeight(60)
+        self.remove = QPushButton(self.tr("Remove the view"))
+        self.remove.setEnabled(False)
+        self.remove.clicked.connect(lambda: self.removed.emit(self.list.currentRow()))
+        self.list.currentRowChanged.connect(lambda row: self.remove.setEnabled(row >= 0))
+        self._meters = QGridLayout()
+        self._bars: list[tuple[QLabel, QProgressBar]] = []
+        below = QHBoxLayout()
+        below.setSpacing(18)
+        below.addLayout(self._figures(), 3)
+        below.addLayout(self._taken(), 2)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.images, 3)
+        column.addWidget(self.words)
+        column.addLayout(below, 2)
+        self._shown: tuple[object, int] = (None, -1)
+        self._listed: tuple[Sequence[StereoView], tuple[float, ...]] = ((), ())
+
+    def _figures(self) -> QVBoxLayout:
+        self._meters.setColumnStretch(2, 1)
+        self._meters.setVerticalSpacing(3)
+        column = QVBoxLayout()
+        column.addLayout(self._meters)
+        column.addWidget(self.map)
+        column.addStretch(1)
+        return column
+
+    def _taken(self) -> QVBoxLayout:
+        column = QVBoxLayout()
+        column.addWidget(self.list, 1)
+        column.addWidget(self.remove, 0, Qt.AlignmentFlag.AlignRight)
+        return column
+
+    def show_seen(self, seen: Seen | None, views: Sequence[StereoView], trouble: str) -> None:
+        """The latest exposure, and what has been collected."""
+        if seen is None:
+            self.images.wait(trouble or self.tr("Waiting for the camera"))
+            self.words.setText(trouble)
+            return
+        if self._shown == (seen, len(views)):
+            return
+        self._shown = (seen, len(views))
+        good = seen.answer in (Answer.TAKEN, Answer.KNOWN, Answer.FULL)
+        for widget, image, corners in (
+            (self.images.left, seen.pair[0], seen.look.left),
+            (self.images.right, seen.pair[1], seen.look.right),
+        ):
+            widget.show_image(image, corner_shapes(corners, good))
+        height, width = seen.pair[0].shape[:2]
+        cover = coverage(views, width, height)
+        self.words.setText(trouble or say(seen.answer, seen.look.trouble, cover))
+        self.map.show_counts(cover.left, cover.right)
+        self._show_meters(meters(cover))
+
+    def _show_meters(self, rows: Sequence[Meter]) -> None:
+        for i, meter in enumerate(rows):
+            if i == len(self._bars):
+                self._add_bar(i, meter.name)
+            label, bar = self._bars[i]
+            label.setText(meter.text)
+            bar.setValue(round(100 * min(1.0, meter.share)))
+
+    def _add_bar(self, row: int, name: str) -> None:
+        figure, bar = QLabel(), QProgressBar()
+        bar.setTextVisible(False)
+        bar.setMaximumHeight(8)
+        bar.setAccessibleName(name)
+        for column, widget in enumerate((QLabel(name), figure, bar)):
+            self._meters.addWidget(widget, row, column)
+        self._bars.append((figure, bar))
+
+    def show_list(
+        self, views: Sequence[StereoView], error_px: Callable[[StereoView], float]
+    ) -> None:
+        """The views taken, each with its error in a calibration of all of them."""
+        errors = tuple(error_px(v) for v in views)
+        if self._listed == (views, errors):
+            return
+        self._listed = (views, errors)
+        while self.list.count() > len(views):
+            self.list.takeItem(self.list.count() - 1)
+        for i, (view, error) in enumerate(zip(views, errors, strict=True)):
+            if i == self.list.count():
+                self.list.addItem("")
+            self.list.item(i).setText(view_name(i, view, error))
+
+
+class CheckPage(QWidget):
+    """Rectified images, and how well rows agree on views that the solution has not seen."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.images = ImagePair()
+        self.words = QLabel()
+        self.words.setProperty("role", "figure")
+        self.words.setWordWrap(True)
+        self.figures = QLabel()
+        self.figures.setProperty("role", "faint")
+        self.table = QTableWidget(0, 2)
+        self.table.setHorizontalHeaderLabels([self.tr("View"), self.tr("Rows differ by")])
+        self.table.verticalHeader().hide()
+        self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
+        self.table.horizontalHeader().setStretchLastSection(True)
+        self.table.setMaximumWidth(280)
+        row = QHBoxLayout()
+        row.addWidget(self.figures, 1, Qt.AlignmentFlag.AlignTop)
+        row.addWidget(self.table)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.images, 3)
+        column.addWidget(self.words)
+        column.addLayout(row, 2)
+        self._maps: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
+        self._rig: StereoRig | None = None
+        self._seen: Seen | None = None
+        self.found: Verification | None = None
+
+    def set_rig(self, rig: StereoRig) -> None:
+        """Check this one from now on."""
+        self._rig, self.found, self._seen = rig, None, None
+        self._maps = tuple(_rectify_map(c) for c in (rig.left, rig.right))
+        self.show_views(())
+
+    def show_seen(self, seen: Seen | None, views: Sequence[StereoView], trouble: str) -> None:
+        """The latest exposure through the rig, and the fresh views so far."""
+        if seen is None:
+            self.images.wait(trouble or self.tr("Show the board once more."))
+        elif seen is not self._seen:
+            self._seen = seen
+            self._show_images(seen)
+        if self.found is None or len(self.found.epipolar) != len(views):
+            self.show_views(views)
+
+    def show_views(self, views: Sequence[StereoView]) -> None:
+        """What the fresh views say."""
+        if self._rig is None:
+            return
+        self.found = verify(self._rig, views)
+        state, sentence = self.found.verdict()
+        look = VERDICTS[state]
+        self.words.setText(f"{look.sign}  {sentence}")
+        figures = rig_figures(self._rig) + check_figures(self.found)
+        self.figures.setText("\n".join(f"{name}: {text}" for name, text in figures))
+        rows = check_rows(self.found)
+        self.table.setRowCount(len(rows))
+        for i, cells in enumerate(rows):
+            for j, text in enumerate(cells):
+                self.table.setItem(i, j, QTableWidgetItem(text))
+
+    def _show_images(self, seen: Seen) -> None:
+        assert self._rig is not None
+        rig, lines = self._rig, []
+        if seen.look.view is not None:
+            # the left image's rows on both: they must meet the same corners
+            lines = row_lines(rig.left, seen.look.left, rig.left.width)
+        for widget, image, camera, maps in zip(
+            (self.images.left, self.images.right),
+            seen.pair,
+            (rig.left, rig.right),
+            self._maps,
+            strict=True,
+        ):
+            if image.shape[:2] != (camera.height, camera.width):
+                widget.set_placeholder(self.tr("The image has another size."))
+                widget.show_image(None)
+            else:
+                widget.show_image(_rectified(image, maps), lines)
+
+
+def _rectify_map(camera: Camera) -> tuple[np.ndarray, np.ndarray]:
+    size = (camera.width, camera.height)
+    first, second = cv2.initUndistortRectifyMap(
+        camera.K, camera.D, camera.R, camera.P[:, :3], size, cv2.CV_16SC2
+    )
+    return first, second
+
+
+def _rectified(image: Image, maps: tuple[np.ndarray, np.ndarray]) -> Image:
+    return np.asarray(cv2.remap(image, maps[0], maps[1], cv2.INTER_LINEAR), np.uint8)

@@ -1,0 +1,234 @@
+"""The live tracker on a simulated glove and camera handed over by hand."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import pytest
+
+from tests.conftest import RESOURCES
+from tracker.errors import FileError
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.live.runner import LiveTracker
+from tracker.messages import (
+    BlobFrame,
+    EngineState,
+    Estimate,
+    Event,
+    ImuSample,
+    Message,
+    StereoFrame,
+    Tracking,
+)
+from tracker.pipeline import Pipeline
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+from tracker.vision.colours import ColourProfile, load_profile
+from tracker.vision.detector import Detector
+
+
+class Stream:
+    """Hands out simulated messages as fast as they are asked for, in their order."""
+
+    def __init__(self, sim: Simulation) -> None:
+        self._lock = threading.Condition()
+        self._messages = sim.feed(images=True)
+        self._next = next(self._messages, None)
+
+    def take(self, kind: type, timeout: float) -> ImuSample | StereoFrame | None:
+        with self._lock:
+            self._lock.wait_for(lambda: isinstance(self._next, kind), timeout)
+            if not isinstance(self._next, kind):
+                return None
+            out, self._next = self._next, next(self._messages, None)
+            self._lock.notify_all()
+            return out
+
+    @property
+    def done(self) -> bool:
+        return self._next is None
+
+
+class Glove:
+    def __init__(self, stream: Stream) -> None:
+        self._stream, self.closed = stream, False
+
+    def poll(self, timeout: float) -> Sequence[ImuSample | Event]:
+        sample = self._stream.take(ImuSample, timeout)
+        return [sample] if sample else []
+
+    def close(self) -> None:
+        self.closed = True
+
+
+class Camera:
+    def __init__(self, stream: Stream) -> None:
+        self._stream, self.closed = stream, False
+
+    def read(self, timeout: float) -> StereoFrame | None:
+        return self._stream.take(StereoFrame, timeout)
+
+    def take_events(self) -> Sequence[Event]:
+        return []
+
+    def close(self) -> None:
+        self.closed = True
+
+
+class Tape:
+    """A recorder in memory; ``limit`` messages fit on its disk."""
+
+    def __init__(self, limit: int = 10**9) -> None:
+        self.messages: list[Message] = []
+        self.closed, self._limit = False, limit
+
+    def write(self, message: Message, overloaded: bool = False) -> None:
+        if len(self.messages) >= self._limit:
+            raise FileError("The disk is full.")
+        self.messages.append(message)
+
+    def close(self) -> None:
+        self.closed = True
+
+
+@pytest.fixture
+def sim(hand: HandModel, glove: GloveModel) -> Simulation:
+    return Simulation(hand, glove, RandomPostures(hand, 1, duration=2.0), 1, fps=30)
+
+
+@pytest.fixture
+def profile() -> ColourProfile:
+    return load_profile(RESOURCES / "colours" / "fabric-default.toml")
+
+
+@pytest.fixture(autouse=True)
+def no_thread_is_left() -> Iterator[None]:
+    yield
+    assert not [t.name for t in threading.enumerate() if t.name.startswith("glovetrack-")]
+
+
+def live(sim: Simulation, profile: ColourProfile, tape: Tape | None) -> tuple[LiveTracker, Stream]:
+    stream = Stream(sim)
+    tracker = LiveTracker(
+        Pipeline(sim.hand, sim.glove, sim.rig),
+        profile,
+        lambda p: Detector(p, fx=sim.rig.fx),
+        Glove(stream),
+        Camera(stream),
+        tape,
+    )
+    return tracker, stream
+
+
+def run_to_the_end(tracker: LiveTracker, stream: Stream) -> None:
+    tracker.start()
+    deadline = time.monotonic() + 60
+    while not stream.done and time.monotonic() < deadline:
+        time.sleep(0.01)
+    last = -1
+    while last != len(tracker.recent_imu()):  # until the inbox has run dry
+        last = len(tracker.recent_imu())
+        time.sleep(0.2)
+
+
+def test_what_was_recorded_gives_the_same_states_again(
+    sim: Simulation, profile: ColourProfile
+) -> None:
+    tape = Tape()
+    tracker, stream = live(sim, profile, tape)
+    run_to_the_end(tracker, stream)
+    estimate, status = tracker.latest_estimate(), tracker.status()
+    tracker.stop()
+    tracker.stop()
+    assert tape.closed and estimate is not None and estimate.tracking == Tracking.TRACKING
+    assert status.values["latency_detect_ms"] > 0 and status.values["imu_lost"] == 0
+
+    fed = [m for m in tape.messages if isinstance(m, ImuSample | BlobFrame)]
+    order = sorted(fed, key=lambda m: (m.t_arrival, isinstance(m, BlobFrame)))
+    assert all(a is b for a, b in zip(fed, order, strict=True))
+    again = Pipeline(sim.hand, sim.glove, sim.rig)
+    estimates = []
+    for message in order:
+        if isinstance(message, ImuSample):
+            estimates.append(again.feed_imu(message))
+        else:
+            again.feed_frame(message)
+    recorded = [m for m in tape.messages if isinstance(m, Estimate)]
+    assert len(recorded) == len(estimates) > 150
+    for a, b in zip(recorded, estimates, strict=True):
+        assert np.array_equal(a.keypoints, b.keypoints, equal_nan=True)
+
+
+def test_a_full_disk_ends_the_recording_and_not_the_tracking(
+    sim: Simulation, profile: ColourProfile
+) -> None:
+    tape = Tape(limit=50)
+    tracker, stream = live(sim, profile, tape)
+    run_to_the_end(tracker, stream)
+    events = tracker.take_events()
+    estimate = tracker.latest_estimate()
+    tracker.stop()
+    assert tape.closed and estimate is not None and estimate.t > 1.5
+    assert any("The disk is full." in e.text for e in events if e.kind == "error")
+
+
+def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: ColourProfile) -> None:
+    tracker, _ = live(sim, profile, None)
+    tracker._camera.read = lambda timeout: 1 / 0  # type: ignore[method-assign,assignment,return-value]
+    tracker.start()
+    said, deadline = list(tracker.take_events()), time.monotonic() + 30
+    while not any("camera thread failed" in e.text for e in said):
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+        said += tracker.take_events()
+    tracker.stop()
+
+
+def test_the_engine_can_be_changed_while_it_runs(sim: Simulation, profile: ColourProfile) -> None:
+    tracker, stream = live(sim, profile, None)
+    tracker.start()
+    deadline = time.monotonic() + 60
+    while tracker.latest_estimate() is None and time.monotonic() < deadline:
+        time.sleep(0.01)
+    tracker.set_engine("madgwick")
+    while not stream.done and time.monotonic() < deadline:
+        time.sleep(0.01)
+    time.sleep(0.3)
+    estimate, events = tracker.latest_estimate(), tracker.take_events()
+    tracker.stop()
+    assert tracker.settings.engine == "madgwick"
+    assert any("The engine is now madgwick." in e.text for e in events)
+    assert estimate is not None and estimate.t > 1.5
+
+
+def test_a_recording_begun_while_tracking_holds_what_the_engine_knew(
+    sim: Simulation, profile: ColourProfile
+) -> None:
+    tape = Tape()
+    tracker, stream = live(sim, profile, None)
+    tracker.start()
+    while not tracker.latest_estimate() or tracker.latest_estimate().t < 1.0:  # type: ignore[union-attr]
+        time.sleep(0.01)
+    tracker.set_recorder(tape)
+    while not stream.done:
+        time.sleep(0.01)
+    tracker.stop()
+    began = tape.messages[0]
+    assert isinstance(began, EngineState) and began.engine == "chain"
+    again, estimates = Pipeline(sim.hand, sim.glove, sim.rig), []
+    again.set_state(began.state)
+    for m in tape.messages:
+        if isinstance(m, ImuSample | BlobFrame):
+            assert m.t_arrival >= began.t
+        if isinstance(m, ImuSample):
+            estimates.append(again.feed_imu(m))
+        elif isinstance(m, BlobFrame):
+            again.feed_frame(m)
+    recorded = [m for m in tape.messages if isinstance(m, Estimate)]
+    assert len(recorded) == len(estimates) > 20
+    for a, b in zip(recorded, estimates, strict=True):
+        assert np.array_equal(a.keypoints, b.keypoints, equal_nan=True)

@@ -1,0 +1,74 @@
+"""A second engine beside the first one sees the same and says what it says alone."""
+
+import time
+
+import numpy as np
+import pytest
+from tests.live.test_runner import live, profile, sim
+
+from tracker.errors import ConfigError
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.live.shadow import Shadow
+from tracker.messages import BlobFrame, ImuSample
+from tracker.pipeline import Pipeline
+from tracker.settings import Settings
+
+__all__ = ["profile", "sim"]  # fixtures
+
+
+def wait_until(condition, limit: float = 30.0) -> bool:
+    deadline = time.monotonic() + limit
+    while time.monotonic() < deadline:
+        if condition():
+            return True
+        time.sleep(0.01)
+    return False
+
+
+def test_a_shadow_is_the_engine_alone(sim):
+    messages = [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
+    settings = Settings(engine="switching")
+    alone = Pipeline(sim.hand, sim.glove, sim.rig, settings)
+    shadow = Shadow(Pipeline(sim.hand, sim.glove, sim.rig, settings))
+    last = None
+    for message in messages:
+        shadow.put(message)
+        if isinstance(message, ImuSample):
+            last = alone.feed_imu(message)
+        else:
+            alone.feed_frame(message)
+    assert wait_until(lambda: shadow.estimate is not None and shadow.estimate.t == last.t)
+    np.testing.assert_array_equal(shadow.estimate.keypoints, last.keypoints)
+    assert shadow.engine == "switching"
+    shadow.close()
+    shadow.close()
+
+
+def test_a_live_tracker_starts_changes_and_ends_its_shadow(sim, profile):
+    tracker, _ = live(sim, profile, None)
+    with pytest.raises(ConfigError):
+        tracker.set_shadow("none such")
+    tracker.set_shadow("vist")
+    tracker.start()
+    assert wait_until(lambda: tracker.shadow_estimate() is not None)
+    assert tracker.settings.engine == "chain"
+    tracker.set_shadow(None)
+    assert tracker.shadow_estimate() is None
+    tracker.set_shadow("madgwick")
+    tracker.stop()
+    assert tracker.shadow_estimate() is None
+
+
+def test_a_command_is_obeyed_in_the_engines_thread_and_its_errors_are_told(sim, profile):
+    tracker, _ = live(sim, profile, None)
+    seen = []
+
+    def refuse(engine) -> None:
+        seen.append(engine)
+        raise ConfigError("That cannot be done.")
+
+    tracker.command(refuse)
+    tracker.start()
+    assert wait_until(lambda: any("That cannot be done." in e.text for e in tracker.take_events()))
+    assert isinstance(seen[0], ChainEngine)
+    tracker.stop()

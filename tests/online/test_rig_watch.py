@@ -1,0 +1,191 @@
+"""A stereo camera that is not the calibrated one, seen in simulated blobs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking
+from tracker.online.rig_watch import SHIFTS, RigWatch, leaders, row_votes
+from tracker.pipeline import Pipeline
+from tracker.simulation.extras import Distractors
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+from tracker.vision.rig import ideal_rig
+
+MARKERS = 37
+LENS_5_MM_PX = 640 * 0.005 / 0.4  # at the hand's distance
+Shift = tuple[float, float]
+
+
+def shifted(frame: BlobFrame, left: Shift = (0, 0), right: Shift = (0, 0)) -> BlobFrame:
+    """All blobs of a side moved by (u, v) px."""
+
+    def moved(blobs: Blobs | None, by: Shift) -> Blobs | None:
+        return replace(blobs, uv=blobs.uv + np.array(by)) if blobs else None
+
+    return replace(frame, left=moved(frame.left, left), right=moved(frame.right, right))
+
+
+def swapped(frame: BlobFrame) -> BlobFrame:
+    return replace(frame, left=frame.right, right=frame.left)
+
+
+@pytest.fixture(scope="module")
+def frames(hand: HandModel, glove: GloveModel) -> list[BlobFrame]:
+    sim = Simulation(hand, glove, RandomPostures(hand, 5, duration=8.0), 5, fps=15)
+    return list(sim.frames())  # type: ignore[arg-type]
+
+
+@pytest.fixture(scope="module")
+def crowded(hand: HandModel, glove: GloveModel) -> list[BlobFrame]:
+    """With sixty coloured balls in the room."""
+    motion = RandomPostures(hand, 6, duration=4.0)
+    sim = Simulation(hand, glove, motion, 6, fps=15, extras=(Distractors(6),))
+    return list(sim.frames())  # type: ignore[arg-type]
+
+
+def test_votes_of_three_blobs() -> None:
+    left = np.array([[300.0, 100.0], [320.0, 120.0], [340.0, 140.0]])
+    right = left - [100.0, 2.25]  # as seen by a lens 2.25 px lower
+    hue = np.zeros(3, np.int64)
+    counts, means = row_votes(left, hue, right, hue, (45.0, 270.0), 1.5)
+    best = int(np.argmax(counts[0]))
+    assert counts[0, best] == 3 and abs(best - SHIFTS - 2.25) < 1.5
+    assert means[0, best] == pytest.approx(2.25)
+    assert counts[1].sum() == 0
+    counts, _ = row_votes(right, hue, left, hue, (45.0, 270.0), 1.5)
+    assert counts[0].sum() == 0 and counts[1].max() == 3
+    counts, _ = row_votes(left, hue, right, hue + 1, (45.0, 270.0), 1.5)
+    assert counts.sum() == 0
+
+
+def test_a_calibrated_camera_is_left_alone(frames, crowded) -> None:
+    for stream in (frames, crowded):
+        watch = RigWatch(ideal_rig())
+        assert all(watch.usable(f) for f in stream)
+        assert watch.take_words() == []
+        assert abs(watch.state.row_shift_px) < 0.3
+        assert not watch.state.moved and not watch.state.swapped
+
+
+def test_swapped_pictures_are_refused_and_told(frames, crowded) -> None:
+    for stream in (frames, crowded):
+        watch = RigWatch(ideal_rig())
+        usable = [watch.usable(swapped(f)) for f in stream[:30]]
+        assert np.mean(usable) < 0.05
+        assert watch.state.swapped and watch.state.refused > 25
+        assert [w.split(";")[0] for w in watch.take_words()] == [
+            "The left and the right image are swapped"
+        ]
+        assert all(watch.usable(f) for f in stream[30:])
+        assert watch.take_words() == ["The left and the right image are in order again."]
+
+
+@pytest.mark.parametrize("rows", [LENS_5_MM_PX, -LENS_5_MM_PX, 2.0])
+def test_a_lens_that_moved_up_or_down(frames, rows: float) -> None:
+    watch = RigWatch(ideal_rig())
+    assert all(watch.usable(shifted(f, right=(0, rows))) for f in frames[:40])
+    assert watch.state.moved
+    assert watch.state.row_shift_px == pytest.approx(-rows, abs=0.3)
+    assert "a lens has moved" in watch.take_words()[0]
+    for f in frames[40:]:
+        watch.usable(f)
+    assert not watch.state.moved
+    assert watch.take_words() == ["The two images fit the stereo calibration again."]
+
+
+def run(sim: Simulation, left: Shift, right: Shift) -> Iterator[RigWatch]:
+    """A tracked hand whose camera is moved after 4 s; the watch after 4 and 5 s."""
+    pipeline, watch = Pipeline(sim.hand, sim.glove, sim.rig), RigWatch(sim.rig)
+    before = False
+    for message in sim.feed():
+        if isinstance(message, ImuSample):
+            pipeline.feed_imu(message)
+            watch.packet(message.t)
+        else:
+            assert isinstance(message, BlobFrame)
+            if message.t >= 4.0:
+                message = shifted(message, left, right)
+                if not before:
+                    before = True
+                    yield watch
+            pipeline.feed_frame(message)
+        for result in pipeline.take_results():
+            watch.check(result)
+    yield watch
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "words"),
+    [
+        ((0, 0), (-LENS_5_MM_PX, 0), "The images have moved against each other by 8 pixels"),
+        ((LENS_5_MM_PX, 0), (LENS_5_MM_PX, 0), "All markers have jumped by 8 pixels at once"),
+    ],
+)
+def test_a_jump_is_told_once(hand, glove, left: Shift, right: Shift, words: str) -> None:
+    sim = Simulation(hand, glove, RandomPostures(hand, 7, duration=5.0), 7, fps=30)
+    stages = run(sim, left, right)
+    assert next(stages).state.jumps == 0
+    watch = next(stages)
+    assert watch.state.jumps == 1
+    said = watch.take_words()
+    assert len(said) == 1 and said[0].startswith(words)
+
+
+def result(t: float, off_px: float) -> FrameResult:
+    nothing = FrameResult.nothing(t, Tracking.TRACKING, MARKERS)
+    return replace(nothing, residual=np.full((MARKERS, 4), off_px))
+
+
+@pytest.mark.parametrize(("silence", "jumps"), [(0.0, 1), (0.1, 0)])
+def test_a_silent_glove_explains_a_jump(silence: float, jumps: int) -> None:
+    watch = RigWatch(ideal_rig())
+    for k in range(100):
+        watch.packet(k / 100)
+    watch.check(result(0.95, 0.1))
+    for t in np.arange(1.0 + silence, 1.2 + silence, 0.01):
+        watch.packet(t)
+    watch.check(result(1.05 + silence, 9.0))
+    assert watch.state.jumps == jumps
+
+
+def test_no_jump_where_nothing_agreed_before() -> None:
+    watch = RigWatch(ideal_rig())
+    for k in range(200):
+        watch.packet(k / 100)
+    watch.check(result(1.0, 9.0))
+    assert watch.state.jumps == 0
+
+
+def test_one_dark_side_says_nothing(frames) -> None:
+    watch = RigWatch(ideal_rig())
+    assert all(watch.usable(replace(f, right=None)) for f in frames)
+    assert np.isnan(watch.state.row_shift_px) and watch.take_words() == []
+
+
+@pytest.mark.parametrize("rows", [-SHIFTS, SHIFTS])
+def test_images_as_far_apart_as_is_looked_for(frames, rows: float) -> None:
+    """The most frequent shift may be the first or the last there is."""
+    watch = RigWatch(ideal_rig())
+    for frame in frames[:20]:
+        assert watch.usable(shifted(frame, right=(0, rows)))
+
+
+def test_leaders_of_a_vote() -> None:
+    """The first of equals leads; its neighbours within three rows are no rivals."""
+    rng = np.random.default_rng(3)
+    for _ in range(50):
+        counts, means = (
+            rng.integers(0, 9, (2, 2 * SHIFTS + 1)),
+            rng.normal(size=(2, 2 * SHIFTS + 1)),
+        )
+        best = int(np.argmax(counts[0]))
+        others = np.delete(counts[0], range(max(best - 3, 0), min(best + 4, counts.shape[1]))).max()
+        expected = counts[0, best], counts[1].max(), others, means[0, best]
+        assert leaders(counts, means) == expected

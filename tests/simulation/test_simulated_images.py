@@ -1,0 +1,199 @@
+"""Images and blobs of one scene tell the same story."""
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from tracker.errors import ConfigError, FileError
+from tracker.geometry import so3
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.simulation.backgrounds import FABRIC_HSV, BackgroundParams, fabric_bgr
+from tracker.simulation.motion import Still
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.render import Renderer, RenderParams
+from tracker.simulation.scene import BlobParams, Scene
+from tracker.simulation.wearer import Wearer
+from tracker.vision.rig import StereoRig, ideal_rig
+
+HUE = {"red": 0, "yellow": 28, "green": 65, "blue": 110}
+NOISELESS = BlobParams(noise_px=0, dropout=0, size_noise=0)
+
+
+@pytest.fixture(scope="module")
+def flat(hand: HandModel, glove: GloveModel) -> Scene:
+    """The exact hand, flat under the camera."""
+    place = np.array([0.08, 0.0, 0.10])
+    still = Still(np.zeros(len(hand.joint_names)), np.eye(3), place)
+    return Scene(Wearer.exact(hand, glove), still, ideal_rig(), 1, NOISELESS)
+
+
+def _hue_of(image: np.ndarray, uv: np.ndarray) -> int:
+    u, v = np.round(uv).astype(int)
+    patch = image[v - 1 : v + 2, u - 1 : u + 2].reshape(-1, 3).mean(axis=0)
+    return int(cv2.cvtColor(patch.astype(np.uint8)[None, None], cv2.COLOR_BGR2HSV)[0, 0, 0])
+
+
+def test_every_visible_marker_has_its_hue_in_both_images(flat: Scene) -> None:
+    images = Renderer(flat).pair(1.0)
+    now = flat.instant(1.0)
+    checked = 0
+    for right, image in enumerate(images):
+        seen = flat.markers_seen(now, bool(right))
+        for marker, uv, visible in zip(
+            flat.wearer.glove.markers, seen.uv, seen.visible, strict=True
+        ):
+            if visible:
+                gap = abs(_hue_of(image, uv) - HUE[marker.hue])
+                assert min(gap, 180 - gap) <= 5, marker.id
+                checked += 1
+    assert checked > 20
+
+
+def test_centroids_of_images_are_those_of_blobs(flat: Scene) -> None:
+    """An independent search (OpenCV contours) finds the blobs at their predicted centroids."""
+    image = Renderer(flat, RenderParams(noise=0.0)).pair(1.0)[0]
+    seen = flat.markers_seen(flat.instant(1.0), False)
+    hsv = cv2.cvtColor(image, cv2.COLOR_BGR2HSV)
+    errors = []
+    for marker, uv, visible in zip(flat.wearer.glove.markers, seen.uv, seen.visible, strict=True):
+        hue = HUE[marker.hue]
+        gap = np.abs((hsv[..., 0].astype(int) - hue + 90) % 180 - 90)
+        mask = ((gap < 11) & (hsv[..., 1] > 90) & (hsv[..., 2] > 45)).astype(np.uint8)
+        contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+        moments = [cv2.moments(c) for c in contours]
+        found = np.array([[m["m10"] / m["m00"], m["m01"] / m["m00"]] for m in moments if m["m00"]])
+        if visible:
+            errors.append(np.linalg.norm(found - uv, axis=1).min())
+    assert np.median(errors) < 0.35 and np.max(errors) < 1.2
+
+
+def test_flat_hand_shows_its_back_and_hides_its_palm(flat: Scene) -> None:
+    left, right = flat.visible(1.0)
+    markers = flat.wearer.glove.markers
+    for m in markers:
+        if m.segment == "dorsum":
+            assert left[m.id] == right[m.id] == (m.normal[2] > 0)
+        if m.normal[2] < -0.9:
+            assert not left[m.id]
+
+
+def test_blobs_lie_where_the_markers_project(flat: Scene) -> None:
+    """On the flat back of the hand the seen centroid is the projected centre."""
+    now, rig, glove = flat.instant(0.0), flat.rig, flat.wearer.glove
+    seen = flat.markers_seen(now, True)
+    for m in glove.markers:
+        if m.segment == "dorsum" and seen.visible[m.id]:
+            p_C = now.R_CB[0] @ m.position + now.p_CB[0]
+            np.testing.assert_allclose(seen.uv[m.id], rig.project(p_C, True), atol=0.15)
+
+
+def test_turned_over_the_other_side_shows(hand: HandModel, glove: GloveModel) -> None:
+    place = np.array([0.08, 0.0, 0.10])
+    still = Still(np.zeros(len(hand.joint_names)), so3.rx(np.pi), place)
+    scene = Scene(Wearer.exact(hand, glove), still, ideal_rig(), 1, NOISELESS)
+    left, _ = scene.visible(0.0)
+    back = [m.id for m in glove.markers if m.segment == "dorsum" and m.normal[2] > 0]
+    palm = [m.id for m in glove.markers if m.segment == "dorsum" and m.normal[2] < 0]
+    assert left[palm].all() and not left[back].any()
+
+
+def test_blob_noise_and_dropouts_are_those_asked_for(hand: HandModel, glove: GloveModel) -> None:
+    still = Still(np.zeros(len(hand.joint_names)), np.eye(3), np.array([0.08, 0.0, 0.10]))
+    params = BlobParams(noise_px=0.3, dropout=0.1)
+    scene = Scene(Wearer.exact(hand, glove), still, ideal_rig(), 1, params)
+    seen = scene.markers_seen(scene.instant(0.0), False)
+    truth = seen.uv[seen.visible]
+    errors, counts = [], []
+    for k in range(200):
+        blobs = scene.blobs(0.01 * k).left
+        assert blobs is not None
+        gaps = blobs.uv[:, None] - truth[None]
+        nearest = np.argmin(np.linalg.norm(gaps, axis=2), axis=1)
+        errors.append(gaps[np.arange(len(blobs)), nearest])
+        counts.append(len(blobs))
+    assert np.concatenate(errors).std() == pytest.approx(0.3, rel=0.05)
+    assert np.mean(counts) == pytest.approx(0.9 * len(truth), rel=0.03)
+
+
+def test_mean_of_markers_seen_twice_is_the_papers(hand: HandModel, glove: GloveModel) -> None:
+    """Lee et al. 2021 matched 10.93 markers on average."""
+    counts = []
+    for seed in range(5):
+        motion = RandomPostures(hand, seed, duration=60)
+        scene = Scene(Wearer(hand, glove, seed), motion, ideal_rig(), seed)
+        for t in np.arange(0.1, 59, 1.0):
+            left, right = scene.visible(t)
+            counts.append(int((left & right).sum()))
+    assert 10.0 <= np.mean(counts) <= 12.0
+
+
+def test_images_are_reproducible_and_differ_in_time(hand: HandModel, glove: GloveModel) -> None:
+    def pair(t: float) -> np.ndarray:
+        scene = Scene(Wearer(hand, glove, 2), RandomPostures(hand, 2), ideal_rig(), 2)
+        return Renderer(scene, RenderParams(background=BackgroundParams("painted"))).pair(t)[0]
+
+    np.testing.assert_array_equal(pair(2.0), pair(2.0))
+    assert np.any(pair(2.0) != pair(2.2))
+
+
+def test_motion_blurs(hand: HandModel, glove: GloveModel) -> None:
+    """A fast hand smears its markers' edges along its way; a still one does not."""
+
+    class Slide:
+        duration, follows_synergies = 2.0, True
+
+        def __init__(self, speed: float) -> None:
+            self.speed = speed
+
+        def poses(self, t: np.ndarray):  # type: ignore[no-untyped-def]
+            at = Still(np.zeros(len(hand.joint_names)), np.eye(3), np.array([0.08, 0.0, 0.1]))
+            poses = at.poses(t)
+            return poses._replace(p_GB=poses.p_GB + np.outer(t - 1.0, [0, self.speed, 0]))
+
+    def sharpness(speed: float) -> float:
+        scene = Scene(Wearer.exact(hand, glove), Slide(speed), ideal_rig(), 0)
+        image = Renderer(scene, RenderParams(noise=0)).pair(1.0)[0].astype(float)
+        return float(np.abs(np.diff(image, axis=1)).max())
+
+    assert sharpness(1.5) < 0.75 * sharpness(0.0)
+
+
+@pytest.mark.parametrize("hue", ["red", "yellow", "green", "blue"])
+def test_fabrics_have_the_default_profiles_hues(hue: str) -> None:
+    bgr = np.array([[fabric_bgr(hue)]], np.uint8)
+    assert abs(int(cv2.cvtColor(bgr, cv2.COLOR_BGR2HSV)[0, 0, 0]) - HUE[hue]) <= 1
+    assert FABRIC_HSV[hue][1] > 150
+
+
+def test_unknown_fabric_and_image_are_told() -> None:
+    with pytest.raises(ConfigError, match="no fabric of the hue 'plaid'"):
+        fabric_bgr("plaid")
+
+
+def test_missing_photograph_is_told(flat: Scene) -> None:
+    params = RenderParams(background=BackgroundParams("photograph", "nowhere.jpg"))
+    with pytest.raises(FileError, match=r"nowhere\.jpg is not an image"):
+        Renderer(flat, params)
+
+
+def test_a_lens_with_distortion_bends_images_and_blobs_alike(
+    hand: HandModel, glove: GloveModel
+) -> None:
+    ideal, D = ideal_rig(), np.array([-0.17, 0.027, 0.0004, -0.0003, 0.0])
+    bent = StereoRig(replace(ideal.left, D=D), replace(ideal.right, D=D), ideal.pose)
+    place = np.array([0.06, 0.12, 0.10])  # to the side, where the lens bends most
+    still = Still(np.zeros(len(hand.joint_names)), np.eye(3), place)
+    scene = Scene(Wearer.exact(hand, glove), still, bent, 1, NOISELESS)
+    straight = Scene(Wearer.exact(hand, glove), still, ideal, 1, NOISELESS)
+    seen = scene.markers_seen(scene.instant(0.0), False)
+    unbent = straight.markers_seen(straight.instant(0.0), False)
+    image = Renderer(scene, RenderParams(noise=0.0)).pair(0.0)[0]
+    shown = seen.visible & (seen.facing > 0.6)
+    assert shown.sum() >= 6
+    assert np.linalg.norm(seen.uv[shown] - unbent.uv[shown], axis=1).min() > 3
+    for m in np.flatnonzero(shown):
+        gap = abs(_hue_of(image, seen.uv[m]) - HUE[glove.markers[m].hue])
+        assert min(gap, 180 - gap) <= 5, m

@@ -1,0 +1,1 @@
+"""A drill of device faults."""

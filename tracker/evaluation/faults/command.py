@@ -1,0 +1,41 @@
+"""The command ``evaluate faults``: devices that fail a thousand times."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from tracker.evaluation.faults.drill import DrillReport
+
+
+def add_evaluate_faults(protocols: Any) -> None:
+    """Adds ``faults`` to the sub-parsers of ``evaluate``."""
+    parser: argparse.ArgumentParser = protocols.add_parser(
+        "faults", help="random faults of a simulated glove and camera, and what becomes of tracking"
+    )
+    parser.add_argument("--count", type=int, default=1000, help="faults")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--json", default="", metavar="FILE", help="report; - is standard output")
+    parser.set_defaults(func=_run)
+
+
+def _run(args: argparse.Namespace) -> int:
+    from tracker.evaluation.faults.drill import drill
+    from tracker.offline.commands import progress_line, write_json
+
+    report = drill(max(args.count, 1), args.seed, progress=progress_line("failing"))
+    if args.json:
+        write_json(report.to_json(), args.json)
+    else:
+        print(_table(report))
+    return 0 if not report.silent_wrong else 1
+
+
+def _table(report: DrillReport) -> str:
+    lines = [f"{'fault':<16}{'count':>6}{'back, worst s':>15}{'not said':>10}{'silent wrong':>14}"]
+    for kind, count in sorted(report.faults.items()):
+        worst = max(report.recovery[kind])
+        unsaid, wrong = report.unsaid[kind], report.silent_wrong[kind]
+        lines.append(f"{kind:<16}{count:>6}{worst:>15.2f}{unsaid:>10}{wrong:>14}")
+    return "\n".join(lines)

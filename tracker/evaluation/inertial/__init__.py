@@ -1,0 +1,1 @@
+"""The protocol of Lemak et al. 2020."""

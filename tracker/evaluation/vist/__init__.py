@@ -1,0 +1,1 @@
+"""The protocol of Lee et al. 2021."""

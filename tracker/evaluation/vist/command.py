@@ -1,0 +1,164 @@
+"""`glovetrack evaluate vist`: the protocol of Lee et al. 2021 on simulated people."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, TextIO
+
+from tracker.errors import ConfigError
+
+QUICK_PARTICIPANTS = 2
+QUICK_MINUTES = 0.35
+
+
+def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Adds the sub-command."""
+    p = subparsers.add_parser("vist", help="hand tracking: three experiments, simulated")
+    p.add_argument("--participants", type=_count, default=15, metavar="N")
+    p.add_argument("--minutes", type=_positive, metavar="M", help="of each trial (3, 2 and 2)")
+    p.add_argument("--engines", type=_words, default=("chain", "vist"), metavar="A,B")
+    p.add_argument(
+        "--experiments",
+        type=_words,
+        default=("free", "object", "device"),
+        metavar="A,B",
+        help="free, object, device (the paper's three) and head, a camera that the wearer moves",
+    )
+    p.add_argument("--level", choices=("points", "images"), default="points")
+    p.add_argument("--ablations", type=_words, default=(), metavar="A,B|all")
+    p.add_argument("--fps", type=_positive, default=60.0)
+    p.add_argument("--distractors", type=int, default=0, help="coloured balls in the room")
+    p.add_argument("--seed", type=int, default=0)
+    p.add_argument("--processes", type=_count, default=1, metavar="N")
+    p.add_argument("--quick", action="store_true", help="two people, twenty seconds each")
+    p.add_argument("--motion", nargs="+", type=Path, default=(), metavar="FILE")
+    p.add_argument("--json", metavar="FILE", help="machine-readable rows; - is standard output")
+    p.add_argument("--out", type=Path, metavar="DIR", help="figures and one HTML report")
+    p.set_defaults(func=run)
+
+
+def _words(text: str) -> tuple[str, ...]:
+    return tuple(word for word in text.split(",") if word)
+
+
+def _number(kind: Callable[[str], float], low: float) -> Callable[[str], Any]:
+    def read(text: str) -> float:
+        try:
+            value = kind(text)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
+        if not low <= value < float("inf"):
+            raise argparse.ArgumentTypeError(f"{text} is too small")
+        return value
+
+    return read
+
+
+_count = _number(int, 1)
+_positive = _number(float, 0.1)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Runs the cases, prints the table, writes what was asked for."""
+    from tracker.evaluation.vist.run import run_cases
+    from tracker.evaluation.vist.table import row_of
+
+    cases = cases_of(args)
+    participants = QUICK_PARTICIPANTS if args.quick else args.participants
+    results = [
+        (case, trials)
+        for case, trials in zip(cases, run_cases(cases, participants, args.processes), strict=True)
+        if trials  # there are none of a case that Ctrl+C prevented
+    ]
+    table = sys.stderr if args.json == "-" else sys.stdout
+    _print_table(results, table)
+    rows = [row_of(case, trials) for case, trials in results]
+    if args.json:
+        _write_json(args.json, {"rows": rows})
+    if args.out and results:
+        from tracker.evaluation.vist.report import write_report
+
+        page = write_report(args.out, results, rows)
+        print(f"Report: {page}", file=table)
+    done, wanted = sum(len(trials) for _, trials in results), len(cases) * participants
+    if done < wanted:
+        print(f"Stopped after {done} of {wanted} trials; the figures are of those.", file=table)
+    return 0 if done == wanted else 1
+
+
+def _print_table(results: Sequence[tuple[Any, Any]], table: TextIO) -> None:
+    """The paper's figures first, then a line per case."""
+    from tracker.evaluation.vist.metrics import summarise
+    from tracker.evaluation.vist.paper import PAPER
+    from tracker.evaluation.vist.table import HEAD, line_of, paper_line
+
+    print(HEAD, file=table)
+    for experiment in dict.fromkeys(case.experiment for case, _ in results):
+        if experiment in PAPER:
+            print(paper_line(experiment), file=table)
+    for case, trials in results:
+        print(line_of(case, summarise(trials)), file=table)
+
+
+def cases_of(args: argparse.Namespace) -> list[Any]:
+    """The rows asked for, ablations last. Raises ConfigError for names that do not exist."""
+    from tracker.evaluation.vist.cases import EXPERIMENTS, MINUTES, Case
+    from tracker.pipeline import ENGINES
+
+    _known(args.engines, ENGINES, "engine")
+    _known(args.experiments, EXPERIMENTS, "experiment")
+    missing = [str(f) for f in args.motion if not f.is_file()]
+    if missing:
+        raise ConfigError(f"There is no motion file {missing[0]}.")
+    experiments = ("free",) if args.quick or args.motion else args.experiments
+    out: list[Case] = []
+    for experiment in experiments:
+        for engine in args.engines:
+            minutes = args.minutes or MINUTES[experiment]
+            case = Case(experiment, engine, args.level, None, minutes, args.fps, args.seed)
+            if args.quick and not args.minutes:
+                case = replace(case, minutes=QUICK_MINUTES)
+            files = tuple(map(str, args.motion))
+            out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
+    return out + _ablations(args.ablations, out[: len(args.engines)])
+
+
+def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
+    """Variants of ``cases``, one per engine, each in the experiment it is about."""
+    from tracker.evaluation.vist.cases import ABLATIONS
+
+    names = tuple(ABLATIONS) if "all" in names else names
+    _known(names, ABLATIONS, "ablation")
+    return [
+        replace(
+            case,
+            experiment=ABLATIONS[name].experiment,
+            ablation=name,
+            minutes=max(case.minutes, ABLATIONS[name].least_minutes),
+        )
+        for name in names
+        for case in cases
+        if case.engine in ABLATIONS[name].engines
+    ]
+
+
+def _known(names: Sequence[str], known: Sequence[str] | dict[str, Any], what: str) -> None:
+    for name in names:
+        if name not in known:
+            raise ConfigError(f"There is no {what} {name!r}; there are {', '.join(known)}.")
+
+
+def _write_json(target: str, document: dict[str, Any]) -> None:
+    text = json.dumps(document, indent=2) + "\n"
+    if target == "-":
+        sys.stdout.write(text)
+        return
+    try:
+        Path(target).write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise ConfigError(f"{target} could not be written: {error.strerror}.") from error

@@ -1,0 +1,84 @@
+"""The simulated scene of a case: whose hand moves how, and what is around it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from tracker.evaluation.vist.cases import Ablation, Case
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array
+from tracker.simulation.extras import OBJECTS, Distractors, FingertipDevices, HeldObject
+from tracker.simulation.head import MOVING, HeadParams
+from tracker.simulation.motion import Faster, Motion
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.recorded import load_motion
+from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.simulation.scene import Extra
+from tracker.simulation.smooth import rng_for
+from tracker.simulation.solids import Solids
+
+POSTURE_EVERY = 3.0  # s, as in the paper
+EACH_HELD = 40.0  # s: three objects in a trial of two minutes
+
+
+@dataclass(frozen=True)
+class InTurn:
+    """Several held things, each for `EACH_HELD` seconds."""
+
+    things: tuple[HeldObject, ...]
+
+    def _now(self, t: float) -> HeldObject:
+        return self.things[int(t // EACH_HELD) % len(self.things)]
+
+    def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
+        """The present thing."""
+        return self._now(t).solids(t, R_GB, p_GB)
+
+    def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
+        """Its blobs of a marker's hue."""
+        return self._now(t).coloured(t)
+
+
+def motion_of(case: Case, hand: HandModel, seed: int, variant: Ablation | None) -> Motion:
+    """Random postures, or a recording if the case names some (participants take turns)."""
+    speed = 1.0 if variant is None else variant.speed
+    if case.motion_files:
+        motion: Motion = load_motion(Path(case.motion_files[seed % len(case.motion_files)]), hand)
+    else:
+        duration = 60.0 * case.minutes * speed  # so that a faster trial lasts as long
+        motion = RandomPostures(hand, seed=seed, period=POSTURE_EVERY, duration=duration)
+    return motion if speed == 1.0 else Faster(motion, speed)
+
+
+def simulation_of(
+    case: Case,
+    hand: HandModel,
+    glove: GloveModel,
+    motion: Motion,
+    seed: int,
+    variant: Ablation | None,
+) -> Simulation:
+    """A person drawn from ``seed`` in the scene of the experiment."""
+    fps = case.fps if variant is None or variant.fps is None else variant.fps
+    extras = extras_of(case, hand, seed)
+    head = MOVING if case.experiment == "head" else HeadParams()
+    if variant is not None:
+        head = replace(head, tells=variant.camera)
+    params = SimulationParams(head=head)
+    return Simulation(hand, glove, motion, seed, params, fps=fps, extras=extras)
+
+
+def extras_of(case: Case, hand: HandModel, seed: int) -> Sequence[Extra]:
+    """What the hand holds or wears, and what else has a marker's colour."""
+    out: list[Extra] = []
+    if case.experiment == "object":
+        kinds = rng_for(seed, "held things").choice(OBJECTS, 3, replace=False)
+        out.append(InTurn(tuple(HeldObject(hand, str(kind)) for kind in kinds)))
+    if case.experiment == "device":
+        out.append(FingertipDevices(hand))
+    if case.distractors:
+        out.append(Distractors(seed, case.distractors))
+    return out

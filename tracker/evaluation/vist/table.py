@@ -1,0 +1,85 @@
+"""The table of `glovetrack evaluate vist`: rows for the machine and lines for people."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
+
+from tracker.evaluation.vist.cases import Case
+from tracker.evaluation.vist.metrics import Summary, Trial, summarise
+from tracker.evaluation.vist.paper import PAPER
+
+
+def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
+    """One row as ``--json`` writes it; figures that do not exist are null."""
+    summary = summarise(trials)
+    row: dict[str, Any] = {
+        "experiment": case.experiment,
+        "engine": case.engine,
+        "ablation": case.ablation,
+        "level": case.level,
+        "motion": "recorded" if case.motion_files else "postures",
+        "minutes": case.minutes,
+        "fps": case.fps,
+        "seed": case.seed,
+        "distractors": case.distractors,
+    }
+    row.update(asdict(summary))
+    row["paper"] = PAPER.get(case.experiment)
+    return {key: _plain(value) for key, value in row.items()}
+
+
+def _plain(value: Any) -> Any:
+    """JSON has no NaN."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {k: _plain(v) for k, v in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(v) for v in value]
+    return value
+
+
+HEAD = (
+    "experiment  engine  variant                            mean ± sd      pck20  pck35  "
+    "seen  wrong%  nees  core"
+)
+
+
+def line_of(case: Case, summary: Summary) -> str:
+    """One row for people."""
+    return (
+        f"{case.experiment:<11} {case.engine:<7} {_variant(case):<32} "
+        f"{summary.mean_mm:6.2f} ± {summary.sd_mm:5.2f} mm {summary.pck20:6.1f} "
+        f"{summary.pck35:6.1f} {summary.matched_mean:5.1f} "
+        f"{_known(100 * summary.wrong_match_rate, 7)} {_known(summary.nees_per_dof, 5)} "
+        f"{summary.core_s_per_s:5.3f}"
+    )
+
+
+def _known(value: float, width: int) -> str:
+    """Two digits, or a dash where there is nothing to tell, as of a place nobody saw."""
+    return f"{value:{width}.2f}" if math.isfinite(value) else f"{'–':>{width}}"
+
+
+def _variant(case: Case) -> str:
+    parts = [case.ablation] if case.ablation else []
+    if case.level == "images":
+        parts.append("images")
+    if case.distractors:
+        parts.append(f"{case.distractors} balls")
+    return ", ".join(parts) or "-"
+
+
+def paper_line(experiment: str) -> str:
+    """The published figures of an experiment, in the columns of `line_of`."""
+    p = PAPER[experiment]
+    sd = p.get("sd_mm")
+    spread = f"± {sd:5.2f} mm" if isinstance(sd, float) else "          "
+    seen = p.get("matched_mean")
+    return (
+        f"{experiment:<11} {'paper':<7} {'(people)':<32} {p['mean_mm']:6.2f} {spread} "
+        f"{p['pck20']:6.1f} {p['pck35']:6.1f} {seen if seen is not None else '':>5}"
+    )

@@ -1,0 +1,163 @@
+"""One simulated participant tracked once (`vist_judge` compares with the truth)."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from functools import lru_cache
+from importlib.resources import as_file
+
+import numpy as np
+
+import resources
+from tracker.evaluation.vist.cases import Ablation, Case, ablation_of
+from tracker.evaluation.vist.judge import Judge, Record
+from tracker.evaluation.vist.metrics import KEYPOINTS, Trial
+from tracker.evaluation.vist.scenes import motion_of, simulation_of
+from tracker.glove.files import load_glove
+from tracker.glove.model import GloveModel
+from tracker.hand.files import load_hand
+from tracker.hand.model import HandModel
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    CameraImuSample,
+    FrameResult,
+    ImuSample,
+    StereoFrame,
+)
+from tracker.pipeline import Pipeline
+from tracker.settings import Settings
+from tracker.simulation.scenario import Simulation
+from tracker.vision.colours import load_profile
+from tracker.vision.detector import Detector, detect_frame
+from tracker.vision.outlook import Outlook, SearchPlan
+
+CHECK_EVERY = 5  # frames between two whose matches are compared with the truth
+SAME_BLOB_PX = 6.0  # a blob farther than this from every true marker is something else
+
+
+@lru_cache(maxsize=1)
+def models() -> tuple[HandModel, GloveModel]:
+    """The reference hand and the paper's glove."""
+    with as_file(resources.folder("hands") / "reference-right.toml") as path:
+        hand = load_hand(path)
+    with as_file(resources.folder("gloves") / "vist-small.toml") as path:
+        glove = load_glove(path, hand)
+    return hand, glove
+
+
+def run_trial(case: Case, participant: int) -> Trial:
+    """Simulate, track and judge. A function of its arguments alone (but for ``core_s``)."""
+    hand, glove = models()
+    variant = ablation_of(case)
+    seed = 1000 * case.seed + participant
+    motion = motion_of(case, hand, seed, variant)
+    simulation = simulation_of(case, hand, glove, motion, seed, variant)
+    settings = replace(Settings(), engine=case.engine)
+    if variant is not None:
+        settings = variant.settings(settings)
+    pipeline = Pipeline(hand, glove, simulation.rig, settings)
+    record = _track(case, simulation, pipeline, variant)
+    outage = variant.outage if variant is not None else 0.0
+    columns = [pipeline.keypoint_names.index(k) for k in KEYPOINTS]
+    judge = Judge(simulation, pipeline, columns, in_camera=case.experiment == "head")
+    return judge.trial(record, participant, outage)
+
+
+def _track(
+    case: Case, simulation: Simulation, pipeline: Pipeline, variant: Ablation | None
+) -> Record:
+    record = Record()
+    check = MatchCheck(simulation)
+    search, images = ImageSearch(simulation), case.level == "images"
+    feed = simulation.messages(images)
+    for message in feed if variant is None else variant.feed(feed):
+        begin = time.process_time()
+        if isinstance(message, ImuSample):
+            record.estimates.append(pipeline.feed_imu(message))
+        elif isinstance(message, CameraImuSample):
+            pipeline.feed_camera_imu(message)
+        else:
+            frame = message if isinstance(message, BlobFrame) else search.blobs(message, pipeline)
+            pipeline.feed_frame(frame)
+            check.remember(frame)
+        results = pipeline.take_results()
+        if images and results and record.estimates:
+            search.look_ahead(pipeline, record.estimates[-1].t)
+        record.core_s += time.process_time() - begin
+        for result in results:
+            record.latest_seen = result.stereo_points
+            matches, wrong = check(result)
+            record.matches += matches
+            record.wrong += wrong
+        if isinstance(message, ImuSample):
+            record.seen.append(record.latest_seen)
+            told = simulation.scene.reported_pose(message.t)
+            record.poses.append(told or pipeline.camera_pose(message.t))
+    return record
+
+
+class ImageSearch:
+    """Images to blobs as the live tracker does it: around what was expected, some as a whole."""
+
+    def __init__(self, simulation: Simulation) -> None:
+        self._rig, self._plan = simulation.rig, SearchPlan()
+        self._outlook: Outlook | None = None
+        with as_file(resources.folder("colours") / "fabric-default.toml") as path:
+            self._profile = load_profile(path)
+        self._detector = Detector(self._profile, fx=self._rig.fx)
+
+    def blobs(self, frame: StereoFrame, pipeline: Pipeline) -> BlobFrame:
+        """What is found in both images."""
+        names = self._profile.hue_names
+        pose = frame.pose or pipeline.camera_pose(frame.t)
+        hints = self._plan.hints(self._outlook, self._rig, frame.t, pose, names)
+        return detect_frame(self._detector, frame, hints)
+
+    def look_ahead(self, pipeline: Pipeline, t: float) -> None:
+        """Where markers are expected from the newest packet at ``t`` on."""
+        self._outlook = pipeline.outlook(t, self._outlook)
+
+
+class MatchCheck:
+    """Whether the blobs that an engine took for markers are those markers."""
+
+    def __init__(self, simulation: Simulation) -> None:
+        self._simulation = simulation
+        self._frames: dict[float, BlobFrame] = {}
+        self._count = 0
+
+    def remember(self, frame: BlobFrame) -> None:
+        """Keep a frame whose result will come, every `CHECK_EVERY`-th of them."""
+        self._count += 1
+        if self._count % CHECK_EVERY == 0:
+            self._frames[frame.t] = frame
+
+    def __call__(self, result: FrameResult) -> tuple[int, int]:
+        """(matches, wrong ones) of a result whose frame was kept, else zeros."""
+        frame = self._frames.pop(result.t, None)
+        if frame is None:
+            return 0, 0
+        now = self._simulation.scene.instant(frame.t)
+        matches = wrong = 0
+        for right, blobs, match in (
+            (False, frame.left, result.match_left),
+            (True, frame.right, result.match_right),
+        ):
+            marker = np.flatnonzero(match >= 0)
+            if blobs is None or len(marker) == 0:
+                continue
+            true_uv = self._simulation.scene.markers_seen(now, right).uv
+            owner = owners(blobs.uv[match[marker]], true_uv)
+            matches += len(marker)
+            wrong += int(np.sum(owner != marker))
+        return matches, wrong
+
+
+def owners(uv: Array, true_uv: Array) -> Array:
+    """The marker (n,) whose true place is nearest to each blob, -1 where none is near."""
+    d = np.linalg.norm(uv[:, None] - true_uv[None], axis=2)
+    d = np.where(np.isfinite(d), d, np.inf)
+    nearest = d.argmin(axis=1)
+    return np.where(d.min(axis=1) <= SAME_BLOB_PX, nearest, -1)

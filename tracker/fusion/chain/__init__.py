@@ -1,0 +1,1 @@
+"""The default filter: one articulated chain of segments (docs/chain.md)."""

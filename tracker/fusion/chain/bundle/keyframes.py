@@ -1,0 +1,81 @@
+"""Postures worth remembering: images with many markers, as unlike each other as can be."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tracker.fusion.chain.params import BundleParams
+from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.chain.state import ChainState
+from tracker.fusion.time.imu_buffer import Readings
+from tracker.messages import Array, CameraPose, IntArray
+
+MAX_RATE = 4.0  # rad/s: faster than this an image smears and the accelerometers feel the motion
+
+
+@dataclass(frozen=True, eq=False)
+class Keyframe:
+    """One posture. p (3,), R_GB (A, 3, 3) as the filter had them; uv (2, M, 2) rectified px of the
+    matched blobs, NaN elsewhere; packets 10 ms before, at and after the exposure."""
+
+    p: Array
+    R_GB: Array
+    uv: Array
+    pose: CameraPose
+    packets: tuple[Readings, Readings, Readings]
+    relative: Array  # (A - 1, 3) rotation vectors against the parents
+
+
+@dataclass(eq=False)
+class Keyframes:
+    """At most ``BundleParams.keyframes`` of them; a newcomer replaces the one least needed."""
+
+    kept: list[Keyframe] = field(default_factory=list)
+
+    def lacks(self, relative: Array, params: BundleParams) -> bool:
+        """Whether a posture, as `Keyframe.relative`, is like none of those kept."""
+        apart = self._distances(relative)
+        return not len(apart) or bool(apart.min() >= params.apart)
+
+    def offer(self, frame: Keyframe, params: BundleParams) -> None:
+        """Keep ``frame`` if its posture is new."""
+        if not self.lacks(frame.relative, params):
+            return
+        if len(self.kept) < params.keyframes:
+            self.kept.append(frame)
+            return
+        apart = self._distances(frame.relative)
+        between = np.array([self._distances(k.relative) for k in self.kept])
+        np.fill_diagonal(between, np.inf)
+        least = int(between.min(axis=1).argmin())
+        if np.delete(apart, least).min() > between[least].min():
+            self.kept[least] = frame
+
+    def _distances(self, relative: Array) -> Array:
+        """(k,) rad: root of the summed squares over all joints."""
+        others = np.array([k.relative for k in self.kept]).reshape(len(self.kept), *relative.shape)
+        return np.sqrt(np.sum((others - relative) ** 2, axis=(1, 2)))
+
+
+def keyframe_of(
+    state: ChainState,
+    seen: tuple[SeenBlobs, ...],
+    match: IntArray,
+    pose: CameraPose,
+    packets: tuple[Readings | None, ...],
+    relative: Array,
+    params: BundleParams,
+) -> Keyframe | None:
+    """The posture of ``state``, or None where too little is seen or it moves too fast."""
+    before, now, after = packets
+    if before is None or now is None or after is None or not before.t < now.t < after.t:
+        return None
+    if int(np.sum(match >= 0)) < params.least_blobs or np.abs(now.gyro).max() > MAX_RATE:
+        return None
+    uv = np.full((2, match.shape[1], 2), np.nan)
+    for c in range(2):
+        hit = np.flatnonzero(match[c] >= 0)
+        uv[c, hit] = seen[c].uv[match[c, hit]]
+    return Keyframe(state.p.copy(), state.R_GB.copy(), uv, pose, (before, now, after), relative)

@@ -1,0 +1,221 @@
+"""Least squares over keyframes: a pose each, one calibration for all (Schur's complement).
+
+The work is cut into steps of one keyframe, one an image, so that no image waits for it and the
+result comes at an instant that depends on the data alone. What is found replaces the filter's
+calibration: both were learned from the same data, so they must not be fused.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from tracker.fusion.chain.bundle.keyframes import Keyframe, Keyframes
+from tracker.fusion.chain.bundle.rows import KeyframeRows
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.profile import WearerProfile, profile_of
+from tracker.fusion.chain.state import ChainState, initial_state, inject
+from tracker.geometry import so3
+from tracker.messages import Array
+from tracker.vision.rig import StereoRig
+
+ASK_EVERY = 0.03  # s
+MOST_MISFIT = 1.5  # mean square of whitened residuals; about 0.2 for a hand tracked well
+MOST_SCALE = 0.35  # beyond the file's size
+MOST_TURN = 0.7  # rad of a mounting, about each axis
+MOST_SHIFT = 0.008  # m of a marker, along each axis
+POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filter had it
+
+
+@dataclass(eq=False)
+class BundleWork:
+    """What changes: remembered postures and, while a solution is made, the sums so far."""
+
+    asked_at: float = -np.inf
+    next_at: float = np.nan
+    pause: float = 0.0
+    keyframes: Keyframes = field(default_factory=Keyframes)
+    frames: list[Keyframe] = field(default_factory=list)  # of the present solution
+    p: list[Array] = field(default_factory=list)
+    R_GB: list[Array] = field(default_factory=list)
+    back: list[Array] = field(default_factory=list)  # (D, C + 1) pose change: gain and constant
+    calibration: ChainState | None = None
+    sweep: int = 0
+    N: Array = field(default_factory=lambda: np.zeros(0))
+    g: Array = field(default_factory=lambda: np.zeros(0))
+    misfit: float = 0.0  # summed squares of the whitened residuals of this sweep
+    rows: int = 0
+
+
+class Bundle:
+    """Keyframe calibration of one chain filter; holds nothing that changes."""
+
+    def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
+        self._layout, self._params = layout, params.bundle
+        self._rows = KeyframeRows(layout, rig, params)
+        n = layout.n_dynamic
+        before = initial_covariance(layout, params.prior)[n:, n:]
+        self._information = np.asarray(np.linalg.inv(before), float)
+        self._moves = np.r_[0:3, layout.theta : n]
+        self._stiff: Array = np.full(len(self._moves), params.bundle.orientation**-2)
+        self._stiff[:3] = POSITION_SD**-2
+
+    def wants(self, work: BundleWork, t: float) -> bool:
+        """Whether it is time to look at a posture: no more than in thirty images a second."""
+        if t - work.asked_at < ASK_EVERY:
+            return False
+        work.asked_at = t
+        return True
+
+    def lacks(self, work: BundleWork, relative: Array) -> bool:
+        """Whether a posture (`Keyframe.relative`) is new."""
+        return work.keyframes.lacks(relative, self._params)
+
+    def offer(self, work: BundleWork, frame: Keyframe | None) -> None:
+        """Remember a posture."""
+        if frame is not None:
+            work.keyframes.offer(frame, self._params)
+
+    def step(self, work: BundleWork, state: ChainState) -> WearerProfile | None:
+        """One keyframe further; the wearer, once a solution is complete."""
+        if work.calibration is None:
+            self._begin_when_due(work, state)
+            return None
+        k = len(work.back)
+        self._linearise(work, k)
+        if len(work.back) < len(work.frames):
+            return None
+        return self._move_on(work)
+
+    # ---- one solution
+
+    def _begin_when_due(self, work: BundleWork, state: ChainState) -> None:
+        p = self._params
+        if np.isnan(work.next_at):
+            work.pause = p.first_after
+            work.next_at = state.t + p.first_after
+        if state.t < work.next_at or len(work.keyframes.kept) < p.least_keyframes:
+            return
+        work.pause *= 2.0
+        work.next_at = state.t + work.pause
+        work.frames = list(work.keyframes.kept)
+        work.p = [f.p for f in work.frames]
+        work.R_GB = [f.R_GB for f in work.frames]
+        work.calibration = replace(state.copy(), P=np.zeros((0, 0)))
+        work.sweep = 0
+        self._begin_sweep(work)
+
+    def _begin_sweep(self, work: BundleWork) -> None:
+        """The sums start with what is known beforehand of hands and fittings."""
+        assert work.calibration is not None
+        work.back, work.misfit, work.rows = [], 0.0, 0
+        work.N = self._information.copy()
+        work.g = -self._information @ self._off_nominal(work.calibration)
+
+    def _off_nominal(self, state: ChainState) -> Array:
+        """(C,) difference from the files' values."""
+        lay, fresh = self._layout, initial_state(self._layout)
+        return np.concatenate(
+            [
+                state.bg.ravel(),
+                so3.log(lay.R_IB.swapaxes(1, 2) @ state.R_IB).ravel(),
+                state.ba.ravel(),
+                (state.scale - fresh.scale).ravel(),
+                state.joint.ravel(),
+                state.marker.ravel(),
+            ]
+        )
+
+    def _linearise(self, work: BundleWork, k: int) -> None:
+        """Add keyframe ``k`` with its own pose eliminated."""
+        assert work.calibration is not None
+        frame, n = work.frames[k], self._layout.n_dynamic
+        H, r = self._rows(replace(work.calibration, p=work.p[k], R_GB=work.R_GB[k]), frame)
+        work.misfit, work.rows = work.misfit + float(r @ r), work.rows + len(r)
+        D, G = H[:, self._moves], H[:, n:]
+        away = np.concatenate(
+            [work.p[k] - frame.p, so3.log(frame.R_GB.swapaxes(1, 2) @ work.R_GB[k]).ravel()]
+        )
+        A = D.T @ D + np.diag(self._stiff)
+        B = np.column_stack([D.T @ G, D.T @ r - self._stiff * away])
+        back = np.linalg.solve(A, B)
+        work.N += G.T @ G - B[:, :-1].T @ back[:, :-1]
+        work.g += G.T @ r - B[:, :-1].T @ back[:, -1]
+        work.back.append(back)
+
+    def _move_on(self, work: BundleWork) -> WearerProfile | None:
+        """Solve for the calibration, move it and all poses; the wearer after the last sweep.
+
+        Postures that do not fit are dropped before the calibration can bend to them.
+        """
+        assert work.calibration is not None
+        if work.misfit > MOST_MISFIT * work.rows:
+            self._drop(work)
+            return None
+        self._move(work, work.calibration)
+        work.sweep += 1
+        if work.sweep < self._params.sweeps:
+            self._begin_sweep(work)
+            return None
+        solved, N = work.calibration, work.N
+        if not self._believable(solved):
+            self._drop(work)
+            return None
+        self._end(work)
+        return self._profile(solved, np.asarray(np.linalg.inv(N), float))
+
+    def _move(self, work: BundleWork, calibration: ChainState) -> None:
+        lay = self._layout
+        change = np.linalg.solve(work.N, work.g)
+        for k, back in enumerate(work.back):
+            pose = np.zeros(lay.size)
+            pose[self._moves] = back[:, -1] - back[:, :-1] @ change
+            moved = replace(calibration.copy(), p=work.p[k].copy(), R_GB=work.R_GB[k])
+            inject(moved, lay, pose)
+            work.p[k], work.R_GB[k] = moved.p, moved.R_GB
+        inject(calibration, lay, np.concatenate([np.zeros(lay.n_dynamic), change]))
+
+    def _end(self, work: BundleWork) -> None:
+        work.calibration, work.frames, work.p, work.R_GB, work.back = None, [], [], [], []
+
+    def _drop(self, work: BundleWork) -> None:
+        """Some postures show something else than this hand: begin to collect anew."""
+        self._end(work)
+        work.keyframes.kept.clear()
+
+    def _believable(self, solved: ChainState) -> bool:
+        """Whether a person could wear the glove like this."""
+        far = so3.log(self._layout.R_IB.swapaxes(1, 2) @ solved.R_IB)
+        largest = (np.abs(far).max(initial=0.0), np.abs(solved.marker).max(initial=0.0))
+        within = np.abs(solved.scale - 1).max() < MOST_SCALE
+        return bool(within and largest[0] < MOST_TURN and largest[1] < MOST_SHIFT)
+
+    def _profile(self, solved: ChainState, P: Array) -> WearerProfile:
+        """What was found, with the fittings' wobble added to its covariance."""
+        lay, n = self._layout, self._layout.n_dynamic
+        rows = np.arange(lay.phi - n, lay.ba - n)
+        P[rows, rows] += self._params.wobble**2
+        full = np.zeros((lay.size, lay.size))
+        full[n:, n:] = P
+        return profile_of(replace(solved, P=full), lay)
+
+
+def adopt(state: ChainState, layout: ChainLayout, found: WearerProfile) -> None:
+    """Put what keyframes showed in place of the filter's calibration, gyro biases apart.
+
+    The IMUs stay where they are in the room, so each segment turns with its mounting; what was
+    known of the pose stays as sure as it was and forgets what it had to do with the calibration.
+    """
+    n, first = layout.n_dynamic, layout.phi
+    turn = state.R_IB.swapaxes(1, 2) @ found.R_IB
+    R = state.R_GB.copy()
+    R[layout.imu_segment] = R[layout.imu_segment] @ turn
+    state.R_GB = R
+    for name in ("R_IB", "ba", "scale", "joint", "marker"):
+        setattr(state, name, getattr(found, name).copy())
+    state.P[first:, :] = 0.0
+    state.P[:, first:] = 0.0
+    state.P[first:, first:] = found.P[first - n :, first - n :]

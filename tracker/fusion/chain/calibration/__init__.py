@@ -1,0 +1,1 @@
+"""The wearer's calibration by the chain filter: control, profile, rest bias."""

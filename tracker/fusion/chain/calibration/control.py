@@ -1,0 +1,115 @@
+"""What a user may do to a chain filter's calibration: reset, freeze, take along to another day."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tracker.errors import ConfigError
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams, PriorParams
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.profile import WearerProfile, profile_of
+from tracker.fusion.chain.state import ChainState, initial_state
+from tracker.messages import IntArray
+
+
+@dataclass(frozen=True)
+class RenewParams:
+    """Standard deviations of what changes between two sessions of the same wearer."""
+
+    gyro_bias: float = 0.01  # rad/s: from switch-on to switch-on, and with temperature
+    accel_bias: float = 0.1  # m/s²
+    mounting: float = 0.05  # rad: the glove sits anew
+
+
+def calibration_rows(layout: ChainLayout, segments: Sequence[str]) -> IntArray:
+    """Rows of the error state that calibrate the named segments. Raises ConfigError."""
+    rows: list[IntArray] = []
+
+    def block(start: int, number: int, size: int = 3) -> None:
+        rows.append(start + size * number + np.arange(size))
+
+    for name in segments:
+        if name not in layout.names:
+            raise ConfigError(f"There is no segment {name!r} whose calibration is estimated.")
+        a = layout.names.index(name)
+        block(layout.scale, a, 2)
+        if (j := int(layout.imu_of[a])) >= 0:
+            for start in (layout.bg, layout.phi, layout.ba):
+                block(start, j)
+        if (b := int(layout.base_of[a])) >= 0:
+            block(layout.joint, b)
+        for m in np.flatnonzero(layout.marker_segment == a):
+            block(layout.marker, int(m))
+    return np.sort(np.concatenate(rows)) if rows else np.zeros(0, np.int64)
+
+
+def reset_calibration(
+    state: ChainState, layout: ChainLayout, prior: PriorParams, segments: Sequence[str]
+) -> None:
+    """Back to the files' values, with the uncertainty of the start, for the named segments.
+
+    The pose stays; what was known of it through these parameters is forgotten.
+    """
+    rows = calibration_rows(layout, segments)
+    fresh, P = initial_state(layout), initial_covariance(layout, prior)
+    for name in segments:
+        a = layout.names.index(name)
+        state.scale[a] = fresh.scale[a]
+        if (j := int(layout.imu_of[a])) >= 0:
+            state.bg[j], state.ba[j], state.R_IB[j] = fresh.bg[j], fresh.ba[j], fresh.R_IB[j]
+        if (b := int(layout.base_of[a])) >= 0:
+            state.joint[b] = fresh.joint[b]
+        state.marker[layout.marker_segment == a] = 0.0
+    state.P[rows, :] = 0.0
+    state.P[:, rows] = 0.0
+    state.P[np.ix_(rows, rows)] = P[np.ix_(rows, rows)]
+
+
+def hold_calibration(state: ChainState, layout: ChainLayout) -> None:
+    """Take the calibration as known: with no covariance, no measurement moves it."""
+    n = layout.n_dynamic
+    state.P[n:, :] = 0.0
+    state.P[:, n:] = 0.0
+
+
+def without_walks(params: ChainParams) -> ChainParams:
+    """The same filter whose calibration does not drift, so that what is held stays held."""
+    noise = replace(
+        params.noise, gyro_bias=0.0, accel_bias=0.0, scale=0.0, mounting=0.0, offset=0.0
+    )
+    return replace(params, noise=noise)
+
+
+def with_held(state: ChainState, layout: ChainLayout, held: WearerProfile) -> ChainState:
+    """A view of ``state`` that shows how sure the held calibration was."""
+    n = layout.n_dynamic
+    P = state.P.copy()
+    P[n:, n:] = held.P
+    return replace(state, P=P)
+
+
+def renewed(
+    profile: WearerProfile, layout: ChainLayout, params: RenewParams | None = None
+) -> WearerProfile:
+    """A profile of an earlier session: bones stay, the glove sits anew and sensors have drifted."""
+    params, n = params or RenewParams(), layout.n_dynamic
+    P = profile.P.copy()
+    diagonal = np.arange(len(P))
+    for first, last, sd in (
+        (layout.bg, layout.phi, params.gyro_bias),
+        (layout.phi, layout.ba, params.mounting),
+        (layout.ba, layout.scale, params.accel_bias),
+    ):
+        rows = diagonal[first - n : last - n]
+        P[rows, rows] += sd**2
+    return replace(profile, P=P)
+
+
+def fits(profile: WearerProfile, layout: ChainLayout) -> bool:
+    """Whether a profile is of a glove and hand with this layout."""
+    like = profile_of(initial_state(layout), layout)
+    return all(getattr(profile, k).shape == v.shape for k, v in vars(like).items())

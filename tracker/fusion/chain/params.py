@@ -1,0 +1,99 @@
+"""What a user may tune in the chain filter; values tuned on simulated people."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class NoiseParams:
+    """Continuous noises (per √s) and measurement standard deviations."""
+
+    gyro: float = 0.01  # rad/√s: far above the data sheet, it covers scale error and cloth
+    accel: float = 0.1  # m/s²·√s
+    gyro_bias: float = 2e-4  # rad/s/√s
+    accel_bias: float = 2e-3  # m/s²/√s
+    scale: float = 1e-4  # 1/√s
+    mounting: float = 4e-3  # rad/√s: stays alive, cloth moves
+    free_rotation: float = 0.3  # rad/√s: a segment without an IMU, against its parent
+    free_root_rotation: float = 0.5  # rad/√s: the hand while its own IMU is silent
+    free_accel: float = 1.0  # m/s²·√s: the same for its place
+    offset: float = 1e-4  # m/√s: joints and markers
+    marker: float = 0.0025  # m, placement and cloth that the offset states do not hold
+    pixel_px: float = 1.0
+    huber: float = 3.0
+
+
+@dataclass(frozen=True)
+class PriorParams:
+    """Standard deviations at the start."""
+
+    position: float = 0.020  # m
+    velocity: float = 0.3  # m/s
+    returned: float = 0.4  # rad, added when an IMU answers again
+    rotation: float = 0.12  # rad
+    mounting: float = 0.0873  # rad, 5° an axis
+    gyro_bias: float = 0.03  # rad/s
+    accel_bias: float = 0.3  # m/s²
+    common_length: float = 0.07
+    common_girth: float = 0.07
+    own_length: float = 0.015
+    own_girth: float = 0.02
+    joint: float = 0.001  # m
+    marker: float = 0.0007  # m
+
+
+@dataclass(frozen=True)
+class ConstraintParams:
+    """Anatomy as pseudo-measurements, applied once per image.
+
+    Standard deviations are those of one use every ``period``.
+    """
+
+    rotation: float = 0.15  # rad: no twist, no abduction of a hinge
+    thumb_abduction: float = 0.12  # rad, soft
+    synergy: float = 0.13  # rad, for a segment seen only by markers
+    limit: float = 0.05  # rad, beyond a joint's limit
+    tilt: float = 0.5  # m/s², a finger's accelerometer against the chain's
+    tilt_kinematic: float = 0.15  # share of the kinematic part
+    period: float = 0.03  # s between two uses of tilt, or of anatomy while no image comes
+
+
+@dataclass(frozen=True)
+class MatchParams:
+    """Correspondence and the state of tracking."""
+
+    lost_after: float = 0.2  # s without enough matches before the room is searched again
+    min_markers: int = 4
+    least_markers: int = 2  # enough where no more can be seen
+    coast_limit: float = 1.0  # s of useful inertial position
+    max_frame_delay: float = 0.12  # s, then the filter goes on without an image
+    search_period: float = 0.10  # s between two searches
+
+
+@dataclass(frozen=True)
+class BundleParams:
+    """Calibration over keyframes in the background, at growing intervals."""
+
+    enabled: bool = True
+    keyframes: int = 40
+    least_keyframes: int = 15
+    least_blobs: int = 16  # in both images together
+    apart: float = 0.35  # rad, all joints together, between two keyframes
+    first_after: float = 12.0  # s of tracking; the next after twice as long, and so on
+    sweeps: int = 5
+    slip: float = 0.0015  # m, of a marker's cloth
+    rotation: float = 0.10  # rad: no twist, no abduction of a hinge
+    orientation: float = 0.15  # rad, of a keyframe's segments about the filter's
+    wobble: float = 0.02  # rad, of an IMU on soft tissue
+
+
+@dataclass(frozen=True)
+class ChainParams:
+    """The chain engine's settings. ``guide``, ``coupling``: `tracker.fusion.ablations.variants`."""
+
+    guide: str = "imu"
+    coupling: str = "tight"
+    noise: NoiseParams = field(default_factory=NoiseParams)
+    prior: PriorParams = field(default_factory=PriorParams)
+    constraint: ConstraintParams = field(default_factory=ConstraintParams)
+    match: MatchParams = field(default_factory=MatchParams)
+    bundle: BundleParams = field(default_factory=BundleParams)

@@ -1,0 +1,45 @@
+"""The covariance that a filter starts with."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import PriorParams
+from tracker.messages import Array
+
+
+def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
+    """(N, N). Hands differ as wholes: lengths share a common factor, and so do girths."""
+    P = np.zeros((layout.size, layout.size))
+    d = np.zeros(layout.size)
+    d[0:3] = prior.position**2
+    d[3:6] = prior.velocity**2
+    d[layout.theta : layout.n_dynamic] = prior.rotation**2
+    d[layout.bg : layout.phi] = prior.gyro_bias**2
+    d[layout.phi : layout.ba] = prior.mounting**2
+    d[layout.ba : layout.scale] = prior.accel_bias**2
+    length = slice(layout.scale, layout.joint, 2)
+    girth = slice(layout.scale + 1, layout.joint, 2)
+    d[length], d[girth] = prior.own_length**2, prior.own_girth**2
+    d[layout.joint : layout.marker] = prior.joint**2
+    d[layout.marker :] = prior.marker**2
+    np.fill_diagonal(P, d)
+    P[length, length] += prior.common_length**2
+    P[girth, girth] += prior.common_girth**2
+    return P
+
+
+def reset_pose(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
+    """Forget the pose (p, v, theta) and what it was correlated with; calibration stays."""
+    n = layout.n_dynamic
+    P[:n, :] = 0.0
+    P[:, :n] = 0.0
+    d = np.concatenate(
+        [
+            np.full(3, prior.position**2),
+            np.full(3, prior.velocity**2),
+            np.full(n - 6, prior.rotation**2),
+        ]
+    )
+    P[np.arange(n), np.arange(n)] = d

@@ -1,0 +1,54 @@
+"""What a chain filter has learned of a wearer, to be kept and given to another run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.state import ChainState
+from tracker.messages import Array
+
+
+@dataclass(frozen=True, eq=False)
+class WearerProfile:
+    """The calibration part of a `ChainState` and its covariance P (C, C), in the same order."""
+
+    bg: Array
+    R_IB: Array
+    ba: Array
+    scale: Array
+    joint: Array
+    marker: Array
+    P: Array
+
+    def reversed_in_time(self, layout: ChainLayout) -> WearerProfile:
+        """For data played backwards: a gyro's readings change sign, and so does its bias."""
+        sign = np.ones(len(self.P))
+        sign[: layout.phi - layout.bg] = -1.0
+        return replace(self, bg=-self.bg, P=self.P * np.outer(sign, sign))
+
+
+def profile_of(state: ChainState, layout: ChainLayout) -> WearerProfile:
+    """What ``state`` knows, whatever its pose."""
+    block = slice(layout.n_dynamic, layout.size)
+    return WearerProfile(
+        state.bg.copy(),
+        state.R_IB.copy(),
+        state.ba.copy(),
+        state.scale.copy(),
+        state.joint.copy(),
+        state.marker.copy(),
+        state.P[block, block].copy(),
+    )
+
+
+def wear(state: ChainState, layout: ChainLayout, profile: WearerProfile) -> None:
+    """Put a profile on: the pose stays, correlations between pose and calibration are forgotten."""
+    n = layout.n_dynamic
+    for name in ("bg", "R_IB", "ba", "scale", "joint", "marker"):
+        setattr(state, name, getattr(profile, name).copy())
+    state.P[:n, n:] = 0.0
+    state.P[n:, :n] = 0.0
+    state.P[n:, n:] = profile.P

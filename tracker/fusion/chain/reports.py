@@ -1,0 +1,122 @@
+"""Messages made of a chain filter's state: calibration, frame results."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.pixels import Prediction, SeenBlobs
+from tracker.fusion.chain.state import ChainState
+from tracker.geometry import so3
+from tracker.kernels import kernel
+from tracker.messages import Array, BlobFrame, Calibration, FrameResult, IntArray, Tracking
+from tracker.vision.rig import Camera, StereoRig
+
+
+def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
+    """Scales, mountings and biases with their standard deviations."""
+    sd = np.sqrt(np.maximum(np.diag(state.P), 0.0))
+    n = len(layout.active)
+    scale_sd = sd[layout.scale : layout.joint].reshape(n, 2)[:, [0, 1, 1]]
+    per_imu = {
+        "mounting": (
+            so3.log(layout.R_IB.swapaxes(1, 2) @ state.R_IB),
+            sd[layout.phi : layout.ba].reshape(-1, 3),
+        ),
+        "gyro_bias": (state.bg, sd[layout.bg : layout.phi].reshape(-1, 3)),
+        "accel_bias": (state.ba, sd[layout.ba : layout.scale].reshape(-1, 3)),
+    }
+    rows: dict[str, Array] = {}
+    for name, (value, value_sd) in per_imu.items():
+        for key, source in ((name, value), (f"{name}_sd", value_sd)):
+            full = np.full((n, 3), np.nan)
+            full[layout.imu_segment] = source
+            rows[key] = full
+    length, length_sd = hand_length(layout, state)
+    return Calibration(
+        t=state.t,
+        segments=layout.names,
+        scale=state.scale3(),
+        scale_sd=scale_sd,
+        hand_length=length,
+        hand_length_sd=length_sd,
+        **rows,
+    )
+
+
+def hand_length(layout: ChainLayout, state: ChainState) -> tuple[float, float]:
+    """Wrist to middle fingertip (m) and its standard deviation, from the length scales."""
+    hand = layout.hand
+    gain = np.zeros(len(layout.active))
+    chain = ("dorsum", "middle_proximal", "middle_intermediate", "middle_distal")
+    last = 0
+    for name in chain:
+        if name not in hand.index:
+            continue
+        last = layout.row_of.get(hand.index[name], last)
+        gain[last] += hand.segments[hand.index[name]].length
+    P = state.P[layout.scale : layout.joint : 2, layout.scale : layout.joint : 2]
+    return float(gain @ state.scale[:, 0]), max(float(gain @ P @ gain), 0.0) ** 0.5
+
+
+def frame_result(
+    frame: BlobFrame,
+    rig: StereoRig,
+    tracking: Tracking,
+    prediction: Prediction,
+    seen: tuple[SeenBlobs, ...],
+    match: IntArray,
+) -> FrameResult:
+    """What was made of an image, in raw pixels."""
+    residual, source, cov, visible, stereo_points = _details(
+        prediction.uv, prediction.prior, prediction.rows, prediction.S[0], match,
+        seen[0].uv, seen[0].source, seen[1].uv, seen[1].source,
+    )  # fmt: skip
+    return FrameResult(
+        t=frame.t,
+        tracking=tracking,
+        predicted_left=_raw(rig.left, prediction.uv[0]),
+        predicted_right=_raw(rig.right, prediction.uv[1]),
+        predicted_cov=cov,
+        visible=visible,
+        match_left=source[0],
+        match_right=source[1],
+        residual=residual,
+        stereo_points=stereo_points,
+    )
+
+
+@kernel
+def _details(  # type: ignore[no-untyped-def]
+    uv, prior, rows, S_left, match, left_uv, left_source, right_uv, right_source
+):  # fmt: skip
+    """residual (M, 4), source (2, M), cov (M, 2, 2), visible (M,), markers matched in both.
+
+    uv (2, M, 2) px and prior (2, M) expected, S_left (n, 2, 2) of the markers ``rows``, match
+    (2, M) rows of the blobs that each side's uv (k, 2) and source (k,) are of.
+    """
+    m = uv.shape[1]
+    residual, source = np.full((m, 4), np.nan), np.full((2, m), -1, np.int64)
+    cov, visible, stereo_points = np.full((m, 2, 2), np.nan), np.empty(m), 0
+    for j in range(m):
+        visible[j] = max(prior[0, j], prior[1, j])
+        stereo_points += match[0, j] >= 0 and match[1, j] >= 0
+        for c in range(2):
+            k = match[c, j]
+            if k >= 0:
+                blob = left_uv[k] if c == 0 else right_uv[k]
+                residual[j, 2 * c] = blob[0] - uv[c, j, 0]
+                residual[j, 2 * c + 1] = blob[1] - uv[c, j, 1]
+                source[c, j] = left_source[k] if c == 0 else right_source[k]
+    for k in range(len(rows)):
+        cov[rows[k]] = S_left[k]
+    return residual, source, cov, visible, stereo_points
+
+
+def _raw(camera: Camera, uv: Array) -> Array:
+    if camera.is_rectified:
+        return uv.copy()  # a message's arrays are its own
+    out = np.full_like(uv, np.nan)
+    ok = np.isfinite(uv[:, 0])
+    out[ok] = camera.unrectify(uv[ok])
+    return out

@@ -1,0 +1,1 @@
+"""How the chain filter finds a hand from nothing."""

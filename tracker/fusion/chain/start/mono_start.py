@@ -1,0 +1,218 @@
+"""Finding the hand in one image: IMUs give the posture, the size of the hand its distance.
+
+`search` votes for a translation among stereo points. With one lens there are only rays: for each
+posture, heading and distance on a grid, every pair (blob seen, marker expected) of one hue proposes
+a place, and the place whose markers meet most blobs wins. The best ones are then fitted in all
+three directions: perspective makes near markers spread wider, which tells the distance as well as
+the size of the hand is known.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.fusion.chain.kinematics import marker_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import PriorParams
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.start.search import Pose
+from tracker.fusion.chain.state import ChainState
+from tracker.geometry import so3
+from tracker.kernels import kernel
+from tracker.messages import Array, CameraPose, IntArray
+
+SIZE_KEPT = 0.1  # of the size's standard deviation at a start with one lens
+SIZE_SD = 0.05  # share, among people: what the distance is unsure by after such a start
+KNOWN_SIZE_SD = 0.015  # the same with a wearer's profile
+
+
+@dataclass(frozen=True)
+class MonoParams:
+    """How one image is searched. Lengths in m."""
+
+    nearest: float = 0.20
+    farthest: float = 0.75
+    distances: int = 8  # of a geometric grid
+    radius: float = 0.012  # across the ray, within which a blob supports a marker
+    min_score: float = 0.55  # share of the expected markers that must be supported
+    min_support: int = 6
+    facing_cos: float = 0.25
+    distance_sd: float = 0.10  # share: how well the size of a hand is known
+
+
+@dataclass(frozen=True, eq=False)
+class Rays:
+    """Blobs of one lens: direction (n, 2) at depth 1 in C, hue (n,); lens (3,) m in C."""
+
+    direction: Array
+    hue: IntArray
+    camera_C: Array
+
+
+def vote_mono(
+    state: ChainState,
+    layout: ChainLayout,
+    postures: list[Array],
+    headings: Array,
+    rays: Rays,
+    pose: CameraPose,
+    params: MonoParams | None = None,
+) -> Pose | None:
+    """The best pose over all postures and headings (rad, added to each posture's), if it is clear.
+
+    R_GB (A, 3, 3) of each posture; the pose is that of the root's IMU in G.
+    """
+    params = params or MonoParams()
+    if len(rays.direction) < params.min_support:
+        return None
+    best: Pose | None = None
+    for R_posture in postures:
+        for heading in headings:
+            found = _vote_one(state, layout, so3.rz(heading) @ R_posture, rays, pose, params)
+            if found is not None and (best is None or _rank(found) > _rank(best)):
+                best = found
+    if best is None or best.score < params.min_score or best.support < params.min_support:
+        return None
+    return best
+
+
+def along_the_ray(P: Array, p: Array, pose: CameraPose, share: float) -> None:
+    """Make the distance of p (3,) m in G unsure by ``share`` of it, in the covariance P (N, N)."""
+    ray = p - pose.p_GC
+    P[:3, :3] += share**2 * np.outer(ray, ray)
+
+
+def keep_size(P: Array, layout: ChainLayout) -> None:
+    """One lens cannot tell a small hand that is near from a large one farther away."""
+    rows = slice(layout.scale, layout.joint)
+    P[rows, :] *= SIZE_KEPT
+    P[:, rows] *= SIZE_KEPT
+
+
+def release_size(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
+    """The second lens is there: the size may be learned."""
+    rows = slice(layout.scale, layout.joint)
+    P[rows, rows] += initial_covariance(layout, prior)[rows, rows]
+
+
+def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) -> Array:
+    """SD (n,) m of points near p (3,) m in G, whose distance is as unsure as the hand's size.
+
+    As `Estimate.keypoint_sd` the root of the mean variance over three axes: the ray's is one.
+    """
+    ray = float(np.linalg.norm(p - pose.p_GC))
+    out: Array = np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)
+    return out
+
+
+def _rank(pose: Pose) -> float:
+    return pose.score * pose.support
+
+
+def _vote_one(
+    state: ChainState,
+    layout: ChainLayout,
+    R: Array,
+    rays: Rays,
+    pose: CameraPose,
+    params: MonoParams,
+) -> Pose | None:
+    trial = state.copy_nominal()
+    trial.R_GB, trial.p = R, np.zeros(3)
+    m_C = marker_positions(trial, layout) @ pose.R_GC
+    normal_G = np.einsum("mij,mj->mi", R[layout.marker_segment], layout.glove.marker_normal)
+    middle = np.array([*np.median(rays.direction, axis=0), 1.0])
+    to_camera = -(pose.R_GC @ middle) / np.linalg.norm(middle)
+    weight = np.clip((normal_G @ to_camera - params.facing_cos) / 0.3, 0.0, 1.0)
+    rows = np.flatnonzero(weight > 0)
+    if len(rows) < params.min_support:
+        return None
+    depths = np.geomspace(params.nearest, params.farthest, params.distances)
+    place, score, support = best_place(
+        rays.direction,
+        rays.hue,
+        np.ascontiguousarray(m_C[rows]),
+        layout.glove.marker_hue[rows],
+        weight[rows],
+        depths,
+        params.radius,
+    )
+    p_G = pose.R_GC @ (place + rays.camera_C) + pose.p_GC
+    return Pose(R, p_G, score / float(weight.sum()), support)
+
+
+@kernel
+def best_place(
+    seen: Array,
+    hue: IntArray,
+    markers: Array,
+    marker_hue: IntArray,
+    weight: Array,
+    depths: Array,
+    radius: float,
+) -> tuple[Array, float, int]:
+    """The translation (3,) m in the lens's axes with the largest weighted support.
+
+    seen (n, 2) at depth 1; markers (m, 3) m about the place looked for. Returns it fitted, its
+    weighted support and how many markers are supported.
+    """
+    best, place = -1.0, np.zeros(3)
+    t = np.zeros(3)
+    for z in depths:
+        t[2] = z
+        for i in range(len(seen)):
+            for j in range(len(markers)):
+                if hue[i] != marker_hue[j]:
+                    continue
+                for a in range(2):
+                    t[a] = seen[i, a] * (markers[j, 2] + z) - markers[j, a]
+                total = 0.0
+                for k in range(len(markers)):
+                    d2, _ = _nearest(seen, hue, markers[k], marker_hue[k], t)
+                    total += weight[k] * max(0.0, 1.0 - d2 / radius**2)
+                if total > best:
+                    best, place = total, t.copy()
+    return _fit(seen, hue, markers, marker_hue, weight, radius, place)
+
+
+@kernel
+def _nearest(seen, hue, marker, marker_hue, t):  # type: ignore[no-untyped-def]
+    """Squared distance (m²) across the ray of the nearest blob of the marker's hue, and its row."""
+    z = max(marker[2] + t[2], 0.02)
+    best, row = np.inf, -1
+    for i in range(len(seen)):
+        if hue[i] == marker_hue:
+            x = seen[i, 0] * z - marker[0] - t[0]
+            y = seen[i, 1] * z - marker[1] - t[1]
+            if x * x + y * y < best:
+                best, row = x * x + y * y, i
+    return best, row
+
+
+@kernel
+def _fit(seen, hue, markers, marker_hue, weight, radius, place):  # type: ignore[no-untyped-def]
+    """Rounds of least squares over supported markers, in the place's three directions."""
+    t, score, support = place.copy(), 0.0, 0
+    for _ in range(4):
+        A, b = np.zeros((3, 3)), np.zeros(3)
+        score, support = 0.0, 0
+        for k in range(len(markers)):
+            d2, i = _nearest(seen, hue, markers[k], marker_hue[k], t)
+            if d2 >= radius * radius:
+                continue
+            w = weight[k] * (1.0 - d2 / radius**2)
+            score += w
+            support += 1
+            for a in range(2):  # seen * (z_marker + t_z) - (marker + t) = 0 across the ray
+                row = np.zeros(3)
+                row[a], row[2] = -1.0, seen[i, a]
+                A += w * np.outer(row, row)
+                b += w * row * (markers[k, a] - seen[i, a] * markers[k, 2])
+        if support < 4:
+            break
+        A[2, 2] += 1e-3 * A[0, 0]  # flat patterns tell no distance: stay near the grid's
+        b[2] += 1e-3 * A[0, 0] * t[2]
+        t = np.linalg.solve(A, b)
+    return t, score, support

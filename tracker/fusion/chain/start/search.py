@@ -1,0 +1,251 @@
+"""Finding the hand from nothing: gravity gives the posture, same-hue pairs vote for the place.
+
+1. Every IMU feels gravity, so each segment's tilt is known; joint angles that agree with all tilts
+   and lie nearest to a few typical postures are the articulations tried.
+2. For each articulation and each heading on a grid, every pair (point seen, marker expected) of one
+   hue proposes a translation; the translation that most markers agree on wins.
+
+All same-hue stereo pairs take part, right and wrong ones: a wrong pair finds no company.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.fusion.chain.kinematics import marker_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.state import ChainState
+from tracker.geometry import so3
+from tracker.kernels import kernel
+from tracker.messages import Array, IntArray
+
+TILT_SD = 0.15  # rad: bias, mounting and motion in one accelerometer direction
+POSTURE_SD = 0.6  # rad around the typical posture
+POSTURES = (0.0, 0.45, 1.0)  # share of full flexion: flat, relaxed, fist
+
+
+@dataclass(frozen=True)
+class SearchParams:
+    """How the room is searched."""
+
+    heading_step_deg: float = 10.0
+    radius: float = 0.018  # m, within which a point supports a marker
+    min_score: float = 0.45  # share of the expected markers that must be supported
+    min_points: int = 5
+    max_candidates: int = 2500
+    facing_cos: float = 0.25
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """A hypothesis: R_GB (A, 3, 3), p (3,) of the root's IMU, score 0..1, supported markers."""
+
+    R_GB: Array
+    p: Array
+    score: float
+    support: int
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """Stereo points of one image: p_G (n, 3), hue (n,); camera centre p_GC (3,)."""
+
+    p_G: Array
+    hue: IntArray
+    p_GC: Array
+
+
+def postures_from_gravity(
+    layout: ChainLayout, R_IB: Array, force: Array, valid: Array
+) -> list[Array]:
+    """Articulations that agree with the accelerometers, R_GB (A, 3, 3) each, heading zero.
+
+    force (n, 3) mean specific force per IMU in I; rows of silent IMUs are ignored.
+    """
+    up_B = np.einsum("nji,nj->ni", R_IB, force)
+    up_B /= np.maximum(np.linalg.norm(up_B, axis=1, keepdims=True), 1e-9)
+    root = layout.imu_of[0]
+    if root < 0 or not valid[root]:
+        return []
+    R_root = _level(up_B[root])
+    out: list[Array] = []
+    for share in POSTURES:
+        angles = _fit_angles(layout, R_root, up_B, valid, _typical(layout, share))
+        R, _ = layout.hand.forward(angles, R_root, np.zeros(3))
+        out.append(R[layout.active])
+    return _distinct(out)
+
+
+def _level(up_B: Array) -> Array:
+    """R_GB with G's z along ``up_B`` and heading zero (x of B ahead as far as it can be)."""
+    axis = np.array([1.0, 0, 0]) if abs(up_B[0]) < 0.9 else np.array([0, 0, 1.0])
+    x_G = axis - (axis @ up_B) * up_B
+    x_G /= np.linalg.norm(x_G)
+    return np.array([x_G, np.cross(up_B, x_G), up_B])
+
+
+def _typical(layout: ChainLayout, share: float) -> Array:
+    """Joint angles of a posture with every flexion at ``share`` of its limit."""
+    hand = layout.hand
+    out = np.zeros(len(hand.joint_names))
+    for i, name in enumerate(hand.joint_names):
+        if name.endswith("_flexion"):
+            reach = 0.4 if name.startswith("thumb") else 0.9
+            out[i] = share * reach * hand.angle_limits[i, 1]
+    return out
+
+
+def _fit_angles(
+    layout: ChainLayout, R_root: Array, up_B: Array, valid: Array, typical: Array
+) -> Array:
+    """Gauss-Newton on tilts and posture prior with the joint limits as bounds."""
+    hand = layout.hand
+    segments = layout.active[layout.imu_segment]
+    use = [j for j in range(len(up_B)) if valid[j] and layout.imu_segment[j] != 0]
+
+    def residual(angles: Array) -> Array:
+        R, _ = hand.forward(angles, R_root, np.zeros(3))
+        tilt = [R[segments[j]].T[:, 2] - up_B[j] for j in use]
+        return np.concatenate([np.ravel(tilt) / TILT_SD, (angles - typical) / POSTURE_SD])
+
+    angles = typical.copy()
+    for _ in range(6):
+        r = residual(angles)
+        J = np.empty((len(r), len(angles)))
+        for i in range(len(angles)):
+            moved = angles.copy()
+            moved[i] += 1e-5
+            J[:, i] = (residual(moved) - r) / 1e-5
+        step = np.linalg.solve(J.T @ J, -J.T @ r)
+        angles = np.clip(angles + np.clip(step, -0.5, 0.5), *hand.angle_limits.T)
+    return angles
+
+
+def _distinct(postures: list[Array], tolerance: float = 0.15) -> list[Array]:
+    """Postures whose segments differ by more than ``tolerance`` rad somewhere."""
+    out: list[Array] = []
+    for R in postures:
+        turns = [np.linalg.norm(so3.log(R.swapaxes(1, 2) @ K), axis=1).max() for K in out]
+        if not turns or min(turns) > tolerance:
+            out.append(R)
+    return out
+
+
+def vote(
+    state: ChainState,
+    layout: ChainLayout,
+    postures: list[Array],
+    headings: Array,
+    seen: Seen,
+    params: SearchParams,
+    most: int = 6,
+) -> list[Pose]:
+    """The best poses over all postures and headings (rad, added to each posture's), best first."""
+    if len(seen.p_G) < params.min_points:
+        return []
+    poses: list[Pose] = []
+    for R_posture in postures:
+        for heading in headings:
+            R = so3.rz(heading) @ R_posture
+            pose = _vote_one(state, layout, R, seen, params)
+            if pose is not None:
+                poses.append(pose)
+    poses.sort(key=lambda q: -q.score * q.support)
+    return [
+        q for q in poses[:most] if q.score >= params.min_score and q.support >= params.min_points
+    ]
+
+
+def _vote_one(
+    state: ChainState, layout: ChainLayout, R: Array, seen: Seen, params: SearchParams
+) -> Pose | None:
+    trial = state.copy_nominal()
+    trial.R_GB, trial.p = R, np.zeros(3)
+    m = marker_positions(trial, layout)
+    normal = np.einsum("mij,mj->mi", R[layout.marker_segment], layout.glove.marker_normal)
+    to_camera = seen.p_GC - np.median(seen.p_G, axis=0)
+    to_camera /= np.linalg.norm(to_camera)
+    weight = np.clip((normal @ to_camera - params.facing_cos) / 0.3, 0.0, 1.0)
+    rows = np.flatnonzero(weight > 0)
+    if len(rows) < params.min_points:
+        return None
+    shift, score, support = _best_shift(
+        seen.p_G,
+        seen.hue,
+        m[rows],
+        layout.glove.marker_hue[rows],
+        weight[rows],
+        params.radius,
+        params.max_candidates,
+    )
+    return Pose(R, shift, score / float(weight.sum()), support)
+
+
+@kernel
+def _best_shift(points, hue, markers, marker_hue, weight, radius, most):  # type: ignore[no-untyped-def]
+    """The translation with the largest weighted support, refined to the mean of its supporters."""
+    n, m = len(points), len(markers)
+    pairs = 0
+    for i in range(n):
+        for j in range(m):
+            if hue[i] == marker_hue[j]:
+                pairs += 1
+    stride = max(1, (pairs + most - 1) // most)
+    best, best_shift, count = -1.0, np.zeros(3), 0
+    for i in range(n):
+        for j in range(m):
+            if hue[i] != marker_hue[j]:
+                continue
+            count += 1
+            if count % stride:
+                continue
+            t = points[i] - markers[j]
+            s = 0.0
+            for k in range(m):
+                s += weight[k] * _support(points, hue, markers[k], marker_hue[k], t, radius)
+            if s > best:
+                best, best_shift = s, t
+    return _refine(points, hue, markers, marker_hue, weight, radius, best_shift)
+
+
+@kernel
+def _support(points, hue, marker, marker_hue, t, radius):  # type: ignore[no-untyped-def]
+    """1 at the marker, 0 at ``radius`` and beyond, for the nearest point of the marker's hue."""
+    best = radius * radius
+    for i in range(len(points)):
+        if hue[i] == marker_hue:
+            d2 = 0.0
+            for r in range(3):
+                d = points[i, r] - marker[r] - t[r]
+                d2 += d * d
+            if d2 < best:
+                best = d2
+    return 1.0 - best / (radius * radius)
+
+
+@kernel
+def _refine(points, hue, markers, marker_hue, weight, radius, shift):  # type: ignore[no-untyped-def]
+    """Two rounds of weighted mean over supported markers. Returns shift, score, support."""
+    score, support = 0.0, 0
+    for _ in range(3):
+        total, mean = 0.0, np.zeros(3)
+        score, support = 0.0, 0
+        for k in range(len(markers)):
+            best, nearest = radius * radius, -1
+            for i in range(len(points)):
+                if hue[i] == marker_hue[k]:
+                    d = points[i] - markers[k] - shift
+                    d2 = d @ d
+                    if d2 < best:
+                        best, nearest = d2, i
+            if nearest >= 0:
+                w = weight[k] * (1.0 - best / (radius * radius))
+                score += w
+                support += 1
+                total += w
+                mean += w * (points[nearest] - markers[k])
+        if total > 0:
+            shift = mean / total
+    return shift, score, support

@@ -1,0 +1,140 @@
+"""Starting from nothing and finding the hand again."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.profile import WearerProfile, wear
+from tracker.fusion.chain.start.mono_start import (
+    MonoParams,
+    Rays,
+    along_the_ray,
+    keep_size,
+    vote_mono,
+)
+from tracker.fusion.chain.start.search import Pose, SearchParams, Seen, postures_from_gravity, vote
+from tracker.fusion.chain.state import ChainState, initial_state
+from tracker.fusion.time.imu_buffer import ImuBuffer
+from tracker.messages import Array, CameraPose
+from tracker.vision.rig import StereoRig
+from tracker.vision.stereo import all_pairs
+
+LOOK_BACK = 0.3  # s of packets that are averaged for tilt
+STILL_GYRO = 0.05  # rad/s: spread below which the mean gyro reading is a bias
+REST_PACKETS = 20
+STILL_BIAS_SD = 0.015  # rad/s, what a wearer at rest still turns
+MAX_BIAS = 0.2  # rad/s: more than this is motion (turn-on bias is at most 0.09)
+
+
+class Starter:
+    """Searches images for the hand of one layout."""
+
+    def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
+        self._layout, self._rig, self._params = layout, rig, params
+        self._search, self._mono = SearchParams(), MonoParams()
+        self.profile: WearerProfile | None = None  # what is known of the wearer beforehand
+
+    def first(
+        self,
+        buffer: ImuBuffer,
+        seen: tuple[SeenBlobs, ...],
+        pose: CameraPose,
+        t: float,
+        known: WearerProfile | None = None,
+    ) -> ChainState | None:
+        """A state to start from, or None where the image does not show a hand for sure.
+
+        ``known`` is what this run has learned of the wearer; without it the profile counts.
+        """
+        packets = [s for s in buffer if t - LOOK_BACK <= s.t <= t + 0.05]
+        if len(packets) < 5:
+            return None
+        state = initial_state(self._layout)
+        state.t = t
+        state.P = initial_covariance(self._layout, self._params.prior)
+        known = known or self.profile
+        if known is not None:
+            wear(state, self._layout, known)
+        valid = np.all([s.valid for s in packets], axis=0)
+        force = np.mean([s.accel for s in packets], axis=0)
+        gyro = np.array([s.gyro for s in packets])
+        if known is None:
+            self._bias_at_rest(state, gyro, valid)
+        postures = postures_from_gravity(self._layout, state.R_IB, force, valid)
+        headings = np.arange(0, 2 * np.pi, np.deg2rad(self._search.heading_step_deg))
+        best = self._best(state, postures, headings, seen, pose, self._search)
+        if best is None:
+            return None
+        state.R_GB, state.p = best.R_GB, best.p
+        if any(len(s.uv) == 0 for s in seen):
+            along_the_ray(state.P, state.p, pose, self._mono.distance_sd)
+            keep_size(state.P, self._layout)
+        return state
+
+    def again(
+        self, state: ChainState, seen: tuple[SeenBlobs, ...], pose: CameraPose, matched: int
+    ) -> Pose | None:
+        """The hand with its present articulation anywhere in view, heading within 60°.
+
+        ``matched`` markers agree with the present pose; another one must do clearly better.
+        """
+        headings = np.deg2rad(np.arange(-60, 61, 7.5))
+        params = replace(self._search, radius=0.020, min_score=0.3)
+        best = self._best(state, [state.R_GB], headings, seen, pose, params)
+        if best is None or best.support <= 1.3 * matched:
+            return None
+        return best
+
+    def _best(
+        self,
+        state: ChainState,
+        postures: list[Array],
+        headings: Array,
+        seen: tuple[SeenBlobs, ...],
+        pose: CameraPose,
+        params: SearchParams,
+    ) -> Pose | None:
+        left, right = seen
+        if len(left.uv) == 0 or len(right.uv) == 0:
+            return self._best_mono(state, postures, headings, seen, pose)
+        pairs = all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
+        if len(pairs.p_C) < params.min_points:
+            return None
+        points = Seen(pairs.p_C @ pose.R_GC.T + pose.p_GC, left.hue[pairs.left_index], pose.p_GC)
+        poses = vote(state, self._layout, postures, headings, points, params)
+        return poses[0] if poses else None
+
+    def _best_mono(
+        self,
+        state: ChainState,
+        postures: list[Array],
+        headings: Array,
+        seen: tuple[SeenBlobs, ...],
+        pose: CameraPose,
+    ) -> Pose | None:
+        """With the one lens that sees something."""
+        camera = 1 if len(seen[0].uv) == 0 else 0
+        rig = self._rig
+        rays = Rays(
+            (seen[camera].uv - [rig.cx, rig.cy]) / [rig.fx, rig.fy],
+            seen[camera].hue,
+            np.array([camera * rig.baseline, 0.0, 0.0]),
+        )
+        return vote_mono(state, self._layout, postures, headings, rays, pose, self._mono)
+
+    def _bias_at_rest(self, state: ChainState, gyro: Array, valid: Array) -> None:
+        """A still hand shows the gyro biases: take them, with what a person at rest still turns."""
+        if len(gyro) < REST_PACKETS:
+            return  # tremor does not average out in a few packets
+        spread, mean = gyro.std(axis=0), gyro.mean(axis=0)
+        for j in np.flatnonzero(valid):
+            if spread[j].max() < STILL_GYRO and np.abs(mean[j]).max() < MAX_BIAS:
+                state.bg[j] = mean[j]
+                rows = self._layout.bg + 3 * j + np.arange(3)
+                state.P[rows, rows] = STILL_BIAS_SD**2

@@ -1,0 +1,1 @@
+"""What every filter shows: the whole hand with states and standard deviations."""

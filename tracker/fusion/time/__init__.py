@@ -1,0 +1,1 @@
+"""Delay: IMU packets kept, images that come late."""

@@ -1,0 +1,189 @@
+"""A short memory of glove packets, so that a late image meets the motion of its own instant."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.kernels import kernel
+from tracker.messages import Array, ImuSample
+
+LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
+SHORTEST_STEP = 1e-9  # s
+
+
+class Moment(NamedTuple):
+    """What all IMUs read at one instant, or on average about it, as in an `ImuSample`."""
+
+    t: float
+    accel: Array
+    gyro: Array
+    valid: NDArray[np.bool_]
+
+
+Readings = ImuSample | Moment
+
+
+@dataclass(frozen=True, eq=False)
+class Intervals:
+    """A way from one instant to another, cut at every packet: mean readings of each piece.
+
+    start, stop (k,) s; accel (k, n, 3) m/s², gyro (k, n, 3) rad/s, valid (k, n). While the glove is
+    silent no IMU is valid.
+    """
+
+    start: Array
+    stop: Array
+    accel: Array
+    gyro: Array
+    valid: NDArray[np.bool_]
+
+    @staticmethod
+    def single(readings: Readings, start: float, stop: float) -> Intervals:
+        """One interval with these mean readings."""
+        mean = readings.accel[None], readings.gyro[None], readings.valid[None]
+        return Intervals(np.array([start]), np.array([stop]), *mean)
+
+    def mean(self, k: int) -> Moment:
+        """The mean readings of the interval ``k``, at its middle."""
+        t = float(self.start[k] + self.stop[k]) / 2
+        return Moment(t, self.accel[k], self.gyro[k], self.valid[k])
+
+    def __iter__(self) -> Iterator[tuple[Moment, float]]:
+        """The mean readings of each interval, and where it ends."""
+        for k in range(len(self.stop)):
+            yield self.mean(k), float(self.stop[k])
+
+
+class ImuBuffer:
+    """The packets of the last ``span`` seconds of ``imus`` IMUs, in order of sampling instant."""
+
+    def __init__(self, imus: int, span: float = 1.0) -> None:
+        self._imus, self._span = imus, span
+        self._samples: deque[ImuSample] = deque()
+        self._first = self._end = 0  # rows of the table that are in use
+        self._table = self._rows(256)
+
+    def _rows(self, count: int) -> tuple[Array, Array, Array, NDArray[Any]]:
+        """t, accel, gyro, valid of ``count`` packets, for compiled loops."""
+        n = self._imus
+        return (
+            np.empty(count),
+            np.empty((count, n, 3)),
+            np.empty((count, n, 3)),
+            np.empty((count, n), np.bool_),
+        )
+
+    def __len__(self) -> int:
+        return len(self._samples)
+
+    def __iter__(self) -> Iterator[ImuSample]:
+        return iter(self._samples)
+
+    @property
+    def newest(self) -> ImuSample | None:
+        return self._samples[-1] if self._samples else None
+
+    def add(self, sample: ImuSample) -> bool:
+        """Keep a packet; False (and nothing kept) where it is not later than the newest."""
+        if self._samples and sample.t <= self._samples[-1].t:
+            return False
+        if self._end == len(self._table[0]):
+            self._make_room()
+        for column, value in zip(
+            self._table, (sample.t, sample.accel, sample.gyro, sample.valid), strict=True
+        ):
+            column[self._end] = value
+        self._end += 1
+        self._samples.append(sample)
+        while sample.t - self._samples[0].t > self._span:
+            self._samples.popleft()
+            self._first += 1
+        return True
+
+    def _make_room(self) -> None:
+        """Move the rows in use to the front of a table with at least as many to spare."""
+        live = self.table
+        count = len(live[0])
+        self._table = self._rows(max(len(self._table[0]), 2 * count))
+        for column, rows in zip(self._table, live, strict=True):
+            column[:count] = rows
+        self._first, self._end = 0, count
+
+    @property
+    def table(self) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+        """t (m,), accel, gyro (m, n, 3), valid (m, n) of the packets that are kept."""
+        t, accel, gyro, valid = self._table
+        used = slice(self._first, self._end)
+        return t[used], accel[used], gyro[used], valid[used]
+
+    def covers(self, t: float) -> bool:
+        """Whether a packet at or after ``t`` has come."""
+        return bool(self._samples) and self._samples[-1].t >= t
+
+    def intervals(self, start: float, end: float) -> Intervals:
+        """The way from ``start`` to ``end``; nothing where they are the same."""
+        return Intervals(*cut(*self.table, start, end))
+
+    def at(self, t: float) -> Readings | None:
+        """What was read at ``t``, between packets; the nearest one outside the memory; None if
+        empty.
+
+        An IMU is valid where both neighbours are.
+        """
+        if not self._samples or t <= self._samples[0].t:
+            return self._samples[0] if self._samples else None
+        if t > self._samples[-1].t:
+            return self._samples[-1]
+        return Moment(t, *_between(*self.table, t))
+
+    def state(self) -> list[ImuSample]:
+        return list(self._samples)
+
+    def restore(self, samples: list[ImuSample]) -> None:
+        self._samples.clear()
+        self._first = self._end = 0
+        for sample in samples:
+            self.add(sample)
+
+
+@kernel
+def _between(t, accel, gyro, valid, at):  # type: ignore[no-untyped-def]
+    """accel, gyro (n, 3) and valid (n,) at an instant between two of the packets, linearly."""
+    k = np.searchsorted(t, at)
+    w = (at - t[k - 1]) / (t[k] - t[k - 1])
+    between = (1 - w) * accel[k - 1] + w * accel[k], (1 - w) * gyro[k - 1] + w * gyro[k]
+    return *between, np.logical_and(valid[k - 1], valid[k])
+
+
+@kernel
+def cut(t, accel, gyro, valid, start, end):  # type: ignore[no-untyped-def]
+    """The fields of `Intervals` from the packets t (m,), accel, gyro (m, n, 3), valid (m, n)."""
+    m, n = valid.shape
+    k = np.searchsorted(t, start, side="right")
+    most = np.searchsorted(t, end) - k + 1 if end > start else 0
+    starts, stops = np.empty(most), np.empty(most)
+    mean_accel, mean_gyro = np.zeros((most, n, 3)), np.zeros((most, n, 3))
+    both = np.zeros((most, n), np.bool_)
+    at, count = start, 0
+    while end - at > SHORTEST_STEP:
+        stop = min(t[k], end) if k < m else end
+        starts[count], stops[count] = at, stop
+        if k < m and t[k] - at <= LONGEST_STEP:
+            a, w = max(k - 1, 0), 1.0
+            if k > 0:
+                w = ((at + stop) / 2 - t[a]) / (t[k] - t[a])
+            for j in range(n):
+                both[count, j] = valid[a, j] and valid[k, j]
+                for i in range(3):
+                    mean_accel[count, j, i] = (1 - w) * accel[a, j, i] + w * accel[k, j, i]
+                    mean_gyro[count, j, i] = (1 - w) * gyro[a, j, i] + w * gyro[k, j, i]
+        at = stop
+        count += 1
+        k += 1
+    return starts[:count], stops[:count], mean_accel[:count], mean_gyro[:count], both[:count]

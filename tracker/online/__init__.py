@@ -1,0 +1,1 @@
+"""What watches devices while tracking runs: clocks, rig, camera tilt, IMUs."""

@@ -1,0 +1,115 @@
+"""The orientation of a moving camera from its own gyroscope and accelerometer.
+
+For a camera that no one tells a pose of, such as one on the head. Gyroscope integration keeps the
+orientation, gravity pulls its tilt and the gyroscope's bias about level axes back (Mahony, Hamel,
+Pflimlin 2008, explicit complementary filter). The heading is integration alone and drifts slowly,
+which turns the room and the hand in it together: in the camera's frame nothing is seen of that. The
+place is taken to be fixed; what a head sways is small against what a hand does.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tracker import GRAVITY
+from tracker.geometry import so3
+from tracker.messages import Array, CameraImuSample, CameraPose
+
+UP = np.array([0.0, 0.0, 1.0])
+
+
+@dataclass(frozen=True)
+class CameraTiltParams:
+    """``gain`` must be below what a head accelerates and above what a gyroscope's bias drifts."""
+
+    gain: float = 0.3  # 1/s, of tilt towards what the accelerometer says
+    bias_gain: float = 0.01  # 1/s²
+    trust: float = 1.0  # m/s² by which a believable specific force may differ from gravity
+    longest_step: float = 0.2  # s between samples, beyond which the tilt starts anew
+    memory: float = 1.0  # s that an image may come late
+    ahead: float = 0.1  # s beyond the newest sample, after which the camera is taken to rest
+
+
+@dataclass(frozen=True, eq=False)
+class _Turn:
+    """At ``t`` (s): R_GC (3, 3) and the angular rate (3,) rad/s in C from there on."""
+
+    t: float
+    R_GC: Array
+    rate: Array
+
+
+class CameraTilt:
+    """Feed samples in order, then ask for the pose at an exposure."""
+
+    def __init__(self, nominal: CameraPose, params: CameraTiltParams | None = None) -> None:
+        """``nominal`` gives the place and the heading at the start."""
+        self._params, self._nominal = params or CameraTiltParams(), nominal
+        self._bias = np.zeros(3)
+        self._last: CameraImuSample | None = None
+        self._turns: deque[_Turn] = deque()
+
+    def feed(self, sample: CameraImuSample) -> None:
+        """The next sample; one that is late or not finite is left out."""
+        if not (np.isfinite(sample.gyro).all() and np.isfinite(sample.accel).all()):
+            return
+        last, R = self._last, self._turns[-1].R_GC if self._turns else self._nominal.R_GC
+        if last is not None and sample.t <= last.t:
+            return
+        if last is None or sample.t - last.t > self._params.longest_step:
+            R = _levelled(R, sample.accel)
+        else:
+            R = self._moved(R, last, sample)
+        self._last = sample
+        self._turns.append(_Turn(sample.t, R, sample.gyro - self._bias))
+        while sample.t - self._turns[0].t > self._params.memory:
+            self._turns.popleft()
+
+    def _moved(self, R_GC: Array, last: CameraImuSample, sample: CameraImuSample) -> Array:
+        """R_GC one sample later: turned by the gyroscope, then pulled towards gravity."""
+        p, dt = self._params, sample.t - last.t
+        R_GC = R_GC @ so3.exp(((last.gyro + sample.gyro) / 2 - self._bias) * dt)
+        force = float(np.linalg.norm(sample.accel))
+        if abs(force - GRAVITY) > p.trust:
+            return R_GC
+        off = np.cross(sample.accel / force, R_GC.T @ UP)  # rad in C, for small angles
+        self._bias = self._bias - p.bias_gain * dt * off
+        turned: Array = R_GC @ so3.exp(p.gain * dt * off)
+        return turned
+
+    def pose(self, t: float) -> CameraPose | None:
+        """The camera at the time t (s); None before the first sample."""
+        if not self._turns:
+            return None
+        turn = self._turns[0]
+        for later in reversed(self._turns):
+            if later.t <= t:
+                turn = later
+                break
+        ahead = min(max(t - turn.t, 0.0), self._params.ahead)
+        return CameraPose(turn.R_GC @ so3.exp(turn.rate * ahead), self._nominal.p_GC)
+
+    def get_state(self) -> dict[str, Any]:
+        """All that changes."""
+        return {"bias": self._bias, "last": self._last, "turns": list(self._turns)}
+
+    def set_state(self, state: dict[str, Any]) -> None:
+        """Go on from `get_state`."""
+        self._bias, self._last = state["bias"], state["last"]
+        self._turns = deque(state["turns"])
+
+
+def _levelled(R_GC: Array, accel: Array) -> Array:
+    """R_GC turned the shortest way so that the measured force (3,) in C points up."""
+    up = R_GC @ accel / max(float(np.linalg.norm(accel)), 1e-9)
+    axis = np.cross(up, UP)
+    sine = float(np.linalg.norm(axis))
+    if sine < 1e-9:  # level already, or upside down about an axis that no one knows
+        return R_GC if up[2] > 0 else so3.rx(np.pi) @ R_GC
+    angle = float(np.arctan2(sine, up[2]))
+    turned: Array = so3.exp(axis / sine * angle) @ R_GC
+    return turned

@@ -1,0 +1,89 @@
+"""Images on their way through an engine, put on the glove's clock.
+
+The engine gets them with the offset taken off once that is known well enough and worth it; whoever
+sent them gets the results back under their own stamps.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, replace
+from typing import Any
+
+from tracker.messages import BlobFrame, FrameResult, ImuSample
+from tracker.online.time_offset import Offset, TimeOffset
+
+WAITING = 64  # images that may be under way
+
+
+@dataclass(frozen=True)
+class TimingParams:
+    """When the measured offset is taken off. Times in s."""
+
+    apply: bool = True
+    sure: float = 0.003  # standard deviation, at most
+    clear: float = 3.0  # standard deviations from zero, at least
+    worth: float = 0.005  # offset from which on it is taken off: below it, it may be noise
+    step: float = 0.001  # change from one image to the next
+
+
+class FrameTiming:
+    """Between a pipeline and its engine."""
+
+    def __init__(self, offset: TimeOffset, params: TimingParams) -> None:
+        self._offset, self._params = offset, params
+        self._under_way: deque[tuple[float, BlobFrame]] = deque(maxlen=WAITING)
+        self._target = 0.0
+        self.applied = 0.0
+        """s that are taken off stamps now."""
+
+    @property
+    def offset(self) -> Offset:
+        """What images are late by, as measured."""
+        return self._offset.estimate
+
+    def packet(self, sample: ImuSample) -> None:
+        """Before the engine takes a packet."""
+        self._offset.feed_imu(sample)
+
+    def corrected(self, frame: BlobFrame) -> BlobFrame:
+        """The image for the engine."""
+        self._aim()
+        step = self._params.step
+        self.applied += min(max(self._target - self.applied, -step), step)
+        t = frame.t - self.applied
+        self._under_way.append((t, frame))
+        return frame if t == frame.t else replace(frame, t=t)
+
+    def restored(self, result: FrameResult) -> FrameResult:
+        """The engine's result under the image's own stamp; the offset learns from it."""
+        while self._under_way and self._under_way[0][0] < result.t:
+            self._under_way.popleft()
+        if not self._under_way or self._under_way[0][0] != result.t:
+            return result
+        frame = self._under_way.popleft()[1]
+        self._offset.feed_image(frame, result)
+        return result if frame.t == result.t else replace(result, t=frame.t)
+
+    def _aim(self) -> None:
+        """Once an offset is worth it, the measurement is followed."""
+        measured, p = self._offset.estimate, self._params
+        if not p.apply or measured.sd > p.sure:
+            return
+        if self._target != 0.0 or abs(measured.value) > max(p.worth, p.clear * measured.sd):
+            self._target = measured.value
+
+    def get_state(self) -> dict[str, Any]:
+        """Everything that changes."""
+        return {
+            "offset": self._offset.get_state(),
+            "under_way": list(self._under_way),
+            "target": self._target,
+            "applied": self.applied,
+        }
+
+    def set_state(self, state: dict[str, Any]) -> None:
+        """Go on from `get_state`."""
+        self._offset.set_state(state["offset"])
+        self._under_way = deque(state["under_way"], maxlen=WAITING)
+        self._target, self.applied = state["target"], state["applied"]

@@ -1,0 +1,253 @@
+"""Notices a stereo camera that is not the one of its calibration: swapped images, moved lenses.
+
+Three signs, none of which needs to know where the hand is:
+
+- **Swapped**: partners of one hue lie on one row, the right one to the left. If many lie the other
+  way round and few the right way, left is right. Such an image is not to be used.
+- **Row shift**: the row difference that most pairs agree on. It is 0 for a calibrated pair;
+  a lens that moved up or down, turned or was knocked shows here for good.
+- **Jump**: all markers stand elsewhere than the filter expected, by one and the same vector, from
+  one image to the next, where the image before agreed. No hand does that. Along the baseline a
+  moved lens shows only so: afterwards it looks like a hand of another size farther away.
+
+What cannot be seen: a lens that was already moved along the baseline when tracking began.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, replace
+from statistics import median
+from typing import Any
+
+import numpy as np
+
+from tracker.kernels import kernel
+from tracker.messages import Array, BlobFrame, Blobs, FrameResult, IntArray, Tracking
+from tracker.vision.rig import StereoRig
+
+SHIFTS = 24  # rows, either way, among which the commonest shift is looked for
+RIGHT_WAY, WRONG_WAY = 0, 1
+
+
+@dataclass(frozen=True)
+class RigWatchParams:
+    """Limits. Pixels are for a focal length of 640 and grow with it."""
+
+    nearest: float = 0.15  # m, of markers
+    farthest: float = 0.9  # m
+    row_px: float = 1.5  # half the width of a row
+    votes: int = 4  # pairs that a verdict needs
+    clear: float = 2.0  # times as many as for anything else
+    shift_px: float = 1.5  # row shift of a camera that has moved
+    shift_pictures: int = 15  # over which the median is taken
+    swapped_pictures: int = 3  # in a row, before it is said
+    jump_px: float = 5.0
+    jump_markers: int = 5
+    jump_gap: float = 0.15  # s since the last image that agreed
+    packet_gap: float = 0.035  # s without a packet: then it is the hand that was not followed
+    settle: float = 0.3  # s after such a gap
+
+
+@dataclass(frozen=True)
+class RigState:
+    """``row_shift_px`` is NaN until enough images showed pairs; ``jumps`` counts."""
+
+    swapped: bool = False
+    moved: bool = False
+    row_shift_px: float = float("nan")
+    jumps: int = 0
+    refused: int = 0
+
+
+class RigWatch:
+    """Takes every image before the filter and every result after it."""
+
+    def __init__(self, rig: StereoRig, params: RigWatchParams | None = None) -> None:
+        self._rig, self._params = rig, params or RigWatchParams()
+        self._scale = rig.fx / 640.0
+        self._shifts: deque[float] = deque(maxlen=self._params.shift_pictures)
+        self._wrong_way = self._right_way = 0
+        self._agreed = -np.inf  # when markers last stood where they were expected
+        self._packet = self._gap_end = -np.inf
+        self._words: list[str] = []
+        self.state = RigState()
+
+    def usable(self, frame: BlobFrame) -> bool:
+        """Whether left is left in this image, as far as it shows. Depends on it alone."""
+        if frame.left is None or frame.right is None:
+            return True
+        right, wrong, others, shift = leaders(*self._votes(frame.left, frame.right))
+        p = self._params
+        swapped = wrong >= p.votes and wrong > p.clear * right
+        self._note_order(swapped, right >= p.votes and right > wrong)
+        if not swapped and right >= p.votes and right > p.clear * others:
+            self._note_shift(shift)
+        return not swapped
+
+    def packet(self, t: float) -> None:
+        """A packet of the glove, sampled at ``t`` (s): without them a jump means nothing."""
+        if t - self._packet > self._params.packet_gap:
+            self._gap_end = t
+        self._packet = max(t, self._packet)
+
+    def check(self, result: FrameResult) -> None:
+        """Compare an image with what the filter expected of it."""
+        p = self._params
+        if result.t > self._packet + p.packet_gap or result.t < self._gap_end + p.settle:
+            self._agreed = -np.inf
+            return
+        if result.tracking != Tracking.TRACKING:
+            return
+        both, (left_u, left_v, right_u, right_v) = median_residual(result.residual)
+        if both < p.jump_markers:
+            return
+        apart = float(np.hypot(right_u - left_u, right_v - left_v)) / self._scale
+        together = float(np.hypot(right_u + left_u, right_v + left_v)) / 2 / self._scale
+        if max(apart, together) < p.jump_px:
+            self._agreed = result.t
+        elif result.t - self._agreed <= p.jump_gap:
+            self._agreed = -np.inf  # one jump is told once
+            self._note_jump(apart, together)
+
+    def take_words(self) -> list[str]:
+        """Sentences for the log since the last call."""
+        words, self._words = self._words, []
+        return words
+
+    # ---- verdicts
+
+    def _note_order(self, swapped: bool, in_order: bool) -> None:
+        """Swapped and back are told after some images in a row."""
+        self._wrong_way = self._wrong_way + 1 if swapped else 0
+        self._right_way = self._right_way + 1 if in_order else 0
+        state, enough = self.state, self._params.swapped_pictures
+        if swapped:
+            self._set(refused=state.refused + 1)
+        if self._wrong_way >= enough and not state.swapped:
+            self._set(swapped=True)
+            self._words.append(
+                "The left and the right image are swapped; they are not used. "
+                "Exchange the two cameras."
+            )
+        elif self._right_way >= enough and state.swapped:
+            self._set(swapped=False)
+            self._words.append("The left and the right image are in order again.")
+
+    def _note_shift(self, shift: float) -> None:
+        """The median over images that show one row shift clearly."""
+        p = self._params
+        self._shifts.append(shift)
+        if len(self._shifts) < p.shift_pictures:
+            return
+        shift = median(self._shifts)
+        limit = p.shift_px * self._scale * (0.6 if self.state.moved else 1.0)
+        self._say_moved(abs(shift) > limit, shift)
+        self._set(row_shift_px=shift, moved=abs(shift) > limit)
+
+    def _say_moved(self, moved: bool, shift: float) -> None:
+        if moved and not self.state.moved:
+            self._words.append(
+                f"The two images are {abs(shift):.1f} pixels apart in height: a lens has moved "
+                "since the stereo calibration. Calibrate the camera again."
+            )
+        elif self.state.moved and not moved:
+            self._words.append("The two images fit the stereo calibration again.")
+
+    def _note_jump(self, apart: float, together: float) -> None:
+        self._set(jumps=self.state.jumps + 1)
+        if apart > together:
+            text = (
+                f"The images have moved against each other by {apart:.0f} pixels at once: a lens "
+                "was knocked. Calibrate the camera again if this stays."
+            )
+        else:
+            text = (
+                f"All markers have jumped by {together:.0f} pixels at once: the camera was moved. "
+                "Places are measured from where it stands now."
+            )
+        self._words.append(text)
+
+    def _set(self, **changes: Any) -> None:
+        self.state = replace(self.state, **changes)
+
+    def _votes(self, left: Blobs, right: Blobs) -> tuple[IntArray, Array]:
+        focal, p = self._rig.fx * self._rig.baseline, self._params
+        return row_votes(
+            np.ascontiguousarray(self._rig.left.rectify(left.uv)),
+            left.hue,
+            np.ascontiguousarray(self._rig.right.rectify(right.uv)),
+            right.hue,
+            (focal / p.farthest, focal / p.nearest),
+            p.row_px * self._scale,
+        )
+
+
+@kernel
+def median_residual(residual: Array) -> tuple[int, Array]:
+    """How many rows of residual (M, 4) px are finite, and the median of these, column by column."""
+    finite = np.empty(residual.shape)
+    n = 0
+    for row in residual:
+        if np.isfinite(row.sum()):
+            finite[n] = row
+            n += 1
+    out = np.full(4, np.nan)
+    for k in range(4 if n else 0):
+        out[k] = np.median(finite[:n, k])
+    return n, out
+
+
+@kernel
+def leaders(counts: IntArray, means: Array) -> tuple[int, int, int, float]:
+    """Of `row_votes`: the most votes for one shift the right way round, the most the wrong way
+    round, the most the right way round more than three rows from the first, and its mean shift px.
+    """
+    best, wrong, others = 0, 0, 0
+    n = counts.shape[1]
+    for k in range(n):
+        if counts[RIGHT_WAY, k] > counts[RIGHT_WAY, best]:
+            best = k
+        wrong = max(wrong, counts[WRONG_WAY, k])
+    for k in range(n):
+        if abs(k - best) > 3:
+            others = max(others, counts[RIGHT_WAY, k])
+    return counts[RIGHT_WAY, best], wrong, others, means[RIGHT_WAY, best]
+
+
+@kernel
+def row_votes(
+    left: Array,
+    left_hue: IntArray,
+    right: Array,
+    right_hue: IntArray,
+    disparity: tuple[float, float],
+    row_px: float,
+) -> tuple[IntArray, Array]:
+    """How many left blobs have a partner at each row shift: counts (2, 49), mean shift (2, 49) px.
+
+    Columns are shifts (left minus right row) of -24 to 24 px. Row 0 counts partners with a
+    ``disparity`` (least, most; px) that a hand can have, row 1 with the same one the wrong way
+    round. A blob with several partners at one shift counts once.
+    """
+    n = 2 * SHIFTS + 1
+    counts, total = np.zeros((2, n), np.int64), np.zeros((2, n))
+    nearest = np.empty((2, n))
+    for i in range(len(left)):
+        nearest[:] = np.inf
+        for j in range(len(right)):
+            du, dv = left[i, 0] - right[j, 0], left[i, 1] - right[j, 1]
+            way = RIGHT_WAY if du > 0 else WRONG_WAY
+            if left_hue[i] != right_hue[j] or not disparity[0] <= abs(du) <= disparity[1]:
+                continue
+            first = int(np.ceil(dv - row_px)) + SHIFTS
+            last = int(np.floor(dv + row_px)) + SHIFTS
+            for k in range(max(first, 0), min(last, n - 1) + 1):
+                if abs(dv - (k - SHIFTS)) < abs(nearest[way, k] - (k - SHIFTS)):
+                    nearest[way, k] = dv
+        for way in range(2):
+            for k in range(n):
+                if nearest[way, k] < np.inf:
+                    counts[way, k] += 1
+                    total[way, k] += nearest[way, k]
+    return counts, total / np.maximum(counts, 1)

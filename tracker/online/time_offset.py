@@ -1,0 +1,339 @@
+"""How late the camera's stamps are against the glove's, from the motion of the back of the hand.
+
+Markers on the root segment that both cameras see give its orientation R_GB without any IMU; the
+root's gyroscope gives how it turned since a moment before. Where images are stamped late by o,
+
+    log(D_gyro^T D_markers) = o (D_gyro^T w_0 - w_1)
+
+for the turns D and the rates w at the two instants: a straight line through zero whose slope is o.
+Differences over a fraction of a second leave out drift, gyro bias and the camera's yaw. Nothing of
+the filter's own estimate enters but which blob is which marker, so that correcting for the offset
+does not change what is measured.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tracker.geometry.kernels import act3, exp3, log3, mul3, nearest_turn, tact3, tmul3
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.kernels import kernel
+from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, IntArray
+from tracker.vision.rig import StereoRig, triangulated
+
+FLAT = 1e-6  # m², for markers on one line
+FIRST_SD = 0.003  # m of a marker about the rigid root, before it is measured
+
+
+@dataclass(frozen=True)
+class TimeOffsetParams:
+    """Times in s."""
+
+    least: float = 0.20  # between the two images of a pair
+    most: float = 0.45
+    every: float = 0.03  # between two images that are used: more tell little more
+    packet_gap: float = 0.05  # a longer one breaks the gyroscope's integral
+    memory: float = 180.0  # over which older pairs are forgotten
+    markers: int = 4  # that an image needs
+    misfit: float = 0.004  # m, RMS of the markers about the rigid root
+    huber: float = 2.0  # standard deviations
+    limit: float = 0.1  # beyond it the estimate is not believed
+    correlation: float = 2.0  # of neighbouring pairs: factor on the variance
+    pairs: int = 60  # before anything is said
+
+
+@dataclass(frozen=True)
+class Offset:
+    """``value`` s that images are stamped late by (early where negative), ``sd`` s; NaN, inf
+    while unknown."""
+
+    value: float = float("nan")
+    sd: float = float("inf")
+
+
+class _Turn(NamedTuple):
+    """Of the root by its gyroscope: R (3, 3) up to a constant on the left, rate (3,) rad/s in B."""
+
+    t: float
+    R: Array
+    rate: Array
+
+
+class _View(NamedTuple):
+    """The root's markers in an image: rows ``marker`` (n,), places p_G (n, 3) m but for the
+    camera's own; and R_GB (3, 3) that they say, within the error of their placement."""
+
+    t: float
+    marker: IntArray
+    p_G: Array
+    R_GB: Array
+
+
+_QUEUES = {"_gyro": _Turn, "_seen": _View, "_late": _View}
+_NUMBERS = ("_ata", "_atb", "_rss", "_count", "_last", "_last_seen")
+
+
+class TimeOffset:
+    """Takes packets and images in order; `estimate` is there at any time."""
+
+    def __init__(
+        self,
+        hand: HandModel,
+        glove: GloveModel,
+        rig: StereoRig,
+        params: TimeOffsetParams | None = None,
+    ) -> None:
+        self._params, self._rig = params or TimeOffsetParams(), rig
+        segment = glove.marker_segment(hand)
+        self._nominal = glove.marker_position
+        on_root = glove.imu_segment(hand) == 0
+        self._imu = int(np.flatnonzero(on_root)[0]) if on_root.any() else -1
+        self._R_BI = glove.imus[self._imu].R_BI if self._imu >= 0 else np.eye(3)
+        self._markers = np.flatnonzero(segment == 0)
+        self._gyro: deque[_Turn] = deque()
+        self._seen: deque[_View] = deque()
+        self._late: deque[_View] = deque()  # seen, and waiting for packets
+        self._ata = self._atb = self._count = 0.0
+        self._rss, self._last, self._last_seen = 0.0, -np.inf, -np.inf
+
+    @property
+    def estimate(self) -> Offset:
+        """The offset as of now."""
+        p = self._params
+        if self._count < p.pairs or self._ata <= 0:
+            return Offset()
+        value = self._atb / self._ata
+        variance = self._rss / (3 * self._count) * p.correlation / self._ata
+        if abs(value) > p.limit:
+            return Offset()
+        return Offset(float(value), float(np.sqrt(variance)))
+
+    def feed_imu(self, sample: ImuSample) -> None:
+        """Go on with the gyroscope's integral."""
+        if self._imu < 0 or not sample.valid[self._imu]:
+            return
+        rate = act3(self._R_BI, sample.gyro[self._imu])
+        gyro = self._gyro
+        if not gyro or not 0 < sample.t - gyro[-1].t <= self._params.packet_gap:
+            gyro.clear()
+            self._seen.clear()
+            gyro.append(_Turn(sample.t, np.eye(3), rate))
+            return
+        last = gyro[-1]
+        R = _turned(last.R, last.rate, rate, sample.t - last.t)
+        gyro.append(_Turn(sample.t, R, rate))
+        while gyro[-1].t - gyro[0].t > 2 * self._params.most + 0.5:
+            gyro.popleft()
+        self._process()
+
+    def feed_image(self, frame: BlobFrame, result: FrameResult) -> None:
+        """An image with its own stamp, and which blob of it is which marker."""
+        if abs(frame.t - self._last_seen) < self._params.every:
+            return
+        view = self._view(frame, result)
+        if view is not None:
+            self._last_seen = frame.t
+            self._late.append(view)
+            self._process()
+
+    def get_state(self) -> dict[str, Any]:
+        """Everything that changes, in plain values and arrays."""
+        queues = {name: [tuple(x) for x in getattr(self, name)] for name in _QUEUES}
+        return queues | {name: float(getattr(self, name)) for name in _NUMBERS}
+
+    def set_state(self, state: dict[str, Any]) -> None:
+        """Go on from `get_state`."""
+        for name, kind in _QUEUES.items():
+            setattr(self, name, deque(kind(*row) for row in state[name]))
+        for name in _NUMBERS:
+            setattr(self, name, state[name])
+
+    # ---- markers
+
+    def _view(self, frame: BlobFrame, result: FrameResult) -> _View | None:
+        """The root's markers that both images show; None where they are few or do not fit."""
+        if frame.left is None or frame.right is None:
+            return None
+        marker, left, right = _in_both(self._markers, result.match_left, result.match_right)
+        if len(marker) < self._params.markers:
+            return None
+        pose, rig = frame.pose or self._rig.pose, self._rig
+        p_G, R_GB, misfit = _placed(
+            rig.left.rectify(frame.left.uv[left]), rig.right.rectify(frame.right.uv[right]),
+            rig.baseline, rig.fx, rig.fy, rig.cx, rig.cy, pose.R_GC, self._nominal[marker],
+        )  # fmt: skip
+        return _View(frame.t, marker, p_G, R_GB) if misfit < self._params.misfit else None
+
+    # ---- pairs
+
+    def _process(self) -> None:
+        """Images that packets cover are paired with an earlier one."""
+        while self._late and self._gyro and self._late[0].t <= self._gyro[-1].t:
+            now = self._late.popleft()
+            if now.t < self._gyro[0].t:
+                continue
+            p = self._params
+            while self._seen and now.t - self._seen[0].t > p.most:
+                self._seen.popleft()
+            if self._seen and now.t - self._seen[0].t >= p.least:
+                self._pair(self._seen[0], now)
+            self._seen.append(now)
+
+    def _pair(self, before: _View, now: _View) -> None:
+        """The turn that the same markers made, so that their placement does not matter."""
+        gyro_0, gyro_1 = self._turn_at(before.t), self._turn_at(now.t)
+        if gyro_0 is None or gyro_1 is None:
+            return
+        fits, a, e = _point(
+            self._nominal, before.marker, before.p_G, before.R_GB, now.marker, now.p_G,
+            gyro_0.R, gyro_0.rate, gyro_1.R, gyro_1.rate,
+            self._params.markers, self._params.misfit,
+        )  # fmt: skip
+        if fits:
+            self._take(now.t, a, e)
+
+    def _turn_at(self, t: float) -> _Turn | None:
+        """Of the gyroscope, between two packets."""
+        gyro = self._gyro
+        for k in range(len(gyro) - 1, 0, -1):
+            if gyro[k - 1].t <= t <= gyro[k].t:
+                a, b = gyro[k - 1], gyro[k]
+                w = (t - a.t) / (b.t - a.t)
+                rate = (1 - w) * a.rate + w * b.rate
+                return _Turn(t, _turned(a.R, a.rate, rate, t - a.t), rate)
+        return None
+
+    def _take(self, t: float, a: Array, e: Array) -> None:
+        """One more point (three equations of equal variance) of the line, with Huber's weight."""
+        p = self._params
+        keep = float(np.exp(-(t - self._last) / p.memory)) if np.isfinite(self._last) else 1.0
+        self._last = t
+        slope = self._atb / self._ata if self._ata > 0 else 0.0
+        r = e - slope * a
+        sd = np.sqrt(self._rss / (3 * self._count)) if self._count > 10 else FIRST_SD
+        weight = min(1.0, p.huber * float(sd) * np.sqrt(3) / max(float(np.linalg.norm(r)), 1e-9))
+        self._ata = keep * self._ata + weight * float(a @ a)
+        self._atb = keep * self._atb + weight * float(a @ e)
+        self._rss = keep * self._rss + weight * float(r @ r)
+        self._count = keep * self._count + 1.0
+
+
+def rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
+    """Kabsch: R (3, 3) that turns p_in (n, 3) m into p_out (n, 3) m, both about their means.
+
+    Beside it the misfit, m RMS.
+    """
+    return _rigid(np.ascontiguousarray(p_out), np.ascontiguousarray(p_in))
+
+
+@kernel
+def _rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
+    """Compiled: numpy's checks would take longer than the arithmetic."""
+    n = len(p_out)
+    a, b, M = np.empty((n, 3)), np.empty((n, 3)), np.zeros((3, 3))
+    for k in range(3):
+        a[:, k] = p_out[:, k] - p_out[:, k].mean()
+        b[:, k] = p_in[:, k] - p_in[:, k].mean()
+    for i in range(n):
+        for r in range(3):
+            for c in range(3):
+                M[r, c] += a[i, r] * b[i, c]
+    R, total = nearest_turn(M), 0.0
+    for i in range(n):
+        turned = act3(R, b[i])
+        for k in range(3):
+            total += (a[i, k] - turned[k]) ** 2
+    return R, float(np.sqrt(total / n))
+
+
+@kernel
+def _in_both(
+    markers: IntArray, left: IntArray, right: IntArray
+) -> tuple[IntArray, IntArray, IntArray]:
+    """Those of ``markers`` that both lenses show, and their rows left and right (M,), -1: none."""
+    seen = markers[(left[markers] >= 0) & (right[markers] >= 0)]
+    return seen, left[seen], right[seen]
+
+
+@kernel
+def _placed(
+    left: Array,
+    right: Array,
+    baseline: float,
+    fx: float,
+    fy: float,
+    cx: float,
+    cy: float,
+    R_GC: Array,
+    nominal: Array,
+) -> tuple[Array, Array, float]:
+    """p_G (n, 3) m but for the camera's place, R_GB (3, 3) and misfit (m) of points whose rectified
+    pixels left and right (n, 2) are; nominal (n, 3) m in B. Infinite where one is behind the lens.
+    """
+    p_G = triangulated(left, right, baseline, fx, fy, cx, cy)
+    for k in range(len(p_G)):
+        p_G[k] = act3(R_GC, p_G[k])
+    if not np.isfinite(np.sum(p_G)):
+        return p_G, np.eye(3), np.inf
+    R_GB, misfit = _rigid(p_G, nominal)
+    return p_G, R_GB, misfit
+
+
+@kernel
+def _turned(R: Array, rate_0: Array, rate_1: Array, dt: float) -> Array:
+    """R (3, 3) after ``dt`` with a rate (3,) rad/s that goes from one to the other."""
+    return mul3(R, exp3((rate_0 + rate_1) / 2 * dt))
+
+
+@kernel
+def _point(
+    nominal: Array,
+    marker_0: IntArray,
+    p_0: Array,
+    R_GB: Array,
+    marker_1: IntArray,
+    p_1: Array,
+    gyro_0: Array,
+    rate_0: Array,
+    gyro_1: Array,
+    rate_1: Array,
+    least: int,
+    most_misfit: float,
+) -> tuple[bool, Array, Array]:
+    """A point of the line: whether two views fit, and a, e (3,) of e = o a, of equal variance.
+
+    Views as in `_View`, R_GB of the earlier one; ``gyro`` (3, 3) and rates (3,) as in `_Turn`;
+    ``nominal`` (M, 3) m in B of all markers.
+    """
+    rows = np.empty((2, len(marker_0)), np.int64)
+    n = 0
+    for i in range(len(marker_0)):
+        for j in range(len(marker_1)):
+            if marker_0[i] == marker_1[j]:
+                rows[0, n], rows[1, n] = i, j
+                n += 1
+    if n < least:
+        return False, np.zeros(3), np.zeros(3)
+    R_turn, misfit = _rigid(p_1[rows[1, :n]], p_0[rows[0, :n]])
+    if misfit > most_misfit:
+        return False, np.zeros(3), np.zeros(3)
+    D = tmul3(gyro_0, gyro_1)
+    e = log3(tmul3(D, tmul3(R_GB, mul3(R_turn, R_GB))))
+    a = tact3(D, rate_0) - rate_1
+    L = np.linalg.cholesky(_information(nominal[marker_0[rows[0, :n]]]))
+    return True, tact3(L, a), tact3(L, e)
+
+
+@kernel
+def _information(p_B: Array) -> Array:
+    """(3, 3) m²: of a rotation of points (n, 3), in B. Points near one line leave the turn about
+    it open."""
+    b = p_B.copy()
+    for k in range(3):
+        b[:, k] -= p_B[:, k].mean()
+    return (np.sum(b**2) + FLAT) * np.eye(3) - b.T @ b

@@ -1,0 +1,224 @@
+"""Where pairs of images come from, through OpenCV: devices, files, folders, the network."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import cv2
+import numpy as np
+from cv2_enumerate_cameras import enumerate_cameras
+from numpy.typing import NDArray
+
+from tracker.errors import DeviceError
+
+Image = NDArray[np.uint8]
+Pair = tuple[Image, Image]
+
+
+@dataclass(frozen=True)
+class CaptureFormat:
+    """What is asked of a device; 0 and "" leave it to the driver.
+
+    ``exposure``, ``gain`` and ``white_balance`` are in the driver's own units; a value locks it.
+    """
+
+    width: int = 0
+    height: int = 0
+    fps: float = 0.0
+    fourcc: str = ""
+    backend: int = cv2.CAP_ANY
+    exposure: float | None = None
+    gain: float | None = None
+    white_balance: float | None = None
+    timeout_ms: int = 1000
+
+
+@dataclass(frozen=True)
+class CameraName:
+    """A camera that the system knows: ``index`` for opening, ``name`` for people."""
+
+    index: int
+    name: str
+    path: str
+
+
+class ImageInput(Protocol):
+    """Gives pairs of BGR images (h, w, 3) as fast as they come."""
+
+    name: str
+    live: bool  # whether images come by themselves, in real time
+    fps: float  # as asked or as the file says; 0 where unknown
+
+    def open(self) -> None:
+        """Raises DeviceError where there is nothing to open."""
+
+    def read(self) -> Pair | None:
+        """The next pair; None at the end or when the device is gone."""
+
+    def close(self) -> None: ...
+
+
+def list_cameras(backend: int = cv2.CAP_V4L2) -> list[CameraName]:
+    """All cameras of the system by name."""
+    return [CameraName(c.index, c.name, c.path or "") for c in enumerate_cameras(backend)]
+
+
+class SideBySideInput:
+    """One stream with the left image beside the right one: a ZED Mini, a video file, a URL."""
+
+    def __init__(
+        self, source: int | str, want: CaptureFormat | None = None, live: bool = True
+    ) -> None:
+        self.name, self.live, self._source = str(source), live, source
+        self._want = want or CaptureFormat()
+        self._capture: cv2.VideoCapture | None = None
+        self.fps = self._want.fps
+
+    def open(self) -> None:
+        self._capture = open_capture(self._source, self._want)
+        self.fps = self._want.fps or float(self._capture.get(cv2.CAP_PROP_FPS))
+
+    def read(self) -> Pair | None:
+        if self._capture is None:
+            return None
+        ok, image = self._capture.read()
+        return split(image) if ok else None
+
+    def captures(self) -> list[cv2.VideoCapture]:
+        """The open device, for its controls."""
+        return [] if self._capture is None else [self._capture]
+
+    def close(self) -> None:
+        if self._capture is not None:
+            self._capture.release()
+            self._capture = None
+
+
+class TwoCameraInput:
+    """Two separate cameras. Both are grabbed before either is decoded, to be close in time."""
+
+    live = True
+
+    def __init__(
+        self, left: int | str, right: int | str, want: CaptureFormat | None = None
+    ) -> None:
+        self.name = f"{left} and {right}"
+        self._sources, self._want = (left, right), want or CaptureFormat()
+        self._captures: list[cv2.VideoCapture] = []
+        self.fps = self._want.fps
+
+    def open(self) -> None:
+        try:
+            for source in self._sources:
+                self._captures.append(open_capture(source, self._want))
+        except DeviceError:
+            self.close()
+            raise
+
+    def read(self) -> Pair | None:
+        if len(self._captures) != 2 or not all(c.grab() for c in self._captures):
+            return None
+        (ok_left, left), (ok_right, right) = (c.retrieve() for c in self._captures)
+        return (left, right) if ok_left and ok_right else None
+
+    def captures(self) -> list[cv2.VideoCapture]:
+        """The open devices, for their controls."""
+        return list(self._captures)
+
+    def close(self) -> None:
+        for capture in self._captures:
+            capture.release()
+        self._captures.clear()
+
+
+class SequenceInput:
+    """Numbered image files, one for each side and exposure."""
+
+    live = False
+
+    def __init__(self, left: Sequence[Path], right: Sequence[Path], fps: float = 30.0) -> None:
+        if len(left) != len(right) or not left:
+            raise DeviceError(
+                f"There are {len(left)} left and {len(right)} right images; "
+                "a sequence needs as many of one as of the other."
+            )
+        self.name, self.fps = str(left[0].parent), fps
+        self._pairs, self._next = list(zip(left, right, strict=True)), 0
+
+    def open(self) -> None:
+        self._next = 0
+
+    def read(self) -> Pair | None:
+        if self._next >= len(self._pairs):
+            return None
+        left, right = (_image(path) for path in self._pairs[self._next])
+        self._next += 1
+        return left, right
+
+    def close(self) -> None:
+        self._next = len(self._pairs)
+
+
+def split(image: Image) -> Pair:
+    """The halves of a side-by-side image (h, 2w, 3). Raises DeviceError for an odd width."""
+    width = image.shape[1]
+    if width % 2:
+        raise DeviceError(f"The stereo image is {width} pixels wide and has no two halves.")
+    half = width // 2
+    return np.ascontiguousarray(image[:, :half]), np.ascontiguousarray(image[:, half:])
+
+
+def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
+    """A capture that is open and set. Raises DeviceError where the source cannot be opened."""
+    timeouts = [
+        cv2.CAP_PROP_OPEN_TIMEOUT_MSEC,
+        want.timeout_ms,
+        cv2.CAP_PROP_READ_TIMEOUT_MSEC,
+        want.timeout_ms,
+    ]
+    capture = cv2.VideoCapture()
+    # Only FFMPEG knows the timeouts, and another backend refuses to open with them.
+    if isinstance(source, str) and not source.startswith("/dev/"):
+        capture.open(source, want.backend or cv2.CAP_FFMPEG, timeouts)
+    else:
+        capture.open(source, want.backend)
+    if not capture.isOpened():
+        raise DeviceError(
+            f"The camera {source} cannot be opened: it is not there, or another program uses it."
+        )
+    _apply(capture.set, want)
+    return capture
+
+
+def _apply(put: Callable[[int, float], bool], want: CaptureFormat) -> None:
+    """The pixel format comes first: it decides which sizes and rates there are."""
+    if want.fourcc:
+        put(cv2.CAP_PROP_FOURCC, cv2.VideoWriter.fourcc(*want.fourcc))
+    for prop, value in (
+        (cv2.CAP_PROP_FRAME_WIDTH, want.width),
+        (cv2.CAP_PROP_FRAME_HEIGHT, want.height),
+        (cv2.CAP_PROP_FPS, want.fps),
+    ):
+        if value:
+            put(prop, value)
+    locks = (
+        (cv2.CAP_PROP_AUTO_EXPOSURE, 1.0, cv2.CAP_PROP_EXPOSURE, want.exposure),  # V4L2: 1 = manual
+        (None, 0.0, cv2.CAP_PROP_GAIN, want.gain),
+        (cv2.CAP_PROP_AUTO_WB, 0.0, cv2.CAP_PROP_WB_TEMPERATURE, want.white_balance),
+    )
+    for automatic, manual, prop, locked in locks:
+        if locked is None:
+            continue
+        if automatic is not None:
+            put(automatic, manual)
+        put(prop, locked)
+
+
+def _image(path: Path) -> Image:
+    image = cv2.imread(str(path), cv2.IMREAD_COLOR)
+    if image is None:
+        raise DeviceError(f"{path} is no image that can be read.")
+    return np.asarray(image, np.uint8)

@@ -1,0 +1,1 @@
+"""The container: MCAP files on disk, damaged ones too."""

@@ -1,0 +1,48 @@
+"""Messages of a file in the order of their log times, in little memory."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable, Iterator
+
+from tracker.errors import FileError
+from tracker.session.mcap.input import FOREVER, LIMIT, McapInput, RawMessage
+
+
+def ordered(
+    source: McapInput,
+    topics: frozenset[str] | None = None,
+    start: int = 0,
+    end: int = FOREVER,
+    rank: Callable[[str], int] = lambda topic: 0,
+) -> Iterator[RawMessage]:
+    """Messages with start ≤ log_time < end (ns) by log_time, ``rank`` of the topic, place.
+
+    A span is read when its first log time comes up, so memory holds only spans that overlap.
+    Raises FileError on damage, or where so many spans overlap that this would take too much.
+    """
+    heap: list[tuple[int, int, int, int, RawMessage]] = []
+    held = 0
+    for span in source.spans_with(topics, start, end):
+        while heap and heap[0][0] < span.start:
+            message = heapq.heappop(heap)[4]
+            held -= len(message.data)
+            yield message
+        for i, m in enumerate(source.messages_in(span, topics)):
+            if start <= m.log_time < end:
+                heapq.heappush(heap, (m.log_time, rank(m.topic), span.offset, i, m))
+                held += len(m.data)
+        if held > LIMIT:
+            raise FileError(f"{source.path} cannot be read in order: its chunks all overlap.")
+    while heap:
+        yield heapq.heappop(heap)[4]
+
+
+def last_before(source: McapInput, topic: str, time: int) -> RawMessage | None:
+    """The latest message of a topic with log_time < ``time``."""
+    wanted = frozenset([topic])
+    for span in source.spans_with(wanted, 0, time, back=True):
+        found = [m for m in source.messages_in(span, wanted) if m.log_time < time]
+        if found:
+            return max(found, key=lambda m: m.log_time)
+    return None

@@ -1,0 +1,90 @@
+"""Making a regular file of what a broken recording still holds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from tracker.errors import FileError
+from tracker.session.mcap.container import McapOutput
+from tracker.session.mcap.copying import Copier
+from tracker.session.mcap.disk import free_path
+from tracker.session.mcap.input import Damage, McapInput
+
+
+@dataclass(frozen=True)
+class Recovery:
+    """What was saved. ``damage`` tells what was not."""
+
+    path: Path
+    messages: int
+    duration: float
+    damage: tuple[Damage, ...]
+
+
+def needs_recovery(path: Path) -> bool:
+    """Whether a file was never finished. Raises FileError if it is no MCAP."""
+    source = McapInput(path)
+    source.close()
+    return not source.contents.finished
+
+
+def recover(path: Path, out: Path | None = None) -> Recovery:
+    """Copy every whole record of ``path`` to a new file, by default ``<name>_recovered.mcap``.
+
+    The input is left as it is. Raises FileError if nothing in it can be read.
+    """
+    path = Path(path)
+    out = out or free_path(path.with_name(f"{path.stem}_recovered{path.suffix}"))
+    source = McapInput(path, scan=True)
+    try:
+        if not source.contents.channels and not source.contents.attachments:
+            raise FileError(f"{path} holds nothing that can be recovered.")
+        copy = _Copy(source, McapOutput(out, sync=False))
+        try:
+            copy.run()
+        finally:
+            copy.out.finish()
+    finally:
+        source.close()
+    damage = (*source.contents.damage, *copy.damage)
+    return Recovery(out, copy.messages, copy.duration, damage)
+
+
+class _Copy:
+    """One file's records on their way into another."""
+
+    def __init__(self, source: McapInput, out: McapOutput) -> None:
+        self.source, self.out = source, out
+        self.messages = 0
+        self.damage: list[Damage] = []
+        self._first = self._last = 0
+
+    @property
+    def duration(self) -> float:
+        return (self._last - self._first) / 1e9
+
+    def run(self) -> None:
+        self._extras()
+        copier = Copier(self.source, self.out)
+        for i in range(len(self.source.contents.spans)):
+            span = self.source.contents.spans[i]
+            try:
+                messages = self.source.messages_in(span)
+            except FileError as error:
+                self.damage.append(Damage(span.offset, str(error)))
+                continue
+            for m in messages:
+                self._first = min(self._first, m.log_time) if self.messages else m.log_time
+                self._last = max(self._last, m.log_time)
+                self.messages += 1
+                copier.copy(m)
+
+    def _extras(self) -> None:
+        try:
+            for record in self.source.metadata():
+                self.out.metadata(record.name, dict(record.metadata))
+            for a in self.source.attachments():
+                self.out.attach_bytes(a.name, a.media_type, a.data, a.log_time)
+        except FileError as error:
+            self.damage.append(Damage(0, str(error)))

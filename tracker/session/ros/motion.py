@@ -1,0 +1,162 @@
+"""Motion and diagnostic messages of ROS 2 as bytes, and back; tested against rosbags' bytes.
+
+Stamps are nanoseconds since 1970; quaternions x, y, z, w.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.messages import Array
+from tracker.session.ros.cdr import CdrReader, CdrWriter
+
+TF = "tf2_msgs/msg/TFMessage"
+POSES = "geometry_msgs/msg/PoseArray"
+JOINTS = "sensor_msgs/msg/JointState"
+DIAGNOSTICS = "diagnostic_msgs/msg/DiagnosticArray"
+STRING = "std_msgs/msg/String"
+NUMBERS = "std_msgs/msg/Float64MultiArray"
+
+
+class Transform(NamedTuple):
+    """Pose of ``child`` in ``frame``: translation (3,) m, rotation (4,) xyzw."""
+
+    stamp: int
+    frame: str
+    child: str
+    translation: Array
+    rotation: Array
+
+
+class Poses(NamedTuple):
+    stamp: int
+    frame: str
+    position: Array  # (n, 3) m
+    orientation: Array  # (n, 4)
+
+
+class Joints(NamedTuple):
+    stamp: int
+    names: Sequence[str]
+    position: Array  # (n,) rad
+
+
+class Diagnostic(NamedTuple):
+    """``level`` 0 all right, 1 warning, 2 error, 3 stale."""
+
+    level: int
+    name: str
+    message: str
+    values: dict[str, str]
+
+
+def pack_transforms(transforms: Sequence[Transform]) -> bytes:
+    out = CdrWriter()
+    out.u32(len(transforms))
+    for t in transforms:
+        out.header(t.stamp, t.frame)
+        out.text(t.child)
+        out.doubles(np.concatenate([t.translation, t.rotation]))
+    return out.done()
+
+
+def unpack_transforms(data: bytes) -> list[Transform]:
+    source = CdrReader(data)
+    out = []
+    for _ in range(source.count(56)):
+        stamp, frame = source.header()
+        child = source.text()
+        values = source.doubles(7)
+        out.append(Transform(stamp, frame, child, values[:3], values[3:]))
+    return out
+
+
+def pack_poses(m: Poses) -> bytes:
+    out = CdrWriter()
+    out.header(m.stamp, m.frame)
+    out.u32(len(m.position))
+    out.doubles(np.hstack([m.position, m.orientation]).ravel())
+    return out.done()
+
+
+def unpack_poses(data: bytes) -> Poses:
+    source = CdrReader(data)
+    stamp, frame = source.header()
+    values = source.doubles(7 * source.count(56)).reshape(-1, 7)
+    return Poses(stamp, frame, values[:, :3].copy(), values[:, 3:].copy())
+
+
+def pack_joints(m: Joints) -> bytes:
+    out = CdrWriter()
+    out.header(m.stamp, "")
+    out.text_list(m.names)
+    out.double_list(m.position)
+    out.double_list(())  # velocity
+    out.double_list(())  # effort
+    return out.done()
+
+
+def unpack_joints(data: bytes) -> Joints:
+    source = CdrReader(data)
+    stamp, _ = source.header()
+    return Joints(stamp, source.text_list(), source.double_list())
+
+
+def pack_diagnostics(stamp: int, statuses: Sequence[Diagnostic]) -> bytes:
+    out = CdrWriter()
+    out.header(stamp, "")
+    out.u32(len(statuses))
+    for s in statuses:
+        out.u8(s.level)
+        out.text(s.name)
+        out.text(s.message)
+        out.text("")  # hardware id
+        out.u32(len(s.values))
+        for key, value in s.values.items():
+            out.text(key)
+            out.text(value)
+    return out.done()
+
+
+def unpack_diagnostics(data: bytes) -> tuple[int, list[Diagnostic]]:
+    source = CdrReader(data)
+    stamp, _ = source.header()
+    out = []
+    for _ in range(source.count(20)):
+        level, name, message = source.u8(), source.text(), source.text()
+        source.text()
+        values = {source.text(): source.text() for _ in range(source.count(10))}
+        out.append(Diagnostic(level, name, message, values))
+    return stamp, out
+
+
+def pack_string(text: str) -> bytes:
+    out = CdrWriter()
+    out.text(text)
+    return out.done()
+
+
+def unpack_string(data: bytes) -> str:
+    return CdrReader(data).text()
+
+
+def pack_numbers(values: Array) -> bytes:
+    """One row of numbers, without dimensions."""
+    out = CdrWriter()
+    out.u32(0)  # dimensions
+    out.u32(0)  # offset
+    out.double_list(values)
+    return out.done()
+
+
+def unpack_numbers(data: bytes) -> Array:
+    source = CdrReader(data)
+    for _ in range(source.count(12)):
+        source.text()
+        source.u32()
+        source.u32()
+    source.u32()
+    return source.double_list()

@@ -1,0 +1,163 @@
+"""Sensor messages of ROS 2 as bytes, and back. Each pair is tested against rosbags' bytes.
+
+Stamps are nanoseconds since 1970.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.messages import Array, Blobs
+from tracker.session.ros.cdr import CdrReader, CdrWriter
+from tracker.vision.rig import Camera
+
+IMU = "sensor_msgs/msg/Imu"
+IMAGE = "sensor_msgs/msg/CompressedImage"
+CAMERA_INFO = "sensor_msgs/msg/CameraInfo"
+TIME_REFERENCE = "sensor_msgs/msg/TimeReference"
+DETECTIONS = "vision_msgs/msg/Detection2DArray"
+
+_NO_ORIENTATION = np.array([0.0, 0, 0, 1, -1, 0, 0, 0, 0, 0, 0, 0, 0])
+_NO_COVARIANCE = np.zeros(9)
+_UNKNOWN_POSE = np.r_[0.0, 0, 0, 0, 0, 0, 1, np.zeros(36)]
+
+
+class Imu(NamedTuple):
+    stamp: int
+    frame: str
+    gyro: Array  # (3,) rad/s
+    accel: Array  # (3,) m/s²
+
+
+class Image(NamedTuple):
+    stamp: int
+    frame: str
+    format: str
+    data: bytes
+
+
+class TimeReference(NamedTuple):
+    """The same instant on the host's clock (stamp) and on another (reference)."""
+
+    stamp: int
+    reference: int
+    source: str
+
+
+class Detections(NamedTuple):
+    stamp: int
+    frame: str
+    blobs: Blobs  # hue indexes ``names``
+    names: tuple[str, ...]
+
+
+def pack_imu(m: Imu) -> bytes:
+    out = CdrWriter()
+    out.header(m.stamp, m.frame)
+    out.doubles(np.r_[_NO_ORIENTATION, m.gyro, _NO_COVARIANCE, m.accel, _NO_COVARIANCE])
+    return out.done()
+
+
+def unpack_imu(data: bytes) -> Imu:
+    source = CdrReader(data)
+    stamp, frame = source.header()
+    values = source.doubles(37)
+    return Imu(stamp, frame, values[13:16], values[25:28])
+
+
+def pack_image(m: Image) -> bytes:
+    out = CdrWriter()
+    out.header(m.stamp, m.frame)
+    out.text(m.format)
+    out.byte_list(m.data)
+    return out.done()
+
+
+def unpack_image(data: bytes) -> Image:
+    source = CdrReader(data)
+    stamp, frame = source.header()
+    return Image(stamp, frame, source.text(), source.byte_list())
+
+
+def pack_time_reference(m: TimeReference) -> bytes:
+    out = CdrWriter()
+    out.header(m.stamp, "")
+    out.time(m.reference)
+    out.text(m.source)
+    return out.done()
+
+
+def unpack_time_reference(data: bytes) -> TimeReference:
+    source = CdrReader(data)
+    stamp, _ = source.header()
+    return TimeReference(stamp, source.time(), source.text())
+
+
+def pack_camera_info(stamp: int, frame: str, camera: Camera) -> bytes:
+    out = CdrWriter()
+    out.header(stamp, frame)
+    out.u32(camera.height)
+    out.u32(camera.width)
+    out.text("plumb_bob" if camera.D.size <= 5 else "rational_polynomial")
+    out.double_list(camera.D)
+    for matrix in (camera.K, camera.R, camera.P):
+        out.doubles(matrix.ravel())
+    for _ in range(6):  # binning x, y; region of interest x, y, height, width
+        out.u32(0)
+    out.u8(0)
+    return out.done()
+
+
+def unpack_camera_info(data: bytes) -> Camera:
+    source = CdrReader(data)
+    source.header()
+    height, width = source.u32(), source.u32()
+    source.text()
+    D = source.double_list()
+    K, R, P = source.doubles(9), source.doubles(9), source.doubles(12)
+    return Camera(width, height, K.reshape(3, 3), D, R.reshape(3, 3), P.reshape(3, 4))
+
+
+def pack_detections(m: Detections) -> bytes:
+    out = CdrWriter()
+    out.header(m.stamp, m.frame)
+    out.u32(len(m.blobs))
+    rows = zip(m.blobs.uv, m.blobs.size, m.blobs.hue, m.blobs.score, strict=True)
+    for uv, size, hue, score in rows:
+        out.header(m.stamp, m.frame)
+        out.u32(1)
+        out.text(m.names[int(hue)])
+        out.doubles([score])
+        out.doubles(_UNKNOWN_POSE)
+        out.doubles([uv[0], uv[1], 0.0, size[0], size[1]])
+        out.text("")
+    return out.done()
+
+
+def unpack_detections(data: bytes) -> Detections:
+    """Detections without a hypothesis have no hue and are left out."""
+    source = CdrReader(data)
+    stamp, frame = source.header()
+    rows: list[tuple[str, float, Array]] = []
+    for _ in range(source.count(16)):
+        source.header()
+        best = _best_hypothesis(source)
+        box = source.doubles(5)
+        source.text()
+        if best is not None:
+            rows.append((*best, box))
+    names = tuple(dict.fromkeys(name for name, _, _ in rows))
+    box = np.array([b for _, _, b in rows], float).reshape(-1, 5)
+    hue = np.array([names.index(name) for name, _, _ in rows], np.int64)
+    score = np.array([s for _, s, _ in rows], float)
+    return Detections(stamp, frame, Blobs(box[:, :2].copy(), box[:, 3:].copy(), hue, score), names)
+
+
+def _best_hypothesis(source: CdrReader) -> tuple[str, float] | None:
+    found = []
+    for _ in range(source.count(16)):
+        name = source.text()
+        found.append((name, float(source.doubles(44)[0])))  # score, then pose and covariance
+    return max(found, key=lambda f: f[1], default=None)
