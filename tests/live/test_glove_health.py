@@ -1,7 +1,6 @@
 """What a glove tells of itself reaches the status."""
 
 from tests.live.test_runner import live, profile, sim
-
 from tracker.sensors.glove_link import LinkFigures
 
 __all__ = ["profile", "sim"]  # fixtures

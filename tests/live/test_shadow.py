@@ -4,8 +4,8 @@ import time
 
 import numpy as np
 import pytest
-from tests.live.test_runner import live, profile, sim
 
+from tests.live.test_runner import live, profile, sim
 from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.live.shadow import Shadow

@@ -6,9 +6,9 @@ import json
 import socket
 
 import pytest
-from tests.live.test_runner import Tape, live, run_to_the_end
 
 from tests.conftest import RESOURCES
+from tests.live.test_runner import Tape, live, run_to_the_end
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate

@@ -1,7 +1,7 @@
 """Names for the arrays that kernels take: each says numbers, dimensions and order.
 
-A kernel's parameters are annotated with these, with float, int and bool, and with named tuples whose
-fields are; so its annotations are its signature. Arrays are contiguous (C order) unless said.
+A kernel's parameters are annotated with these, with float, int and bool, and with named tuples
+whose fields are; so its annotations are its signature. Arrays are contiguous (C order) unless said.
 """
 
 from __future__ import annotations
