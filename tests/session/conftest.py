@@ -142,7 +142,7 @@ def record(session_info: SessionInfo) -> Callable[..., Path]:
     """``record(path, messages)`` writes a session and returns its path."""
 
     def write(path: Path, messages: list[Message], **params: object) -> Path:
-        params = {"pictures": "png", "sync": False, **params}
+        params = {"images": "png", "sync": False, **params}
         with SessionRecorder(path, session_info, RecorderParams(**params)) as recorder:  # type: ignore[arg-type]
             for m in messages:
                 recorder.write(m)
