@@ -16,8 +16,8 @@ from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup, RecordingRequest
 from app.engines.recorder import PausableRecorder
+from app.engines.snapshot import Snapshot, nearest
 from app.platform.tasks import Progress, TaskOwner
-from app.viewmodels.snapshot import Snapshot, nearest
 from tracker.errors import GlovetrackError
 from tracker.fusion.engine import Engine
 from tracker.messages import Estimate, Message, Status

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine import EngineSetup
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.jobs.calibration_link import CalibrationLink
 from app.panels.panel import Panel
 from app.panels.wearer_row import WearerRow
@@ -23,7 +24,6 @@ from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import CalibrationView, Cell, calibration_view
 from app.viewmodels.camera_time import camera_time
-from app.viewmodels.snapshot import Snapshot
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.meter import SHARE_ROLE, MeterDelegate
 from tracker.errors import GlovetrackError

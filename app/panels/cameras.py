@@ -8,12 +8,12 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBo
 
 from app.engines.engine import EngineSetup
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.kept_images import Image
 from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.overlay import Layers, hand_box, overlay
-from app.viewmodels.snapshot import Snapshot
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.image_view import ImageView
 from tracker.messages import StereoFrame

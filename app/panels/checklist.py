@@ -6,10 +6,10 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
 from app.viewmodels.checklist import Step, steps
-from app.viewmodels.snapshot import Snapshot
 
 
 class ChecklistPanel(Panel):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QWidget
 
 from app.engines.session import Session
-from app.viewmodels.snapshot import Snapshot
+from app.engines.snapshot import Snapshot
 
 
 class Panel(QWidget):

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine import RecordingRequest
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.recording import (
@@ -30,7 +31,6 @@ from app.viewmodels.recording import (
     losses_text,
     size_text,
 )
-from app.viewmodels.snapshot import Snapshot
 
 
 class RecordingPanel(Panel):

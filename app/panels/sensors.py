@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine import EngineSetup
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.viewmodels.sensors import (
     AngleHistory,
@@ -27,7 +28,6 @@ from app.viewmodels.sensors import (
     imu_states,
     values_at,
 )
-from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import BLUISH_GREEN, GOOD, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
 from app.widgets.chip import Chip
 from app.widgets.flow_layout import FlowLayout

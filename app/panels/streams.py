@@ -22,9 +22,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.panels.panel import Panel
-from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.streams import TITLES, WITHOUT_PORT, StreamRow, stream_row
 from tracker.hand.names import CHAINS
 from tracker.streaming.params import STREAMS

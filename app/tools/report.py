@@ -15,10 +15,10 @@ from PySide6.QtWidgets import QApplication
 
 from app.engines.engine import RecordingRequest
 from app.engines.session import SetupFactory
+from app.engines.snapshot import Snapshot
 from app.jobs.export import ExportRequest, export_job
 from app.platform.tasks import Progress
 from app.storage.settings import SettingsStore
-from app.viewmodels.snapshot import Snapshot
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
 from tracker.messages import Array, Tracking

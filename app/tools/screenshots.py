@@ -18,10 +18,10 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.engines.engine import RecordingRequest
+from app.engines.snapshot import Snapshot
 from app.storage.settings import SettingsStore
 from app.tools.report import START_TIMEOUT, wait_until
 from app.tools.screenshots_set_up import take_set_up
-from app.viewmodels.snapshot import Snapshot
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
 from tracker.messages import Tracking

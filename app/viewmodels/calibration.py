@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracker import GRAVITY
 from tracker.messages import Array, Calibration
 
 # Prior standard deviations and those at which a parameter counts as settled: the bar runs between
@@ -71,7 +72,7 @@ _KINDS = {
     "scale": _Kind(1.0, "{:.3f}", ""),
     "mounting": _Kind(float(np.rad2deg(1.0)), "{:.1f}", "°"),
     "gyro_bias": _Kind(float(np.rad2deg(1.0)), "{:.2f}", "°/s"),
-    "accel_bias": _Kind(1000 / 9.80665, "{:.0f}", "mg"),
+    "accel_bias": _Kind(1000 / GRAVITY, "{:.0f}", "mg"),
 }
 
 

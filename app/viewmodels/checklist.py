@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from app.engines.snapshot import Snapshot
 from app.viewmodels.calibration import SETTLED, calibration_view
 from app.viewmodels.colours import seen_rows
-from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import GOOD, IDLE, WARN, Look
 from tracker.messages import Tracking
 

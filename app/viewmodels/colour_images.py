@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.engines.snapshot import Snapshot
 from app.viewmodels.overlay import project
-from app.viewmodels.snapshot import Snapshot
 from tracker.messages import Array, Tracking
 from tracker.vision.colours import HUES, ColourProfile, HueRange
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.viewmodels.snapshot import Snapshot
+from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GOOD, IDLE, WARN, Look
 from tracker.calibration.colours_fit import FoundHue, clashes
 from tracker.messages import Blobs, Tracking

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.engine import EngineSetup
+from app.engines.snapshot import Snapshot
 from app.viewmodels.overlay import VISIBLE
-from app.viewmodels.snapshot import Snapshot
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Estimate, FrameResult, IntArray, Tracking, Validity
 

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import dataclass
 
 import numpy as np
 
-from app.viewmodels.snapshot import Snapshot
+from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GREY, VALIDITY
 from app.widgets.overlay import Cross, Ellipse, Label, Line, Ring, Shape
-from tracker.hand.names import FINGERS
+from tracker.hand.names import bones
 from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Tracking, Validity
 from tracker.vision.rig import StereoRig
 
@@ -174,19 +173,6 @@ def _residuals(result: FrameResult, blobs: Blobs, right: bool) -> list[Shape]:
             u1, v1 = blobs.uv[i].tolist()
             out.append(Line(u0, v0, u1, v1, WHITE, 1.0))
     return out
-
-
-def bones(names: tuple[str, ...]) -> list[tuple[int, int]]:
-    """Pairs of keypoint rows that a bone joins, wrist to tips."""
-    chains: list[tuple[str, ...]] = [("wrist", "thumb_cmc", "thumb_mcp", "thumb_ip", "thumb_tip")]
-    chains += [("wrist", *(f"{f}_{p}" for p in ("mcp", "pip", "dip", "tip"))) for f in FINGERS]
-    row = {n: i for i, n in enumerate(names)}
-    return [
-        (row[a], row[b])
-        for chain in chains
-        for a, b in itertools.pairwise(chain)
-        if a in row and b in row
-    ]
 
 
 def _skeleton(view: Snapshot, right: bool) -> list[Shape]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, Look
+from tracker import GRAVITY
 from tracker.messages import Array, Estimate, ImuSample, Status
 
 LARGEST_STEP = 0.5  # s between two instants of the same curve
@@ -37,7 +38,7 @@ def curves(samples: Sequence[ImuSample], imu: int, kind: str, span: float) -> Cu
     recent = [s for s in samples if s.t >= now - span]
     t = np.array([s.t - now for s in recent])
     rows = np.array([(s.gyro if kind == "gyro" else s.accel)[imu] for s in recent])
-    return Curves(t, np.rad2deg(rows) if kind == "gyro" else rows / 9.80665)
+    return Curves(t, np.rad2deg(rows) if kind == "gyro" else rows / GRAVITY)
 
 
 def imu_states(

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine import EngineSetup
 from app.engines.session import Session, SetupFactory
+from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.panels.calibration import CalibrationPanel
 from app.panels.cameras import CamerasPanel
@@ -36,7 +37,6 @@ from app.platform.crash import CrashWatch
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import duration_text
-from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import BAD, WARN
 from app.widgets.banner import Banner
 from app.widgets.command_palette import CommandPalette

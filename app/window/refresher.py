@@ -6,8 +6,8 @@ import logging
 import time
 from collections.abc import Callable, Sequence
 
+from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
-from app.viewmodels.snapshot import Snapshot
 
 SPARE = 4.0
 """A panel rests this many times as long as its last refresh took: on a busy machine the image

@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, QPointF
 from PySide6.QtWidgets import QApplication
 
 from app.viewmodels.sensors import AngleHistory, Curves, glove_figures, values_at
+from tracker import GRAVITY
 from tracker.messages import Status, Tracking
 
 
@@ -43,7 +44,7 @@ def test_the_cursor_reads_what_stands_under_it(sensors, engine):
     point(sensors.plots["gyro"], at)
     text = sensors.figures.text()
     assert text.startswith(f"{at:.2f} s: x {np.rad2deg(then.gyro[0, 0]):.3g}")
-    assert f"z {then.accel[0, 2] / 9.80665:.3g} g" in text
+    assert f"z {then.accel[0, 2] / GRAVITY:.3g} g" in text
     sensors.toggles[0].click()
     point(sensors.plots["gyro"], at)
     assert "x " not in sensors.figures.text()

@@ -13,7 +13,7 @@ from app.viewmodels.calibration import RANGES, calibration_view, convergence
 from app.viewmodels.colour_images import hue_histogram, pixel_hsv
 from app.viewmodels.colours import ProfileHistory, hue_rows, seen_rows, with_range
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
-from app.viewmodels.overlay import Layers, bones, overlay
+from app.viewmodels.overlay import Layers, overlay
 from app.viewmodels.sensors import curves, imu_states
 from app.viewmodels.status import fields
 from app.widgets.overlay import Cross, Ellipse, Line, Ring
@@ -67,13 +67,6 @@ def test_unlikely_markers_are_dimmed(view):
     full = sum(s.opacity == 1.0 for s in crosses)
     assert full == int((view.result.visible >= 0.5).sum())
     assert full < len(crosses)
-
-
-def test_every_keypoint_but_the_wrist_ends_one_bone():
-    hand, glove, _ = models()
-    names = glove.keypoint_names(hand)
-    ends = [b for _, b in bones(names)]
-    assert sorted(names[e] for e in ends) == sorted(n for n in hand.keypoint_names if n != "wrist")
 
 
 def test_a_lost_keypoint_takes_its_bones_away(view):

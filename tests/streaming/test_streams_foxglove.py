@@ -21,9 +21,9 @@ import jsonschema
 from websockets.exceptions import InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
+from tracker.hand.names import bones
 from tracker.messages import Validity
 from tracker.streaming.foxglove_live import BACKLOG, FoxglovePublisher
-from tracker.streaming.foxglove_scene import bones
 from tracker.streaming.publisher import Names, StreamError
 
 PROTOCOL, OLD_PROTOCOL, MESSAGE_DATA = "foxglove.sdk.v1", "foxglove.websocket.v1", 1
@@ -145,7 +145,7 @@ def test_a_lost_joint_is_not_in_the_scene(client, server, make_estimate, names, 
     read = np.array([[p[axis] for axis in "xyz"] for p in places])
     assert np.allclose(read, estimate.keypoints[known], atol=1e-6)
     (lines,) = entity["lines"]
-    assert len(lines["points"]) == 2 * (len(bones(names)) - 1)
+    assert len(lines["points"]) == 2 * (len(bones(names.keypoints)) - 1)
 
 
 def test_an_inferred_joint_looks_otherwise(client, server, make_estimate, names, wait_for) -> None:

@@ -1,5 +1,10 @@
 """Segment, joint and keypoint names of `the conventions`, in their order."""
 
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
 FINGERS = ("index", "middle", "ring", "little")
 
 SEGMENTS = (
@@ -30,3 +35,16 @@ for _f in FINGERS:
     KEYPOINTS[f"{_f}_tip"] = (f"{_f}_distal", True)
 
 AXES = ("abduction", "flexion", "twist")
+
+
+def bones(keypoints: Sequence[str]) -> list[tuple[int, int]]:
+    """Rows of ``keypoints`` that a bone joins: from the wrist along each finger to its tip.
+
+    One that is missing is passed over, so its neighbours are joined.
+    """
+    row = {name: i for i, name in enumerate(keypoints)}
+    out: list[tuple[int, int]] = []
+    for finger in CHAINS:
+        chain = [n for n in KEYPOINTS if n == "wrist" or n.startswith(f"{finger}_")]
+        out += itertools.pairwise(row[n] for n in chain if n in row)
+    return out

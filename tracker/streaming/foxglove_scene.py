@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker.hand.names import KEYPOINTS
+from tracker.hand.names import bones
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.payload import DECIMALS
 from tracker.streaming.publisher import STATE_WORDS, Names
@@ -38,7 +38,7 @@ class Scene:
     """
 
     def __init__(self, names: Names) -> None:
-        self._names, self._bones = names, bones(names)
+        self._names, self._bones = names, bones(names.keypoints)
 
     def update(self, e: Estimate, stamp_ns: int) -> Json:
         """``e`` as a scene; ``stamp_ns`` since 1970."""
@@ -72,18 +72,6 @@ class Scene:
             if ends:
                 out.append({**look, "points": ends})
         return out
-
-
-def bones(names: Names) -> list[tuple[int, int]]:
-    """Rows of keypoints that a bone joins: along each finger, and from the wrist to it."""
-    row = {n: i for i, n in enumerate(names.keypoints)}
-    wrist, out, before = row["wrist"], [], row["wrist"]
-    for name in KEYPOINTS:
-        if name == "wrist" or name not in row:
-            continue
-        out.append((before, row[name]))
-        before = wrist if name.endswith("_tip") else row[name]
-    return out
 
 
 def _spheres(points: Array, states: list[Validity]) -> list[Json]:

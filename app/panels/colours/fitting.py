@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
+from app.engines.snapshot import Snapshot
 from app.platform.tasks import TaskOwner
 from app.storage.kept_images import Image
 from app.viewmodels.colours import fit_words
-from app.viewmodels.snapshot import Snapshot
 from tracker.calibration.colours_fit import FoundHue, fit_image
 from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides
 from tracker.glove.model import GloveModel

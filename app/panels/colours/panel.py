@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine import EngineSetup
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.panels.colours.fitting import ColoursFitting
 from app.panels.colours.hues import ColoursHues
 from app.panels.colours.source import ColoursSource
@@ -43,7 +44,6 @@ from app.viewmodels.colours import (
     with_channel,
     with_range,
 )
-from app.viewmodels.snapshot import Snapshot
 from app.widgets.hue_strip import HueStrip
 from app.widgets.image_view import ImageView
 from app.widgets.overlay import Ring

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.engines.snapshot import Snapshot
 from app.platform.tasks import TaskOwner
 from app.storage.kept_images import (
     Image,
@@ -23,7 +24,6 @@ from app.storage.kept_images import (
     read_image,
     write_image,
 )
-from app.viewmodels.snapshot import Snapshot
 from app.widgets.flow_layout import FlowLayout
 
 LIVE = 0

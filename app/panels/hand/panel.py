@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine import EngineSetup
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.panels.hand.actors import HandActors, Show
 from app.panels.hand.view_chooser import ViewChooser
 from app.panels.panel import Panel
@@ -23,7 +24,6 @@ from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.hand_scene import HandScene, HandSceneModel
-from app.viewmodels.snapshot import Snapshot
 from app.viewmodels.states import VALIDITY
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.view3d.view_3d import View3D

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout,
 
 from app.engines.engine import EngineSetup, Player
 from app.engines.session import Session
+from app.engines.snapshot import Snapshot
 from app.jobs.export import ExportQueue, ExportRequest
 from app.jobs.track_again import TrackRequest, compare_job, free_name, track_job
 from app.panels.library.compare_dialog import CompareDialog
@@ -22,7 +23,6 @@ from app.platform.tasks import Job, Progress, Task, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.compare import Comparison
 from app.viewmodels.library import Details, SessionRow, look_inside, scan
-from app.viewmodels.snapshot import Snapshot
 from tracker.errors import GlovetrackError
 
 
