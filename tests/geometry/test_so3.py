@@ -37,7 +37,7 @@ def test_quaternions_equal_scipy(rotation: Rotation) -> None:
 def test_zyx_beyond_a_right_angle_of_flexion() -> None:
     for abduction, flexion, twist in [(0.2, 1.9, -0.1), (-0.3, 0.5, 0.2), (0.1, -0.4, 0.0)]:
         R = so3.rz(abduction) @ so3.ry(flexion) @ so3.rx(twist)
-        assert np.allclose(so3.zyx_from_matrix(R), (abduction, flexion, twist), atol=1e-12)
+        assert np.allclose(so3.joint_angles(R), (abduction, flexion, twist), atol=1e-12)
 
 
 def test_joint_angles_of_a_joint_without_twist() -> None:

@@ -4,10 +4,11 @@ import numpy as np
 
 from tracker.geometry.so3 import NEAREST_ROUNDS
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
 
 
 @kernel
-def exp3(v):  # type: ignore[no-untyped-def]
+def exp3(v: Vector) -> Matrix:
     """Rotation matrix (3, 3) of a rotation vector (3,)."""
     x, y, z = v[0], v[1], v[2]
     angle2 = x * x + y * y + z * z
@@ -29,7 +30,7 @@ def exp3(v):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def mul3(A, B):  # type: ignore[no-untyped-def]
+def mul3(A: Matrix, B: Matrix) -> Matrix:
     """A B of two (3, 3): BLAS takes four times as long for so little."""
     out = np.empty((3, 3))
     for i in range(3):
@@ -39,13 +40,13 @@ def mul3(A, B):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def tmul3(A, B):  # type: ignore[no-untyped-def]
+def tmul3(A: Matrix, B: Matrix) -> Matrix:
     """A^T B of two (3, 3)."""
     return mul3(A.T, B)
 
 
 @kernel
-def act3(A, v):  # type: ignore[no-untyped-def]
+def rotate(A: Matrix, v: Vector) -> Vector:
     """A v of (3, 3) and (3,)."""
     out = np.empty(3)
     for i in range(3):
@@ -54,13 +55,13 @@ def act3(A, v):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def tact3(A, v):  # type: ignore[no-untyped-def]
+def rotate_back(A: Matrix, v: Vector) -> Vector:
     """A^T v of (3, 3) and (3,)."""
-    return act3(A.T, v)
+    return rotate(A.T, v)
 
 
 @kernel
-def inverse3(M):  # type: ignore[no-untyped-def]
+def inverse3(M: Matrix) -> Matrix:
     """The inverse of a symmetric (3, 3), by cofactors."""
     a, b, c, d, e, f = M[0, 0], M[0, 1], M[0, 2], M[1, 1], M[1, 2], M[2, 2]
     A, B, C = d * f - e * e, c * e - b * f, b * e - c * d
@@ -71,7 +72,7 @@ def inverse3(M):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def nearest_turn(M):  # type: ignore[no-untyped-def]
+def nearest_rotation(M: Matrix) -> Matrix:
     """The rotation R (3, 3) with the largest trace of R^T M, for any M (3, 3): Kabsch's.
 
     From the eigenvectors V of M^T M, by Jacobi's rotations, longest first: M V is orthogonal, and
@@ -84,17 +85,17 @@ def nearest_turn(M):  # type: ignore[no-untyped-def]
             break
         for i in range(2):
             for j in range(i + 1, 3):
-                _turn_away(A, V, i, j)
+                _rotate_away(A, V, i, j)
     order = np.argsort(np.array([-A[0, 0], -A[1, 1], -A[2, 2]]))
     v_1, v_2 = V[:, order[0]], V[:, order[1]]
-    u_1 = _normalised(act3(M, v_1), v_1)
-    u_2 = act3(M, v_2)
+    u_1 = _normalised(rotate(M, v_1), v_1)
+    u_2 = rotate(M, v_2)
     u_2 = _normalised(u_2 - np.sum(u_1 * u_2) * u_1, across3(u_1))
     return outer3(u_1, v_1) + outer3(u_2, v_2) + outer3(cross3(u_1, u_2), cross3(v_1, v_2))
 
 
 @kernel
-def _turn_away(A, V, i, j):  # type: ignore[no-untyped-def]
+def _rotate_away(A: Matrix, V: Matrix, i: int, j: int) -> None:
     """Jacobi's rotation that makes A[i, j] of a symmetric A (3, 3) zero; V (3, 3) turns along."""
     if A[i, j] == 0.0:
         return
@@ -110,21 +111,21 @@ def _turn_away(A, V, i, j):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _normalised(v, instead):  # type: ignore[no-untyped-def]
+def _normalised(v: Vector, instead: Vector) -> Vector:
     """v (3,) at unit length; ``instead`` where it has none."""
     length = np.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
     return v / length if length > 0.0 else instead.copy()
 
 
 @kernel
-def across3(v):  # type: ignore[no-untyped-def]
+def across3(v: Vector) -> Vector:
     """A unit vector across v (3,)."""
     x = np.array([0.0, -v[2], v[1]]) if abs(v[0]) < 0.6 else np.array([-v[1], v[0], 0.0])
     return x / np.sqrt(np.sum(x * x))
 
 
 @kernel
-def outer3(a, b):  # type: ignore[no-untyped-def]
+def outer3(a: Vector, b: Vector) -> Matrix:
     """a b^T of two (3,) vectors."""
     out = np.empty((3, 3))
     for i in range(3):
@@ -134,7 +135,7 @@ def outer3(a, b):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def turn_all(R, v):  # type: ignore[no-untyped-def]
+def rotate_all(R: Stack, v: Matrix) -> Stack:
     """R (n, 3, 3) times Exp of v (n, 3)."""
     out = np.empty_like(R)
     for i in range(len(R)):
@@ -143,13 +144,13 @@ def turn_all(R, v):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def skew3(v):  # type: ignore[no-untyped-def]
+def skew3(v: Vector) -> Matrix:
     """The cross-product matrix of v (3,)."""
     return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
 
 
 @kernel
-def cross3(a, b):  # type: ignore[no-untyped-def]
+def cross3(a: Vector, b: Vector) -> Vector:
     """a x b of two (3,) vectors."""
     return np.array(
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -157,8 +158,8 @@ def cross3(a, b):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def zyx3(R):  # type: ignore[no-untyped-def]
-    """(abduction, flexion, twist) of R = Rz Ry Rx, as `so3.zyx_from_matrix`."""
+def zyx3(R: Matrix) -> tuple[float, float, float]:
+    """(abduction, flexion, twist) of R = Rz Ry Rx, as `so3.joint_angles` with all axes."""
     a = np.arctan2(R[1, 0], R[0, 0])
     b = np.arctan2(-R[2, 0], np.hypot(R[0, 0], R[1, 0]))
     c = np.arctan2(R[2, 1], R[2, 2])
@@ -169,7 +170,7 @@ def zyx3(R):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def joint_angles3(R, abducts, twists):  # type: ignore[no-untyped-def]
+def joint_angles3(R: Matrix, abducts: bool, twists: bool) -> tuple[float, float, float]:
     """(abduction, flexion, twist) of one joint rotation, as `so3.joint_angles`."""
     if twists:
         return zyx3(R)
@@ -182,7 +183,7 @@ def joint_angles3(R, abducts, twists):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _unit(x, y):  # type: ignore[no-untyped-def]
+def _unit(x: float, y: float) -> tuple[float, float]:
     """Cosine and sine of the angle of (x, y); of zero where both are zero."""
     length = np.sqrt(x * x + y * y)
     if length == 0.0:
@@ -191,12 +192,12 @@ def _unit(x, y):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _wrap(a):  # type: ignore[no-untyped-def]
+def _wrap(a: float) -> float:
     return (a + np.pi) % (2 * np.pi) - np.pi
 
 
 @kernel
-def quats(R):  # type: ignore[no-untyped-def]
+def quats(R: Stack) -> Matrix:
     """Unit quaternions (n, 4) xyzw, w >= 0, of matrices (n, 3, 3)."""
     out = np.empty((len(R), 4))
     for i in range(len(R)):
@@ -205,7 +206,7 @@ def quats(R):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def quat3(M):  # type: ignore[no-untyped-def]
+def quat3(M: Matrix) -> Vector:
     """Unit quaternion (4,) xyzw, w >= 0, of a matrix (3, 3), as `so3.quat_from_matrix`."""
     trace = M[0, 0] + M[1, 1] + M[2, 2]
     k, best, q = 3, trace, np.empty(4)
@@ -229,7 +230,7 @@ def quat3(M):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def log3(R):  # type: ignore[no-untyped-def]
+def log3(R: Matrix) -> Vector:
     """Rotation vector (3,), angle in [0, pi], of a matrix (3, 3), as `so3.log`."""
     q = quat3(R)
     n = np.sqrt(q[0] ** 2 + q[1] ** 2 + q[2] ** 2)
@@ -238,7 +239,7 @@ def log3(R):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def relative_turns(R, parent):  # type: ignore[no-untyped-def]
+def relative_rotations(R: Stack, parent: IntVector) -> Matrix:
     """(n - 1, 3) rotation vectors of matrices (n, 3, 3), but for the first, against their parents.
 
     ``parent`` (n,) is the row of each.

@@ -99,18 +99,12 @@ def rz(a: float) -> Array:
     return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])
 
 
-def zyx_from_matrix(R: Array) -> tuple[float, float, float]:
-    """Angles (abduction, flexion, twist) of R = Rz(abduction) Ry(flexion) Rx(twist).
+def _zyx(R: Array) -> Array:
+    """(..., 3) abduction, flexion, twist of R = Rz(abduction) Ry(flexion) Rx(twist).
 
     Flexion is in [-π/2, π/2] by this formula alone, and a finger flexes further; so when the
     cosine's sign is ambiguous the branch with the smaller |abduction| + |twist| is taken.
     """
-    a, b, c = _zyx(R)
-    return float(a), float(b), float(c)
-
-
-def _zyx(R: Array) -> Array:
-    """(..., 3) of `zyx_from_matrix` for R (..., 3, 3)."""
     first = np.stack(
         [
             np.arctan2(R[..., 1, 0], R[..., 0, 0]),

@@ -160,21 +160,6 @@ class HandModel:
         abd, flex, twist = (0.0 if c < 0 else float(angles[c]) for c in self.axis_columns[i])
         return so3.rz(abd) @ so3.ry(flex) @ so3.rx(twist)
 
-    def angles_from(self, R_GB: Array) -> Array:
-        """Joint angles (J,) rad from segment orientations R_GB (S, 3, 3)."""
-        out = np.zeros(len(self.joint_names))
-        for i, s in enumerate(self.segments):
-            a = self.parent[i]
-            if a < 0:
-                continue
-            relative = s.R_rest.T @ R_GB[a].T @ R_GB[i]
-            columns = self.axis_columns[i]
-            values = so3.joint_angles(relative, columns[0] >= 0, columns[2] >= 0)
-            for column, value in zip(columns, values, strict=True):
-                if column >= 0:
-                    out[column] = value
-        return out
-
     def apply_synergies(self, angles: Array, known: Array) -> tuple[Array, Array]:
         """Fill angles that nothing measures. ``known`` (J,) bool.
 

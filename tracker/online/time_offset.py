@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tracker.geometry.kernels import act3, exp3, log3, mul3, nearest_turn, tact3, tmul3
+from tracker.geometry.kernels import exp3, log3, mul3, nearest_rotation, rotate, rotate_back, tmul3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.kernels import kernel
@@ -117,7 +117,7 @@ class TimeOffset:
         """Go on with the gyroscope's integral."""
         if self._imu < 0 or not sample.valid[self._imu]:
             return
-        rate = act3(self._R_BI, sample.gyro[self._imu])
+        rate = rotate(self._R_BI, sample.gyro[self._imu])
         gyro = self._gyro
         if not gyro or not 0 < sample.t - gyro[-1].t <= self._params.packet_gap:
             gyro.clear()
@@ -243,9 +243,9 @@ def _rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
         for r in range(3):
             for c in range(3):
                 M[r, c] += a[i, r] * b[i, c]
-    R, total = nearest_turn(M), 0.0
+    R, total = nearest_rotation(M), 0.0
     for i in range(n):
-        turned = act3(R, b[i])
+        turned = rotate(R, b[i])
         for k in range(3):
             total += (a[i, k] - turned[k]) ** 2
     return R, float(np.sqrt(total / n))
@@ -277,7 +277,7 @@ def _placed(
     """
     p_G = triangulated(left, right, baseline, fx, fy, cx, cy)
     for k in range(len(p_G)):
-        p_G[k] = act3(R_GC, p_G[k])
+        p_G[k] = rotate(R_GC, p_G[k])
     if not np.isfinite(np.sum(p_G)):
         return p_G, np.eye(3), np.inf
     R_GB, misfit = _rigid(p_G, nominal)
@@ -324,9 +324,9 @@ def _point(
         return False, np.zeros(3), np.zeros(3)
     D = tmul3(gyro_0, gyro_1)
     e = log3(tmul3(D, tmul3(R_GB, mul3(R_turn, R_GB))))
-    a = tact3(D, rate_0) - rate_1
-    L = np.linalg.cholesky(_information(nominal[marker_0[rows[0, :n]]]))
-    return True, tact3(L, a), tact3(L, e)
+    a = rotate_back(D, rate_0) - rate_1
+    L = np.linalg.cholesky(_information(nominal[marker_0[rows[0, :n]]])).astype(np.float64)
+    return True, rotate_back(L, a), rotate_back(L, e)
 
 
 @kernel

@@ -14,7 +14,7 @@ import numpy as np
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ConstraintParams
 from tracker.fusion.chain.state import ChainState
-from tracker.geometry.kernels import act3, cross3, tact3, tmul3, zyx3
+from tracker.geometry.kernels import cross3, rotate, rotate_back, tmul3, zyx3
 from tracker.kernels import kernel
 from tracker.messages import Array
 
@@ -102,7 +102,7 @@ def _put_flexion(h, parent, R_rest, R_GB, theta, child, gain):  # type: ignore[n
     """Flexion turns about the child's own y (its twist being small)."""
     y = np.array([0.0, 1.0, 0.0])
     R = _relative(parent, R_rest, R_GB, child)
-    _put(h, parent, theta, child, -act3(R_rest[child], act3(R, y)), y, gain)
+    _put(h, parent, theta, child, -rotate(R_rest[child], rotate(R, y)), y, gain)
 
 
 @kernel
@@ -122,11 +122,11 @@ def _rows(  # type: ignore[no-untyped-def]
             parent,
             theta,
             c,
-            act3(R_rest[c], cross3(e, act3(R, f))),
-            cross3(f, tact3(R, e)),
+            rotate(R_rest[c], cross3(e, rotate(R, f))),
+            cross3(f, rotate_back(R, e)),
             1.0,
         )
-        r[k] = -np.dot(e, act3(R, f))
+        r[k] = -np.dot(e, rotate(R, f))
         var[k] = axis_var[k]
     m = n
     for k in range(len(flexion_child)):

@@ -11,7 +11,7 @@ import numpy as np
 
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.state import ChainState
-from tracker.geometry.kernels import act3
+from tracker.geometry.kernels import rotate
 from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
@@ -133,7 +133,7 @@ def points_of(p_GB, R, scale, segment, nominal, offset):  # type: ignore[no-unty
     out = np.empty((len(segment), 3))
     for k in range(len(segment)):
         a = segment[k]
-        out[k] = p_GB[a] + act3(R[a], stretched(scale[a], nominal[k]) + offset[k])
+        out[k] = p_GB[a] + rotate(R[a], stretched(scale[a], nominal[k]) + offset[k])
     return out
 
 
@@ -144,9 +144,9 @@ def segment_origins(parent, origin, base_of, lever, joint, scale, R, p):  # type
     for i in range(len(parent)):
         a = parent[i]
         if a < 0:
-            out[i] = p - act3(R[i], stretched(scale[i], lever))
+            out[i] = p - rotate(R[i], stretched(scale[i], lever))
         else:
-            out[i] = out[a] + act3(R[a], joint_lever(scale, origin, joint, base_of, i, a))
+            out[i] = out[a] + rotate(R[a], joint_lever(scale, origin, joint, base_of, i, a))
     return out
 
 

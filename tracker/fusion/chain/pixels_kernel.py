@@ -11,7 +11,7 @@ from tracker.fusion.chain.kinematics import (
     segment_origins,
     turned,
 )
-from tracker.geometry.kernels import act3, inverse3, tact3
+from tracker.geometry.kernels import inverse3, rotate, rotate_back
 from tracker.kernels import kernel
 from tracker.vision.correspondence import assigned
 from tracker.vision.rig import projected
@@ -71,7 +71,7 @@ def marker_places(  # type: ignore[no-untyped-def]
     p_G = points_of(p_GB, R_GB, scale, segment, nominal, offset)
     p_C, uv = np.empty_like(p_G), np.empty((2, len(p_G), 2))
     for k in range(len(p_G)):
-        p_C[k] = tact3(R_GC, p_G[k] - p_GC)
+        p_C[k] = rotate_back(R_GC, p_G[k] - p_GC)
     for c in range(2):
         uv[c] = projected(p_C, baseline if c else 0.0, fx, fy, cx, cy)
     return p_GB, p_G, turned(R_GB, segment, normal), p_C, uv
@@ -124,7 +124,7 @@ def seen_covariance(J, cov, sd_pixel):  # type: ignore[no-untyped-def]
     n = len(J)
     out = np.empty((n, n))
     for a in range(n):
-        x = act3(cov, J[a])
+        x = rotate(cov, J[a])
         for b in range(n):
             out[a, b] = x[0] * J[b, 0] + x[1] * J[b, 1] + x[2] * J[b, 2]
         out[a, a] += sd_pixel**2
@@ -261,7 +261,7 @@ def _solved(J, r):  # type: ignore[no-untyped-def]
             for b in range(3):
                 JJ[a, b] += J[e, a] * J[e, b]
     inverse = inverse3(JJ)
-    return inverse, act3(inverse, Jr)
+    return inverse, rotate(inverse, Jr)
 
 
 @kernel

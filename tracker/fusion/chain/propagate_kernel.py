@@ -10,7 +10,7 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.fusion.time.imu_buffer import cut
-from tracker.geometry.kernels import act3, exp3, mul3, skew3, tact3, tmul3, turn_all
+from tracker.geometry.kernels import exp3, mul3, rotate, rotate_all, rotate_back, skew3, tmul3
 from tracker.kernels import kernel
 
 COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
@@ -25,12 +25,12 @@ def body_rates(  # type: ignore[no-untyped-def]
     for i in range(len(parent)):
         j = imu_of[i]
         if j >= 0 and valid[j]:
-            w[i] = tact3(R_IB[j], gyro[j] - bg[j])
+            w[i] = rotate_back(R_IB[j], gyro[j] - bg[j])
         elif parent[i] >= 0:
-            w[i] = tact3(R_GB[i], act3(R_GB[parent[i]], w[parent[i]]))
+            w[i] = rotate_back(R_GB[i], rotate(R_GB[parent[i]], w[parent[i]]))
             s = source[i]
             if 0 <= s < i:
-                relative = w[s] - tact3(R_GB[s], act3(R_GB[parent[s]], w[parent[s]]))
+                relative = w[s] - rotate_back(R_GB[s], rotate(R_GB[parent[s]], w[parent[s]]))
                 w[i, 1] += gain[i, 0] * relative[1]
     return w
 
@@ -41,7 +41,7 @@ def root_force(imu_of, R_IB, ba, accel, valid):  # type: ignore[no-untyped-def]
     j = imu_of[0]
     if j < 0 or not valid[j]:
         return np.zeros(3), False
-    return tact3(R_IB[j], accel[j] - ba[j]), True
+    return rotate_back(R_IB[j], accel[j] - ba[j]), True
 
 
 @kernel
@@ -51,7 +51,7 @@ def move_nominal(p, v, R_GB, w, f, felt, dt, coasting):  # type: ignore[no-untyp
     a_G = np.zeros(3)
     damping = 1.0
     if felt:
-        a_G = act3(R_GB[0], act3(exp3(w[0] * (dt / 2)), f))
+        a_G = rotate(R_GB[0], rotate(exp3(w[0] * (dt / 2)), f))
         a_G[2] -= GRAVITY
     else:
         damping = np.exp(-COAST_DAMPING * dt)
@@ -60,7 +60,7 @@ def move_nominal(p, v, R_GB, w, f, felt, dt, coasting):  # type: ignore[no-untyp
     for k in range(3):
         p_new[k] = p[k] + v[k] * dt + a_G[k] * dt * dt / 2
         v_new[k] = (v[k] + a_G[k] * dt) * damping
-    return p_new, v_new, turn_all(R_GB, w * dt)
+    return p_new, v_new, rotate_all(R_GB, w * dt)
 
 
 @kernel

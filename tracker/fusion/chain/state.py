@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.geometry.kernels import turn_all
+from tracker.geometry.kernels import rotate_all
 from tracker.kernels import kernel
 from tracker.messages import Array
 
@@ -101,5 +101,5 @@ def _inject(  # type: ignore[no-untyped-def]
     for i in range(scale.shape[0]):
         for k in range(scale.shape[1]):
             scale[i, k] = min(max(scale[i, k], low), high)
-    turned = turn_all(R_GB, dx[theta_at:bg_at].reshape(-1, 3))
-    return turned, turn_all(R_IB, dx[phi_at:ba_at].reshape(-1, 3)), scale
+    turned = rotate_all(R_GB, dx[theta_at:bg_at].reshape(-1, 3))
+    return turned, rotate_all(R_IB, dx[phi_at:ba_at].reshape(-1, 3)), scale

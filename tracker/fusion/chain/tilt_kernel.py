@@ -6,7 +6,7 @@ import numpy as np
 
 from tracker.fusion.chain.kinematics import from_point, joint_lever, stretched
 from tracker.fusion.chain.propagate_kernel import body_rates, root_force
-from tracker.geometry.kernels import act3, cross3, mul3, skew3, tact3
+from tracker.geometry.kernels import cross3, mul3, rotate, rotate_back, skew3
 from tracker.kernels import kernel
 
 
@@ -60,7 +60,7 @@ def _row(  # type: ignore[no-untyped-def]
     a, lever = segment, stretched(scale[segment], position)
     while True:
         c = cross3(alpha[a], lever) + cross3(w[a], cross3(w[a], lever))
-        kinematic_G += act3(R_GB[a], c)
+        kinematic_G += rotate(R_GB[a], c)
         total = c + f_0 if a == 0 else c
         _add(h, theta + 3 * a, mul3(mul3(M, R_GB[a]), skew3(total)), -1.0)
         child, a = a, parent[a]
@@ -68,14 +68,14 @@ def _row(  # type: ignore[no-untyped-def]
             break
         x = joint_lever(scale, origin, joint, base_of, child, a)
         lever = from_point(a, x, root_lever, scale[a])
-    s = tact3(R_GB[segment], kinematic_G + act3(R_GB[0], f_0))
+    s = rotate_back(R_GB[segment], kinematic_G + rotate(R_GB[0], f_0))
     turn, R_0 = mul3(R_IB[j], skew3(s)), mul3(M, R_GB[0])
     _add(h, theta + 3 * segment, turn, 1.0)
     _add(h, phi + 3 * j, turn, -1.0)
     _add(h, ba_at + 3 * j, np.eye(3), 1.0)
     _add(h, phi + 3 * root_imu, mul3(R_0, skew3(f_0)), 1.0)
     _add(h, ba_at + 3 * root_imu, mul3(R_0, R_IB[root_imu].T), -1.0)
-    return act3(R_IB[j], s) + ba[j], np.sqrt(np.sum(kinematic_G**2))
+    return rotate(R_IB[j], s) + ba[j], np.sqrt(np.sum(kinematic_G**2))
 
 
 @kernel

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.geometry.kernels import act3, joint_angles3, mul3, tmul3
+from tracker.geometry.kernels import joint_angles3, mul3, rotate, tmul3
 from tracker.kernels import kernel
 from tracker.messages import Array
 
@@ -95,7 +95,7 @@ def complete(  # type: ignore[no-untyped-def]
             if columns[i, k] >= 0:
                 joint[k] = angles[columns[i, k]]
         R_all[i] = mul3(mul3(R_all[a], R_rest[i]), _rotation(joint[0], joint[1], joint[2]))
-        p_all[i] = p_all[a] + act3(R_all[a], scale[a] * origin[i])
+        p_all[i] = p_all[a] + rotate(R_all[a], scale[a] * origin[i])
         total, count = np.zeros(3), 0
         while a > 0:  # a finger's own scale where it has one, else the hand's
             total += scale[a]

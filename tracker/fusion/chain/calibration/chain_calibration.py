@@ -15,7 +15,7 @@ from tracker.fusion.chain.reports import calibration_of
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.time.lagged import LaggedEngine
-from tracker.geometry.kernels import relative_turns
+from tracker.geometry.kernels import relative_rotations
 from tracker.messages import Calibration, CameraPose, IntArray
 
 AROUND = (-0.01, 0.0, 0.01)  # s: neighbours that give an angular acceleration
@@ -88,7 +88,7 @@ class CalibratedChain(LaggedEngine[ChainState]):
     def _calibrate(self, seen: tuple[SeenBlobs, ...], match: IntArray, pose: CameraPose) -> None:
         """Remember this posture if it is worth it, and go a step on with the keyframes' bundle."""
         if self._bundle.wants(self._work, self._state.t):
-            relative = relative_turns(self._state.R_GB, self._layout.parent)
+            relative = relative_rotations(self._state.R_GB, self._layout.parent)
             if self._bundle.lacks(self._work, relative):
                 around = tuple(self._buffer.at(self._state.t + d) for d in AROUND)
                 frame = keyframe_of(
