@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from app.storage.settings import Settings
+from app.storage.settings import AppSettings
 from tracker.errors import DeviceError
 from tracker.sensors.camera_controls import ControlledInput, Locks, locks_from
 from tracker.sensors.camera_plugins import all_cameras, is_plugin, open_plugin
@@ -67,7 +67,7 @@ def by_names(left: CameraName, right: CameraName) -> str:
 
 
 def choose(
-    settings: Settings,
+    settings: AppSettings,
     width: int,
     height: int,
     fps: float,

@@ -8,15 +8,16 @@ from dataclasses import replace
 import numpy as np
 
 from app.engines.demo_camera import DURATION, demo_spec, start_camera
-from app.engines.engine import EngineSetup, Recorder, RecordingRequest, Truth
+from app.engines.engine import EngineSetup, RecordingRequest, ReferenceHand
 from app.engines.recorder import recorder_maker
 from app.engines.warm_up import warm_up
-from app.platform.tasks import Progress
+from app.platform.tasks import JobProgress
 from tracker import library
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError
 from tracker.geometry import so3
+from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
 from tracker.messages import Estimate, Message, Validity
 from tracker.pipeline import Pipeline
@@ -38,7 +39,7 @@ CAMERA = "simulated camera"
 
 
 def demo_setup(
-    progress: Progress, seed: int, fps: float, camera: SimulatedCamera | None = None
+    progress: JobProgress, seed: int, fps: float, camera: SimulatedCamera | None = None
 ) -> EngineSetup:
     """Build everything; takes a minute or so the first time where no kernel is compiled.
 
@@ -53,7 +54,7 @@ def demo_setup(
         raise
 
 
-def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> EngineSetup:
+def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) -> EngineSetup:
     simulation = build(spec)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
     profile = parse_profile(colours_text)
@@ -77,9 +78,9 @@ def _setup_with(progress: Progress, spec: DemoSpec, camera: SimulatedCamera) -> 
     tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
     info = _info(spec, simulation, pipeline, colours_text)
 
-    def truth(t: float) -> Truth:
+    def truth(t: float) -> ReferenceHand:
         true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
-        return Truth(true.keypoints, true.R_GB, true.p_GB)
+        return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
 
     record = recorder_maker(tracker, info)
 

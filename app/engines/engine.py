@@ -11,6 +11,7 @@ from tracker.clock import ClockAnchor
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.live.recording import Recorder
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -19,7 +20,6 @@ from tracker.messages import (
     Event,
     FrameResult,
     ImuSample,
-    Message,
     Status,
     StereoFrame,
 )
@@ -29,14 +29,6 @@ from tracker.vision.rig import StereoRig
 
 ENGINES = ("chain", "vist", "switching", "madgwick")
 """`tracker.pipeline.ENGINES`, whose import takes a second."""
-
-
-class Recorder(Protocol):
-    """Takes every message for a file."""
-
-    def write(self, message: Message, overloaded: bool = False) -> None: ...
-
-    def close(self) -> None: ...
 
 
 class LiveEngine(Protocol):
@@ -118,14 +110,17 @@ class Player(Protocol):
     @property
     def events(self) -> Sequence[tuple[float, Event]]: ...
 
-    def set_ghost(self, path: Path | None) -> None: ...
+    def set_reference(self, path: Path | None) -> None: ...
 
-    def ghost(self) -> Truth | None: ...
+    def reference(self) -> ReferenceHand | None: ...
 
 
 @dataclass(frozen=True)
-class Truth:
-    """The simulated hand as it is: keypoints (K, 3) m and segment poses R (S, 3, 3), p (S, 3)."""
+class ReferenceHand:
+    """A hand to show beside the tracked one: another tracking, or the simulated hand as it is.
+
+    Keypoints (K, 3) m, segment rotations R (S, 3, 3) and origins p (S, 3) m.
+    """
 
     keypoints: Array
     R_GB: Array
@@ -157,7 +152,7 @@ class EngineSetup:
     anchor: ClockAnchor
     close: Callable[[], None]
     make_recorder: Callable[[RecordingRequest], Recorder] | None = None
-    truth: Callable[[float], Truth | None] | None = None
+    truth: Callable[[float], ReferenceHand | None] | None = None
     simulated: bool = False
     player: Player | None = None  # of a recorded session
     command: Callable[[Callable[[Engine], None]], None] | None = None  # in the engine's own thread

@@ -9,8 +9,8 @@ from app.engines.camera_choice import choose
 from app.engines.engine import EngineSetup
 from app.engines.recorder import recorder_maker
 from app.engines.warm_up import warm_up
-from app.platform.tasks import Progress
-from app.storage.settings import Settings
+from app.platform.tasks import JobProgress
+from app.storage.settings import AppSettings
 from tracker import library
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.clock import ClockAnchor
@@ -29,7 +29,7 @@ from tracker.vision.rig import StereoRig
 WIDTH, HEIGHT, FPS = 1280, 720, 60.0
 
 
-def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
+def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     """Find the devices and build an engine on them. Raises DeviceError with what is missing."""
     port = find_port(progress, settings.port)
     progress(0.5, "camera")
@@ -68,7 +68,7 @@ def hardware_setup(progress: Progress, settings: Settings) -> EngineSetup:
     )
 
 
-def _info(settings: Settings, pipeline: Pipeline, colours_text: str) -> SessionInfo:
+def _info(settings: AppSettings, pipeline: Pipeline, colours_text: str) -> SessionInfo:
     """What a recording of these devices is about."""
     return SessionInfo(
         hand=pipeline.hand,
@@ -83,7 +83,7 @@ def _info(settings: Settings, pipeline: Pipeline, colours_text: str) -> SessionI
     )
 
 
-def find_port(progress: Progress, last: str) -> str:
+def find_port(progress: JobProgress, last: str) -> str:
     """The first port with a glove behind it; the last one used is asked first."""
     # one that is not on USB is on no list, and was chosen by hand
     ports = [*([last] if last else []), *(p for p in serial_ports() if p != last)]

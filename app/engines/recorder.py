@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from app.engines.engine import Recorder, RecordingRequest
+from app.engines.engine import RecordingRequest
 from tracker.config import to_toml
+from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
 from tracker.messages import Calibration, EngineState, Event, Message
 from tracker.session.description import SessionInfo

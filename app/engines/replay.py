@@ -7,13 +7,14 @@ from collections import deque
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.engines.engine import EngineSetup, Recorder, Truth
-from app.engines.replay_ghost import GhostTrack
+from app.engines.engine import EngineSetup, ReferenceHand
+from app.engines.replay_reference import ReferenceTrack
 from app.engines.replay_transport import IDLE_S, Transport
 from app.engines.warm_up import warm_up_view
-from app.platform.tasks import Progress
+from app.platform.tasks import JobProgress
 from resources import folder
 from tracker.errors import FileError, GlovetrackError
+from tracker.live.recording import Recorder
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -50,13 +51,13 @@ class ReplayEngine(Transport):
         self._shown_at = 0.0  # where the image on screen stands
         self._events: deque[Event] = deque(maxlen=1000)
         self._timeline: tuple[tuple[float, Event], ...] = ()
-        self._truth = GhostTrack(path, truth=True) if self._holds("/truth/") else None
+        self._truth = ReferenceTrack(path, truth=True) if self._holds("/truth/") else None
         # Without blobs (a session tracked again) there is no image: one steps by estimates.
         self._steps_by: type = BlobFrame if self._holds("/camera/") else Estimate
-        self._ghost: GhostTrack | None = None
-        self._ghost_wanted: GhostTrack | None = None
-        self._true_pose: Truth | None = None
-        self._ghost_pose: Truth | None = None
+        self._reference: ReferenceTrack | None = None
+        self._reference_wanted: ReferenceTrack | None = None
+        self._true_pose: ReferenceHand | None = None
+        self._reference_pose: ReferenceHand | None = None
         self._estimate: Estimate | None = None
         self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
         self._calibration: Calibration | None = None
@@ -110,7 +111,7 @@ class ReplayEngine(Transport):
     def close(self) -> None:
         self.stop()
         self._reader.close()
-        for track in {self._truth, self._ghost, self._ghost_wanted}:
+        for track in {self._truth, self._reference, self._reference_wanted}:
             if track is not None:
                 track.close()
 
@@ -161,15 +162,15 @@ class ReplayEngine(Transport):
         """What happened, with its place in s."""
         return self._timeline
 
-    def set_ghost(self, path: Path | None) -> None:
+    def set_reference(self, path: Path | None) -> None:
         """Show the tracking in ``path`` beside this one. Raises FileError in words."""
-        self._ghost_wanted = None if path is None else GhostTrack(path)
+        self._reference_wanted = None if path is None else ReferenceTrack(path)
         self.seek(self._position)
 
-    def ghost(self) -> Truth | None:
-        return self._ghost_pose
+    def reference(self) -> ReferenceHand | None:
+        return self._reference_pose
 
-    def truth(self, _t: float) -> Truth | None:
+    def truth(self, _t: float) -> ReferenceHand | None:
         """The simulated hand at the instant of the latest estimate."""
         return self._true_pose
 
@@ -204,10 +205,10 @@ class ReplayEngine(Transport):
 
     def _play_from(self, start: float) -> None:
         self._forget()
-        self._change_ghost()
+        self._change_reference()
         self._position, self._images_due = start, 1
         begin = self._start_t + start
-        for track in (self._truth, self._ghost):
+        for track in (self._truth, self._reference):
             if track is not None:
                 track.seek(begin - LEAD_IN_S)
         for message in self._reader.messages(start=begin - LEAD_IN_S):
@@ -217,12 +218,12 @@ class ReplayEngine(Transport):
             self._take(message, place >= start)
         self._ended(self.duration)
 
-    def _change_ghost(self) -> None:
+    def _change_reference(self) -> None:
         """Here and nowhere else, so that no track is closed while it is read."""
-        if self._ghost is not self._ghost_wanted:
-            if self._ghost is not None:
-                self._ghost.close()
-            self._ghost, self._ghost_pose = self._ghost_wanted, None
+        if self._reference is not self._reference_wanted:
+            if self._reference is not None:
+                self._reference.close()
+            self._reference, self._reference_pose = self._reference_wanted, None
 
     def _take(self, message: Message, due: bool) -> None:
         """``due``: not of the time before the place that was asked for."""
@@ -252,9 +253,9 @@ class ReplayEngine(Transport):
         if self._truth is not None:
             self._truth.advance(estimate.t)
             self._true_pose = self._truth.pose(estimate.t)
-        if self._ghost is not None:
-            self._ghost.advance(estimate.t)
-            self._ghost_pose = self._ghost.pose(estimate.t)
+        if self._reference is not None:
+            self._reference.advance(estimate.t)
+            self._reference_pose = self._reference.pose(estimate.t)
 
     def _take_blobs(self, blobs: BlobFrame) -> None:
         image = self._images.pop(blobs.t, None)
@@ -273,7 +274,7 @@ def _arrival(message: Message) -> float:
     return float(getattr(message, "t_arrival", message.t))
 
 
-def open_replay(path: Path, progress: Progress) -> EngineSetup:
+def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
     """Open a session file for the window. Raises FileError in words."""
     progress(-1.0, path.name)
     warm_up_view()

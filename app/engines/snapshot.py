@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from app.engines.engine import EngineSetup, Truth
+from app.engines.engine import EngineSetup, ReferenceHand
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -39,21 +39,25 @@ class Snapshot:
     status: Status | None = None
     imu: Sequence[ImuSample] = field(default_factory=tuple)
 
-    def truth(self) -> Truth | None:
+    def truth(self) -> ReferenceHand | None:
         """The simulated hand at the instant of the estimate; a millisecond's work, so on demand."""
         if self.setup.truth is None or self.estimate is None:
             return None
         return self.setup.truth(self.estimate.t)
 
-    def ghost(self) -> Truth | None:
+    def reference(self) -> ReferenceHand | None:
         """The hand to compare with: a replay's second tracking, or a second engine, where one is
         set, else the truth."""
         player, shadowing = self.setup.player, self.setup.shadowing
-        other = player.ghost() if player is not None else None
+        other = player.reference() if player is not None else None
         second = shadowing.shadow_estimate() if shadowing is not None else None
         if second is not None:
             there = second.tracking != Tracking.LOST and bool(np.isfinite(second.segment_p).all())
-            return Truth(second.keypoints, second.segment_R, second.segment_p) if there else None
+            return (
+                ReferenceHand(second.keypoints, second.segment_R, second.segment_p)
+                if there
+                else None
+            )
         return other if other is not None else self.truth()
 
 

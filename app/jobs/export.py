@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from app.platform.tasks import Job, Progress, Task, TaskOwner
+from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, Look
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class ExportRequest:
 def export_job(request: ExportRequest) -> Job:
     """A job that writes the file; cancelled, it leaves none behind."""
 
-    def run(progress: Progress) -> Path:
+    def run(progress: JobProgress) -> Path:
         from tracker.session.export import export
 
         progress(0.0, request.form)
@@ -84,7 +84,7 @@ class QueueItem:
     look: Look = WAITING
     share: float = 0.0
     problem: str = ""
-    task: Task | None = field(default=None, repr=False)
+    task: RunningJob | None = field(default=None, repr=False)
 
     @property
     def open(self) -> bool:

@@ -16,8 +16,8 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup
-from app.engines.session import Session
-from app.platform.tasks import Progress, TaskOwner
+from app.engines.engine_host import EngineHost
+from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore
 from tracker.messages import Event, Validity
 from tracker.streaming.attach import Attachment, attach
@@ -48,21 +48,21 @@ class Outputs(QObject):
 
     def __init__(
         self,
-        session: Session,
+        host: EngineHost,
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._session, self._store, self._tasks = session, store, tasks
+        self._host, self._store, self._tasks = host, store, tasks
         self.params = params_from(StreamParams, store.value.streams)
         self.rule = params_from(HapticRule, store.value.haptics)
         self._attached: dict[str, Attachment] = {}
         self._fresh: list[Publisher] = []  # open, and not yet attached
         self._wanted: dict[str, int] = {}  # number of the latest wish for each output
         self.problems: dict[str, str] = {}
-        session.running_changed.connect(self._follow)
-        session.closed.connect(lambda: self._follow(False))
+        host.running_changed.connect(self._follow)
+        host.closed.connect(lambda: self._follow(False))
 
     # --- what the user asks
 
@@ -102,14 +102,14 @@ class Outputs(QObject):
             rule = replace(rule, center=self.fingertip())
         if rule.on and not rule.center:
             rule = replace(rule, on=False)
-            self._session.error.emit(self.tr("The index fingertip is not seen: there is no place."))
+            self._host.error.emit(self.tr("The index fingertip is not seen: there is no place."))
         self.rule = rule
         self._store.update(haptics={**asdict(rule), "center": list(rule.center)})
         self._apply(HAPTICS)
 
     def fingertip(self) -> tuple[float, ...]:
         """Where the index fingertip is now, m in G; empty where that is not known."""
-        setup = self._session.setup
+        setup = self._host.setup
         estimate = setup.engine.latest_estimate() if setup is not None else None
         if setup is None or estimate is None:
             return ()
@@ -120,14 +120,14 @@ class Outputs(QObject):
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> None:
         """Let one motor run, to feel whether it does."""
-        setup = self._session.setup
+        setup = self._host.setup
         if setup is not None and setup.vibrate is not None:
             setup.vibrate(channel, amplitude, duration_ms)
 
     @property
     def can_vibrate(self) -> bool:
-        setup = self._session.setup
-        return setup is not None and setup.vibrate is not None and self._session.running
+        setup = self._host.setup
+        return setup is not None and setup.vibrate is not None and self._host.running
 
     def is_on(self, name: str) -> bool:
         return self.rule.on if name == HAPTICS else bool(getattr(self.params, name))
@@ -149,8 +149,8 @@ class Outputs(QObject):
     def _apply(self, name: str) -> None:
         """Close what runs and open it as it is wanted now, where an engine runs."""
         self._close(name)
-        setup = self._session.setup
-        if not self.is_on(name) or setup is None or not self._session.running:
+        setup = self._host.setup
+        if not self.is_on(name) or setup is None or not self._host.running:
             return
         if name == HAPTICS and setup.vibrate is None:
             return
@@ -159,7 +159,7 @@ class Outputs(QObject):
         def opened(publisher: Publisher) -> None:
             self._opened(name, wish, setup, publisher)
 
-        def job(progress: Progress) -> Publisher:
+        def job(progress: JobProgress) -> Publisher:
             progress(-1.0, name)
             publisher = self._publisher(name, setup)
             self._fresh.append(publisher)
@@ -187,7 +187,7 @@ class Outputs(QObject):
         if publisher not in self._fresh:
             return
         self._fresh.remove(publisher)
-        if wish != self._wanted[name] or setup is not self._session.setup:
+        if wish != self._wanted[name] or setup is not self._host.setup:
             publisher.close()
             return
         self._attached[name] = attach(setup.engine, [publisher], say=self._say)
@@ -208,7 +208,7 @@ class Outputs(QObject):
 
     def _say(self, text: str) -> None:
         """May be called from an output's thread."""
-        self._session.happened.emit(Event(0.0, "device", text))
+        self._host.happened.emit(Event(0.0, "device", text))
 
     def shut_down(self) -> None:
         """After the last job: close what one has opened and nobody took."""

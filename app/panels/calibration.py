@@ -15,9 +15,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.jobs.calibration_link import CalibrationLink
+from app.jobs.calibration_commands import CalibrationCommands
 from app.panels.panel import Panel
 from app.panels.wearer_row import WearerRow
 from app.storage.settings import SettingsStore
@@ -38,12 +38,12 @@ class CalibrationPanel(Panel):
     period = 0.5
 
     def __init__(
-        self, session: Session, store: SettingsStore, parent: QWidget | None = None
+        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(session, parent)
+        super().__init__(host, parent)
         self._store = store
         self._wearers = WearerStore(store.path.parent / "wearers")
-        self._link = CalibrationLink(session, self)
+        self._link = CalibrationCommands(host, self)
         self._link.learned.connect(self._learned)
         self._saving = ""  # the name that an answer of the engine is to be saved under
         self._worn: WearerFile | None = None
@@ -96,10 +96,10 @@ class CalibrationPanel(Panel):
         row.reset.connect(self.reset)
         row.freeze.connect(self._link.freeze)
         row.compare.connect(lambda _on: self._draw())
-        self.session.opened.connect(self._open)
-        self.session.engine_changed.connect(self._engine_changed)
-        self.session.running_changed.connect(lambda _on: self._enable())
-        self.session.closed.connect(self._enable)
+        self.host.opened.connect(self._open)
+        self.host.engine_changed.connect(self._engine_changed)
+        self.host.running_changed.connect(lambda _on: self._enable())
+        self.host.closed.connect(self._enable)
         self._enable()
 
     def _enable(self) -> None:
@@ -148,7 +148,7 @@ class CalibrationPanel(Panel):
         try:
             self._worn = self._wearers.load(name, layout)
         except GlovetrackError as error:
-            self.session.error.emit(str(error))
+            self.host.error.emit(str(error))
             self.wearer.set_names(self._wearers.names(), "")
             return
         self._last_fit = self._worn.calibration
@@ -183,7 +183,7 @@ class CalibrationPanel(Panel):
         try:
             kept = self._wearers.save(name, wearer)
         except GlovetrackError as error:
-            self.session.error.emit(str(error))
+            self.host.error.emit(str(error))
             return
         self._worn, self._last_fit = wearer, wearer.calibration
         self._store.update(wearer=kept)
@@ -195,7 +195,7 @@ class CalibrationPanel(Panel):
         try:
             self._wearers.remove(name)
         except GlovetrackError as error:
-            self.session.error.emit(str(error))
+            self.host.error.emit(str(error))
         self._store.update(wearer="")
         self.wearer.set_names(self._wearers.names(), "")
 

@@ -7,10 +7,10 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
-from app.storage.kept_images import Image
+from app.storage.image_folder import Image
 from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.overlay import Layers, hand_box, overlay
@@ -26,8 +26,8 @@ class CamerasPanel(Panel):
     period = 1 / 60
     set_up_asked = Signal()
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(session, parent)
+    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
+        super().__init__(host, parent)
         waiting = self.tr("No image yet")
         self.left = ImageView(self.tr("Left"), waiting)
         self.right = ImageView(self.tr("Right"), waiting)
@@ -47,7 +47,7 @@ class CamerasPanel(Panel):
             image.handled.connect(self._stop_following)
             splitter.addWidget(image)
         column.addWidget(splitter, 1)
-        session.opened.connect(self._open)
+        host.opened.connect(self._open)
 
     def title(self) -> str:
         return self.tr("Cameras")

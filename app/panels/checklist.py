@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
@@ -18,9 +18,9 @@ class ChecklistPanel(Panel):
     action = Signal(str)
 
     def __init__(
-        self, session: Session, store: SettingsStore, parent: QWidget | None = None
+        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(session, parent)
+        super().__init__(host, parent)
         self._store = store
         self._rows: list[_Row] = []
         self._grid = QGridLayout()

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.panels.panel import Panel
 from app.viewmodels.log import KINDS, Log
 from tracker.messages import Event
@@ -30,8 +30,8 @@ class LogPanel(Panel):
     period = 1.0
     report = Signal()  # the user wants a bug report
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(session, parent)
+    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
+        super().__init__(host, parent)
         self.model = Log()
         self.kind = QComboBox()
         self.kind.addItem(self.tr("Everything"), "")
@@ -58,8 +58,8 @@ class LogPanel(Panel):
         column.setContentsMargins(6, 6, 6, 6)
         column.addLayout(row)
         column.addWidget(self.list, 1)
-        session.happened.connect(self.add)
-        session.error.connect(lambda text: self.add(Event(0.0, "error", text)))
+        host.happened.connect(self.add)
+        host.error.connect(lambda text: self.add(Event(0.0, "error", text)))
 
     def title(self) -> str:
         return self.tr("Log")

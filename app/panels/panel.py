@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 
 
@@ -14,9 +14,9 @@ class Panel(QWidget):
     name = ""  # stable, for layouts and tests
     period = 1 / 30
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.session = session
+        self.host = host
         self.setObjectName(f"panel_{self.name}")
 
     def title(self) -> str:

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import RecordingRequest
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore, sessions_folder
@@ -38,9 +38,9 @@ class RecordingPanel(Panel):
     period = 0.5
 
     def __init__(
-        self, session: Session, store: SettingsStore, parent: QWidget | None = None
+        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
-        super().__init__(session, parent)
+        super().__init__(host, parent)
         self._store = store
         self._rate, self._messages = RateMeter(), RateMeter()
         self._started = 0.0
@@ -51,8 +51,8 @@ class RecordingPanel(Panel):
         column.addLayout(self._buttons())
         column.addLayout(self._figures())
         column.addStretch(1)
-        session.recording_changed.connect(self._recording_changed)
-        session.running_changed.connect(lambda _on: self._enable())
+        host.recording_changed.connect(self._recording_changed)
+        host.running_changed.connect(lambda _on: self._enable())
         self._enable()
 
     def title(self) -> str:
@@ -84,7 +84,7 @@ class RecordingPanel(Panel):
         self.record_button.clicked.connect(self.toggle)
         self.pause_button = QPushButton(self.tr("Pause"))
         self.pause_button.setCheckable(True)
-        self.pause_button.clicked.connect(self.session.pause)
+        self.pause_button.clicked.connect(self.host.pause)
         self.note_text = QLineEdit()
         self.note_text.setPlaceholderText(self.tr("Note (Enter adds it)"))
         self.note_text.returnPressed.connect(self._note)
@@ -119,8 +119,8 @@ class RecordingPanel(Panel):
 
     def toggle(self) -> None:
         """Begin a file, or end it."""
-        if self.session.recording is not None:
-            self.session.stop_recording()
+        if self.host.recording is not None:
+            self.host.stop_recording()
             return
         folder = Path(self.folder.text())
         participant, task = self.participant.text().strip(), self.task.text().strip()
@@ -129,12 +129,12 @@ class RecordingPanel(Panel):
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             reason = error.strerror or str(error)
-            self.session.error.emit(
+            self.host.error.emit(
                 self.tr("Nothing can be recorded to {}: {}.").format(folder, reason)
             )
             return
         path = automatic_path(folder, participant, task, datetime.now())
-        self.session.record(RecordingRequest(path, participant, task))
+        self.host.record(RecordingRequest(path, participant, task))
 
     def _choose_folder(self) -> None:
         folder = QFileDialog.getExistingDirectory(
@@ -150,7 +150,7 @@ class RecordingPanel(Panel):
     def _note(self) -> None:
         text = self.note_text.text().strip()
         if text:
-            self.session.note(text)
+            self.host.note(text)
             self.note_text.clear()
 
     # --- what it shows
@@ -160,7 +160,7 @@ class RecordingPanel(Panel):
         return time.monotonic() - self._started if self._started else 0.0
 
     def _recording_changed(self, on: bool) -> None:
-        if on and not self.session.paused:
+        if on and not self.host.paused:
             self._started = self._started or time.monotonic()
         if not on:
             self._started = 0.0
@@ -168,16 +168,16 @@ class RecordingPanel(Panel):
         self._enable()
 
     def _enable(self) -> None:
-        recording = self.session.recording is not None
+        recording = self.host.recording is not None
         self.record_button.setText(self.tr("Stop") if recording else self.tr("Record"))
-        self.record_button.setEnabled(self.session.running)
+        self.record_button.setEnabled(self.host.running)
         self.pause_button.setEnabled(recording)
-        self.pause_button.setChecked(self.session.paused and recording)
+        self.pause_button.setChecked(self.host.paused and recording)
         for field in (self.participant, self.task):
             field.setEnabled(not recording)
 
     def refresh(self, view: Snapshot | None) -> None:
-        request = self.session.recording
+        request = self.host.recording
         rate = self._show_growth(request.path) if request is not None else 0.0
         if request is not None and view is not None and view.status is not None:
             self.losses_label.setText(losses_text(view.status.values))
@@ -186,16 +186,16 @@ class RecordingPanel(Panel):
         self.warning.setText(room.warning)
         self.warning.setVisible(bool(room.warning))
         if room.full and request is not None:
-            self.session.stop_recording()
+            self.host.stop_recording()
 
     def _show_growth(self, path: Path) -> float:
         """Name, time, size and messages of the file being written; returns its bytes per second."""
         size = path.stat().st_size if path.exists() else 0
         now = time.monotonic()
         rate = self._rate.add(now, size)
-        messages = self._messages.add(now, self.session.written)
+        messages = self._messages.add(now, self.host.written)
         self.file_label.setText(path.name)
         self.time_label.setText(duration_text(self.elapsed()))
         self.size_label.setText(f"{size_text(size)}  ({size_text(rate)}/s)")
-        self.messages_label.setText(f"{self.session.written}  ({messages:.0f}/s)")
+        self.messages_label.setText(f"{self.host.written}  ({messages:.0f}/s)")
         return rate

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.viewmodels.sensors import (
@@ -44,8 +44,8 @@ class SensorsPanel(Panel):
     name = "sensors"
     period = 1 / 20
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
-        super().__init__(session, parent)
+    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
+        super().__init__(host, parent)
         self.chips: list[Chip] = []
         self.toggles: list[QCheckBox] = []
         self._history = AngleHistory(SPAN)
@@ -56,7 +56,7 @@ class SensorsPanel(Panel):
         self._figures = ""
         self._make_plots()
         self._lay_out()
-        session.opened.connect(self._open)
+        host.opened.connect(self._open)
 
     def title(self) -> str:
         return self.tr("Sensors")

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.panels.panel import Panel
@@ -38,8 +38,8 @@ class StreamsPanel(Panel):
     name = "streams"
     period = 0.5
 
-    def __init__(self, session: Session, outputs: Outputs, parent: QWidget | None = None) -> None:
-        super().__init__(session, parent)
+    def __init__(self, host: EngineHost, outputs: Outputs, parent: QWidget | None = None) -> None:
+        super().__init__(host, parent)
         self._outputs = outputs
         inside = QWidget()
         column = QVBoxLayout(inside)
@@ -57,7 +57,7 @@ class StreamsPanel(Panel):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(scroll)
         outputs.changed.connect(self._show)
-        session.running_changed.connect(lambda _on: self._show())
+        host.running_changed.connect(lambda _on: self._show())
         self._show()
 
     def title(self) -> str:
@@ -66,22 +66,22 @@ class StreamsPanel(Panel):
     # --- streams
 
     def _address(self) -> QHBoxLayout:
-        self.host = QLineEdit(self._outputs.params.host)
-        self.host.setToolTip(
+        self.address = QLineEdit(self._outputs.params.host)
+        self.address.setToolTip(
             self.tr(
                 "127.0.0.1 is this computer alone; UDP and VMC send there, servers listen there"
             )
         )
-        self.host.editingFinished.connect(self._move)
+        self.address.editingFinished.connect(self._move)
         label = QLabel(self.tr("&Address"))
-        label.setBuddy(self.host)
+        label.setBuddy(self.address)
         row = QHBoxLayout()
         row.addWidget(label)
-        row.addWidget(self.host, 1)
+        row.addWidget(self.address, 1)
         return row
 
     def _move(self) -> None:
-        host = self.host.text().strip()
+        host = self.address.text().strip()
         if host and host != self._outputs.params.host:
             self._outputs.move(host)
 
@@ -193,7 +193,7 @@ class StreamsPanel(Panel):
         if center:
             self._outputs.set_rule(replace(self._outputs.rule, center=center))
         else:
-            self.session.error.emit(self.tr("The index fingertip is not seen: there is no place."))
+            self.host.error.emit(self.tr("The index fingertip is not seen: there is no place."))
 
     # --- what it shows
 
@@ -201,7 +201,7 @@ class StreamsPanel(Panel):
         for name in STREAMS:
             row = stream_row(
                 self._outputs.is_on(name),
-                self.session.running,
+                self.host.running,
                 self._outputs.counts(name),
                 self._outputs.problems.get(name, ""),
             )

@@ -18,7 +18,7 @@ from tempfile import TemporaryDirectory
 import psutil
 
 from app.platform.licences import parts
-from app.storage.settings import Settings
+from app.storage.settings import AppSettings
 from tracker import __version__
 from tracker.clock import NS, ClockAnchor, nanoseconds, seconds
 from tracker.errors import GlovetrackError
@@ -48,7 +48,7 @@ class Material:
     """
 
     log: str
-    settings: Settings
+    settings: AppSettings
     status: dict[str, object]
     machine: dict[str, str]
     log_folder: Path | None = None

@@ -15,7 +15,7 @@ class Cancelled(Exception):
     """Raised inside a job when the user has cancelled it."""
 
 
-class Progress:
+class JobProgress:
     """Handed to a job: it reports how far it is and learns here that it shall end."""
 
     def __init__(self, report: Callable[[float, str], None]) -> None:
@@ -36,10 +36,10 @@ class Progress:
         return self._cancel.is_set()
 
 
-Job = Callable[[Progress], Any]
+Job = Callable[[JobProgress], Any]
 
 
-class Task(QObject):
+class RunningJob(QObject):
     """One job under way. Signals arrive in the window's thread."""
 
     progressed = Signal(float, str)
@@ -51,7 +51,7 @@ class Task(QObject):
         super().__init__()
         self.title = title
         self._job = job
-        self._progress = Progress(self.progressed.emit)
+        self._progress = JobProgress(self.progressed.emit)
         self._thread = threading.Thread(target=self._run, name=f"glovetrack-task {title}")
 
     def start(self) -> None:
@@ -89,10 +89,10 @@ class TaskOwner(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._tasks: list[Task] = []
+        self._tasks: list[RunningJob] = []
 
     @property
-    def tasks(self) -> tuple[Task, ...]:
+    def tasks(self) -> tuple[RunningJob, ...]:
         return tuple(self._tasks)
 
     def run(
@@ -103,13 +103,13 @@ class TaskOwner(QObject):
         ended: Callable[[], None] | None = None,
         progressed: Callable[[float, str], None] | None = None,
         failed: Callable[[str], None] | None = None,
-    ) -> Task:
+    ) -> RunningJob:
         """Run ``job`` in its own thread. In this thread ``progressed`` hears of its progress,
         ``done`` gets its result or ``failed`` a sentence, and ``ended`` is called however it ends:
         all are connected before the job begins."""
         # No child of the owner: what is connected to a task may hold the last reference to the
         # owner, which would delete the task once more, in the middle of the task's own deletion.
-        task = Task(title, job)
+        task = RunningJob(title, job)
         if progressed is not None:
             task.progressed.connect(progressed, Qt.ConnectionType.QueuedConnection)
         if failed is not None:
@@ -125,7 +125,7 @@ class TaskOwner(QObject):
         self.changed.emit()
         return task
 
-    def _forget(self, task: Task) -> None:
+    def _forget(self, task: RunningJob) -> None:
         if task in self._tasks:
             task.join()
             self._tasks.remove(task)

@@ -25,7 +25,7 @@ _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
-class Settings:
+class AppSettings:
     """The user's choices; every field has a default that serves a first start."""
 
     version: int = VERSION
@@ -64,7 +64,7 @@ MIGRATIONS: dict[int, Migration] = {1: _from_1}
 
 
 class SettingsStore:
-    """Reads and writes `Settings`. ``notice``: a sentence for the user about the file, or empty."""
+    """Reads and writes `AppSettings`. ``notice``: a sentence about the file, or empty."""
 
     def __init__(self, path: Path | None = None) -> None:
         folder = Path(platformdirs.user_config_dir("glovetrack", appauthor=False))
@@ -80,9 +80,9 @@ class SettingsStore:
         temporary.write_text(json.dumps(dataclasses.asdict(self.value), indent=2), "utf-8")
         temporary.replace(self.path)
 
-    def _read(self) -> Settings:
+    def _read(self) -> AppSettings:
         if not self.path.exists():
-            return Settings()
+            return AppSettings()
         try:
             data = json.loads(self.path.read_text("utf-8"))
             version = _version_of(data)
@@ -92,7 +92,7 @@ class SettingsStore:
             return _settings_from(data)
         except (OSError, ValueError) as error:
             self._set_aside(error)
-            return Settings()
+            return AppSettings()
 
     def _back_up(self, version: int) -> None:
         """A copy as version ``version`` left it, so that one can go back to it."""
@@ -126,10 +126,10 @@ def migrated(data: dict[str, Any], version: int) -> dict[str, Any]:
     return data
 
 
-def _settings_from(data: dict[str, Any]) -> Settings:
+def _settings_from(data: dict[str, Any]) -> AppSettings:
     """Settings from JSON. Unknown keys are dropped; wrong types are ValueErrors."""
-    default = Settings()
-    known = {f.name for f in dataclasses.fields(Settings)}
+    default = AppSettings()
+    known = {f.name for f in dataclasses.fields(AppSettings)}
     values = {k: v for k, v in data.items() if k in known}
     for key, value in values.items():
         if type(value) is not type(getattr(default, key)):
@@ -137,7 +137,7 @@ def _settings_from(data: dict[str, Any]) -> Settings:
     return dataclasses.replace(default, **values)
 
 
-def sessions_folder(settings: Settings) -> Path:
+def sessions_folder(settings: AppSettings) -> Path:
     """Where recordings go: the user's choice, else the documents folder."""
     if settings.sessions_folder:
         return Path(settings.sessions_folder)

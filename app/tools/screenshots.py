@@ -20,8 +20,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.engines.engine import RecordingRequest
 from app.engines.snapshot import Snapshot
 from app.storage.settings import SettingsStore
-from app.tools.report import START_TIMEOUT, wait_until
 from app.tools.screenshots_set_up import take_set_up
+from app.window.headless_report import START_TIMEOUT, wait_until
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
 from tracker.messages import Tracking
@@ -60,16 +60,16 @@ def _take_all(window: MainWindow, out: Path, folder: Path) -> int:
         window.set_theme(name)
         wait_until(lambda: False, 0.3)
         save(window, out / f"start-{name}.png")
-    window.session.open("demo", demo_factory())
-    if not wait_until(lambda: window.session.running, START_TIMEOUT):
+    window.host.open("demo", demo_factory())
+    if not wait_until(lambda: window.host.running, START_TIMEOUT):
         print("The demo did not start.")
         return 1
-    window.session.record(RecordingRequest(folder / "P01_pinch.mcap", "P01", "pinch"))
+    window.host.record(RecordingRequest(folder / "P01_pinch.mcap", "P01", "pinch"))
     wait_until(lambda: False, SETTLE)
     for name in ("light", "dark"):
         window.set_theme(name)
         _take_panels(window, out, name)
-    window.session.shut_down()
+    window.host.shut_down()
     if not take_set_up(window, out, save):
         print("A page of the set-up did not get ready.")
         return 1
@@ -94,7 +94,7 @@ def _wait_for_hand(window: MainWindow, spread: bool) -> None:
 
     def ready() -> bool:
         nonlocal since
-        if not _is_good(window.session.snapshot(), spread):
+        if not _is_good(window.host.snapshot(), spread):
             since = time.monotonic()
         return time.monotonic() - since > (STILL if spread else 0.0)
 

@@ -8,8 +8,8 @@ from typing import TypeVar
 
 from PySide6.QtWidgets import QDialog, QWidget
 
-from app.tools.report import wait_until
 from app.viewmodels.glove_setup import Phase
+from app.window.headless_report import wait_until
 from app.window.main_window import MainWindow
 from app.wizards.camera import CameraSetup
 from app.wizards.glove.wizard import GloveSetup

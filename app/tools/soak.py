@@ -26,7 +26,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import start_camera
-from app.platform.process import prepare_process
+from app.platform.process_tuning import tune_process
 
 STARTED = psutil.Process().create_time()
 MB = 1e6
@@ -72,7 +72,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument("--minutes", type=float, default=0.0)
     parser.add_argument("--json", type=Path, default=None, help="a file for the figures")
     args = parser.parse_args(argv)
-    prepare_process()
+    tune_process()
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
     app.setApplicationName("glovetrack")
@@ -146,14 +146,14 @@ def _session(folder: Path) -> Path:
 
 def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
     from app.engines.replay import open_replay
-    from app.platform.tasks import Progress
+    from app.platform.tasks import JobProgress
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
 
     window = MainWindow(SettingsStore(folder / "window.json"))
     window.resize(*SIZE)
     window.show()
-    window.session.adopt(open_replay(session, Progress(lambda *_: None)))
+    window.host.adopt(open_replay(session, JobProgress(lambda *_: None)))
     end = time.monotonic() + 0.1
     while time.monotonic() < end:
         app.processEvents()
@@ -179,14 +179,14 @@ def soak(minutes: float, folder: Path) -> Soak:
     window.resize(*SIZE)
     window.show()
     try:
-        window.session.open("demo", demo_factory(fps=FPS, camera=camera))
+        window.host.open("demo", demo_factory(fps=FPS, camera=camera))
         return _watch(window, Soak(minutes, FPS))
     finally:
         window.close()
 
 
 def _watch(window, out: Soak) -> Soak:  # type: ignore[no-untyped-def]
-    from app.tools.report import wait_until
+    from app.window.headless_report import wait_until
 
     if not wait_until(lambda: _tracked(window), START_TIMEOUT):
         raise SystemExit("The demo did not find the hand.")
@@ -211,14 +211,14 @@ def _watch(window, out: Soak) -> Soak:  # type: ignore[no-untyped-def]
 def _tracked(window) -> bool:  # type: ignore[no-untyped-def]
     from tracker.messages import Tracking
 
-    view = window.session.snapshot()
+    view = window.host.snapshot()
     if view is None or view.estimate is None:
         return False
     return bool(view.estimate.tracking == Tracking.TRACKING)
 
 
 def _take_status(window, out: Soak) -> None:  # type: ignore[no-untyped-def]
-    values = window.session.snapshot().status.values
+    values = window.host.snapshot().status.values
     out.imu_lost = values.get("imu_lost", float("nan"))
     out.frames_dropped = values.get("frames_dropped", float("nan"))
     out.latency_ms = {k: round(v, 2) for k, v in values.items() if k.startswith("latency")}

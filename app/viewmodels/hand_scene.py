@@ -90,7 +90,7 @@ class HandSceneModel:
         if self._last is None:
             return None
         R, p = self._last
-        truth = view.ghost() if with_truth else None
+        truth = view.reference() if with_truth else None
         pose = view.setup.rig.pose
         if view.frame is not None and view.frame.pose is not None:
             pose = view.frame.pose

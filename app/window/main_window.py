@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.session import Session, SetupFactory
+from app.engines.engine_host import EngineHost, SetupFactory
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.panels.calibration import CalibrationPanel
@@ -42,11 +42,11 @@ from app.widgets.banner import Banner
 from app.widgets.command_palette import CommandPalette
 from app.widgets.scrolled import Scrolled
 from app.window import theme
+from app.window.bug_reports import Housekeeping
 from app.window.commands import Commands
-from app.window.housekeeping import Housekeeping
 from app.window.layout import arrange
 from app.window.refresher import Refresher
-from app.window.set_up_desk import SetUpDesk
+from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import demo_factory, hardware_factory, replay_factory
 from app.window.status_bar import StatusBar
 from app.window.window_commands import add_commands, add_help
@@ -67,13 +67,13 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.store = store or SettingsStore()
         self.tasks = TaskOwner(self)
-        self.session = Session(self.tasks, self)
-        self.set_up = SetUpDesk(self.session, self.store, self.tasks, self)
-        self.outputs = Outputs(self.session, self.store, self.tasks, self)
+        self.host = EngineHost(self.tasks, self)
+        self.set_up = SetUpDialogs(self.host, self.store, self.tasks, self)
+        self.outputs = Outputs(self.host, self.store, self.tasks, self)
         self._status_due = 0.0
         self._refreshes = 0
         self._make_panels()
-        self._refresher = Refresher(self.panels, TICK_MS / 1000, self.session.error.emit)
+        self._refresher = Refresher(self.panels, TICK_MS / 1000, self.host.error.emit)
         self._make_frame()
         self.housekeeping = Housekeeping(self, crashes)
         self._make_docks()
@@ -93,16 +93,16 @@ class MainWindow(QMainWindow):
     # --- making
 
     def _make_panels(self) -> None:
-        self.cameras = CamerasPanel(self.session)
-        self.hand = HandPanel(self.session, self.store, self.tasks)
-        self.sensors = SensorsPanel(self.session)
-        self.library = LibraryPanel(self.session, self.store, self.tasks)
-        self.log = LogPanel(self.session)
-        self.checklist = ChecklistPanel(self.session, self.store)
-        self.calibration = CalibrationPanel(self.session, self.store)
-        self.colours = ColoursPanel(self.session, self.store, self.tasks)
-        self.recording = RecordingPanel(self.session, self.store)
-        self.streams = StreamsPanel(self.session, self.outputs)
+        self.cameras = CamerasPanel(self.host)
+        self.hand = HandPanel(self.host, self.store, self.tasks)
+        self.sensors = SensorsPanel(self.host)
+        self.library = LibraryPanel(self.host, self.store, self.tasks)
+        self.log = LogPanel(self.host)
+        self.checklist = ChecklistPanel(self.host, self.store)
+        self.calibration = CalibrationPanel(self.host, self.store)
+        self.colours = ColoursPanel(self.host, self.store, self.tasks)
+        self.recording = RecordingPanel(self.host, self.store)
+        self.streams = StreamsPanel(self.host, self.outputs)
         self.panels: list[Panel] = [
             self.cameras,
             self.hand,
@@ -167,7 +167,7 @@ class MainWindow(QMainWindow):
         self.addToolBar(self._banner_bar)
 
     def _connect(self) -> None:
-        s = self.session
+        s = self.host
         s.opened.connect(self._opened)
         s.closed.connect(self._closed)
         s.running_changed.connect(lambda _on: self._enable())
@@ -184,7 +184,7 @@ class MainWindow(QMainWindow):
         self.start_page.open_session.connect(self.choose_session)
         self.library.replay.connect(self.open_session)
         self.log.report.connect(self.housekeeping.ask_report)
-        self.library.compared.connect(lambda _comparison: self.hand.show_ghost())
+        self.library.compared.connect(lambda _comparison: self.hand.show_reference())
         self.checklist.action.connect(self.run_command)
         self._enable()
 
@@ -225,14 +225,14 @@ class MainWindow(QMainWindow):
 
     def _show_set_up(self) -> None:
         """Before devices are open the list stands beside the start page."""
-        if self.session.setup is None:
+        if self.host.setup is None:
             self.checklist.refresh(None)
             self.docks["checklist"].show()
 
     def set_engine(self, name: str) -> None:
         """Track with another engine, now and after the next start."""
         self.store.update(engine=name)
-        self.session.set_engine(name)
+        self.host.set_engine(name)
 
     def choose_session(self) -> None:
         path, _ = QFileDialog.getOpenFileName(
@@ -250,7 +250,7 @@ class MainWindow(QMainWindow):
         self.setWindowState(self.windowState() & ~Qt.WindowState.WindowMinimized)
         self.raise_()
         self.activateWindow()
-        if path and self.session.recording is not None:
+        if path and self.host.recording is not None:
             text = self.tr("{} waits: a recording is under way.").format(Path(path).name)
             self.show_error(text, (self.tr("Open it now"), lambda: self.open_session(Path(path))))
         elif path:
@@ -258,7 +258,7 @@ class MainWindow(QMainWindow):
 
     def _open(self, title: str, factory: SetupFactory) -> None:
         self._banner_bar.hide()
-        self.session.open(title, factory)
+        self.host.open(title, factory)
 
     def _opened(self, setup: EngineSetup) -> None:
         self.setWindowTitle(self.tr("Glovetrack: {}").format(setup.name))
@@ -289,12 +289,12 @@ class MainWindow(QMainWindow):
         self.recording.toggle()
 
     def toggle_pause(self) -> None:
-        self.session.pause(not self.session.paused)
+        self.host.pause(not self.host.paused)
 
     def ask_note(self) -> None:
         text, ok = QInputDialog.getText(self, self.tr("Note"), self.tr("What happened?"))
         if ok and text.strip():
-            self.session.note(text.strip())
+            self.host.note(text.strip())
 
     def export_session(self) -> None:
         self.docks["library"].show()
@@ -338,7 +338,7 @@ class MainWindow(QMainWindow):
             self.housekeeping.offer_report(event.text)
 
     def _enable(self) -> None:
-        s = self.session
+        s = self.host
         opened = s.setup is not None
         recordable = s.setup is not None and s.setup.make_recorder is not None
         recording = s.recording is not None
@@ -364,7 +364,7 @@ class MainWindow(QMainWindow):
     def _tick(self) -> None:
         self._refreshes += 1
         now = time.monotonic()
-        view = self.session.snapshot()
+        view = self.host.snapshot()
         if view is not None:
             self._refresher.refresh(view)
         if now >= self._status_due:
@@ -372,19 +372,19 @@ class MainWindow(QMainWindow):
             self._refresh_status(view)
 
     def _refresh_status(self, view: Snapshot | None) -> None:
-        self.bar.show_status(view.status if view else None, self.session.running)
+        self.bar.show_status(view.status if view else None, self.host.running)
         text = ""
-        if self.session.recording is not None:
-            word = self.tr("Paused") if self.session.paused else self.tr("Recording")
+        if self.host.recording is not None:
+            word = self.tr("Paused") if self.host.paused else self.tr("Recording")
             text = f"{word} {duration_text(self.recording.elapsed())}"
-        self.bar.show_recording(text, WARN.colour if self.session.paused else BAD.colour)
+        self.bar.show_recording(text, WARN.colour if self.host.paused else BAD.colour)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """End everything in order: timer, jobs, engine and file, GL."""
         self._timer.stop()
         self._remember()
         self.set_up.shut_down()
-        self.session.end()
+        self.host.end()
         self.tasks.shut_down()  # last: a recording that ends has the library read again
         self.outputs.shut_down()
         for panel in self.panels:

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from app.engines.engine import EngineSetup
-from app.engines.session import SetupFactory
-from app.platform.tasks import Progress
-from app.storage.settings import Settings
+from app.engines.engine_host import SetupFactory
+from app.platform.tasks import JobProgress
+from app.storage.settings import AppSettings
 
 if TYPE_CHECKING:
     from tracker.simulation.camera_device import SimulatedCamera
@@ -24,7 +24,7 @@ def demo_factory(
     """A simulated wearer, glove and camera; ``camera`` may have been started for it before."""
     started = [camera] if camera is not None else []
 
-    def build(progress: Progress) -> EngineSetup:
+    def build(progress: JobProgress) -> EngineSetup:
         from app.engines.demo import demo_setup
 
         return demo_setup(progress, seed, fps, started.pop() if started else None)
@@ -32,10 +32,10 @@ def demo_factory(
     return build
 
 
-def hardware_factory(settings: Settings) -> SetupFactory:
+def hardware_factory(settings: AppSettings) -> SetupFactory:
     """The glove on a serial port and the stereo camera."""
 
-    def build(progress: Progress) -> EngineSetup:
+    def build(progress: JobProgress) -> EngineSetup:
         from app.engines.hardware import hardware_setup
 
         return hardware_setup(progress, settings)
@@ -46,7 +46,7 @@ def hardware_factory(settings: Settings) -> SetupFactory:
 def replay_factory(path: Path) -> SetupFactory:
     """A recorded session."""
 
-    def build(progress: Progress) -> EngineSetup:
+    def build(progress: JobProgress) -> EngineSetup:
         from app.engines.replay import open_replay
 
         return open_replay(path, progress)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QToolTip, QWidget
 
-from app.platform.tasks import Task, TaskOwner
+from app.platform.tasks import RunningJob, TaskOwner
 from app.viewmodels.status import fields, tracking_look
 from app.widgets.chip import Chip
 from tracker.messages import Status
@@ -28,7 +28,7 @@ class StatusBar(QStatusBar):
         self._cancel.clicked.connect(self._cancel_task)
         for widget in (self.recording, self._task_name, self._bar, self._cancel):
             self.addPermanentWidget(widget)
-        self._watched: Task | None = None
+        self._watched: RunningJob | None = None
         tasks.changed.connect(self._watch)
         self._watch()
 

@@ -26,7 +26,7 @@ def _file(w: MainWindow) -> list[Command]:
         Command("hardware", menu, w.tr("&Glove and camera"), w.start_hardware, "Ctrl+G"),
         Command("open", menu, w.tr("&Open a session…"), w.choose_session, "Ctrl+O"),
         Command("export", menu, w.tr("&Export…"), w.export_session, "Ctrl+E"),
-        Command("close", menu, w.tr("&Close the session"), w.session.shut_down, "Ctrl+W"),
+        Command("close", menu, w.tr("&Close the session"), w.host.shut_down, "Ctrl+W"),
         Command("quit", menu, w.tr("&Quit"), lambda: w.close(), "Ctrl+Q", separator=True),
     ]
 
@@ -44,8 +44,8 @@ def _set_up(w: MainWindow) -> list[Command]:
 def _tracking(w: MainWindow) -> list[Command]:
     menu = w.tr("&Tracking")
     return [
-        Command("start", menu, w.tr("&Start"), w.session.start, "F5"),
-        Command("stop", menu, w.tr("S&top"), w.session.stop, "Shift+F5"),
+        Command("start", menu, w.tr("&Start"), w.host.start, "F5"),
+        Command("stop", menu, w.tr("S&top"), w.host.stop, "Shift+F5"),
         Command("record", menu, w.tr("&Record"), w.toggle_recording, "Space", separator=True),
         Command("pause", menu, w.tr("&Pause the recording"), w.toggle_pause, "Ctrl+P"),
         Command("note", menu, w.tr("Add a &note…"), w.ask_note, "N"),

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.camera_choice import NAME, PAIR, by_name, by_names
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.wizards.sizing import fit_to_screen
@@ -42,14 +42,14 @@ class CameraSetup(QDialog):
 
     def __init__(
         self,
-        session: Session,
+        host: EngineHost,
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QWidget | None = None,
         find: Callable[[], list[CameraName]] = all_cameras,
     ) -> None:
         super().__init__(parent)
-        self._session, self._store, self._tasks, self._find = session, store, tasks, find
+        self._host, self._store, self._tasks, self._find = host, store, tasks, find
         self._cameras: list[CameraName] = []
         self.setWindowTitle(self.tr("Camera set-up"))
         self.setObjectName("camera_setup")
@@ -147,7 +147,7 @@ class CameraSetup(QDialog):
     # --- locks
 
     def _tick(self) -> None:
-        setup = self._session.setup
+        setup = self._host.setup
         controls = setup.camera_controls if setup is not None else None
         if setup is not None and setup.simulated:
             self.locks.show_nothing(self.tr("The simulated camera's exposure is fixed."))
@@ -159,7 +159,7 @@ class CameraSetup(QDialog):
 
     def _lock(self, locks: Locks) -> None:
         self._store.update(camera_locks=locks_text(locks))
-        setup = self._session.setup
+        setup = self._host.setup
         if setup is not None and setup.camera_controls is not None:
             setup.camera_controls.want(locks)
 

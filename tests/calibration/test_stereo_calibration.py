@@ -29,7 +29,7 @@ from tracker.calibration.stereo.coverage import advice, coverage, shape_of
 from tracker.calibration.stereo.files import ImportForm, load_rig, save_calibration
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve, view_errors
 from tracker.calibration.stereo.verify import verify
-from tracker.calibration.stereo.views import BoardFinder, Look, StereoView
+from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
 from tracker.errors import ConfigError, FileError
 from tracker.geometry import so3
 from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
@@ -170,11 +170,13 @@ def test_views_are_taken_when_still_and_new():
     first, second = (view_at(p, rng) for p in board_poses(SPEC, RIG, 2, 5))
     again = replace(first, left=first.left + 0.3, right=first.right + 0.3)
     collector = Collector(WIDTH)
-    answers = [collector.offer(Look(None, None, v)) for v in (first, again, again, second, second)]
+    answers = [
+        collector.offer(BoardLook(None, None, v)) for v in (first, again, again, second, second)
+    ]
     assert answers == [
         Answer.MOVING, Answer.TAKEN, Answer.KNOWN, Answer.MOVING, Answer.TAKEN,
     ]  # fmt: skip
-    assert collector.offer(Look(None, None, None, "nothing")) is Answer.ABSENT
+    assert collector.offer(BoardLook(None, None, None, "nothing")) is Answer.ABSENT
     collector.remove(0)
     assert len(collector.views) == 1
 

@@ -56,6 +56,6 @@ def engine() -> ScriptedEngine:
 @pytest.fixture
 def live(window, engine, qtbot):
     """The window on a scripted engine, with the first second shown."""
-    window.session.adopt(scripted_setup(engine))
+    window.host.adopt(scripted_setup(engine))
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
     return window

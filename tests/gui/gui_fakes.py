@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.engines.engine import EngineSetup, Truth
+from app.engines.engine import EngineSetup, ReferenceHand
 from resources import folder
 from tracker.clock import ClockAnchor
 from tracker.glove.files import parse_glove
@@ -207,9 +207,9 @@ def scripted_setup(engine: ScriptedEngine, recorders: list | None = None) -> Eng
         made.append(MemoryRecorder(request.path))
         return made[-1]
 
-    def truth(t: float) -> Truth:
+    def truth(t: float) -> ReferenceHand:
         true = simulation().truth(t)
-        return Truth(true.keypoints, true.R_GB, true.p_GB)
+        return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
 
     return EngineSetup(
         name="scripted",

@@ -60,7 +60,7 @@ def engine() -> Commanded:
 @pytest.fixture
 def panel(window, engine, qtbot):
     teach(engine.inner, 1.04)
-    window.session.adopt(setup_of(engine))
+    window.host.adopt(setup_of(engine))
     window.run_command("show_calibration")
     qtbot.waitUntil(lambda: window.calibration._latest is not None, timeout=30_000)
     return window.calibration
@@ -71,7 +71,7 @@ def action(menu, text: str):
 
 
 def shown(panel, row: int, column: int) -> str:
-    panel.refresh(panel.session.snapshot())
+    panel.refresh(panel.host.snapshot())
     return panel.table.item(row, column).text()
 
 
@@ -114,11 +114,11 @@ def test_comparing_with_nothing_is_said(panel):
 
 def test_freezing_is_said_and_reaches_the_filter(panel, engine):
     panel.wearer.frozen.click()
-    panel.refresh(panel.session.snapshot())
+    panel.refresh(panel.host.snapshot())
     assert panel.advice.text().startswith("Frozen")
     assert not engine.inner._state.P[engine.inner.layout.n_dynamic :].any()
     panel.wearer.frozen.click()
-    panel.refresh(panel.session.snapshot())
+    panel.refresh(panel.host.snapshot())
     assert engine.inner._state.P[engine.inner.layout.n_dynamic :].any()
 
 
@@ -129,7 +129,7 @@ def test_a_wearer_comes_back_after_a_restart(panel, store, qtbot, monkeypatch):
     panel.window().close()
     again, fresh = MainWindow(store), Commanded()
     qtbot.addWidget(again)
-    again.session.adopt(setup_of(fresh))
+    again.host.adopt(setup_of(fresh))
     assert again.calibration.wearer.name == "Anna B"
     assert fresh.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
     again.calibration.wearer.choice.setCurrentIndex(0)
@@ -176,7 +176,7 @@ def test_removing_a_wearer_removes_the_file(panel, store, qtbot):
 
 
 def test_without_an_engine_that_listens_nothing_can_be_changed(window):
-    window.session.adopt(scripted_setup(ScriptedEngine()))  # as a replay
+    window.host.adopt(scripted_setup(ScriptedEngine()))  # as a replay
     row = window.calibration.wearer
     assert not any(w.isEnabled() for w in (row.choice, row.reset_button, row.frozen))
     assert row.comparing.isEnabled()

@@ -22,7 +22,7 @@ def test_it_is_listed_and_chosen(window, qtbot, tmp_path: Path, monkeypatch) -> 
     monkeypatch.syspath_prepend(str(EXAMPLE))
     monkeypatch.setenv("GLOVETRACK_FOLDER_CAMERAS", str(tmp_path))
     importlib.invalidate_caches()
-    dialog = CameraSetup(window.session, window.store, window.tasks)
+    dialog = CameraSetup(window.host, window.store, window.tasks)
     qtbot.addWidget(dialog)
     title = f"Folder {tmp_path.name} (folder://{tmp_path})"
     qtbot.waitUntil(lambda: dialog.left.findText(title) > 0, timeout=10_000)

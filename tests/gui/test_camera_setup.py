@@ -10,7 +10,7 @@ import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup
 
 from app.engines.camera_choice import by_name, by_names, choose
-from app.storage.settings import Settings
+from app.storage.settings import AppSettings
 from app.viewmodels.checklist import steps
 from app.wizards.camera import CameraSetup
 from tracker.calibration.still import StillImu, StillPose
@@ -27,7 +27,7 @@ WEB = CameraName(0, "Webcam", "/dev/video0")
 
 def chosen(camera: str, cameras: tuple[CameraName, ...] | list[CameraName] = ()):
     """What the settings' text opens."""
-    return choose(Settings(camera=camera), 640, 480, 30.0, list(cameras))
+    return choose(AppSettings(camera=camera), 640, 480, 30.0, list(cameras))
 
 
 class Controls:
@@ -53,20 +53,20 @@ def controls(window) -> Controls:
     """The window on a real camera that can be locked."""
     made = Controls()
     setup = replace(scripted_setup(ScriptedEngine()), simulated=False, camera_controls=made)
-    window.session.adopt(setup)
+    window.host.adopt(setup)
     return made
 
 
 @pytest.fixture
 def dialog(window, qtbot):
-    made = CameraSetup(window.session, window.store, window.tasks, window, lambda: [WEB, ZED])
+    made = CameraSetup(window.host, window.store, window.tasks, window, lambda: [WEB, ZED])
     window.set_up.show_dialog("camera", made)
     qtbot.waitUntil(lambda: made.left.count() == 3, timeout=30_000)
     return made
 
 
 def exposure_step(window):
-    return next(s for s in steps(window.session.snapshot()) if s.name == "Exposure locked")
+    return next(s for s in steps(window.host.snapshot()) if s.name == "Exposure locked")
 
 
 def test_the_checklist_asks_for_the_lock_and_its_button_sets_it(window, controls):
@@ -82,7 +82,7 @@ def test_the_checklist_asks_for_the_lock_and_its_button_sets_it(window, controls
 
 
 def test_a_source_without_controls_needs_no_lock(window):
-    window.session.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
+    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
     assert exposure_step(window).done and "no exposure" in exposure_step(window).reason
 
 
@@ -159,7 +159,7 @@ def test_biases_measured_at_rest_reach_the_engine(window):
     engine = Pipeline(hand, glove, ideal_rig()).engine
     assert isinstance(engine, ChainEngine)
     told = replace(scripted_setup(ScriptedEngine()), command=lambda work: work(engine))
-    window.session.adopt(told)
+    window.host.adopt(told)
     bias = np.array([0.01, -0.02, 0.03])
     imu = StillImu("", bias, 1e-4, 1e-4, np.zeros(3))
     window.set_up.take_bias(StillPose((imu,) * len(glove.imus)))

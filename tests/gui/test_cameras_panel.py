@@ -8,7 +8,7 @@ from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.overlay import DIM, EDGE_PX, Layers, overlay
@@ -25,10 +25,10 @@ def cameras(live, qtbot):
 
 @pytest.fixture
 def view(qapp):
-    session = Session(TaskOwner())
-    session.adopt(scripted_setup(ScriptedEngine()))
-    yield session.snapshot()
-    session.shut_down()
+    host = EngineHost(TaskOwner())
+    host.adopt(scripted_setup(ScriptedEngine()))
+    yield host.snapshot()
+    host.shut_down()
 
 
 def patches(engine, hue: str) -> np.ndarray:

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from app.panels.colours.panel import MASK_STEP
 from app.storage.colour_store import ColourStore
-from app.storage.kept_images import MOST, ImageFolder, KeptImage, read_image
+from app.storage.image_folder import MOST, ImageFolder, KeptImage, read_image
 from app.viewmodels.colour_images import in_range, masks_image, room_shares, to_hsv
 from app.viewmodels.colours import hue_colours
 from app.widgets.hue_range import HueRangeSlider
@@ -31,7 +31,7 @@ def setup_of(engine: ScriptedEngine):
 @pytest.fixture
 def colours(window, engine, qtbot):
     """The panel in sight, on a camera with a name."""
-    window.session.adopt(setup_of(engine))
+    window.host.adopt(setup_of(engine))
     window.run_command("show_colours")
     qtbot.waitUntil(lambda: window.colours.source.image() is not None, timeout=30_000)
     return window.colours
@@ -109,7 +109,7 @@ def test_a_fit_repairs_a_hue_that_is_off_and_is_one_step_back(colours, engine, q
 
 def test_a_fit_without_a_tracked_hand_says_what_to_do(window, engine, qtbot):
     engine.tracking = Tracking.SEARCHING
-    window.session.adopt(setup_of(engine))
+    window.host.adopt(setup_of(engine))
     window.run_command("show_colours")
     qtbot.waitUntil(lambda: window.colours.source.image() is not None, timeout=30_000)
     window.colours.fit_markers()
@@ -117,17 +117,17 @@ def test_a_fit_without_a_tracked_hand_says_what_to_do(window, engine, qtbot):
 
 
 def test_tuned_colours_come_back_for_the_same_camera_only(window, engine, store, qtbot, no_leaks):
-    window.session.adopt(setup_of(engine))
+    window.host.adopt(setup_of(engine))
     window.colours.rows["saturation"].low.setValue(77)
     tuned = window.colours.profile
     window.close()
     again, other = ScriptedEngine(), ScriptedEngine()
     reopened = MainWindow(store)
     qtbot.addWidget(reopened)
-    reopened.session.adopt(setup_of(again))
+    reopened.host.adopt(setup_of(again))
     assert again.profiles[-1] == reopened.colours.profile == tuned
-    assert reopened.session.setup.profile == tuned  # a checklist and colours on screen follow
-    reopened.session.adopt(dataclasses.replace(scripted_setup(other), camera="Another"))
+    assert reopened.host.setup.profile == tuned  # a checklist and colours on screen follow
+    reopened.host.adopt(dataclasses.replace(scripted_setup(other), camera="Another"))
     assert reopened.colours.profile == models()[2] and other.profiles == []
     reopened.colours.tools.take_over.emit(reopened.colours.keeper.others()[0])
     assert other.profiles[-1] == tuned
@@ -142,7 +142,7 @@ def test_a_damaged_profile_is_left_alone_and_the_shipped_one_serves(tmp_path):
 
 
 def test_a_replay_keeps_no_colours(window, engine):
-    window.session.adopt(scripted_setup(engine))
+    window.host.adopt(scripted_setup(engine))
     window.colours.rows["value"].low.setValue(60)
     window.colours.keeper.write()
     assert not (window.store.path.parent / "colours").exists()
@@ -158,7 +158,7 @@ def test_a_kept_image_is_tuned_on_while_the_live_one_moves(colours, engine, qtbo
     colours.source.side.setCurrentIndex(1)
     assert np.array_equal(colours.source.image(), image.right)
     size = float(models()[1].marker_size.mean())
-    fx = colours.session.setup.rig.fx
+    fx = colours.host.setup.rig.fx
     found = Detector(colours.profile, size, fx).detect(image.right)[0]
     assert colours.hues.chips[0].text() == f"{int((found.hue == 0).sum())}"
     colours.source.choice.setCurrentIndex(0)
@@ -265,7 +265,7 @@ def test_fast_masks_are_those_of_the_profile():
 
 
 def test_closing_in_the_middle_of_a_drag_keeps_the_last_values(window, engine, store):
-    window.session.adopt(setup_of(engine))
+    window.host.adopt(setup_of(engine))
     window.colours.rows["value"].low.setValue(61)
     window.close()
     kept = ColourStore(store.path.parent / "colours").load(CAMERA, models()[2])

@@ -8,7 +8,7 @@ import pytest
 from gui_fakes import models
 
 from app.engines.demo import demo_setup
-from app.tools.report import KEYPOINTS
+from app.window.headless_report import KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.reader import SessionReader
 
@@ -17,13 +17,13 @@ from tracker.session.reader import SessionReader
 def demo(window, qtbot):
     """The window with the demo running and the hand found."""
     window.start_demo()
-    qtbot.waitUntil(lambda: window.session.running, timeout=100_000)
+    qtbot.waitUntil(lambda: window.host.running, timeout=100_000)
     qtbot.waitUntil(lambda: _tracked(window), timeout=60_000)
     return window
 
 
 def _tracked(window) -> bool:
-    view = window.session.snapshot()
+    view = window.host.snapshot()
     return view is not None and view.estimate is not None and view.estimate.tracking == 1
 
 
@@ -31,7 +31,7 @@ def _recorded(window, qtbot, tmp_path):
     """A session of a second, made by the record command."""
     window.recording.set_folder(tmp_path)
     window.commands.actions["record"].trigger()
-    path = window.session.recording.path
+    path = window.host.recording.path
     qtbot.wait(1200)
     window.commands.actions["record"].trigger()
     return path
@@ -53,11 +53,11 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
 
     demo.library.replay.emit(path)
     qtbot.waitUntil(
-        lambda: demo.session.setup is not None and demo.session.setup.player is not None,
+        lambda: demo.host.setup is not None and demo.host.setup.player is not None,
         timeout=60_000,
     )
     qtbot.waitUntil(lambda: _tracked(demo), timeout=60_000)
-    player = demo.session.setup.player
+    player = demo.host.setup.player
     assert 0.5 < player.duration < 30.0
     player.play(False)
     player.seek(0.5 * player.duration)
@@ -73,16 +73,16 @@ def test_a_camera_process_that_is_killed_is_said_and_the_glove_goes_on(demo, qtb
     camera.kill()
     entries = demo.log.model.entries
     qtbot.waitUntil(lambda: entries("device", "camera has ended") != [], timeout=20_000)
-    before = demo.session.snapshot().estimate.t
-    qtbot.waitUntil(lambda: demo.session.snapshot().estimate.t > before + 0.5, timeout=20_000)
-    assert demo.session.running
+    before = demo.host.snapshot().estimate.t
+    qtbot.waitUntil(lambda: demo.host.snapshot().estimate.t > before + 0.5, timeout=20_000)
+    assert demo.host.running
 
 
 @pytest.mark.timeout(180)
 def test_closing_while_recording_leaves_a_whole_file_with_images_and_truth(demo, qtbot, tmp_path):
     demo.recording.set_folder(tmp_path)
     demo.commands.actions["record"].trigger()
-    path = demo.session.recording.path
+    path = demo.host.recording.path
     qtbot.wait(800)
     demo.close()
     with SessionReader(path) as reader:

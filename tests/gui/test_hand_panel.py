@@ -1,4 +1,4 @@
-"""The 3D hand: trail, ghosts, axes, and which view draws it."""
+"""The 3D hand: trail, references, axes, and which view draws it."""
 
 import dataclasses
 import os
@@ -45,7 +45,7 @@ class Second:
 
 @pytest.fixture
 def hand(window, engine, qtbot):
-    window.session.adopt(dataclasses.replace(scripted_setup(engine), shadowing=Second(engine)))
+    window.host.adopt(dataclasses.replace(scripted_setup(engine), shadowing=Second(engine)))
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
     return window.hand
 
@@ -56,7 +56,7 @@ def choose(combo, data: str) -> None:
 
 def see(hand):
     """One refresh; the scene that was drawn."""
-    hand.refresh(hand.session.snapshot())
+    hand.refresh(hand.host.snapshot())
     return hand._scene
 
 
@@ -90,31 +90,31 @@ def test_axes_stand_at_the_joints_along_their_segments(hand):
     assert all(b.shown for b in hand._actors._axes)
 
 
-def test_the_ghost_is_the_truth_or_another_engine(hand, engine):
-    second = hand.session.setup.shadowing
-    choose(hand.ghost, "other")
+def test_the_reference_is_the_truth_or_another_engine(hand, engine):
+    second = hand.host.setup.shadowing
+    choose(hand.reference, "other")
     scene = see(hand)
     np.testing.assert_allclose(scene.truth[1], scene.segment_p)  # the scripted hand is true
-    choose(hand.ghost, "madgwick")
+    choose(hand.reference, "madgwick")
     assert second.names[-1] == "madgwick"
     scene = see(hand)
     np.testing.assert_allclose(scene.truth[1] - scene.segment_p, np.tile([0, 0.1, 0], (16, 1)))
     second.lost = True
     assert see(hand).truth is None
-    choose(hand.ghost, "")
+    choose(hand.reference, "")
     assert second.names[-1] is None
     assert see(hand).truth is None
 
 
 def test_an_engine_that_cannot_run_is_said(hand):
-    choose(hand.ghost, "vist")
+    choose(hand.reference, "vist")
     assert "too few IMUs" in hand.window().banner.text()
 
 
 def test_a_replay_offers_no_second_engine(window):
-    window.session.adopt(scripted_setup(ScriptedEngine()))
-    ghost = window.hand.ghost
-    able = [ghost.model().item(i).isEnabled() for i in range(ghost.count())]
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    reference = window.hand.reference
+    able = [reference.model().item(i).isEnabled() for i in range(reference.count())]
     assert able == [True, True, False, False, False, False]
 
 
@@ -222,22 +222,22 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 from gui_fakes import ScriptedEngine, scripted_setup
 from app.panels.hand.panel import HandPanel
-from app.tools.report import wait_until
-from app.engines.session import Session
+from app.window.headless_report import wait_until
+from app.engines.engine_host import EngineHost
 from app.storage.settings import SettingsStore
 from app.platform.tasks import TaskOwner
 app = QApplication([])
 store = SettingsStore(Path({folder!r}) / "window.json")
 store.update(view_3d="card")
 tasks = TaskOwner()
-session = Session(tasks)
-panel = HandPanel(session, store, tasks)
+host = EngineHost(tasks)
+panel = HandPanel(host, store, tasks)
 panel.resize(420, 360)
-session.adopt(scripted_setup(ScriptedEngine()))
+host.adopt(scripted_setup(ScriptedEngine()))
 panel.show()
 
 def greenish():
-    panel.refresh(session.snapshot())
+    panel.refresh(host.snapshot())
     app.processEvents()
     image = panel.view.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
@@ -254,7 +254,7 @@ def dead(*_):
 panel.view._view.surface.render = dead
 wait_until(lambda: greenish() > 0.005 and not panel.view.on_card, 30)
 print(on_card, greenish(), panel.view.on_card)
-session.shut_down()
+host.shut_down()
 panel.shut_down()
 tasks.shut_down()
 """

@@ -53,13 +53,13 @@ def connected(window, qtbot, store, tmp_path, device, film):
     save_calibration(calibration, rig.left, rig.right, rig.R, rig.T)
     store.update(port=device.path, camera=str(film), calibration=str(calibration))
     window.start_hardware()
-    qtbot.waitUntil(lambda: window.session.running, timeout=60_000)
+    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
     qtbot.waitUntil(lambda: _done(window, "Glove found"), timeout=30_000)
     return window
 
 
 def _done(window, name: str) -> bool:
-    view = window.session.snapshot()
+    view = window.host.snapshot()
     return next(s for s in steps(view) if s.name == name).done
 
 
@@ -67,7 +67,7 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     assert device.path in connected.windowTitle()
     for name in ("All IMUs answer", "Camera found", "Camera calibrated", "Exposure locked"):
         qtbot.waitUntil(lambda n=name: _done(connected, n), timeout=30_000)
-    assert connected.session.setup.camera.endswith("mine")
+    assert connected.host.setup.camera.endswith("mine")
     # the hand lies still: the biases are measured through the glove in use, and the engine has them
     assert not _done(connected, "Measured at rest")
     connected.run_command("glove_setup")

@@ -16,7 +16,7 @@ from app.panels.bug_report_dialog import BugReportDialog
 from app.platform.bug_report import Choice, Material, contents, cut_tail, write_bundle
 from app.platform.crash import CrashWatch
 from app.platform.licences import parts
-from app.storage.settings import Settings
+from app.storage.settings import AppSettings
 from app.window.about import AboutDialog
 from app.window.main_window import MainWindow
 from tracker import __version__
@@ -149,7 +149,7 @@ def test_a_failing_panel_rests_and_the_others_go_on(live, qtbot, monkeypatch):
 def test_a_worker_that_dies_is_said_and_the_window_lives(live, engine, qtbot):
     engine.events.append(Event(1.0, "error", "The vision thread failed: ValueError: empty."))
     qtbot.waitUntil(lambda: "vision thread failed" in live.banner.text(), timeout=10_000)
-    assert live.session.running
+    assert live.host.running
 
 
 # --- bug reports
@@ -191,7 +191,9 @@ def test_a_bundle_holds_names_only_where_they_were_ticked(session_file, tmp_path
     logs = tmp_path / "logs"
     logs.mkdir()
     (logs / "glovetrack.log").write_text("recorded Mustermann_pinch.mcap\n")
-    settings = Settings(participant="Mustermann", task="pinch", sessions_folder="/data/Mustermann")
+    settings = AppSettings(
+        participant="Mustermann", task="pinch", sessions_folder="/data/Mustermann"
+    )
     material = Material(
         log="Recording Mustermann_pinch.mcap",
         settings=settings,
@@ -275,8 +277,8 @@ def test_every_part_has_a_licence_and_none_is_of_development():
 def test_what_a_window_is_given_while_it_records_waits_for_a_word(live, qtbot, tmp_path):
     live.commands.actions["record"].trigger()
     live.take_over(str(tmp_path / "other.mcap"))
-    assert live.session.recording is not None
+    assert live.host.recording is not None
     assert "other.mcap waits" in live.banner.text()
     live.commands.actions["record"].trigger()
     live.take_over("")
-    assert live.session.setup is not None
+    assert live.host.setup is not None

@@ -11,11 +11,11 @@ from PySide6.QtWidgets import QDialogButtonBox
 
 from app.engines.engine import ENGINES
 from app.jobs.export import CANCELLED, DONE, FAILED, WAITING, ExportQueue, ExportRequest
-from app.jobs.track_again import USUAL_SETTINGS, TrackRequest, track_job
+from app.jobs.offline_tracking import USUAL_SETTINGS, TrackRequest, track_job
 from app.panels.library.compare_dialog import CompareDialog
 from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.track_dialog import TrackDialog
-from app.platform.tasks import Progress, TaskOwner
+from app.platform.tasks import JobProgress, TaskOwner
 from app.viewmodels.library import session_row
 from tracker.errors import ConfigError
 from tracker.messages import Estimate
@@ -63,9 +63,9 @@ def library(window, store, recorded, qtbot, tmp_path):
 def replayed(library, window, qtbot):
     """The session opened by its button, paused where the hand has been found."""
     qtbot.mouseClick(library.buttons["replay"], Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: window.session.running, timeout=20_000)
+    qtbot.waitUntil(lambda: window.host.running, timeout=20_000)
     window.docks["library"].raise_()
-    player = window.session.setup.player
+    player = window.host.setup.player
     window.run_command("play")
     player.seek(1.5)
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=20_000)
@@ -97,22 +97,22 @@ def test_a_row_tells_length_integrity_and_quality(library, qtbot):
 
 
 def test_the_timeline_is_dragged_and_stepped(replayed, window, qtbot):
-    line, player = replayed.transport.timeline, window.session.setup.player
+    line, player = replayed.transport.timeline, window.host.setup.player
     y = int(line.height() * 0.3)
     qtbot.mousePress(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
     qtbot.mouseRelease(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
     qtbot.waitUntil(lambda: player.position == pytest.approx(1.0, abs=0.08), timeout=10_000)
     qtbot.waitUntil(lambda: player._images_due == 0, timeout=10_000)
-    before = window.session.snapshot().frame.index
+    before = window.host.snapshot().frame.index
     line.setFocus()
     qtbot.keyClick(line, Qt.Key.Key_Right)
-    qtbot.waitUntil(lambda: window.session.snapshot().frame.index == before + 1, timeout=10_000)
+    qtbot.waitUntil(lambda: window.host.snapshot().frame.index == before + 1, timeout=10_000)
     qtbot.keyClick(line, Qt.Key.Key_Left)
-    qtbot.waitUntil(lambda: window.session.snapshot().frame.index == before, timeout=10_000)
+    qtbot.waitUntil(lambda: window.host.snapshot().frame.index == before, timeout=10_000)
 
 
 def test_in_and_out_point_limit_replay_and_export(replayed, window, qtbot, tmp_path):
-    player = window.session.setup.player
+    player = window.host.setup.player
     for place, key in ((0.8, "in_point"), (1.8, "out_point")):
         player.seek(place)
         qtbot.waitUntil(lambda p=place: player.position == pytest.approx(p, abs=0.08))
@@ -174,10 +174,10 @@ def test_a_cancelled_export_leaves_no_file(recorded, tmp_path):
     from app.platform.tasks import Cancelled
 
     told = []
-    progress = Progress(lambda share, _text: told.append(share))
+    progress = JobProgress(lambda share, _text: told.append(share))
     job = export_job(ExportRequest(recorded, "csv", tmp_path / "out.csv"))
 
-    class Impatient(Progress):
+    class Impatient(JobProgress):
         def __call__(self, fraction: float, text: str = "") -> None:
             super().__call__(fraction, text)
             if fraction > 0.3:
@@ -206,12 +206,12 @@ def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
     source = replayed._replayed()
     with SessionReader(source.with_name("P01_pinch_vist.mcap")) as reader:
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
-    player = window.session.setup.player
+    player = window.host.setup.player
     player.seek(2.0)
     qtbot.waitUntil(lambda: player.position >= 2.0 and player._images_due == 0, timeout=10_000)
-    view = window.session.snapshot()
+    view = window.host.snapshot()
     wanted = other[round(view.estimate.t, 6)]
-    assert view.ghost().p_GB == pytest.approx(wanted.segment_p, abs=1e-6)
+    assert view.reference().p_GB == pytest.approx(wanted.segment_p, abs=1e-6)
     assert window.hand.show_options().truth
     qtbot.waitUntil(lambda: replayed.table.rowCount() == 2, timeout=10_000)
 
@@ -248,10 +248,10 @@ def test_settings_of_another_version_are_said_and_the_usual_ones_serve(recorded,
                 recorder.write(message)
     job = track_job(old, tmp_path / "new.mcap", TrackRequest())
     with pytest.raises(ConfigError, match="Another version recorded old.mcap"):
-        job(Progress(lambda *_: None))
+        job(JobProgress(lambda *_: None))
     assert not (tmp_path / "new.mcap").exists()
     usual = track_job(old, tmp_path / "new.mcap", TrackRequest(settings=USUAL_SETTINGS))
-    assert usual(Progress(lambda *_: None)).figures["compared"] > 200
+    assert usual(JobProgress(lambda *_: None)).figures["compared"] > 200
 
 
 def test_the_dialog_offers_the_engines_that_there_are():

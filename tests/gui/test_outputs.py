@@ -47,7 +47,7 @@ def motors():
 def panel(window, motors, qtbot):
     """The panel in sight, on an engine whose glove has motors."""
     setup = scripted_setup(ScriptedEngine())
-    window.session.adopt(replace(setup, vibrate=lambda *call: motors.append(call)))
+    window.host.adopt(replace(setup, vibrate=lambda *call: motors.append(call)))
     window.run_command("show_streams")
     return window.streams
 
@@ -63,7 +63,7 @@ def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listene
     panel.ports["udp"].setValue(listener.getsockname()[1])
     panel.boxes["udp"].click()
     told = received(qtbot, listener)
-    estimate = window.session.setup.engine.latest_estimate()
+    estimate = window.host.setup.engine.latest_estimate()
     assert told["keypoints"]["wrist"]["position"] == pytest.approx(
         estimate.keypoints[0].tolist(), abs=1e-6
     )
@@ -89,7 +89,7 @@ def test_what_was_on_runs_again_after_the_next_start(panel, window, store, liste
     qtbot.wait(100)
     with pytest.raises(BlockingIOError):  # nothing is sent before there is an engine
         listener.recv(65536)
-    again.session.adopt(scripted_setup(ScriptedEngine()))
+    again.host.adopt(scripted_setup(ScriptedEngine()))
     qtbot.waitUntil(lambda: "udp" in again.outputs._attached, timeout=10_000)
     assert received(qtbot, listener)["schema"] == 1
     again.close()
@@ -106,7 +106,7 @@ def test_a_port_in_use_is_told_in_words_and_the_rest_goes_on(panel, window, qtbo
         qtbot.waitUntil(lambda: "not open" in state.text(), timeout=20_000)
         assert str(taken.getsockname()[1]) in state.toolTip()
         assert "WebSocket" in window.banner.text()
-    assert window.session.running
+    assert window.host.running
 
 
 def test_the_servers_clients_are_counted(panel, window, qtbot):
@@ -117,7 +117,7 @@ def test_the_servers_clients_are_counted(panel, window, qtbot):
     qtbot.waitUntil(lambda: "nobody listens" in cells["state"].text(), timeout=20_000)
     with client.connect(f"ws://127.0.0.1:{panel.ports['websocket'].value()}/"):
         qtbot.waitUntil(lambda: cells["clients"].text() == "1", timeout=20_000)
-    window.session.stop()
+    window.host.stop()
     qtbot.waitUntil(lambda: "waits for tracking" in cells["state"].text(), timeout=20_000)
 
 
@@ -147,8 +147,8 @@ def test_a_fingertip_in_the_sphere_vibrates_its_motor(panel, window, motors, sto
     qtbot.waitUntil(lambda: motors != [], timeout=10_000)
     assert motors[0][0] == 1  # the index finger's
     rule = params_from(HapticRule, SettingsStore(store.path).value.haptics)
-    engine = window.session.setup.engine
-    names = window.session.setup.glove.keypoint_names(window.session.setup.hand)
+    engine = window.host.setup.engine
+    names = window.host.setup.glove.keypoint_names(window.host.setup.hand)
     tip = engine.latest_estimate().keypoints[names.index("index_tip")]
     assert rule == HapticRule(True, 0.01, tuple(tip.tolist()))
     panel.rule.click()

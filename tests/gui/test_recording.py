@@ -27,18 +27,18 @@ def recorders():
 
 @pytest.fixture
 def recording(window, engine, recorders, qtbot):
-    window.session.adopt(scripted_setup(engine, recorders))
+    window.host.adopt(scripted_setup(engine, recorders))
     window.recording.participant.setText("P 01/a")
     window.commands.actions["record"].trigger()
     return window
 
 
 def test_record_command_makes_a_named_file_and_a_second_press_ends_it(recording, recorders):
-    assert recording.session.recording is not None
+    assert recording.host.recording is not None
     assert recorders[0].path.name.startswith("P-01-a_")
     assert recording.recording.record_button.text() == "Stop"
     recording.commands.actions["record"].trigger()
-    assert recording.session.recording is None
+    assert recording.host.recording is None
     assert recorders[0].closed
     assert recording.recording.record_button.text() == "Record"
 
@@ -79,19 +79,19 @@ def test_pause_holds_back_streams_and_keeps_notes(engine, tmp_path, recorders):
 
 
 def test_after_a_pause_the_file_hears_what_the_engine_knows(recording, engine):
-    recording.session.pause(True)
+    recording.host.pause(True)
     assert engine.kept_states == 0
-    recording.session.pause(False)
+    recording.host.pause(False)
     assert engine.kept_states == 1
 
 
 def test_an_impossible_folder_is_said_and_nothing_is_recorded(window, engine, tmp_path):
-    window.session.adopt(scripted_setup(engine))
+    window.host.adopt(scripted_setup(engine))
     blocker = tmp_path / "file"
     blocker.write_text("")
     window.recording.set_folder(blocker / "inside")
     window.recording.toggle()
-    assert window.session.recording is None
+    assert window.host.recording is None
     assert "Nothing can be recorded" in window.banner.text()
 
 
@@ -102,11 +102,11 @@ def test_start_after_stop_builds_a_new_engine(window, qtbot):
         made.append(ScriptedEngine())
         return scripted_setup(made[-1])
 
-    window.session.open("first", factory)
-    qtbot.waitUntil(lambda: window.session.running, timeout=30_000)
-    window.session.stop()
-    window.session.start()
-    qtbot.waitUntil(lambda: len(made) == 2 and window.session.running, timeout=30_000)
+    window.host.open("first", factory)
+    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    window.host.stop()
+    window.host.start()
+    qtbot.waitUntil(lambda: len(made) == 2 and window.host.running, timeout=30_000)
     assert made[0].stopped == 1 and made[1].started == 1
 
 

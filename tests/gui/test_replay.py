@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.engines.replay import ReplayEngine, open_replay
-from app.engines.replay_ghost import GhostTrack
+from app.engines.replay_reference import ReferenceTrack
 from tracker.messages import BlobFrame, Estimate
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import TrackOptions, track
@@ -123,23 +123,23 @@ def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
 def test_the_other_tracking_stands_beside_this_one(replay, sessions, qtbot):
     with SessionReader(sessions["vist"]) as reader:
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
-    assert replay.ghost() is None
-    replay.set_ghost(sessions["vist"])
+    assert replay.reference() is None
+    replay.set_reference(sessions["vist"])
     replay.seek(2.5)
-    qtbot.waitUntil(lambda: replay.ghost() is not None, timeout=10_000)
+    qtbot.waitUntil(lambda: replay.reference() is not None, timeout=10_000)
     qtbot.wait(100)
-    ghost, mine = replay.ghost(), other[round(replay.latest_estimate().t, 6)]
-    assert ghost.keypoints == pytest.approx(mine.keypoints, abs=1e-9)
-    assert ghost.p_GB == pytest.approx(mine.segment_p, abs=1e-6)
-    assert np.allclose(ghost.R_GB, mine.segment_R, atol=1e-6)
-    replay.set_ghost(None)
-    qtbot.waitUntil(lambda: replay.ghost() is None, timeout=10_000)
+    reference, mine = replay.reference(), other[round(replay.latest_estimate().t, 6)]
+    assert reference.keypoints == pytest.approx(mine.keypoints, abs=1e-9)
+    assert reference.p_GB == pytest.approx(mine.segment_p, abs=1e-6)
+    assert np.allclose(reference.R_GB, mine.segment_R, atol=1e-6)
+    replay.set_reference(None)
+    qtbot.waitUntil(lambda: replay.reference() is None, timeout=10_000)
 
 
 def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):
     with SessionReader(sessions["simulated"]) as reader:
         true = next(e for e in reader.truth(1.0) if e.t >= 1.5)
-    track_ = GhostTrack(sessions["simulated"], truth=True)
+    track_ = ReferenceTrack(sessions["simulated"], truth=True)
     track_.seek(1.4)
     track_.advance(true.t)
     pose = track_.pose(true.t)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from environments import without_screen
 
-from app.platform.screen import has_screen
+from app.window.start import has_screen
 
 ROOT = Path(__file__).resolve().parents[2]
 

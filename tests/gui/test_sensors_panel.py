@@ -28,7 +28,7 @@ def point(plot, t: float) -> None:
 
 def test_the_imu_and_its_axes_are_chosen(sensors, engine):
     sensors.choice.setCurrentIndex(3)
-    sensors.refresh(sensors.session.snapshot())
+    sensors.refresh(sensors.host.snapshot())
     _, y = sensors.plots["gyro"].curves[1].getData()
     assert y[-1] == pytest.approx(np.rad2deg(engine.recent_imu()[-1].gyro[3, 1]))
     sensors.toggles[1].click()
@@ -63,7 +63,7 @@ def test_the_angles_of_a_finger_scroll(sensors, engine, qtbot):
     ]
     for frame in (31, 33, 35):
         engine.frame = frame
-        sensors.refresh(sensors.session.snapshot())
+        sensors.refresh(sensors.host.snapshot())
     column = models()[0].angle_index["index_pip_flexion"]
     t, angle = sensors.plots["angles"].curves[2].getData()
     assert angle[-1] == pytest.approx(np.rad2deg(engine.latest_estimate().angles[column]))
@@ -74,7 +74,7 @@ def test_paused_curves_stay_and_can_be_read(sensors, engine):
     sensors.hold.click()
     before = sensors.plots["gyro"].curves[0].getData()[1].copy()
     engine.frame = 60
-    sensors.refresh(sensors.session.snapshot())
+    sensors.refresh(sensors.host.snapshot())
     np.testing.assert_array_equal(sensors.plots["gyro"].curves[0].getData()[1], before)
     point(sensors.plots["accel"], -0.2)
     assert sensors.figures.text().startswith("-0.2")
@@ -86,7 +86,7 @@ def test_a_silent_imu_is_named(sensors, engine, monkeypatch):
     valid[2] = False
     silent = [dataclasses.replace(s, valid=valid) for s in samples]
     monkeypatch.setattr(engine, "recent_imu", lambda: silent)
-    sensors.refresh(sensors.session.snapshot())
+    sensors.refresh(sensors.host.snapshot())
     name = models()[1].imu_names[2].replace("_", " ")
     assert sensors.chips[2].text() == f"{name}: silent"
     assert sensors.chips[1].text() == models()[1].imu_names[1].replace("_", " ")

@@ -14,15 +14,15 @@ from PySide6.QtCore import Qt
 
 from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
 from app.viewmodels.stereo import split_fresh
-from app.window.set_up_desk import board_from, board_text
-from app.wizards.image_choices import (
+from app.window.set_up_dialogs import board_from, board_text
+from app.wizards.stereo.board import ImageChoice
+from app.wizards.stereo.image_choices import (
     SessionImages,
     folder_choice,
     folder_input,
     image_choices,
 )
-from app.wizards.import_form import ImportFormDialog
-from app.wizards.stereo.board import ImageChoice
+from app.wizards.stereo.import_form import ImportFormDialog
 from app.wizards.stereo.wizard import BOARD, CHECK, RESULT, VIEWS, StereoWizard
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.files import load_rig, save_calibration
@@ -220,14 +220,14 @@ def test_a_folder_needs_as_many_left_as_right_images(tmp_path):
 
 def test_the_camera_in_use_gives_each_image_once(window):
     engine = ScriptedEngine()
-    window.session.adopt(scripted_setup(engine))
-    images = SessionImages(window.session)
+    window.host.adopt(scripted_setup(engine))
+    images = SessionImages(window.host)
     first = images.read()
     assert first is not None and first[0].shape == (720, 1280, 3)
     assert images.read() is None
     engine.frame = 31
     assert images.read() is not None
-    window.session.shut_down()
+    window.host.shut_down()
     with pytest.raises(DeviceError, match="was closed"):
         images.read()
 
@@ -287,14 +287,14 @@ def test_a_new_calibration_is_used_at_once_where_the_devices_are_in_use(
         dialog.finished_with.emit(path, real)
         dialog.close()
 
-    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.host.adopt(scripted_setup(ScriptedEngine()))
     with qtbot.assertNotEmitted(window.set_up.restart):
         finish(False)  # the demo's own
     assert store.value.calibration == ""
     with qtbot.assertNotEmitted(window.set_up.restart):
         finish(True)
     assert store.value.calibration == str(path)
-    window.session.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
+    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
     with qtbot.waitSignal(window.set_up.restart, timeout=30_000):
         finish(True)
     qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
@@ -303,7 +303,7 @@ def test_a_new_calibration_is_used_at_once_where_the_devices_are_in_use(
 def test_images_may_come_from_the_chosen_camera_all_others_and_a_simulation(window):
     cameras = [CameraName(0, "Webcam", "/dev/video0"), CameraName(2, "ZED-M", "/dev/video2")]
     window.store.update(camera="name:ZED-M")
-    titles = [c.title for c in image_choices(window.session, window.store.value, cameras)]
+    titles = [c.title for c in image_choices(window.host, window.store.value, cameras)]
     assert titles == [
         "Chosen camera: ZED-M",
         "Webcam (/dev/video0)",
@@ -311,14 +311,14 @@ def test_images_may_come_from_the_chosen_camera_all_others_and_a_simulation(wind
         "Simulated board (demo)",
     ]
     plugged = CameraName(-1, "Depth camera", "depth://7")
-    (other, *_) = image_choices(window.session, replace(window.store.value, camera=""), [plugged])
+    (other, *_) = image_choices(window.host, replace(window.store.value, camera=""), [plugged])
     with pytest.raises(DeviceError, match="depth://7"):
         other.make(SPEC).open()  # by its address: there is no such plug-in here
-    window.session.adopt(scripted_setup(ScriptedEngine()))
-    first = image_choices(window.session, window.store.value, cameras)[0]
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    first = image_choices(window.host, window.store.value, cameras)[0]
     assert first.simulated
-    window.session.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
-    in_use = image_choices(window.session, window.store.value, cameras)[0]
+    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
+    in_use = image_choices(window.host, window.store.value, cameras)[0]
     assert in_use.make(SPEC).read() is not None and not in_use.simulated
 
 

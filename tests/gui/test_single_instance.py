@@ -65,7 +65,7 @@ def test_a_second_start_opens_its_file_in_the_first_window(home, session_file, q
             while not hand_over(None):  # until the first one listens
                 assert first.poll() is None and time.monotonic() < deadline
                 time.sleep(0.1)
-            words = [sys.executable, "-m", "app.command", str(session_file)]
+            words = [sys.executable, "-m", "app", str(session_file)]
             second = subprocess.run(words, env=home, timeout=START_S, check=False)
             assert second.returncode == 0
             said, _ = first.communicate(timeout=END_S)

@@ -14,7 +14,7 @@ SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 20
 
 @pytest.mark.parametrize("size", SIZES)
 def test_every_panel_has_what_it_needs_or_scrolls(window, qtbot, size):
-    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(*size)
     qtbot.wait(50)
     assert (window.width(), window.height()) == size
@@ -31,7 +31,7 @@ def test_every_panel_has_what_it_needs_or_scrolls(window, qtbot, size):
 
 
 def test_at_1366_by_768_the_images_and_the_hand_need_no_scrolling(window, qtbot):
-    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(1366, 768)
     qtbot.wait(50)
     for name in ("cameras", "hand", "colours", "calibration", "sensors"):
@@ -43,13 +43,13 @@ def test_at_1366_by_768_the_images_and_the_hand_need_no_scrolling(window, qtbot)
 
 
 def test_the_window_can_be_made_as_small_as_it_says(window):
-    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.host.adopt(scripted_setup(ScriptedEngine()))
     hint = window.minimumSizeHint()
     assert hint.width() <= SMALLEST[0] and hint.height() <= SMALLEST[1]
 
 
 def test_colours_stand_in_one_column_where_there_is_no_room_for_two(window, qtbot):
-    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.host.adopt(scripted_setup(ScriptedEngine()))
     panel, dock = window.colours, window.docks["colours"]
 
     def are_beside() -> bool:

@@ -23,7 +23,7 @@ def test_a_stream_of_the_command_line_sends_once_an_engine_runs(window, qtbot):
         port = listener.getsockname()[1]
         window.outputs.use(with_streams(StreamParams(), f"udp:{port}"))
         assert window.store.value.streams == {}, "the next start is as it was"
-        window.session.adopt(scripted_setup(ScriptedEngine()))
+        window.host.adopt(scripted_setup(ScriptedEngine()))
 
         def heard() -> bool:
             try:

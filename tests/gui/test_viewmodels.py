@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.viewmodels.calibration import RANGES, calibration_view, convergence
 from app.viewmodels.colour_images import hue_histogram, pixel_hsv
@@ -23,10 +23,10 @@ from tracker.messages import Status, Tracking, Validity
 
 @pytest.fixture
 def view(qapp):
-    session = Session(TaskOwner())
-    session.adopt(scripted_setup(ScriptedEngine()))
-    yield session.snapshot()
-    session.shut_down()
+    host = EngineHost(TaskOwner())
+    host.adopt(scripted_setup(ScriptedEngine()))
+    yield host.snapshot()
+    host.shut_down()
 
 
 def test_a_ring_stands_round_every_blob_full_where_it_was_matched(view):

@@ -48,7 +48,7 @@ def test_the_camera_panel_paints_the_image_it_is_given(live, engine):
     for box in live.cameras._layer_boxes.values():
         box.setChecked(False)
     live.cameras._shown = None
-    live.cameras.refresh(live.session.snapshot())
+    live.cameras.refresh(live.host.snapshot())
     shown, image = pixels(view), frame_and_blobs(engine.frame)[0].left
     for u, v in ((640, 360), (400, 500), (900, 200)):
         at = view._origin() + QPointF(u + 0.5, v + 0.5) * view._scale()
@@ -67,7 +67,7 @@ def test_a_pixel_of_the_view_maps_back_to_itself_at_any_zoom(live, qtbot):
 
 def test_the_skeleton_is_projected_onto_the_hand(live):
     """Every true fingertip lands on a pixel of the dark glove or of a patch, not on the table."""
-    view = live.session.snapshot()
+    view = live.host.snapshot()
     names = view.setup.glove.keypoint_names(view.setup.hand)
     uv = project(view, view.estimate.keypoints, right=False)
     wrist, middle = uv[names.index("wrist")], uv[names.index("middle_mcp")]
@@ -107,7 +107,7 @@ def test_lost_position_is_said_and_shown_differently(live, engine, qtbot):
 def test_status_bar_tells_rates_and_latency(live, qtbot):
     qtbot.waitUntil(lambda: "100 Hz" in live.bar.chips["imu_rate_hz"].text(), timeout=30_000)
     assert "48 ms" in live.bar.chips["latency"].text()
-    live.session.stop()
+    live.host.stop()
     qtbot.waitUntil(lambda: live.bar.tracking.text() == "Stopped", timeout=30_000)
 
 
@@ -178,17 +178,17 @@ def test_events_reach_the_log_and_are_filtered(live, engine, qtbot):
 
 def test_checklist_follows_what_arrives(window, qtbot):
     assert window.checklist.summary.text().startswith("0 of")
-    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.host.adopt(scripted_setup(ScriptedEngine()))
     window.run_command("show_checklist")
     qtbot.waitUntil(lambda: window.checklist.summary.text().startswith("8 of"), timeout=30_000)
-    window.session.shut_down()
+    window.host.shut_down()
     assert window.checklist.summary.text().startswith("0 of")
 
 
 def test_errors_stand_in_the_banner_until_dismissed(window):
-    window.session.error.emit("The camera was unplugged.")
+    window.host.error.emit("The camera was unplugged.")
     assert window.banner.isVisible()
-    window.session.error.emit("The glove was unplugged.")
+    window.host.error.emit("The glove was unplugged.")
     assert window.banner.text() == "The glove was unplugged."
     window.banner.dismissed.emit()
     assert not window.banner.isVisible()
@@ -212,10 +212,10 @@ def test_a_broken_factory_is_told_in_words(window, qtbot):
     def factory(progress):
         raise RuntimeError("no such thing")
 
-    window.session.open("Trying", factory)
+    window.host.open("Trying", factory)
     qtbot.waitUntil(lambda: "no such thing" in window.banner.text(), timeout=30_000)
-    qtbot.waitUntil(lambda: not window.session.opening, timeout=30_000)
-    assert window.session.setup is None
+    qtbot.waitUntil(lambda: not window.host.opening, timeout=30_000)
+    assert window.host.setup is None
 
 
 def test_a_long_job_shows_progress_and_ends_when_cancelled(window, qtbot):
@@ -231,13 +231,13 @@ def test_a_long_job_shows_progress_and_ends_when_cancelled(window, qtbot):
 
 def test_theme_and_layout_come_back(window, store, qtbot, no_leaks):
     window.set_theme("dark")
-    window.session.adopt(scripted_setup(ScriptedEngine()))
+    window.host.adopt(scripted_setup(ScriptedEngine()))
     window.docks["sensors"].hide()
     window.close()
     again = MainWindow(store)
     qtbot.addWidget(again)
     again.show()
-    again.session.adopt(scripted_setup(ScriptedEngine()))
+    again.host.adopt(scripted_setup(ScriptedEngine()))
     assert store.value.theme == "dark"
     assert not again.docks["sensors"].isVisible()
     again.reset_layout()
@@ -250,7 +250,7 @@ def test_space_and_n_do_not_steal_letters_from_a_text_field(live, qtbot):
     live.recording.participant.setFocus()
     qtbot.keyClicks(live.recording.participant, "no name")
     assert live.recording.participant.text().endswith("no name")
-    assert live.session.recording is None
+    assert live.host.recording is None
 
 
 def test_the_window_never_blocks_long_on_a_live_engine(live, qtbot):
@@ -276,7 +276,7 @@ def test_opening_and_closing_leaves_no_thread_timer_or_window(store, qtbot, no_l
     for _ in range(5):
         window = MainWindow(store)
         window.show()
-        window.session.adopt(scripted_setup(ScriptedEngine()))
+        window.host.adopt(scripted_setup(ScriptedEngine()))
         qtbot.wait(20)
         window.close()
         window.deleteLater()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from app.command import main
+from app.__main__ import main
 
 GUIDE = Path(__file__).parents[2] / "docs" / "guide"
 PAGES = sorted(GUIDE.glob("*.md"))

@@ -56,5 +56,5 @@ def test_nothing_else_is_installed(wheel: zipfile.ZipFile) -> None:
 
 def test_the_command_and_the_licence_travel_along(wheel: zipfile.ZipFile) -> None:
     (entries,) = (n for n in wheel.namelist() if n.endswith("/entry_points.txt"))
-    assert "glovetrack = app.command:main" in wheel.read(entries).decode()
+    assert "glovetrack = app.__main__:main" in wheel.read(entries).decode()
     assert any(n.endswith("/licenses/LICENSE") for n in wheel.namelist())

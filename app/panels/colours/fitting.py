@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import TaskOwner
-from app.storage.kept_images import Image
+from app.storage.image_folder import Image
 from app.viewmodels.colours import fit_words
 from tracker.calibration.colours_fit import FoundHue, fit_image
 from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.colours.fitting import ColoursFitting
 from app.panels.colours.hues import ColoursHues
@@ -24,9 +24,9 @@ from app.panels.colours.source import ColoursSource
 from app.panels.colours.tools import ColoursTools
 from app.panels.panel import Panel
 from app.platform.tasks import TaskOwner
+from app.storage.colour_autosave import ColourAutosave
 from app.storage.colour_store import ColourStore, write_text_safely
-from app.storage.kept_images import Image, ImageFolder
-from app.storage.profile_keeper import ProfileKeeper
+from app.storage.image_folder import Image, ImageFolder
 from app.storage.settings import SettingsStore
 from app.viewmodels.colour_images import (
     hue_histogram,
@@ -67,15 +67,15 @@ class ColoursPanel(Panel):
 
     def __init__(
         self,
-        session: Session,
+        host: EngineHost,
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(session, parent)
+        super().__init__(host, parent)
         self._folder = store.path.parent
-        self.keeper = ProfileKeeper(ColourStore(self._folder / "colours"), self)
-        self.keeper.failed.connect(session.error)
+        self.keeper = ColourAutosave(ColourStore(self._folder / "colours"), self)
+        self.keeper.failed.connect(host.error)
         self._setup: EngineSetup | None = None
         self._history: ProfileHistory | None = None
         self._hue = 0
@@ -86,15 +86,15 @@ class ColoursPanel(Panel):
         self._told = ""
         self.source = ColoursSource(tasks)
         self.source.changed.connect(self._image_changed)
-        self.source.failed.connect(session.error)
+        self.source.failed.connect(host.error)
         self.fitting = ColoursFitting(tasks)
         self.fitting.fitted.connect(self._take_fit)
-        self.fitting.failed.connect(session.error)
+        self.fitting.failed.connect(host.error)
         self.tools = ColoursTools()
         self._connect_tools()
         self._make_widgets()
         self._lay_out()
-        session.opened.connect(self._open)
+        host.opened.connect(self._open)
 
     def title(self) -> str:
         return self.tr("Colours")
@@ -177,7 +177,7 @@ class ColoursPanel(Panel):
         self._say(self.tr("Colours of {}").format(setup.camera) if kept is not None else "")
         self.choose_hue(0)
         if kept is not None:
-            self.session.set_profile(kept)
+            self.host.set_profile(kept)
 
     def choose_hue(self, index: int) -> None:
         self._hue = index
@@ -209,7 +209,7 @@ class ColoursPanel(Panel):
     def _apply(self) -> None:
         """Give the profile to the engine: the next image is searched with it."""
         if self._history is not None:
-            self.session.set_profile(self._history.profile)
+            self.host.set_profile(self._history.profile)
             self.keeper.changed(self._history.profile)
             self._show_ranges()
             self._search_kept()
@@ -281,11 +281,11 @@ class ColoursPanel(Panel):
         try:
             loaded = load_profile(path)
         except GlovetrackError as error:
-            self.session.error.emit(str(error))
+            self.host.error.emit(str(error))
             return
         if loaded.hue_names != self._history.profile.hue_names:
             names = ", ".join(self._history.profile.hue_names)
-            self.session.error.emit(
+            self.host.error.emit(
                 self.tr("{} must have the hues {} for this glove.").format(path.name, names)
             )
             return
@@ -304,7 +304,7 @@ class ColoursPanel(Panel):
         try:
             write_text_safely(path, profile_to_toml(self.profile))
         except GlovetrackError as error:
-            self.session.error.emit(str(error))
+            self.host.error.emit(str(error))
             return
         self._say(self.tr("Exported to {}").format(path.name))
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.snapshot import Snapshot
 from app.platform.tasks import TaskOwner
-from app.storage.kept_images import (
+from app.storage.image_folder import (
     Image,
     ImageFolder,
     KeptImage,

@@ -21,7 +21,7 @@ from tracker.hand.model import Segment
 from tracker.messages import Array, Validity
 
 WHITE = "#FFFFFF"
-HAND, GHOST = 1, 2  # groups of bodies that look like one where one sees through them
+HAND, REFERENCE = 1, 2  # groups of bodies that look like one where one sees through them
 SEGMENT_LOOK = {
     Validity.MEASURED: Look(VALIDITY[Validity.MEASURED].colour, specular=0.2),
     Validity.INFERRED: Look(
@@ -30,7 +30,7 @@ SEGMENT_LOOK = {
     Validity.LOST: Look(VALIDITY[Validity.LOST].colour, opacity=0.5, grid=Grid.ALONE),
 }
 """Measured: solid. Inferred: see-through with its grid drawn. Lost: a faint grid."""
-GHOST_LOOK = Look(WHITE, opacity=0.22, group=GHOST)
+REFERENCE_LOOK = Look(WHITE, opacity=0.22, group=REFERENCE)
 MARKER_SIZE = {MARKER_NOW: 1.0, MARKER_LATELY: 0.7}
 FRUSTUM_DEPTH = 0.05
 AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sensors
@@ -55,7 +55,7 @@ class HandActors:
     def __init__(self, scene: Scene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
         shapes = [segment_shape(s) for s in setup.hand.segments]
         self._segments = [scene.add(s, SEGMENT_LOOK[Validity.LOST]) for s in shapes]
-        self._ghosts = [scene.add(s, GHOST_LOOK) for s in shapes]
+        self._references = [scene.add(s, REFERENCE_LOOK) for s in shapes]
         self._marker_looks = [
             marker_looks(hue_colours.get(m.hue, WHITE)) for m in setup.glove.markers
         ]
@@ -74,7 +74,7 @@ class HandActors:
         ]
         self._marker_segment = setup.glove.marker_segment(setup.hand)
         # Nothing has its place before the first hand; a ball of unit size would fill the view.
-        for body in (*self._segments, *self._ghosts, *self._markers, *self._tips, *self._axes):
+        for body in (*self._segments, *self._references, *self._markers, *self._tips, *self._axes):
             body.show(False)
         self._camera.show(False)
         self._trail.show(False)
@@ -85,7 +85,7 @@ class HandActors:
             body.show(True)
             body.move(scene.segment_R[i], scene.segment_p[i])
             body.wear(SEGMENT_LOOK[Validity(int(scene.segment_state[i]))])
-        self._update_ghosts(scene, show.truth)
+        self._update_references(scene, show.truth)
         self._update_markers(scene, show.markers)
         self._update_tips(scene, show.uncertainty)
         self._update_axes(scene, show.axes)
@@ -93,8 +93,8 @@ class HandActors:
         self._camera.show(show.camera)
         self._camera.move(scene.R_GC, scene.p_GC)
 
-    def _update_ghosts(self, scene: HandScene, wanted: bool) -> None:
-        for i, body in enumerate(self._ghosts):
+    def _update_references(self, scene: HandScene, wanted: bool) -> None:
+        for i, body in enumerate(self._references):
             body.show(wanted and scene.truth is not None)
             if wanted and scene.truth is not None:
                 body.move(scene.truth[0][i], scene.truth[1][i])

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import EngineSetup
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.hand.actors import HandActors, Show
 from app.panels.hand.view_chooser import ViewChooser
@@ -38,7 +38,7 @@ FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 
 JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
 
-NO_GHOST, OTHER = "", "other"
+NO_REFERENCE, OTHER = "", "other"
 ENGINES = ("chain", "vist", "switching", "madgwick")
 
 
@@ -48,15 +48,15 @@ class HandPanel(Panel):
 
     def __init__(
         self,
-        session: Session,
+        host: EngineHost,
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(session, parent)
+        super().__init__(host, parent)
         self.view = View3D()
         self.chooser = ViewChooser(self.view, store, tasks, self)
-        self.chooser.told.connect(session.error)
+        self.chooser.told.connect(host.error)
         self.view.scene_changed.connect(self._make_actors)
         self._setup: EngineSetup | None = None
         self._actors: HandActors | None = None
@@ -72,8 +72,8 @@ class HandPanel(Panel):
         column.addLayout(self._controls)
         column.addWidget(self.view, 1)
         column.addLayout(self._legend())
-        session.opened.connect(self._open)
-        session.closed.connect(self._clear)
+        host.opened.connect(self._open)
+        host.closed.connect(self._clear)
 
     def title(self) -> str:
         return self.tr("Hand")
@@ -112,40 +112,40 @@ class HandPanel(Panel):
 
     def _add_choices(self) -> None:
         """Another hand to compare with, and the way of a fingertip."""
-        self.ghost = QComboBox()
-        self.ghost.setAccessibleName(self.tr("Hand to compare with"))
-        self.ghost.setToolTip(
+        self.reference = QComboBox()
+        self.reference.setAccessibleName(self.tr("Hand to compare with"))
+        self.reference.setToolTip(
             self.tr(
                 "Another hand, see-through: the truth of a simulated one, the second tracking "
                 "of a replay, or another engine on the same data"
             )
         )
-        self.ghost.addItem(self.tr("No ghost"), NO_GHOST)
-        self.ghost.addItem(self.tr("Ghost: truth or second"), OTHER)
+        self.reference.addItem(self.tr("No ghost"), NO_REFERENCE)
+        self.reference.addItem(self.tr("Ghost: truth or second"), OTHER)
         for name in ENGINES:
-            self.ghost.addItem(self.tr("Ghost: {}").format(name), name)
-        self.ghost.currentIndexChanged.connect(self._choose_ghost)
+            self.reference.addItem(self.tr("Ghost: {}").format(name), name)
+        self.reference.currentIndexChanged.connect(self._choose_reference)
         self.trail = QComboBox()
         self.trail.setAccessibleName(self.tr("Fingertip whose way is drawn"))
         self.trail.setToolTip(self.tr("The way of a fingertip over the last three seconds"))
         self.trail.addItem(self.tr("No trail"), "")
         self.trail.currentIndexChanged.connect(self._choose_trail)
-        for widget in (self.ghost, self.trail):
+        for widget in (self.reference, self.trail):
             self._controls.addWidget(widget)
 
-    def show_ghost(self) -> None:
+    def show_reference(self) -> None:
         """Draw the other hand, now that there is one."""
-        self.ghost.setCurrentIndex(self.ghost.findData(OTHER))
+        self.reference.setCurrentIndex(self.reference.findData(OTHER))
 
-    def _choose_ghost(self) -> None:
+    def _choose_reference(self) -> None:
         """Start or end the second engine."""
-        setup, name = self.session.setup, str(self.ghost.currentData())
+        setup, name = self.host.setup, str(self.reference.currentData())
         if setup is None or setup.shadowing is None:
             return
         try:
             setup.shadowing.set_shadow(name if name in ENGINES else None)
         except GlovetrackError as error:
-            self.session.error.emit(str(error))
+            self.host.error.emit(str(error))
 
     def _choose_trail(self) -> None:
         if self._model is not None:
@@ -211,11 +211,11 @@ class HandPanel(Panel):
         for name in self._model.tip_names:
             self.trail.addItem(self.tr("Trail: {}").format(name), name)
         self.trail.setCurrentIndex(max(0, self.trail.findData(chosen)))
-        for i in range(self.ghost.count()):
-            able = self.ghost.itemData(i) not in ENGINES or setup.shadowing is not None
-            self.ghost.model().item(i).setEnabled(able)  # type: ignore[attr-defined]
-        if self.ghost.currentData() in ENGINES:
-            self._choose_ghost()
+        for i in range(self.reference.count()):
+            able = self.reference.itemData(i) not in ENGINES or setup.shadowing is not None
+            self.reference.model().item(i).setEnabled(able)  # type: ignore[attr-defined]
+        if self.reference.currentData() in ENGINES:
+            self._choose_reference()
 
     def _make_actors(self) -> None:
         """Fill the scene of the view that draws now."""
@@ -231,8 +231,8 @@ class HandPanel(Panel):
 
     def show_options(self) -> Show:
         ticked = {name: box.isChecked() for name, box in self._boxes.items()}
-        ghost, trail = self.ghost.currentData(), self.trail.currentData()
-        return Show(**ticked, truth=ghost != NO_GHOST, trail=bool(trail))
+        reference, trail = self.reference.currentData(), self.trail.currentData()
+        return Show(**ticked, truth=reference != NO_REFERENCE, trail=bool(trail))
 
     def refresh(self, view: Snapshot | None) -> None:
         show, scene = self.show_options(), None

@@ -8,7 +8,7 @@ import importlib.util
 from PySide6.QtCore import QObject, Signal
 
 from app.platform.graphics import GraphicsQuery, is_card
-from app.platform.tasks import Progress, TaskOwner
+from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore
 from app.widgets.view3d.view_3d import View3D
 
@@ -82,7 +82,7 @@ class ViewChooser(QObject):
             )
             return
 
-        def load(_progress: Progress) -> bool:
+        def load(_progress: JobProgress) -> bool:
             try:
                 importlib.import_module("pyvistaqt")
             except ImportError:

@@ -8,10 +8,10 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QTabWidget, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup, Player
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.export import ExportQueue, ExportRequest
-from app.jobs.track_again import TrackRequest, compare_job, free_name, track_job
+from app.jobs.offline_tracking import TrackRequest, compare_job, free_name, track_job
 from app.panels.library.compare_dialog import CompareDialog
 from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.export_list import ExportList
@@ -19,7 +19,7 @@ from app.panels.library.session_table import SessionTable
 from app.panels.library.track_dialog import TrackDialog
 from app.panels.library.transport import TransportBar
 from app.panels.panel import Panel
-from app.platform.tasks import Job, Progress, Task, TaskOwner
+from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.compare import Comparison
 from app.viewmodels.library import Details, SessionRow, look_inside, scan
@@ -34,17 +34,17 @@ class LibraryPanel(Panel):
 
     def __init__(
         self,
-        session: Session,
+        host: EngineHost,
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(session, parent)
+        super().__init__(host, parent)
         self._store, self._tasks = store, tasks
         self._details: dict[tuple[Path, tuple[int, int]], Details] = {}
-        self._looking: Task | None = None
+        self._looking: RunningJob | None = None
         self._player: Player | None = None
-        self._ghost: tuple[Path, Path] | None = None  # a session, and what to show beside it
+        self._reference: tuple[Path, Path] | None = None  # a session, and what to show beside it
         self.exports = ExportQueue(tasks, self)
         self.transport = TransportBar()
         self.table = SessionTable()
@@ -63,9 +63,9 @@ class LibraryPanel(Panel):
 
     def _connect(self) -> None:
         self.exports.changed.connect(self._name_exports)
-        self.session.opened.connect(self._opened)
-        self.session.closed.connect(lambda: self._set_player(None))
-        self.session.recording_changed.connect(lambda on: None if on else self.rescan())
+        self.host.opened.connect(self._opened)
+        self.host.closed.connect(lambda: self._set_player(None))
+        self.host.recording_changed.connect(lambda on: None if on else self.rescan())
         self._enable()
 
     def title(self) -> str:
@@ -117,7 +117,7 @@ class LibraryPanel(Panel):
     def rescan(self) -> None:
         """Look into the folder again, in the background."""
         folder = sessions_folder(self._store.value)
-        request = self.session.recording
+        request = self.host.recording
         recording = request.path if request is not None else None
         self._tasks.run(
             self.tr("Reading the library"),
@@ -141,7 +141,7 @@ class LibraryPanel(Panel):
         def found(row: SessionRow, details: Details) -> None:
             self._details[row.path, row.stamp] = details
 
-        def job(progress: Progress) -> None:
+        def job(progress: JobProgress) -> None:
             look_inside(rows, found, progress)
 
         self._looking = self._tasks.run(
@@ -166,7 +166,7 @@ class LibraryPanel(Panel):
         if row is None:
             return
         if row.problem:
-            self.session.error.emit(row.problem)
+            self.host.error.emit(row.problem)
         else:
             self.replay.emit(row.path)
 
@@ -175,7 +175,7 @@ class LibraryPanel(Panel):
     def ask_export(self) -> None:
         rows = self.table.selected()
         if not rows:
-            self.session.error.emit(self.tr("Choose a session in the library to export it."))
+            self.host.error.emit(self.tr("Choose a session in the library to export it."))
             return
         part = self.transport.range() if [r.path for r in rows] == [self._replayed()] else None
         dialog = ExportDialog([r.path for r in rows], part, self)
@@ -200,7 +200,7 @@ class LibraryPanel(Panel):
         row = self.selected()
         path = row.path if row is not None else self._replayed()
         if path is None:
-            self.session.error.emit(self.tr("Choose a session in the library to track it again."))
+            self.host.error.emit(self.tr("Choose a session in the library to track it again."))
             return
         dialog = TrackDialog(path, self)
         dialog.wanted.connect(self.track_again)
@@ -211,7 +211,7 @@ class LibraryPanel(Panel):
         try:
             out = free_name(source, wanted.engine)
         except GlovetrackError as error:
-            self.session.error.emit(str(error))
+            self.host.error.emit(str(error))
             return
         title = self.tr("Tracking {} again").format(source.name)
         self._run(title, track_job(source, out, wanted))
@@ -231,20 +231,24 @@ class LibraryPanel(Panel):
         if comparison is None:
             return
         CompareDialog(comparison, self).show()
-        self._ghost = (comparison.first, comparison.second)
+        self._reference = (comparison.first, comparison.second)
         if self._replayed() == comparison.first:
-            self._show_ghost()
-        elif not self.session.running or self._player is not None:
+            self._show_reference()
+        elif not self.host.running or self._player is not None:
             self.replay.emit(comparison.first)
         self.compared.emit(comparison)
 
-    def _show_ghost(self) -> None:
-        if self._player is None or self._ghost is None or self._ghost[0] != self._player.path:
+    def _show_reference(self) -> None:
+        if (
+            self._player is None
+            or self._reference is None
+            or self._reference[0] != self._player.path
+        ):
             return
         try:
-            self._player.set_ghost(self._ghost[1])
+            self._player.set_reference(self._reference[1])
         except GlovetrackError as error:
-            self.session.error.emit(str(error))
+            self.host.error.emit(str(error))
 
     def recover_selected(self) -> None:
         """Make a whole file of one that was cut off; the original stays."""
@@ -258,7 +262,7 @@ class LibraryPanel(Panel):
 
     def _opened(self, setup: EngineSetup) -> None:
         self._set_player(setup.player)
-        self._show_ghost()
+        self._show_reference()
         self.rescan()
 
     def _set_player(self, player: Player | None) -> None:
@@ -272,7 +276,7 @@ class LibraryPanel(Panel):
 def recover_job(path: Path) -> Job:
     """A job that copies what can be read to ``…_recovered.mcap``."""
 
-    def run(progress: Progress) -> Path:
+    def run(progress: JobProgress) -> Path:
         from tracker.session.mcap.recover import recover
 
         progress(-1.0, path.name)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import ENGINES
-from app.jobs.track_again import USUAL_SETTINGS, TrackRequest
+from app.jobs.offline_tracking import USUAL_SETTINGS, TrackRequest
 from tracker import library
 
 

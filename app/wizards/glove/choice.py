@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.storage.settings import Settings
+from app.storage.settings import AppSettings
 from tracker import library
 from tracker.errors import GlovetrackError
 from tracker.glove.model import GloveModel
@@ -32,7 +32,7 @@ class ChoicePage(QWidget):
     changed = Signal()
     search = Signal()
 
-    def __init__(self, settings: Settings, wearers: list[str], with_session: bool) -> None:
+    def __init__(self, settings: AppSettings, wearers: list[str], with_session: bool) -> None:
         super().__init__()
         self._with_session = with_session
         self.ports, self.side = QComboBox(), QComboBox()

@@ -8,7 +8,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Event, ImuSample
@@ -40,15 +40,15 @@ class GloveFeed(Protocol):
 class SessionFeed:
     """The glove that the window tracks already."""
 
-    def __init__(self, session: Session) -> None:
-        self._session = session
+    def __init__(self, host: EngineHost) -> None:
+        self._host = host
 
     @property
     def trouble(self) -> str:
-        return "" if self._session.setup is not None else "The session was closed."
+        return "" if self._host.setup is not None else "The session was closed."
 
     def recent(self) -> Sequence[ImuSample]:
-        setup = self._session.setup
+        setup = self._host.setup
         return setup.engine.recent_imu() if setup is not None else ()
 
     def ask(self, part: str) -> None:

@@ -13,8 +13,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.session import Session
-from app.platform.tasks import Progress, TaskOwner
+from app.engines.engine_host import EngineHost
+from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerStore
 from app.wizards.glove.choice import SESSION, SIMULATED, ChoicePage
@@ -36,16 +36,16 @@ class GloveSetup(QDialog):
 
     def __init__(
         self,
-        session: Session,
+        host: EngineHost,
         store: SettingsStore,
         tasks: TaskOwner,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._session, self._store, self._tasks = session, store, tasks
+        self._host, self._store, self._tasks = host, store, tasks
         self._feed: GloveFeed | None = None
         self._source: tuple[str, str, str] | None = None
-        setup = session.setup
+        setup = host.setup
         real = setup is not None and not setup.simulated and setup.player is None
         self.choice = ChoicePage(
             store.value, WearerStore(store.path.parent / "wearers").names(), real
@@ -94,7 +94,7 @@ class GloveSetup(QDialog):
     def search(self) -> None:
         """Ask every port whether a glove is behind it; a silent one takes seconds."""
         self.choice.show_searching()
-        setup, port = self._session.setup, self.choice.port()
+        setup, port = self._host.setup, self.choice.port()
         # a port that is being read already answers nobody else
         busy = {port, self._store.value.port if setup is not None else ""}
         self._tasks.run(
@@ -120,7 +120,7 @@ class GloveSetup(QDialog):
         for page in (self.still, self.wiggle):
             page.set_glove(hand, glove)
         if port == SESSION:
-            self._feed = SessionFeed(self._session)
+            self._feed = SessionFeed(self._host)
         elif port == SIMULATED:
             self._feed = simulated_feed(hand, glove)
         else:
@@ -169,7 +169,7 @@ class GloveSetup(QDialog):
         super().done(result)
 
 
-def _search(progress: Progress, busy: set[str]) -> list[PortReport]:
+def _search(progress: JobProgress, busy: set[str]) -> list[PortReport]:
     paths = [p for p in serial_ports() if p not in busy]
     reports = []
     for i, path in enumerate(paths):

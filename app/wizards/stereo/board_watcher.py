@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from tracker.calibration.stereo.collect import Answer, Collector
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
-from tracker.calibration.stereo.views import BoardFinder, Look, StereoView
+from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
 from tracker.errors import GlovetrackError
 from tracker.sensors.image_input import ImageInput, Pair
 
@@ -17,12 +17,12 @@ NO_IMAGE = 0.05  # s to wait where the device has none
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class BoardSeen:
     """One exposure, what was found in it and what became of it."""
 
     number: int
     pair: Pair
-    look: Look
+    look: BoardLook
     answer: Answer
 
 
@@ -34,7 +34,7 @@ class BoardWatcher:
         self._stopping = threading.Event()
         self._lock = threading.Lock()
         self._collector: Collector | None = None
-        self._seen: Seen | None = None
+        self._seen: BoardSeen | None = None
         self._errors: dict[StereoView, float] = {}
         self._number = 0
         self.live = True
@@ -45,7 +45,7 @@ class BoardWatcher:
 
     # --- the window's side
 
-    def latest(self) -> Seen | None:
+    def latest(self) -> BoardSeen | None:
         return self._seen
 
     def views(self) -> tuple[StereoView, ...]:
@@ -106,7 +106,7 @@ class BoardWatcher:
                 self._collector = Collector(pair[0].shape[1])
             answer = self._collector.offer(look, live)
         self._number += 1
-        self._seen = Seen(self._number, pair, look, answer)
+        self._seen = BoardSeen(self._number, pair, look, answer)
         if answer is Answer.TAKEN:
             self._judge(pair[0].shape[1], pair[0].shape[0])
 

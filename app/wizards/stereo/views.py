@@ -35,7 +35,7 @@ from app.viewmodels.stereo import (
 )
 from app.widgets.coverage_map import CoverageMap
 from app.widgets.image_view import ImageView
-from app.wizards.stereo.board_watcher import Seen
+from app.wizards.stereo.board_watcher import BoardSeen
 from tracker.calibration.stereo.collect import Answer
 from tracker.calibration.stereo.coverage import coverage
 from tracker.calibration.stereo.verify import Verification, verify
@@ -109,7 +109,7 @@ class CollectPage(QWidget):
         column.addWidget(self.remove, 0, Qt.AlignmentFlag.AlignRight)
         return column
 
-    def show_seen(self, seen: Seen | None, views: Sequence[StereoView], trouble: str) -> None:
+    def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], trouble: str) -> None:
         """The latest exposure, and what has been collected."""
         if seen is None:
             self.images.wait(trouble or self.tr("Waiting for the camera"))
@@ -190,7 +190,7 @@ class CheckPage(QWidget):
         column.addLayout(row, 2)
         self._maps: tuple[tuple[np.ndarray, np.ndarray], ...] = ()
         self._rig: StereoRig | None = None
-        self._seen: Seen | None = None
+        self._seen: BoardSeen | None = None
         self.found: Verification | None = None
 
     def set_rig(self, rig: StereoRig) -> None:
@@ -199,7 +199,7 @@ class CheckPage(QWidget):
         self._maps = tuple(_rectify_map(c) for c in (rig.left, rig.right))
         self.show_views(())
 
-    def show_seen(self, seen: Seen | None, views: Sequence[StereoView], trouble: str) -> None:
+    def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], trouble: str) -> None:
         """The latest exposure through the rig, and the fresh views so far."""
         if seen is None:
             self.images.wait(trouble or self.tr("Show the board once more."))
@@ -225,7 +225,7 @@ class CheckPage(QWidget):
             for j, text in enumerate(cells):
                 self.table.setItem(i, j, QTableWidgetItem(text))
 
-    def _show_images(self, seen: Seen) -> None:
+    def _show_images(self, seen: BoardSeen) -> None:
         assert self._rig is not None
         rig, lines = self._rig, []
         if seen.look.view is not None:

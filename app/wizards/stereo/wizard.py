@@ -19,13 +19,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.platform.tasks import Progress, Task, TaskOwner
+from app.platform.tasks import JobProgress, RunningJob, TaskOwner
 from app.viewmodels.stereo import split_fresh
-from app.wizards.image_choices import folder_choice
-from app.wizards.import_form import ask_import_form
 from app.wizards.sizing import fit_to_screen
 from app.wizards.stereo.board import BoardPage, ImageChoice
 from app.wizards.stereo.board_watcher import BoardWatcher
+from app.wizards.stereo.image_choices import folder_choice
+from app.wizards.stereo.import_form import ask_import_form
 from app.wizards.stereo.result import ResultPage
 from app.wizards.stereo.views import CheckPage, CollectPage
 from tracker.calibration.stereo.board import BoardSpec
@@ -61,7 +61,7 @@ class StereoWizard(QDialog):
         super().__init__(parent)
         self._tasks, self._folder = tasks, folder
         self._watcher: BoardWatcher | None = None
-        self._task: Task | None = None
+        self._task: RunningJob | None = None
         self._views: tuple[StereoView, ...] = ()
         self._fresh: list[StereoView] | None = None  # of images that do not come anew
         self._rig: StereoRig | None = None
@@ -337,10 +337,10 @@ class StereoWizard(QDialog):
 
 def _solving(
     views: tuple[StereoView, ...], width: int, height: int
-) -> Callable[[Progress], Solution | str]:
+) -> Callable[[JobProgress], Solution | str]:
     """The job; what cannot be solved is a result too, shown on the page."""
 
-    def job(progress: Progress) -> Solution | str:
+    def job(progress: JobProgress) -> Solution | str:
         try:
             return solve(views, width, height, progress=progress)
         except CalibrationError as error:

@@ -8,7 +8,7 @@ from enum import Enum
 import numpy as np
 
 from tracker.calibration.stereo.coverage import novelty
-from tracker.calibration.stereo.views import Look, StereoView
+from tracker.calibration.stereo.views import BoardLook, StereoView
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class Collector:
         self.views: list[StereoView] = []
         self._last: StereoView | None = None
 
-    def offer(self, look: Look, live: bool = True) -> Answer:
+    def offer(self, look: BoardLook, live: bool = True) -> Answer:
         """Take the exposure if it is worth it; a still image (not ``live``) cannot be moving."""
         view, before = look.view, self._last
         self._last = view

@@ -38,7 +38,7 @@ class StereoView:
 
 
 @dataclass(frozen=True, eq=False)
-class Look:
+class BoardLook:
     """What one exposure shows. ``view`` is None where it cannot be used, and ``trouble`` why."""
 
     left: Corners | None
@@ -54,19 +54,19 @@ class BoardFinder:
         self.spec = spec
         self._charuco = cv2.aruco.CharucoDetector(spec.charuco) if spec.kind == "charuco" else None
 
-    def look(self, left: Image, right: Image) -> Look:
+    def look(self, left: Image, right: Image) -> BoardLook:
         """Both images of an exposure, BGR or grey."""
         pair = [_grey(p) for p in (left, right)]
         found = [self.find(grey) for grey in pair]
         for side, corners, grey in zip(("left", "right"), found, pair, strict=True):
             if corners is None:
-                return Look(found[0], found[1], None, self._absence(side, grey))
+                return BoardLook(found[0], found[1], None, self._absence(side, grey))
         assert found[0] is not None and found[1] is not None
         view = self._common(found[0], found[1])
         if len(view.ids) < LEAST_CORNERS:
             words = "Both images must show the same part of the board."
-            return Look(found[0], found[1], None, words)
-        return Look(found[0], found[1], view)
+            return BoardLook(found[0], found[1], None, words)
+        return BoardLook(found[0], found[1], view)
 
     def find(self, image: Image) -> Corners | None:
         """The board's corners in one image; None where it is not seen well enough."""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from app.engines.engine import Truth
+from app.engines.engine import ReferenceHand
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -18,7 +18,7 @@ LEAD = 0.2  # s; an estimate may have been fed this long after its instant
 CLOSE = 0.05  # s between two instants that still are the same one
 
 
-class GhostTrack:
+class ReferenceTrack:
     """Goes along with a replay through the estimates of a file, or through its truth."""
 
     def __init__(self, path: Path, truth: bool = False) -> None:
@@ -51,7 +51,7 @@ class GhostTrack:
             if self._next is None:
                 return
 
-    def pose(self, t: float) -> Truth | None:
+    def pose(self, t: float) -> ReferenceHand | None:
         """The hand there at ``t``; None where it was lost or nothing is known."""
         found = self._last
         if found is None or abs(found.t - t) > CLOSE:
@@ -59,7 +59,7 @@ class GhostTrack:
         p, q = found.keypoints[self._rows], found.keypoint_q[self._rows]
         if not (np.isfinite(p).all() and np.isfinite(q).all()):
             return None
-        return Truth(found.keypoints, so3.matrix_from_quat(q), p)
+        return ReferenceHand(found.keypoints, so3.matrix_from_quat(q), p)
 
     def close(self) -> None:
         self._reader.close()

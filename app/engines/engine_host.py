@@ -17,20 +17,20 @@ from PySide6.QtCore import QObject, Signal
 from app.engines.engine import EngineSetup, RecordingRequest
 from app.engines.recorder import PausableRecorder
 from app.engines.snapshot import Snapshot, nearest
-from app.platform.tasks import Progress, TaskOwner
+from app.platform.tasks import JobProgress, TaskOwner
 from tracker.errors import GlovetrackError
 from tracker.fusion.engine import Engine
 from tracker.messages import Estimate, Message, Status
 from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
-SetupFactory = Callable[[Progress], EngineSetup]
+SetupFactory = Callable[[JobProgress], EngineSetup]
 STATUS_PERIOD = 0.1  # s
 RECENT_ESTIMATES = 60
 """One second at the window's rate: more than any image is late."""
 
 
-class Session(QObject):
+class EngineHost(QObject):
     """Owns the engine, its recorder and the jobs that make and end them."""
 
     opened = Signal(object)  # EngineSetup

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from app.platform.tasks import Job, Progress
+from app.platform.tasks import Job, JobProgress
 from app.viewmodels.compare import Comparison
 from tracker.errors import FileError
 
@@ -32,7 +32,7 @@ def track_job(source: Path, out: Path, wanted: TrackRequest) -> Job:
     Its result is a `Comparison`, or None where ``source`` was never tracked before.
     """
 
-    def run(progress: Progress) -> Comparison | None:
+    def run(progress: JobProgress) -> Comparison | None:
         from tracker.offline.track import TrackOptions, track
         from tracker.session.reader import SessionReader
 
@@ -52,7 +52,7 @@ def track_job(source: Path, out: Path, wanted: TrackRequest) -> Job:
 def compare_job(first: Path, second: Path) -> Job:
     """A job whose result is the `Comparison` of two sessions."""
 
-    def run(progress: Progress) -> Comparison:
+    def run(progress: JobProgress) -> Comparison:
         progress(-1.0, "comparing")
         return compared(first, second)
 

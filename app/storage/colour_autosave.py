@@ -12,7 +12,7 @@ DELAY_MS = 400
 """A slider that is being moved writes once."""
 
 
-class ProfileKeeper(QObject):
+class ColourAutosave(QObject):
     """The store of one camera at a time; without a camera (a replay) nothing is kept."""
 
     failed = Signal(str)

@@ -14,7 +14,7 @@ from app.engines.engine import RecordingRequest
 from app.panels.bug_report_dialog import BugReportDialog
 from app.platform.bug_report import Choice, Material, machine, write_bundle
 from app.platform.crash import CrashWatch
-from app.platform.tasks import Progress
+from app.platform.tasks import JobProgress
 from app.storage.settings import sessions_folder
 from app.window.about import AboutDialog
 from tracker.messages import Event
@@ -60,7 +60,7 @@ class Housekeeping(QObject):
         """Gather now, write in the background, say where it is."""
         material = self._material(choice)
 
-        def job(progress: Progress) -> list[str]:
+        def job(progress: JobProgress) -> list[str]:
             progress(-1.0, path.name)
             return write_bundle(path, material, choice)
 
@@ -72,13 +72,13 @@ class Housekeeping(QObject):
         text = self.tr("The bug report is saved: {}.").format(path)
         if troubles:
             text += self.tr(" Not in it: {}.").format("; ".join(troubles))
-        self._window.session.happened.emit(Event(0.0, "note", text))
+        self._window.host.happened.emit(Event(0.0, "note", text))
         self._window.show_error(text)
 
     def _material(self, choice: Choice) -> Material:
-        window, session = self._window, self._window.session
-        request = session.recording
-        player = session.setup.player if session.setup is not None else None
+        window, host = self._window, self._window.host
+        request = host.recording
+        player = host.setup.player if host.setup is not None else None
         opened = request.path if request is not None else player.path if player else None
         settings = window.store.value
         return Material(
@@ -89,12 +89,12 @@ class Housekeeping(QObject):
             log_folder=self._crashes.folder if self._crashes is not None else None,
             screenshot=self._screenshot(choice.personal) if choice.screenshot else b"",
             session_file=opened,
-            write_recent=self._write_recent if session.running else None,
+            write_recent=self._write_recent if host.running else None,
             names=(settings.participant, settings.task, settings.sessions_folder),
         )
 
     def _status(self) -> dict[str, object]:
-        setup = self._window.session.setup
+        setup = self._window.host.setup
         if setup is None:
             return {"engine": "none is open"}
         status = setup.engine.status()
@@ -102,20 +102,20 @@ class Housekeeping(QObject):
             "hand": setup.hand.name,
             "glove": setup.glove.name,
             "simulated": setup.simulated,
-            "running": self._window.session.running,
+            "running": self._window.host.running,
             "tracking": status.tracking.name.lower(),
             "values": dict(status.values),
         }
 
     def _write_recent(self, path: Path) -> None:
         """The seconds in memory, in a file made like any recording, with nobody's name."""
-        session = self._window.session
-        setup = session.setup
+        host = self._window.host
+        setup = host.setup
         if setup is None or setup.make_recorder is None:
             return
         recorder = setup.make_recorder(RecordingRequest(path, "", ""))
         try:
-            for message in session.recent():
+            for message in host.recent():
                 recorder.write(message)
         finally:
             recorder.close()

@@ -10,7 +10,7 @@ ARENAS = 2
 SWITCH_S = 0.001
 
 
-def prepare_process() -> None:
+def tune_process() -> None:
     """To be called once, before any thread is started."""
     keep_few_arenas()
     sys.setswitchinterval(SWITCH_S)  # Python's 5 ms are a third of an image at 60 a second

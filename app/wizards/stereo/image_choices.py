@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.engines.camera_choice import NAME, PAIR, choose
+from app.engines.engine_host import EngineHost
 from app.engines.hardware import FPS, HEIGHT, WIDTH
-from app.engines.session import Session
-from app.storage.settings import Settings
+from app.storage.settings import AppSettings
 from app.wizards.stereo.board import ImageChoice
 from tracker.errors import DeviceError
 from tracker.sensors.image_input import (
@@ -26,7 +26,7 @@ SUFFIXES = (".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff")
 class SessionImages:
     """An `ImageInput` of the images that the open session receives."""
 
-    session: Session
+    host: EngineHost
     live: bool = True
     name: str = "camera in use"
     fps: float = 0.0
@@ -36,7 +36,7 @@ class SessionImages:
         """The session has opened it."""
 
     def read(self) -> Pair | None:
-        setup = self.session.setup
+        setup = self.host.setup
         if setup is None:
             raise DeviceError("The camera in use was closed: start glove and camera again.")
         latest = setup.engine.latest_frame()
@@ -53,12 +53,12 @@ class SessionImages:
 
 
 def image_choices(
-    session: Session, settings: Settings, cameras: list[CameraName]
+    host: EngineHost, settings: AppSettings, cameras: list[CameraName]
 ) -> list[ImageChoice]:
     """All of them, the likeliest first."""
     from tracker.simulation.board_camera import BoardCamera
 
-    setup = session.setup
+    setup = host.setup
     rig = setup.rig if setup is not None and setup.simulated else ideal_rig()
     simulated = ImageChoice("Simulated board (demo)", lambda spec: BoardCamera(rig, spec), True)
 
@@ -78,7 +78,7 @@ def image_choices(
         return [*found, simulated]
     if setup.simulated:
         return [simulated, *found]
-    return [ImageChoice("Camera in use", lambda _spec: SessionImages(session)), simulated]
+    return [ImageChoice("Camera in use", lambda _spec: SessionImages(host)), simulated]
 
 
 def folder_choice(folder: Path) -> ImageChoice:

@@ -14,10 +14,10 @@ from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.engines.engine import RecordingRequest
-from app.engines.session import SetupFactory
+from app.engines.engine_host import SetupFactory
 from app.engines.snapshot import Snapshot
 from app.jobs.export import ExportRequest, export_job
-from app.platform.tasks import Progress
+from app.platform.tasks import JobProgress
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
@@ -69,20 +69,22 @@ def _run(
 ) -> int:
     problems: list[str] = []
     window.tasks.failed.connect(problems.append)
-    window.session.error.connect(problems.append)
-    window.session.open("demo", demo)
-    wait_until(lambda: window.session.running or bool(problems), START_TIMEOUT)
-    if not window.session.running:
+    window.host.error.connect(problems.append)
+    window.host.open("demo", demo)
+    wait_until(lambda: window.host.running or bool(problems), START_TIMEOUT)
+    if not window.host.running:
         print(f"The demo did not start: {' '.join(problems) or 'it took too long.'}")
         return 1
     path = _free(out / "session.mcap")
-    window.session.record(RecordingRequest(path, "demo", "random postures"))
+    window.host.record(RecordingRequest(path, "demo", "random postures"))
     figures, began, ticks = Figures(), time.monotonic(), window.refreshes
     _gather(window, figures, duration, out / "window.png")
     rate = (window.refreshes - ticks) / (time.monotonic() - began)
-    view = window.session.snapshot()
-    window.session.stop()
-    export_job(ExportRequest(path, "csv", path.with_suffix(".csv")))(Progress(lambda _f, _t: None))
+    view = window.host.snapshot()
+    window.host.stop()
+    export_job(ExportRequest(path, "csv", path.with_suffix(".csv")))(
+        JobProgress(lambda _f, _t: None)
+    )
     print(_report(figures, view, rate, path))
     return 0
 
@@ -110,7 +112,7 @@ def _gather(window: MainWindow, figures: Figures, duration: float, image: Path) 
     sampler = QTimer()
 
     def sample() -> None:
-        view = window.session.snapshot()
+        view = window.host.snapshot()
         if view is None or view.estimate is None:
             return
         _take(view, figures)

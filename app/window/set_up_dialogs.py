@@ -9,7 +9,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QDialog, QWidget
 
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from tracker import library
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from app.wizards.stereo.wizard import StereoWizard
 
 
-class SetUpDesk(QObject):
+class SetUpDialogs(QObject):
     """At most one dialog of each kind is open; ``restart`` asks for glove and camera anew."""
 
     error = Signal(str)
@@ -35,10 +35,10 @@ class SetUpDesk(QObject):
     changed = Signal()  # what is stored of the devices
 
     def __init__(
-        self, session: Session, store: SettingsStore, tasks: TaskOwner, window: QWidget
+        self, host: EngineHost, store: SettingsStore, tasks: TaskOwner, window: QWidget
     ) -> None:
         super().__init__(window)
-        self._session, self._store, self._tasks = session, store, tasks
+        self._host, self._store, self._tasks = host, store, tasks
         self._window = window
         self.dialogs: dict[str, QDialog] = {}
 
@@ -54,12 +54,12 @@ class SetUpDesk(QObject):
     def _open_stereo(self, cameras: list[CameraName]) -> None:
         if self._raise("stereo"):
             return
-        from app.wizards.image_choices import image_choices
+        from app.wizards.stereo.image_choices import image_choices
         from app.wizards.stereo.wizard import StereoWizard
 
         wizard = StereoWizard(
             self._tasks,
-            image_choices(self._session, self._store.value, cameras),
+            image_choices(self._host, self._store.value, cameras),
             library.user_folder("cameras"),
             board_from(self._store.value.board),
             self._window,
@@ -98,7 +98,7 @@ class SetUpDesk(QObject):
             return
         from app.wizards.glove.wizard import GloveSetup
 
-        dialog = GloveSetup(self._session, self._store, self._tasks, self._window)
+        dialog = GloveSetup(self._host, self._store, self._tasks, self._window)
         dialog.chosen.connect(self._restart_devices)
         dialog.measured.connect(self.take_bias)
         self.show_dialog("glove", dialog)
@@ -112,7 +112,7 @@ class SetUpDesk(QObject):
             if isinstance(engine, ChainEngine):
                 engine.put_on(with_gyro_bias(engine.profile(), engine.layout, bias, sd))
 
-        self._session.command(tell)
+        self._host.command(tell)
 
     # --- camera
 
@@ -122,13 +122,13 @@ class SetUpDesk(QObject):
             return
         from app.wizards.camera import CameraSetup
 
-        dialog = CameraSetup(self._session, self._store, self._tasks, self._window)
+        dialog = CameraSetup(self._host, self._store, self._tasks, self._window)
         dialog.chosen.connect(self._restart_devices)
         self.show_dialog("camera", dialog)
 
     def lock_camera(self) -> None:
         """Lock what the camera has found by itself, as it is now."""
-        setup = self._session.setup
+        setup = self._host.setup
         if setup is None or setup.camera_controls is None:
             return
         found = {c.name: c.value for c in setup.camera_controls.controls() if c.available}
@@ -139,7 +139,7 @@ class SetUpDesk(QObject):
 
     def _restart_devices(self) -> None:
         """What was chosen is used at once where the devices are in use."""
-        setup = self._session.setup
+        setup = self._host.setup
         if setup is not None and not setup.simulated and setup.player is None:
             self.restart.emit()
 

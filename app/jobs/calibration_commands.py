@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup
-from app.engines.session import Session
+from app.engines.engine_host import EngineHost
 from tracker.errors import ConfigError
 from tracker.fusion.chain.calibration.control import renewed
 from tracker.fusion.chain.calibration.profile_file import WearerFile
@@ -26,25 +26,25 @@ def chain_of(engine: Engine) -> ChainEngine:
     )
 
 
-class CalibrationLink(QObject):
-    """Commands to the engine of a `Session`."""
+class CalibrationCommands(QObject):
+    """Commands to the engine of a `EngineHost`."""
 
     learned = Signal(object)  # WearerFile, after `ask`
 
-    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+    def __init__(self, host: EngineHost, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._session = session
+        self._host = host
 
     def layout(self) -> ChainLayout | None:
         """Of the open glove and hand."""
-        setup = self._session.setup
+        setup = self._host.setup
         return ChainLayout(setup.hand, setup.glove) if setup is not None else None
 
     @property
     def available(self) -> bool:
         """Whether there is an engine that takes commands: not in a replay, nor after a stop."""
-        setup = self._session.setup
-        return setup is not None and setup.command is not None and self._session.running
+        setup = self._host.setup
+        return setup is not None and setup.command is not None and self._host.running
 
     def reset(self, segments: Sequence[str] | None) -> bool:
         """Forget some segments, or (None) all."""
@@ -59,7 +59,7 @@ class CalibrationLink(QObject):
 
     def ask(self) -> bool:
         """Have what has been learned sent by `learned`."""
-        setup = self._session.setup
+        setup = self._host.setup
         return setup is not None and self._command(lambda engine: self._answer(engine, setup))
 
     def _answer(self, engine: ChainEngine, setup: EngineSetup) -> None:
@@ -68,4 +68,4 @@ class CalibrationLink(QObject):
         self.learned.emit(wearer)
 
     def _command(self, work: Callable[[ChainEngine], None]) -> bool:
-        return self._session.command(lambda engine: work(chain_of(engine)))
+        return self._host.command(lambda engine: work(chain_of(engine)))

@@ -1,0 +1,133 @@
+"""The start of the window; with ``--headless-report`` the same window off-screen."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QApplication
+
+from app.engines.demo_camera import start_camera
+from app.platform.process_tuning import tune_process
+from resources import folder
+from tracker import __version__
+from tracker.errors import GlovetrackError
+from tracker.streaming.params import STREAMS, StreamParams, with_streams
+
+if TYPE_CHECKING:
+    from app.platform.crash import CrashWatch
+    from app.platform.single_instance import Instance
+
+NO_SCREEN = (
+    "There is no screen to open the window on: neither DISPLAY nor WAYLAND_DISPLAY is set.\n"
+    "Without one: `glovetrack demo --headless-report 20`, or any other command (see the README)."
+)
+PLATFORM = "QT_QPA_PLATFORM"
+
+
+def open_window(argv: Sequence[str]) -> int:
+    """Open the window with these words of the command line; returns the exit status."""
+    parser = _parser()
+    args = parser.parse_args(argv)
+    try:
+        args.streams = with_streams(StreamParams(), args.stream, args.stream_host)
+    except GlovetrackError as error:
+        parser.error(str(error))
+    if not has_screen():
+        if args.headless_report is None:
+            print(NO_SCREEN, file=sys.stderr)
+            return 1
+        do_without()
+    tune_process()
+    app = QApplication.instance() or QApplication(["glovetrack"])
+    assert isinstance(app, QApplication)
+    app.setApplicationName("glovetrack")
+    app.setApplicationDisplayName("Glovetrack")
+    app.setApplicationVersion(__version__)
+    app.setDesktopFileName("glovetrack")
+    app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
+    if args.headless_report is not None:
+        camera = start_camera(fps=args.fps)  # before the window is even imported
+        from app.window.headless_report import headless_report
+
+        return headless_report(app, args.headless_report, args.out, args.fps, camera, args.streams)
+    return _run(app, args)
+
+
+def _run(app: QApplication, args: argparse.Namespace) -> int:
+    from app.platform.crash import CrashWatch, log_folder, log_to_file
+    from app.platform.single_instance import Instance, hand_over
+
+    if not args.demo and hand_over(args.session):
+        return 0  # the window that is open has it now
+    log_to_file(log_folder())
+    crashes, instance = CrashWatch(log_folder()), Instance()
+    try:
+        return _show(app, args, crashes, instance)
+    finally:
+        instance.close()
+        crashes.end()
+
+
+def _show(
+    app: QApplication, args: argparse.Namespace, crashes: CrashWatch, instance: Instance
+) -> int:
+    camera = start_camera(fps=args.fps) if args.demo else None
+    from app.window.main_window import MainWindow
+
+    window = MainWindow(crashes=crashes)
+    instance.asked.connect(window.take_over)
+    # Ctrl+C closes the window as a click does: the file is finished, the devices are freed. The
+    # window's own timer gives Python the chance to see the signal.
+    signal.signal(signal.SIGINT, lambda *_: window.close())
+    window.outputs.use(args.streams)
+    window.show()
+    if args.demo:
+        window.start_demo(args.fps, camera)
+    elif args.session is not None:
+        window.open_session(args.session)
+    return app.exec()
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="glovetrack", description="The Glovetrack window.")
+    parser.add_argument("session", nargs="?", type=Path, help="a session file to replay")
+    parser.add_argument("--demo", action="store_true", help="start the simulated glove and camera")
+    parser.add_argument(
+        "--stream",
+        default="",
+        metavar="NAME[:PORT],…",
+        help=f"outputs to turn on for this run: {', '.join(STREAMS)}",
+    )
+    parser.add_argument("--stream-host", default="", metavar="HOST", help="to or at which address")
+    parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
+    parser.add_argument(
+        "--headless-report",
+        type=float,
+        metavar="SECONDS",
+        default=None,
+        help="run so long by itself, with or without a screen, and leave a report in --out",
+    )
+    parser.add_argument("--out", type=Path, default=Path("demo"), help="folder of the report")
+    return parser
+
+
+def has_screen(environment: Mapping[str, str] = os.environ, system: str = sys.platform) -> bool:
+    """Whether Qt will find a screen, or has been told what to do without.
+
+    To be asked first: Qt ends the program where it finds none.
+    """
+    if not system.startswith("linux"):
+        return True
+    return any(environment.get(name) for name in (PLATFORM, "DISPLAY", "WAYLAND_DISPLAY"))
+
+
+def do_without() -> None:
+    """Qt paints into memory."""
+    os.environ[PLATFORM] = "offscreen"
