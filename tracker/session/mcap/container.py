@@ -15,8 +15,6 @@ COMPRESSION = {
     "zstd": CompressionType.ZSTD,
     "none": CompressionType.NONE,
 }
-# mcap's writer closes a chunk by bytes only and has no public call to close one by time.
-_CLOSE_CHUNK = "_Writer__finalize_chunk"
 
 
 class McapOutput:
@@ -86,7 +84,7 @@ class McapOutput:
 
     def close_chunk(self) -> None:
         """Write what is held back, down to the disk."""
-        getattr(self._writer, _CLOSE_CHUNK)()
+        self._writer.flush()
         self._opened = None
         if self._sync:
             self._file.sync()
