@@ -31,7 +31,7 @@ from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
 from tracker.settings import Settings
 from tracker.vision.lenses import check_lenses, through
-from tracker.vision.outlook import Outlook
+from tracker.vision.region_prediction import RegionPrediction
 from tracker.vision.rig import StereoRig
 
 Builder = Callable[[HandModel, GloveModel, StereoRig, Settings], Engine]
@@ -149,7 +149,9 @@ class Pipeline:
         """Estimated parameters with their uncertainty."""
         return self._engine.calibration()
 
-    def outlook(self, t: float, before: Outlook | None = None) -> Outlook | None:
+    def region_prediction(
+        self, t: float, before: RegionPrediction | None = None
+    ) -> RegionPrediction | None:
         """Where markers are expected at ``t``, not before the newest packet; None while searching.
 
         Their speed is taken from where they were expected ``before``.
@@ -158,7 +160,7 @@ class Pipeline:
         if markers is None:
             return None
         p_G, sd, ids = markers
-        return Outlook(
+        return RegionPrediction(
             t=t + self._timing.applied,
             p_G=p_G,
             v_G=np.zeros_like(p_G),

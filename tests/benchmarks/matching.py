@@ -12,7 +12,7 @@ import numpy as np
 from tests.benchmarks.rows import BenchRow, Call, row
 from tracker.messages import Array, IntArray
 from tracker.vision.correspondence import TranslationParams, match_translation, normalised
-from tracker.vision.cpd import translation_em
+from tracker.vision.cpd import ExpectedMarkers, HuedPoints, translation_em
 
 SHIFT, TILT = 0.020, np.deg2rad(3.0)  # m, rad (root mean square): error of the prediction
 MARKERS, SEEN = 37, 13
@@ -65,11 +65,9 @@ def registration(frame: Frame) -> Call:
     """The EM alone, as `ours` runs it."""
     params, n = TranslationParams(), len(frame.points)
     each, prior = np.tile(COV_C, (n, 1, 1)), normalised(frame.prior, frame.marker_hue)
-    spread = params.spread_first, params.spread_last
-    return lambda: translation_em(
-        frame.points, frame.hue, each, frame.predicted, frame.marker_hue, prior,
-        params.outlier, params.volume, spread, params.iterations,
-    )  # fmt: skip
+    points = HuedPoints(frame.points, frame.hue, each)
+    markers = ExpectedMarkers(frame.predicted, frame.marker_hue, prior)
+    return lambda: translation_em(points, markers, params.mixture)
 
 
 def pycpd_rigid(frame: Frame) -> IntArray:

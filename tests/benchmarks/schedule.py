@@ -33,7 +33,7 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, detect_frame
-from tracker.vision.outlook import Outlook, SearchPlan
+from tracker.vision.region_prediction import RegionPrediction, SearchPlan
 from tracker.vision.stereo import match_stereo
 
 START, SECOND = 3.0, 1.0  # s: tracked for so long before the second that is timed
@@ -50,7 +50,7 @@ class Second:
     before: Messages
     messages: Messages
     images: Sequence[StereoFrame]
-    outlooks: Sequence[Outlook | None]  # per image, what was known before it came
+    predictions: Sequence[RegionPrediction | None]  # per image, what was known before it came
 
     @property
     def frames(self) -> list[BlobFrame]:
@@ -67,13 +67,13 @@ def make_second(seed: int = 1, images: int = 6) -> Second:
     during = [m for m in feed if START <= m.t_arrival < START + SECOND]
     times = START + SECOND * np.arange(images) / max(images, 1)
     frames = [sim.renderer.frame(float(t), float(t), k) for k, t in enumerate(times)]
-    return Second(sim, before, during, frames, _outlooks(sim, feed, times))
+    return Second(sim, before, during, frames, _predictions(sim, feed, times))
 
 
-def _outlooks(sim: Simulation, feed: Messages, times: Array) -> list[Outlook | None]:
+def _predictions(sim: Simulation, feed: Messages, times: Array) -> list[RegionPrediction | None]:
     """The default engine's latest before each of ``times``; live there are newer ones."""
     pipeline, known = Pipeline(sim.hand, sim.glove, sim.rig), None
-    out: list[Outlook | None] = []
+    out: list[RegionPrediction | None] = []
     for message in feed:
         if isinstance(message, ImuSample):
             t = pipeline.feed_imu(message).t
@@ -82,7 +82,7 @@ def _outlooks(sim: Simulation, feed: Messages, times: Array) -> list[Outlook | N
         else:
             pipeline.feed_frame(message)
             if pipeline.take_results():
-                known = pipeline.outlook(t, known)
+                known = pipeline.region_prediction(t, known)
     return out
 
 
@@ -181,8 +181,8 @@ def detection_call(second: Second, profile: ColourProfile) -> Call:
 
     def call() -> None:
         plan = SearchPlan()
-        for image, outlook in zip(second.images, second.outlooks, strict=True):
-            detect_frame(detector, image, plan.hints(outlook, rig, image.t, None, names))
+        for image, predicted in zip(second.images, second.predictions, strict=True):
+            detect_frame(detector, image, plan.hints(predicted, rig, image.t, None, names))
 
     return call
 

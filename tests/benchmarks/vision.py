@@ -27,7 +27,7 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.render import RenderParams
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.vision.colours import ColourProfile, load_profile
-from tracker.vision.cpd import parallax_em
+from tracker.vision.cpd import HuedPixels, parallax_em
 from tracker.vision.detector import DetectionHints, Detector, DetectorParams
 from tracker.vision.rig import ideal_rig
 from tracker.vision.stereo import StereoParams, match_stereo
@@ -155,11 +155,8 @@ def cpd_rows(rounds: int, seed: int) -> list[BenchRow]:
         rig.project(p, side) + rng.normal(0, NOISE_PX, (15, 2)) for side in (False, True)
     )
     stereo, start = StereoParams(), rig.fx * rig.baseline / 0.40
-    sd_u = (stereo.sd_u_min_px, stereo.sd_u_max_px)
     calls: list[Call] = [
-        lambda: parallax_em(
-            left, hue, right, hue, start, sd_u, stereo.sd_v_px, stereo.outlier, stereo.iterations
-        ),
+        lambda: parallax_em(HuedPixels(left, hue), HuedPixels(right, hue), start, stereo.mixture),
         lambda: match_stereo(left, hue, right, hue, rig, stereo),
         registration(frame),
         lambda: ours(frame),

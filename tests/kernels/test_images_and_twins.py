@@ -8,7 +8,7 @@ from tests.vision.hue_classes import all_classes
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import parse_profile
-from tracker.vision.components import fill, room
+from tracker.vision.components import Scan, fill, room
 from tracker.vision.detector import Detector
 from tracker.vision.hue_table import hue_table
 from tracker.vision.rig import ideal_rig
@@ -52,5 +52,5 @@ def test_a_region_is_filled_as_python_fills_it(profile):
     image[8:20, 10:31] = (40, 40, 215)
     visited, runs = np.zeros((30, 40), np.uint8), room(40)
     hue = int(all_classes(table)[40, 40, 215])
-    n, whole = fill(image, visited, 1, 8, 10, hue, table.cells, table.patterns, runs, 40)
+    n, whole = fill(Scan(image, table, visited, 1, runs, 40), 8, 10, hue)
     assert (n, whole) == (12, True)

@@ -6,7 +6,15 @@ import pytest
 from tests.benchmarks.matching import hand_points, ours, right
 from tracker.messages import CameraPose
 from tracker.vision.correspondence import TranslationParams, match_translation
-from tracker.vision.cpd import parallax_em, translation_em
+from tracker.vision.cpd import (
+    ExpectedMarkers,
+    HuedPixels,
+    HuedPoints,
+    ParallaxMixture,
+    TranslationMixture,
+    parallax_em,
+    translation_em,
+)
 from tracker.vision.rig import ideal_rig
 from tracker.vision.stereo import all_pairs, match_stereo
 
@@ -27,9 +35,9 @@ def numpy_parallax(left, left_hue, right, right_hue, zeta, sd_u, sd_v, outlier, 
     return zeta, s
 
 
-def numpy_translation(points, hue, cov, markers, marker_hue, prior, w, volume, spread, iterations):
+def numpy_translation(points, hue, cov, markers, marker_hue, prior, w, volume, sd, iterations):
     eta = np.zeros(3)
-    schedule = np.append(np.geomspace(*spread, iterations), spread[1])
+    schedule = np.append(np.geomspace(*sd, iterations), sd[1])
     for step, s in enumerate(schedule):
         C = cov + s * s * np.eye(3)
         W = np.linalg.inv(C)
@@ -59,7 +67,11 @@ def test_parallax_kernel_equals_numpy(seed: int) -> None:
     rng = np.random.default_rng(seed)
     _, hue, left, right, i, j = stereo_scene(rng, lost=0.2)
     args = (left[i], hue[i], right[j], hue[j], FOCAL / 0.4, (6.0, 30.0), 1.0, 0.1, 12)
-    assert parallax_em(*args) == pytest.approx(numpy_parallax(*args), abs=1e-9)
+    found = parallax_em(
+        HuedPixels(left[i], hue[i]), HuedPixels(right[j], hue[j]), FOCAL / 0.4,
+        ParallaxMixture(6.0, 30.0, 1.0, 0.1, 12),
+    )  # fmt: skip
+    assert found == pytest.approx(numpy_parallax(*args), abs=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -72,7 +84,11 @@ def test_translation_kernel_equals_numpy(seed: int) -> None:
     cov = A @ A.swapaxes(1, 2) + np.eye(3) * 1e-6
     prior = rng.uniform(0, 0.2, 37)
     args = (points, marker_hue[seen], cov, markers, marker_hue, prior, 0.1, 1e-3, (0.012, 0.004), 9)
-    eta, P = translation_em(*args)
+    eta, P = translation_em(
+        HuedPoints(points, marker_hue[seen], cov),
+        ExpectedMarkers(markers, marker_hue, prior),
+        TranslationMixture(0.1, 1e-3, 0.012, 0.004, 9),
+    )
     expected_eta, expected_P = numpy_translation(*args)
     assert eta == pytest.approx(expected_eta, abs=1e-10)
     assert pytest.approx(expected_P, abs=1e-9) == P
@@ -173,7 +189,7 @@ def test_unseeable_marker_gets_no_point() -> None:
     markers = np.array([[0.0, 0, 0.3], [0.01, 0, 0.3]])
     zero = np.zeros(2, np.int64)
     prior = np.array([0.0, 1.0])
-    params = TranslationParams(spread_first=0.004)
+    params = TranslationParams(sd_first=0.004)
     got = match_translation(markers[:1], zero[:1], markers, zero, prior, np.eye(3) * 1e-6, params)
     assert got.marker.tolist() != [0]
 

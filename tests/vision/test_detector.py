@@ -8,7 +8,7 @@ from tests.vision.hue_classes import all_classes
 from tracker.errors import ConfigError, GlovetrackError
 from tracker.messages import CameraPose, StereoFrame
 from tracker.vision.colours import ColourProfile, HueRange, ShapeLimits
-from tracker.vision.components import axes, fill, hull, moments, room
+from tracker.vision.components import Scan, axes, fill, hull, moments, room
 from tracker.vision.detector import (
     DetectionHints,
     Detector,
@@ -147,7 +147,7 @@ def mask_runs(mask: np.ndarray) -> np.ndarray:
     extent = max(mask.shape)
     runs, visited = room(extent), np.zeros(mask.shape, np.uint8)
     table = hue_table(FOUR)
-    n, whole = fill(image, visited, 1, y, x, 1, table.cells, table.patterns, runs, extent)
+    n, whole = fill(Scan(image, table, visited, 1, runs, extent), y, x, 1)
     assert whole
     return runs[:n]
 

@@ -9,7 +9,7 @@ import pytest
 from tests.vision.hue_classes import all_classes
 from tracker.vision import search
 from tracker.vision.colours import ColourProfile, HueRange
-from tracker.vision.components import axes, fill, moments, room, waist
+from tracker.vision.components import Scan, axes, fill, moments, room, waist
 from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.hue_table import VIVID_SATURATION, hue_table
 
@@ -29,18 +29,8 @@ def found(classes: np.ndarray, windows: np.ndarray) -> np.ndarray:
     """(n, COLUMNS) of the kernel under test."""
     table, image = hue_table(TWO), np.ascontiguousarray(BGR[classes])
     visited, runs = np.zeros(classes.shape, np.uint8), room(MAX_EXTENT)
-    return search.find_regions(
-        image,
-        visited,
-        1,
-        runs,
-        table.cells,
-        table.patterns,
-        table.vivid,
-        windows,
-        MIN_AREA,
-        MAX_EXTENT,
-    )
+    scan = Scan(image, table, visited, 1, runs, MAX_EXTENT)
+    return search.find_regions(scan, windows, MIN_AREA)
 
 
 def broad(mask: np.ndarray) -> np.ndarray:
@@ -154,7 +144,7 @@ def test_waist_is_that_of_the_histogram(seed: int) -> None:
     y, x = np.argwhere(mask)[0]
     image, runs = np.ascontiguousarray(BGR[mask.astype(int)]), room(161)
     table, visited = hue_table(TWO), np.zeros(mask.shape, np.uint8)
-    n, whole = fill(image, visited, 1, y, x, 1, table.cells, table.patterns, runs, 161)
+    n, whole = fill(Scan(image, table, visited, 1, runs, 161), y, x, 1)
     assert whole
     _, u, v, uu, uv, vv = moments(runs[:n])
     angle = axes(uu, uv, vv)[2]

@@ -2,16 +2,15 @@
 
 import numpy as np
 import pytest
-from scipy.optimize import minimize
 from scipy.stats import norm
 
 from tracker.messages import CameraPose
 from tracker.vision.rig import ideal_rig
 from tracker.vision.visibility import (
     HandShape,
+    MarkerRows,
+    PosedHand,
     VisibilityParams,
-    _cuts_capsule,
-    _cuts_slab,
     both_cameras,
     facing,
     visibility,
@@ -21,13 +20,13 @@ POSE = CameraPose(np.diag([1.0, -1.0, -1.0]), np.zeros(3))  # looks along -z of 
 RIG = ideal_rig(pose=POSE)
 UP = np.array([0.0, 0.0, 1.0])
 LONE = HandShape(np.array([0.05]), np.array([0.01]), np.array([0.0]))
-FAR_AWAY = (np.eye(3)[None], np.array([[5.0, 5.0, 5.0]]))
+FAR_AWAY = PosedHand(LONE, np.eye(3)[None], np.array([[5.0, 5.0, 5.0]]))
 
 
 def lone_prior(p_G, normal_G, **more):
     p_G, normal_G = np.atleast_2d(p_G), np.atleast_2d(normal_G)
     segment = np.zeros(len(p_G), np.int64)
-    return visibility(LONE, RIG, POSE, p_G, normal_G, segment, *FAR_AWAY, **more)
+    return visibility(FAR_AWAY, MarkerRows(p_G, normal_G, segment), RIG, POSE, **more)
 
 
 @pytest.mark.parametrize(
@@ -75,60 +74,23 @@ def two_segments(width: float) -> tuple[HandShape, np.ndarray, np.ndarray]:
     """A marker's own segment at 0.4 m, and another 0.1 m nearer, both along x at y = 0."""
     shape = HandShape(np.full(2, 0.05), np.full(2, 0.01), np.array([0.0, width]))
     R = np.broadcast_to(np.eye(3), (2, 3, 3)).copy()
-    return shape, R, np.array([[0.0, 0.0, -0.41], [0.0, 0.0, -0.3]])
+    return PosedHand(shape, R, np.array([[0.0, 0.0, -0.41], [0.0, 0.0, -0.3]]))
 
 
 @pytest.mark.parametrize("width", [0.0, 0.03])
 @pytest.mark.parametrize(("nearer", "hidden"), [(1, True), (0, False)])
 def test_segment_hides_what_is_behind_it_only(width: float, nearer: int, hidden: bool) -> None:
-    shape, R, p = two_segments(width)
+    two = two_segments(width)
     if not nearer:
-        p[1, 2] = -0.5
+        two.p_GB[1, 2] = -0.5
     own = np.zeros(1, np.int64)
-    prior = visibility(shape, RIG, POSE, np.array([[0.025, 0, -0.4]]), UP[None], own, R, p)
+    marker = MarkerRows(np.array([[0.025, 0, -0.4]]), UP[None], own)
+    prior = visibility(two, marker, RIG, POSE)
     assert (prior[0, 0] < 0.1) == hidden
 
 
 def test_own_segment_does_not_hide_a_marker() -> None:
-    shape, R, p = two_segments(0.0)
     own = np.ones(1, np.int64)
     at = np.array([[0.025, 0, -0.29]])
-    assert visibility(shape, RIG, POSE, at, UP[None], own, R, p)[0, 0] == pytest.approx(1.0)
-
-
-def test_capsule_cut_agrees_with_a_numerical_minimum() -> None:
-    rng = np.random.default_rng(3)
-    disagreements = 0
-    for _ in range(60):
-        a, b = rng.normal(0, 0.03, 3) + [0.02, 0, 0.03], rng.normal(0, 0.03, 3)
-        gap = _least_distance(a, b, 0.04)
-        for radius in (gap * 0.98, gap * 1.02):
-            disagreements += _cuts_capsule(a, b, 0.04, radius) != (radius > gap)
-    assert disagreements == 0
-
-
-def _least_distance(a: np.ndarray, b: np.ndarray, length: float) -> float:
-    def gap2(x: np.ndarray) -> float:
-        d = a + x[0] * (b - a) - [x[1] * length, 0, 0]
-        return 1e4 * float(d @ d)
-
-    best = minimize(gap2, [0.5, 0.5], bounds=[(0, 1), (0, 1)], tol=1e-14)
-    return float(np.sqrt(best.fun / 1e4))
-
-
-def test_slab_cut_agrees_with_dense_sampling() -> None:
-    rng = np.random.default_rng(4)
-    t = np.linspace(0, 1, 4001)[:, None]
-    for _ in range(200):
-        a, b = rng.normal(0, 0.06, 3), rng.normal(0, 0.06, 3)
-        p = a + t * (b - a)
-        inside = (p[:, 0] >= 0) & (p[:, 0] <= 0.08)
-        inside &= (np.abs(p[:, 1]) <= 0.04) & (np.abs(p[:, 2]) <= 0.012)
-        if inside.sum() not in (1, 2):  # a grazed corner is beyond the sampling
-            assert _cuts_slab(a, b, 0.08, 0.04, 0.012) == bool(inside.any())
-
-
-def test_parallel_line_beside_a_capsule() -> None:
-    a, b = np.array([-0.1, 0.02, 0.0]), np.array([0.2, 0.02, 0.0])
-    assert not _cuts_capsule(a, b, 0.05, 0.019)
-    assert _cuts_capsule(a, b, 0.05, 0.021)
+    prior = visibility(two_segments(0.0), MarkerRows(at, UP[None], own), RIG, POSE)
+    assert prior[0, 0] == pytest.approx(1.0)

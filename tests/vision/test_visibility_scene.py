@@ -5,7 +5,7 @@ import pytest
 
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
-from tracker.vision.visibility import HandShape, visibility
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility
 
 
 @pytest.fixture(scope="module")
@@ -22,14 +22,10 @@ def prior_and_truth(hand, glove) -> tuple[np.ndarray, np.ndarray]:
         normal_G = np.einsum("mij,mj->mi", R, glove.marker_normal)
         prior.append(
             visibility(
-                HandShape.of(hand),
+                PosedHand(HandShape.of(hand), truth.R_GB, truth.p_GB),
+                MarkerRows(p_G, normal_G, segment),
                 simulation.rig,
                 simulation.rig.pose,
-                p_G,
-                normal_G,
-                segment,
-                truth.R_GB,
-                truth.p_GB,
             )
         )
         seen.append([scene.markers_seen(now, right).visible for right in (False, True)])

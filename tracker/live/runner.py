@@ -45,7 +45,7 @@ from tracker.sensors.sources import CameraSource, GloveSource, ReportingGlove
 from tracker.settings import Settings
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import DetectionHints, Detector, detect_frame
-from tracker.vision.outlook import Outlook, SearchPlan
+from tracker.vision.region_prediction import RegionPrediction, SearchPlan
 
 WAIT = 0.05  # s that a thread waits before it looks whether it should end
 SILENCE = 0.1  # s without packets after which the screen follows the images alone
@@ -127,7 +127,7 @@ class LiveTracker:
         self._telemetry = Telemetry()
         self._silence = SilenceWatch("camera")
         self._plan = SearchPlan()
-        self._outlook: Outlook | None = None  # of the engine, for the vision thread
+        self._predicted: RegionPrediction | None = None  # of the engine, for the vision thread
         self._order = _Order()
         self._disk: RecordingThread | None = None
         self._shadow: Shadow | None = None
@@ -357,7 +357,7 @@ class LiveTracker:
     def _hints(self, frame: StereoFrame) -> tuple[DetectionHints, DetectionHints] | None:
         """Where to look for markers; None for the whole image."""
         names = self._profile.hue_names
-        return self._plan.hints(self._outlook, self._pipeline.rig, frame.t, frame.pose, names)
+        return self._plan.hints(self._predicted, self._pipeline.rig, frame.t, frame.pose, names)
 
     def _notice_silence(self, frame: StereoFrame | None) -> None:
         """A device may hang in a call that never returns: here it is noticed all the same."""
@@ -450,11 +450,11 @@ class LiveTracker:
         """Tell the vision thread where markers are, as long as that is sure."""
         matched = np.count_nonzero((result.match_left >= 0) | (result.match_right >= 0))
         estimate, expected = self._estimate, float(result.visible.sum())
-        self._outlook, before = None, self._outlook
+        self._predicted, before = None, self._predicted
         if estimate is None or estimate.tracking != Tracking.TRACKING:
             return
         if matched >= SURE_SHARE * expected:
-            self._outlook = self._pipeline.outlook(estimate.t, before)
+            self._predicted = self._pipeline.region_prediction(estimate.t, before)
 
     def _show(self, estimate: Estimate, record: bool) -> None:
         before = self._estimate

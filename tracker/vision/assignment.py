@@ -2,14 +2,32 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Vector
+
+
+class _Prices(NamedTuple):
+    """What reduces the costs: u (n,) of rows, v (m + n,) of columns."""
+
+    u: Vector
+    v: Vector
+
+
+class _Paths(NamedTuple):
+    """Shortest ways to all columns (m + n,): their cost, the column before each (-1: none), and
+    whether a column is done."""
+
+    distance: Vector
+    previous: IntVector
+    done: BoolVector
 
 
 @kernel
-def assign(cost: Array, alone: float) -> IntArray:
+def assign(cost: Matrix, alone: float) -> IntVector:
     """(m,) row of cost (n, m) for each column, -1 for none, with the least total cost.
 
     A row without a column costs ``alone``, as if it had a column of its own: rows are brought in
@@ -18,23 +36,22 @@ def assign(cost: Array, alone: float) -> IntArray:
     """
     n, m = cost.shape
     row_of = np.full(m + n, -1, np.int64)
-    u, v = np.zeros(n), np.zeros(m + n)
-    distance, previous = np.empty(m + n), np.empty(m + n, np.int64)
-    done = np.empty(m + n, np.bool_)
+    prices = _Prices(np.zeros(n), np.zeros(m + n))
+    paths = _Paths(np.empty(m + n), np.empty(m + n, np.int64), np.empty(m + n, np.bool_))
     for first in range(n):
-        distance[:] = np.inf
-        done[:] = False
+        paths.distance[:] = np.inf
+        paths.done[:] = False
         row, reached, at = first, 0.0, -1
         while True:
-            at = _relax(cost, alone, row, reached, at, u, v, distance, previous, done)
-            reached = distance[at]
-            done[at] = True
+            at = _relax(cost, alone, prices, paths, row, reached, at)
+            reached = paths.distance[at]
+            paths.done[at] = True
             if row_of[at] < 0:
                 break
             row = row_of[at]
-        _reprice(first, reached, row_of, u, v, distance, done)
+        _reprice(first, reached, row_of, prices, paths)
         while at >= 0:  # hand the columns on along the path
-            before = previous[at]
+            before = paths.previous[at]
             row_of[at] = first if before < 0 else row_of[before]
             at = before
     return row_of[:m]
@@ -42,19 +59,17 @@ def assign(cost: Array, alone: float) -> IntArray:
 
 @kernel
 def _relax(
-    cost: Array,
+    cost: Matrix,
     alone: float,
+    prices: _Prices,
+    paths: _Paths,
     row: int,
     reached: float,
     came_by: int,
-    u: Array,
-    v: Array,
-    distance: Array,
-    previous: IntArray,
-    done: Array,
 ) -> int:
     """Shorten the ways to all columns through ``row``; the nearest column not done yet."""
-    m = cost.shape[1]
+    m, u, v = cost.shape[1], prices.u, prices.v
+    distance, previous, done = paths.distance, paths.previous, paths.done
     nearest, least = -1, np.inf
     for j in range(len(distance)):
         if done[j]:
@@ -69,16 +84,9 @@ def _relax(
 
 
 @kernel
-def _reprice(
-    first: int,
-    reached: float,
-    row_of: IntArray,
-    u: Array,
-    v: Array,
-    distance: Array,
-    done: Array,
-) -> None:
+def _reprice(first: int, reached: float, row_of: IntVector, prices: _Prices, paths: _Paths) -> None:
     """Prices under which the shortest path costs nothing and no pair less."""
+    u, v, distance, done = prices.u, prices.v, paths.distance, paths.done
     u[first] += reached
     for j in range(len(v)):
         if done[j]:

@@ -7,37 +7,60 @@ out, bit for bit, save those so small that the grid misses them.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
-from numpy.typing import NDArray
 
 from tracker.kernels import kernel
-from tracker.messages import Array
-from tracker.vision.hue_table import Cells, Patterns, colour_class
+from tracker.kernels.arrays import (
+    ByteMatrix,
+    ByteStack,
+    Int8Vector,
+    Int32Matrix,
+    IntVector,
+    UInt16Vector,
+    Vector,
+)
+from tracker.vision.hue_table import HueTable, colour_class
 
-_Bytes = NDArray[np.uint8]
-Runs = NDArray[np.int32]
-"""(n, RUN): row, first and last column of each run of a region, then the same of the run from which
-it was reached."""
 RUN = 6
+"""Columns of a run (n, RUN): row, first and last column, then the same of the run from which it was
+reached."""
 RAGGED, RAGGED_SPARE = 4, 24  # runs a row, and beyond that, from which a region is background
 NO_ROW = -9  # as the row of a run that was reached from none
 
 
-def room(extent: int) -> Runs:
+class Scan(NamedTuple):
+    """An image (h, w, 3) that is searched, and where it has been.
+
+    ``visited`` (h, w) has ``mark`` where a region was met, and less where none was: a number for
+    each call saves clearing an image's worth of memory. ``runs``: `room` for regions of at most
+    ``extent`` px.
+    """
+
+    image: ByteStack
+    table: HueTable
+    visited: ByteMatrix
+    mark: int
+    runs: Int32Matrix
+    extent: int
+
+
+def room(extent: int) -> Int32Matrix:
     """Memory for the runs of one region of at most ``extent`` px, and of what is looked at next."""
     return np.empty(((extent + 4) * (extent // 2 + 4), RUN), np.int32)
 
 
 @kernel(inline="always")
 def _run(
-    image: _Bytes,
-    visited: _Bytes,
+    image: ByteStack,
+    visited: ByteMatrix,
     mark: int,
     y: int,
     x: int,
     hue: int,
-    cells: Cells,
-    patterns: Patterns,
+    cells: UInt16Vector,
+    patterns: Int8Vector,
 ) -> tuple[int, int]:
     """The run of ``hue`` around (x, y), marked as visited: first and last column.
 
@@ -55,39 +78,31 @@ def _run(
 
 
 @kernel
-def fill(
-    image: _Bytes,
-    visited: _Bytes,
-    mark: int,
-    y: int,
-    x: int,
-    hue: int,
-    cells: Cells,
-    patterns: Patterns,
-    runs: Runs,
-    extent: int,
-) -> tuple[int, bool]:
-    """All runs of the 8-connected region that (x, y) belongs to, into ``runs`` (see `room`).
+def fill(scan: Scan, y: int, x: int, hue: int) -> tuple[int, bool]:
+    """All runs of the 8-connected region that (x, y) belongs to, into the scan's ``runs``.
 
-    ``visited`` has ``mark`` where a region was met, and less where none was: a number for each call
-    saves clearing an image's worth of memory.
     The list of runs is at once the queue of those whose neighbours are still to be looked at. A
-    region longer than ``extent`` px or full of holes is background (a wall whose colour is on the
+    region longer than the extent or full of holes is background (a wall whose colour is on the
     border of a hue comes and goes with the noise): it is left as soon as that is known and marked
     mark + hue, and what later touches such a mark belongs to it. Returns how many runs there are,
     and whether the region is whole.
     """
+    image, visited, mark, runs = scan.image, scan.visited, scan.mark, scan.runs
+    cells, patterns, extent = scan.table.cells, scan.table.patterns, scan.extent
     height, width = image.shape[0], image.shape[1]
+    # 1. the seed's own run begins the list
     first, last = _run(image, visited, mark, y, x, hue, cells, patterns)
     runs[0, 0], runs[0, 1], runs[0, 2], runs[0, 3] = y, first, last, NO_ROW
     low, high, top, bottom = first, last, y, y
     n, done, whole = 1, 0, last - first <= extent
     while done < n and whole:
+        # 2. the next run whose neighbours are still to be looked at
         row, first, last = int(runs[done, 0]), int(runs[done, 1]), int(runs[done, 2])
         from_row, skip, after = int(runs[done, 3]), runs[done, 4] - 1, runs[done, 5] + 2
         done += 1
         end = min(last + 1, width - 1)
         for near in (row - 1, row + 1):
+            # 3. runs of the hue that touch it in the rows above and below
             if near < 0 or near >= height:
                 continue
             k = max(first - 1, 0)
@@ -109,6 +124,7 @@ def fill(
                     break
                 else:
                     k += 1
+        # 4. background is left at once
         ragged = n > RAGGED * (bottom - top + 1) + RAGGED_SPARE
         whole = whole and not ragged and max(high - low, bottom - top) <= extent
     if not whole:
@@ -118,7 +134,7 @@ def fill(
 
 
 @kernel
-def moments(runs: Runs) -> tuple[float, float, float, float, float, float]:
+def moments(runs: Int32Matrix) -> tuple[float, float, float, float, float, float]:
     """Area, centroid u and v, and central second moments uu, uv, vv (px²) of a region.
 
     Second moments include a pixel's own extent (1/12), so that they are those of the area.
@@ -142,7 +158,7 @@ def moments(runs: Runs) -> tuple[float, float, float, float, float, float]:
 
 
 @kernel
-def bounds(runs: Runs) -> tuple[int, int, int, int]:
+def bounds(runs: Int32Matrix) -> tuple[int, int, int, int]:
     """Least and greatest column, least and greatest row."""
     top, left, right = runs[0, 0], runs[0, 1], runs[0, 2]
     bottom = top
@@ -153,7 +169,7 @@ def bounds(runs: Runs) -> tuple[int, int, int, int]:
 
 
 @kernel
-def hull(runs: Runs, top: int, bottom: int) -> tuple[float, float]:
+def hull(runs: Int32Matrix, top: int, bottom: int) -> tuple[float, float]:
     """Pixels inside the convex hull of a region's pixel centres, and the region's girth (px).
 
     top and bottom are the region's first and last row.
@@ -182,7 +198,7 @@ def hull(runs: Runs, top: int, bottom: int) -> tuple[float, float]:
 
 
 @kernel
-def _chain(x: NDArray[np.int64], sign: int, chain: NDArray[np.int64]) -> int:
+def _chain(x: IntVector, sign: int, chain: IntVector) -> int:
     """Rows of the hull's vertices along one side, from top to bottom (Andrew's monotone chain)."""
     n = 0
     for r in range(len(x)):
@@ -217,7 +233,7 @@ def axes(uu: float, uv: float, vv: float) -> tuple[float, float, float]:
 
 
 @kernel
-def waist(runs: Runs, u: float, v: float, angle: float) -> tuple[float, float]:
+def waist(runs: Int32Matrix, u: float, v: float, angle: float) -> tuple[float, float]:
     """Where a region is narrowest across its long axis, and how narrow.
 
     Returns the place along the axis (px from the centroid) and its width over the smaller of the
@@ -240,7 +256,7 @@ def waist(runs: Runs, u: float, v: float, angle: float) -> tuple[float, float]:
 
 
 @kernel
-def _narrowest(width: Array, half: int) -> tuple[float, float]:
+def _narrowest(width: Vector, half: int) -> tuple[float, float]:
     n = len(width)
     smooth = np.zeros(n)
     for i in range(1, n - 1):
@@ -258,7 +274,9 @@ def _narrowest(width: Array, half: int) -> tuple[float, float]:
 
 
 @kernel
-def cut(runs: Runs, u: float, v: float, angle: float, place: float) -> tuple[Runs, int]:
+def cut(
+    runs: Int32Matrix, u: float, v: float, angle: float, place: float
+) -> tuple[Int32Matrix, int]:
     """Runs parted by the line across the long axis at ``place``: first those before it.
 
     Returns the runs and how many of them lie before the line.

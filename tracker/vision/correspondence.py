@@ -7,26 +7,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, IntArray
 from tracker.vision.assignment import assign
-from tracker.vision.cpd import translation_em
-from tracker.vision.visibility import HandShape, VisibilityParams, both_cameras, visibility
-
-__all__ = [
-    "GateParams",
-    "HandShape",
-    "TranslationMatch",
-    "TranslationParams",
-    "VisibilityParams",
-    "assign_gated",
-    "both_cameras",
-    "match_translation",
-    "visibility",
-]
+from tracker.vision.cpd import (
+    ExpectedMarkers,
+    HuedPixels,
+    HuedPoints,
+    TranslationMixture,
+    translation_em,
+)
 
 FORBIDDEN = 1e6  # a cost that no dummy lets through
 
@@ -39,6 +35,16 @@ class GateParams:
     gate_px: float = 80.0
     dummy_cost: float = 16.0  # of leaving a blob unexplained
     min_prior: float = 1e-3  # keeps ln p finite
+
+
+class ExpectedPixels(NamedTuple):
+    """Markers where one image should show them: uv (m, 2) px, innovation covariance S (m, 2, 2),
+    hue (m,), and prior (m,) of being seen, above zero."""
+
+    uv: Matrix
+    S: Stack
+    hue: IntVector
+    prior: Vector
 
 
 def assign_gated(
@@ -59,33 +65,22 @@ def assign_gated(
     params = params or GateParams()
     if len(uv) == 0 or len(predicted_uv) == 0:
         return np.full(len(predicted_uv), -1, np.int64)
-    return assigned(
-        np.ascontiguousarray(uv, float),
-        hue,
+    markers = ExpectedPixels(
         np.ascontiguousarray(predicted_uv, float),
         np.ascontiguousarray(S, float),
         marker_hue,
         np.maximum(prior, params.min_prior),
-        params.gate,
-        params.gate_px,
-        params.dummy_cost,
     )
+    blobs = HuedPixels(np.ascontiguousarray(uv, float), hue)
+    return assigned(blobs, markers, params.gate, params.gate_px, params.dummy_cost)
 
 
 @kernel
 def assigned(
-    uv: Array,
-    hue: IntArray,
-    predicted: Array,
-    S: Array,
-    marker_hue: IntArray,
-    prior: Array,
-    gate: float,
-    gate_px: float,
-    dummy_cost: float,
-) -> IntArray:
-    """The optimal assignment among the pairs that are cheaper than two lone ones."""
-    cost = _gated_costs(uv, hue, predicted, S, marker_hue, prior, gate, gate_px)
+    blobs: HuedPixels, markers: ExpectedPixels, gate: float, gate_px: float, dummy_cost: float
+) -> IntVector:
+    """The optimal assignment among the pairs that are cheaper than two lone ones; (m,) blobs."""
+    cost = _gated_costs(blobs, markers, gate, gate_px)
     out = assign(cost, dummy_cost)
     for j in range(len(out)):
         if out[j] >= 0 and cost[out[j], j] >= dummy_cost:
@@ -94,26 +89,18 @@ def assigned(
 
 
 @kernel
-def _gated_costs(
-    uv: Array,
-    hue: IntArray,
-    predicted: Array,
-    S: Array,
-    marker_hue: IntArray,
-    prior: Array,
-    gate: float,
-    gate_px: float,
-) -> Array:
-    """(n, M) costs; FORBIDDEN between hues and outside the gates."""
+def _gated_costs(blobs: HuedPixels, markers: ExpectedPixels, gate: float, gate_px: float) -> Matrix:
+    """(n, m) costs; FORBIDDEN between hues and outside the gates."""
+    uv, hue, predicted, S = blobs.uv, blobs.hue, markers.uv, markers.S
     cost = np.full((len(uv), len(predicted)), FORBIDDEN)
     for j in range(len(predicted)):
         a, b, c = S[j, 0, 0], S[j, 0, 1], S[j, 1, 1]
         det = a * c - b * b
         if not det > 0:
             continue
-        base = np.log(det) - 2.0 * np.log(prior[j])
+        base = np.log(det) - 2.0 * np.log(markers.prior[j])
         for i in range(len(uv)):
-            if hue[i] != marker_hue[j]:
+            if hue[i] != markers.hue[j]:
                 continue
             du, dv = uv[i, 0] - predicted[j, 0], uv[i, 1] - predicted[j, 1]
             d2 = (c * du * du - 2.0 * b * du * dv + a * dv * dv) / det
@@ -128,11 +115,18 @@ class TranslationParams:
 
     outlier: float = 0.1  # w_c of eq. 2
     volume: float = 1e-3  # m³, over which an outlier is uniform
-    spread_first: float = 0.012  # m, annealed
-    spread_last: float = 0.004  # m
+    sd_first: float = 0.012  # m, annealed
+    sd_last: float = 0.004  # m
     iterations: int = 15
     min_posterior: float = 0.5  # of belonging to any marker
     max_distance: float = 0.020  # m from the shifted marker
+
+    @cached_property
+    def mixture(self) -> TranslationMixture:
+        """What the EM takes of it."""
+        return TranslationMixture(
+            self.outlier, self.volume, self.sd_first, self.sd_last, self.iterations
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,16 +160,9 @@ def match_translation(
     points, markers = np.ascontiguousarray(points_G, float), np.ascontiguousarray(markers_G, float)
     each = np.ascontiguousarray(np.broadcast_to(cov, (n, 3, 3)), float)
     eta, P = translation_em(
-        points,
-        hue,
-        each,
-        markers,
-        marker_hue,
-        normalised(prior, marker_hue),
-        params.outlier,
-        params.volume,
-        (params.spread_first, params.spread_last),
-        params.iterations,
+        HuedPoints(points, hue, each),
+        ExpectedMarkers(markers, marker_hue, normalised(prior, marker_hue)),
+        params.mixture,
     )
     marker, posterior = _likeliest(
         P, points, markers, eta, params.min_posterior, params.max_distance
@@ -184,7 +171,7 @@ def match_translation(
 
 
 @kernel
-def normalised(prior: Array, hue: IntArray) -> Array:
+def normalised(prior: Vector, hue: IntVector) -> Vector:
     """Priors that sum to one within each hue; a hue of zeros stays so."""
     out = np.zeros(len(prior))
     for j in range(len(prior)):
@@ -199,8 +186,8 @@ def normalised(prior: Array, hue: IntArray) -> Array:
 
 @kernel
 def _likeliest(
-    P: Array, points: Array, markers: Array, eta: Array, min_posterior: float, reach: float
-) -> tuple[IntArray, Array]:
+    P: Matrix, points: Matrix, markers: Matrix, eta: Vector, min_posterior: float, reach: float
+) -> tuple[IntVector, Vector]:
     """MAP marker of each point within the limits, and each marker given once."""
     n, m = P.shape
     out, posterior = np.full(n, -1, np.int64), np.zeros(n)

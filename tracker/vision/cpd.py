@@ -9,45 +9,85 @@ w / N of eq. 2 of Lee et al. 2021 has no unit of density.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+
+
+class HuedPixels(NamedTuple):
+    """Blobs of an image: uv (n, 2) px and hue (n,)."""
+
+    uv: Matrix
+    hue: IntVector
+
+
+class HuedPoints(NamedTuple):
+    """Points seen: p (n, 3) m, hue (n,), and the noise cov (n, 3, 3) m²."""
+
+    p: Matrix
+    hue: IntVector
+    cov: Stack
+
+
+class ExpectedMarkers(NamedTuple):
+    """Markers where they are expected: p (m, 3) m, hue (m,), and prior (m,) that sums to one within
+    each hue."""
+
+    p: Matrix
+    hue: IntVector
+    prior: Vector
+
+
+class ParallaxMixture(NamedTuple):
+    """Of `parallax_em`: least and greatest SD along u and the SD along v, px; the share
+    ``outlier`` of blobs without a partner; steps."""
+
+    sd_u_min: float
+    sd_u_max: float
+    sd_v: float
+    outlier: float
+    iterations: int
+
+
+class TranslationMixture(NamedTuple):
+    """Of `translation_em`: the share ``outlier`` (w_c of eq. 2), uniform over ``volume`` m³; the SD
+    that is added to the noise at first and at last, m; steps."""
+
+    outlier: float
+    volume: float
+    sd_first: float
+    sd_last: float
+    iterations: int
 
 
 @kernel
 def parallax_em(
-    left: Array,
-    left_hue: IntArray,
-    right: Array,
-    right_hue: IntArray,
-    zeta: float,
-    sd_u: tuple[float, float],
-    sd_v: float,
-    outlier: float,
-    iterations: int,
+    left: HuedPixels, right: HuedPixels, zeta: float, mixture: ParallaxMixture
 ) -> tuple[float, float]:
     """One horizontal parallax between two images: l_i = r_j + (zeta, 0). Pixels, rectified.
 
-    left (n, 2), right (m, 2). The SD along u is estimated within ``sd_u`` = (least, most) and
-    starts at the most: a hand spans 10 to 20 px of disparity, so it must not collapse. ``outlier``
-    is the mixture's share of blobs without a partner. Returns zeta and the SD.
+    It starts at ``zeta``, and the SD along u at its greatest: a hand spans 10 to 20 px of
+    disparity, so it must not collapse. Returns zeta and that SD.
     """
-    s = sd_u[1]
+    l_uv, l_hue, r_uv, r_hue = left.uv, left.hue, right.uv, right.hue
+    s, sd_v = mixture.sd_u_max, mixture.sd_v
     # an outlier is uniform over the ellipse of three SD about the expected place
-    floor = outlier / (1.0 - outlier) * 2.0 / 9.0
-    for _ in range(iterations):
+    floor = mixture.outlier / (1.0 - mixture.outlier) * 2.0 / 9.0
+    for _ in range(mixture.iterations):
+        # 1. expectation: each left blob's posterior over its partners, as sums over p, p u, p u²
         sum_p, sum_pu, sum_puu = 0.0, 0.0, 0.0
-        for i in range(len(left)):
+        for i in range(len(l_uv)):
             total, total_u, total_uu = 0.0, 0.0, 0.0
-            for j in range(len(right)):
-                if left_hue[i] != right_hue[j]:
+            for j in range(len(r_uv)):
+                if l_hue[i] != r_hue[j]:
                     continue
-                dv = (left[i, 1] - right[j, 1]) / sd_v
+                dv = (l_uv[i, 1] - r_uv[j, 1]) / sd_v
                 if abs(dv) > 4.0:
                     continue
-                du = left[i, 0] - right[j, 0]
+                du = l_uv[i, 0] - r_uv[j, 0]
                 e = (du - zeta) / s
                 g = math.exp(-0.5 * (e * e + dv * dv))
                 total += g
@@ -59,76 +99,68 @@ def parallax_em(
             sum_puu += total_uu / total_p
         if sum_p < 1e-9:
             break
+        # 2. maximisation: mean and SD of the disparity
         zeta = sum_pu / sum_p
-        s = min(max(math.sqrt(max(sum_puu / sum_p - zeta * zeta, 0.0)), sd_u[0]), sd_u[1])
+        sd = math.sqrt(max(sum_puu / sum_p - zeta * zeta, 0.0))
+        s = min(max(sd, mixture.sd_u_min), mixture.sd_u_max)
     return zeta, s
 
 
 @kernel
 def translation_em(
-    points: Array,
-    hue: IntArray,
-    cov: Array,
-    markers: Array,
-    marker_hue: IntArray,
-    prior: Array,
-    outlier: float,
-    volume: float,
-    spread: tuple[float, float],
-    iterations: int,
-) -> tuple[Array, Array]:
+    points: HuedPoints, markers: ExpectedMarkers, mixture: TranslationMixture
+) -> tuple[Vector, Matrix]:
     """One 3-DOF translation between expected markers and points seen: o_i ~ N(m_j + eta, C_i).
 
-    points (n, 3) with noise cov (n, 3, 3), markers (m, 3) with prior (m,) that sums to one within
-    each hue. C_i = cov_i + s² I, where s falls from spread[0] to spread[1] geometrically. The
-    outlier density is outlier / volume (eq. 2). Returns eta (3,) and the posterior P (n, m) of the
-    last expectation.
+    C_i = cov_i + s² I, where s falls from sd_first to sd_last geometrically. The outlier density is
+    outlier / volume (eq. 2). Returns eta (3,) m and the posterior P (n, m) of the last expectation.
     """
-    n, m = len(points), len(markers)
-    P = np.zeros((n, m))
+    n, outlier, iterations = len(points.p), mixture.outlier, mixture.iterations
+    p, hue, cov = points.p, points.hue, points.cov
+    P = np.zeros((n, len(markers.p)))
     eta, inverse = np.zeros(3), np.empty((3, 3))
     information, weighted = np.empty((3, 3)), np.empty(3)
-    factor = (spread[1] / spread[0]) ** (1.0 / max(iterations - 1, 1))
-    s = spread[0]
+    factor = (mixture.sd_last / mixture.sd_first) ** (1.0 / max(iterations - 1, 1))
+    s, uniform = mixture.sd_first, outlier / mixture.volume
     for step in range(iterations + 1):
         information[:] = 0.0
         weighted[:] = 0.0
         for i in range(n):
+            # 1. the Gaussian about each marker, of this point's noise and the annealed SD
             det = _inverse3(cov[i], s * s, inverse)
             scale = (1.0 - outlier) / math.sqrt((2.0 * math.pi) ** 3 * det)
-            total = outlier / volume + _expect(
-                P[i], points[i], hue[i], markers, marker_hue, prior, eta, inverse, scale
-            )
-            _maximise(P[i], total, inverse, points[i], markers, information, weighted)
+            # 2. expectation: the point's posterior over markers and outliers, eqs. 2 and 3
+            total = uniform + _expect(P[i], p[i], hue[i], markers, eta, inverse, scale)
+            # 3. its part of the normal equations of eta
+            _maximise(P[i], total, inverse, p[i], markers.p, information, weighted)
         if step < iterations:
             if information[0, 0] < 1e-9:
                 break
+            # 4. maximisation, and a narrower Gaussian
             _solve3(information, weighted, eta)
-            s = max(s * factor, spread[1])
+            s = max(s * factor, mixture.sd_last)
     return eta, P
 
 
 @kernel
 def _expect(
-    row: Array,
-    point: Array,
+    row: Vector,
+    point: Vector,
     hue: int,
-    markers: Array,
-    marker_hue: IntArray,
-    prior: Array,
-    eta: Array,
-    W: Array,
+    markers: ExpectedMarkers,
+    eta: Vector,
+    W: Matrix,
     scale: float,
 ) -> float:
     """row[j] = (1 - w) p(m_j) N(o; m_j + eta, W^-1), eqs. 2 and 3 before division; their sum."""
-    total = 0.0
-    for j in range(len(markers)):
+    total, p, marker_hue, prior = 0.0, markers.p, markers.hue, markers.prior
+    for j in range(len(p)):
         row[j] = 0.0
         if marker_hue[j] != hue or prior[j] <= 0.0:
             continue
-        x = point[0] - markers[j, 0] - eta[0]
-        y = point[1] - markers[j, 1] - eta[1]
-        z = point[2] - markers[j, 2] - eta[2]
+        x = point[0] - p[j, 0] - eta[0]
+        y = point[1] - p[j, 1] - eta[1]
+        z = point[2] - p[j, 2] - eta[2]
         d2 = W[0, 0] * x * x + W[1, 1] * y * y + W[2, 2] * z * z
         d2 += 2.0 * (W[0, 1] * x * y + W[0, 2] * x * z + W[1, 2] * y * z)
         if d2 < 80.0:  # beyond, the density is nothing beside the outliers'
@@ -139,13 +171,13 @@ def _expect(
 
 @kernel
 def _maximise(
-    row: Array,
+    row: Vector,
     total: float,
-    W: Array,
-    point: Array,
-    markers: Array,
-    information: Array,
-    weighted: Array,
+    W: Matrix,
+    point: Vector,
+    markers: Matrix,
+    information: Matrix,
+    weighted: Vector,
 ) -> None:
     """Divide the row by ``total``; add sum p W and W sum p (o - m) to eta's normal equations."""
     mass, x, y, z = 0.0, 0.0, 0.0, 0.0
@@ -163,7 +195,7 @@ def _maximise(
 
 
 @kernel
-def _inverse3(cov: Array, extra: float, out: Array) -> float:
+def _inverse3(cov: Matrix, extra: float, out: Matrix) -> float:
     """out = (cov + extra I)^-1 of a symmetric matrix by cofactors; returns the determinant."""
     a, b, c = cov[0, 0] + extra, cov[0, 1], cov[0, 2]
     d, e, f = cov[1, 1] + extra, cov[1, 2], cov[2, 2] + extra
@@ -176,7 +208,7 @@ def _inverse3(cov: Array, extra: float, out: Array) -> float:
 
 
 @kernel
-def _solve3(M: Array, y: Array, out: Array) -> None:
+def _solve3(M: Matrix, y: Vector, out: Vector) -> None:
     """out = M^-1 y of a symmetric positive definite M."""
     inverse = np.empty((3, 3))
     _inverse3(M, 0.0, inverse)

@@ -14,16 +14,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.errors import GlovetrackError
+from tracker.kernels.arrays import Int32Matrix
 from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search
 from tracker.vision.colours import ColourProfile
-from tracker.vision.components import Runs, room
+from tracker.vision.components import Scan, room
 from tracker.vision.hue_table import hue_table
-from tracker.vision.shape_tests import first_failure, parted, windows_around
+from tracker.vision.shape_tests import (
+    ExpectedBlobs,
+    ShapeLimits,
+    first_failure,
+    parted,
+    windows_around,
+)
 
 Image = NDArray[np.uint8]
 REASONS = ("size", "convexity", "circularity", "edge")  # in the order of `shape_tests`
-NO_PLACES, NO_SIZES, NO_HUES = np.zeros((0, 2)), np.zeros(0), np.zeros(0, np.int64)
+NOWHERE = ExpectedBlobs(np.zeros((0, 2)), np.zeros(0), np.zeros(0, np.int64), np.zeros(0))
 HIGHEST_MARK = 255
 LARGE = 2.0  # times the largest blob: two that touch are to be parted, more are background
 
@@ -73,7 +80,12 @@ class Detector:
 
     def _set(self, params: DetectorParams, metre_px: float) -> None:
         self.params, self._metre_px = params, metre_px
-        self._extent = (metre_px / params.farthest, metre_px / params.nearest)
+        shape = self.profile.shape
+        low, high = shape.size[0], shape.size[1]
+        shortest, longest = metre_px / params.farthest, metre_px / params.nearest
+        self._limits = ShapeLimits(
+            low * shortest, high * longest, low, high, shape.convexity, shape.circularity
+        )
 
     def with_params(self, params: DetectorParams) -> Detector:
         """Another detector for the same colours; the table is shared."""
@@ -90,23 +102,15 @@ class Detector:
         """
         pixels = _checked(image)
         height, width = pixels.shape[:2]
-        max_extent = int(LARGE * self.profile.shape.size[1] * self._extent[1])
+        extent = int(LARGE * self._limits.longest)
         visited, mark = self._scratch.visited(height, width, len(self.profile.hue_names))
-        rows = search.find_regions(
-            pixels,
-            visited,
-            mark,
-            self._scratch.runs(max_extent),
-            self._table.cells,
-            self._table.patterns,
-            self._table.vivid,
-            self._windows(width, height, hints),
-            self.params.min_area_px,
-            max_extent,
-        )
-        uv, size, hue, score, other_uv, other_hue, reason = parted(rows, self._reasons(rows, hints))
-        why = tuple(REASONS[k] for k in reason.tolist())
-        return Blobs(uv, size, hue, score), RejectedBlobs(other_uv, other_hue, why)
+        scan = Scan(pixels, self._table, visited, mark, self._scratch.runs(extent), extent)
+        windows = self._windows(width, height, hints)
+        rows = search.find_regions(scan, windows, self.params.min_area_px)
+        found = parted(rows, first_failure(rows, self._limits, _expected(hints)))
+        why = tuple(REASONS[k] for k in found.reason.tolist())
+        blobs = Blobs(found.uv, found.size, found.hue, found.score)
+        return blobs, RejectedBlobs(found.other_uv, found.other_hue, why)
 
     def _windows(self, width: int, height: int, hints: DetectionHints | None) -> IntArray:
         """Rows (first and last column, first and last row, stride) to look for seeds in."""
@@ -114,17 +118,6 @@ class Detector:
             return np.array([[0, width - 1, 0, height - 1, self.params.stride]], np.int64)
         stride = self.params.hint_stride
         return windows_around(hints.uv, hints.radius_px, width, height, stride)
-
-    def _reasons(self, rows: Array, hints: DetectionHints | None) -> IntArray:
-        """Index into REASONS of the first requirement that each region fails, -1 for none."""
-        shape = self.profile.shape
-        if hints is None or hints.size_px is None:
-            expected = NO_PLACES, NO_SIZES, NO_HUES, NO_SIZES
-        else:
-            expected = hints.uv, hints.radius_px, hints.hue, hints.size_px
-        return first_failure(
-            rows, self._extent, shape.size, shape.convexity, shape.circularity, *expected
-        )
 
 
 class _Scratch(threading.local):
@@ -145,7 +138,7 @@ class _Scratch(threading.local):
         mark, self._mark = self._mark, self._mark + hues + 1
         return self._visited, mark
 
-    def runs(self, extent: int) -> Runs:
+    def runs(self, extent: int) -> Int32Matrix:
         """`room` for regions of at least this extent (px), good until this thread's next call."""
         if extent > self._extent:
             self._runs, self._extent = room(extent), extent
@@ -175,6 +168,13 @@ def detect_frame(
         rejected_right=rejected[1],
         index=frame.index,
     )
+
+
+def _expected(hints: DetectionHints | None) -> ExpectedBlobs:
+    """Sizes to be met; none where none is known."""
+    if hints is None or hints.size_px is None:
+        return NOWHERE
+    return ExpectedBlobs(hints.uv, hints.radius_px, hints.hue, hints.size_px)
 
 
 def _checked(image: Image) -> Image:

@@ -8,13 +8,14 @@ apart: on a coloured background a wrong guess of the processor costs more than t
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tracker.errors import ConfigError
 from tracker.kernels import kernel
+from tracker.kernels.arrays import ByteStack, Int8Vector, IntMatrix, UInt16Vector
 from tracker.vision.colours import HUES, LEVELS, ColourProfile
 
 MAX_HUES = 30  # bits of a mask
@@ -25,14 +26,8 @@ CELL_SIDE = 1 << CELL_BITS
 CELL_COLOURS = CELL_SIDE**3
 VIVID_SATURATION = 86  # from which max - min is at least a third of max, and so half of min
 
-_Bytes = NDArray[np.uint8]
-_Masks = NDArray[np.int64]
-Cells = NDArray[np.uint16]
-Patterns = NDArray[np.int8]
 
-
-@dataclass(frozen=True, eq=False)
-class HueTable:
+class HueTable(NamedTuple):
     """Classes are 0 for none of a profile's hues and k + 1 for its hue k.
 
     cells (2^15,) numbers of patterns, by b << 10 | g << 5 | r of the channels' upper five bits;
@@ -40,8 +35,8 @@ class HueTable:
     where `is_vivid` holds for all colours of a hue, else 0.
     """
 
-    cells: Cells
-    patterns: Patterns
+    cells: UInt16Vector
+    patterns: Int8Vector
     vivid: int
 
 
@@ -70,7 +65,7 @@ def hue_table(profile: ColourProfile) -> HueTable:
     return HueTable(cells, patterns[: count * CELL_COLOURS].copy(), int(vivid))
 
 
-def _masks(profile: ColourProfile) -> _Masks:
+def _masks(profile: ColourProfile) -> IntMatrix:
     """(3, 256): bit k of row hue, saturation or value says whether hue k takes that level."""
     out = np.zeros((3, LEVELS), np.int64)
     hue, level = np.arange(HUES), np.arange(LEVELS)
@@ -83,7 +78,7 @@ def _masks(profile: ColourProfile) -> _Masks:
 
 
 @kernel
-def exact_class(b: int, g: int, r: int, masks: _Masks) -> int:
+def exact_class(b: int, g: int, r: int, masks: IntMatrix) -> int:
     """Class of one colour, with the fixed-point HSV of OpenCV's cvtColor."""
     v = max(b, g, r)
     d = v - min(b, g, r)
@@ -108,7 +103,9 @@ def exact_class(b: int, g: int, r: int, masks: _Masks) -> int:
 
 
 @kernel(inline="always")
-def colour_class(image: _Bytes, y: int, x: int, cells: Cells, patterns: Patterns) -> int:
+def colour_class(
+    image: ByteStack, y: int, x: int, cells: UInt16Vector, patterns: Int8Vector
+) -> int:
     """Class of one pixel of a BGR image.
 
     Unsigned indices spare a look at whether they count from the end.
@@ -129,7 +126,7 @@ def is_vivid(b: int, g: int, r: int) -> np.bool_:
 
 
 @kernel
-def _fill_table(masks: _Masks, hues: int, cells: Cells, patterns: Patterns) -> int:
+def _fill_table(masks: IntMatrix, hues: int, cells: UInt16Vector, patterns: Int8Vector) -> int:
     """Fill both arrays; returns how many patterns there are. Those of one class come first."""
     for k in range(hues + 1):
         patterns[k * CELL_COLOURS : (k + 1) * CELL_COLOURS] = k
@@ -149,7 +146,7 @@ def _fill_table(masks: _Masks, hues: int, cells: Cells, patterns: Patterns) -> i
 
 
 @kernel
-def _fill_pattern(b: int, g: int, r: int, masks: _Masks, own: Patterns) -> None:
+def _fill_pattern(b: int, g: int, r: int, masks: IntMatrix, own: Int8Vector) -> None:
     """The classes of the cell with this darkest corner."""
     place = 0
     for i in range(b, b + CELL_SIDE):

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import cv2
 import numpy as np
 
 from tracker.errors import ConfigError
 from tracker.kernels import kernel
+from tracker.kernels.arrays import Matrix
 from tracker.messages import Array, CameraPose
 
 NEAREST = 0.01  # m in front of the lens, below which nothing is projected
@@ -56,6 +58,16 @@ class Camera:
         return raw.reshape(-1, 2)
 
 
+class StereoIntrinsics(NamedTuple):
+    """Of both rectified cameras: focal lengths and middle, px; and the baseline, m."""
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+    baseline: float
+
+
 @dataclass(frozen=True, eq=False)
 class StereoRig:
     """Two cameras and, for a fixed rig, where it stands in G."""
@@ -72,6 +84,11 @@ class StereoRig:
             )
         if not np.allclose(self.left.P[:, :3], self.right.P[:, :3], rtol=1e-6, atol=1e-6):
             raise ConfigError("The two rectified cameras must share one matrix P[:, :3].")
+
+    @cached_property
+    def intrinsics(self) -> StereoIntrinsics:
+        """What kernels take of the rig."""
+        return StereoIntrinsics(self.fx, self.fy, self.cx, self.cy, self.baseline)
 
     @cached_property
     def fx(self) -> float:
@@ -108,7 +125,7 @@ class StereoRig:
 
 
 @kernel
-def projected(p_C, shift, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
+def projected(p_C: Matrix, shift: float, fx: float, fy: float, cx: float, cy: float) -> Matrix:
     """(n, 2) rectified pixels of p_C (n, 3), seen from ``shift`` m to the right."""
     out = np.empty((len(p_C), 2))
     for k in range(len(p_C)):
@@ -121,7 +138,9 @@ def projected(p_C, shift, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def triangulated(left, right, baseline, fx, fy, cx, cy):  # type: ignore[no-untyped-def]
+def triangulated(
+    left: Matrix, right: Matrix, baseline: float, fx: float, fy: float, cx: float, cy: float
+) -> Matrix:
     """(n, 3) of C, of rectified pixels left and right (n, 2)."""
     out = np.empty((len(left), 3))
     for k in range(len(left)):

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tracker.kernels import kernel
-from tracker.messages import Array
-from tracker.vision.components import Runs, axes, bounds, cut, fill, hull, moments, waist
-from tracker.vision.hue_table import Cells, Patterns, colour_class, is_vivid
-
-_Bytes = NDArray[np.uint8]
+from tracker.kernels.arrays import (
+    ByteStack,
+    Int8Vector,
+    Int32Matrix,
+    IntMatrix,
+    IntVector,
+    Matrix,
+    UInt16Vector,
+    Vector,
+)
+from tracker.vision.components import Scan, axes, bounds, cut, fill, hull, moments, waist
+from tracker.vision.hue_table import colour_class, is_vivid
 
 # Columns of a measurement row.
 HUE, U, V, AREA, MAJOR, MINOR, CONVEXITY, CIRCULARITY, WIDTH, HEIGHT, EDGE = range(11)
@@ -26,27 +32,17 @@ SPLIT_CONVEXITY = 0.88  # of each half
 
 
 @kernel
-def find_regions(
-    image: _Bytes,
-    visited: _Bytes,
-    mark: int,
-    runs: Runs,
-    cells: Cells,
-    patterns: Patterns,
-    vivid: int,
-    windows: NDArray[np.int64],
-    min_area: float,
-    max_extent: int,
-) -> Array:
+def find_regions(scan: Scan, windows: IntMatrix, min_area: float) -> Matrix:
     """Measurements (n, COLUMNS) of all regions that a seed meets, in the order of the seeds.
 
-    visited (h, w) less than ``mark``, marked here as `fill` says; runs: `room` for ``max_extent``;
-    cells, patterns and vivid of `HueTable`; windows (k, 5): first and last column, first and last
-    row, and the grid's stride. Regions below ``min_area`` px², and what `fill` takes for
-    background, give no row. A seed must lie in a square of 2 x 2 px of its hue: noise on a colour
-    at the border of a hue makes specks and threads by the hundred, and to fill each would take as
-    long as all markers. Every other row of the grid is shifted by half a stride.
+    windows (k, 5): first and last column, first and last row, and the grid's stride. Regions below
+    ``min_area`` px², and what `fill` takes for background, give no row. A seed must lie in a square
+    of 2 x 2 px of its hue: noise on a colour at the border of a hue makes specks and threads by the
+    hundred, and to fill each would take as long as all markers. Every other row of the grid is
+    shifted by half a stride.
     """
+    image, visited, mark, runs = scan.image, scan.visited, scan.mark, scan.runs
+    cells, patterns, vivid = scan.table.cells, scan.table.patterns, scan.table.vivid
     out = np.empty((64, COLUMNS))
     line = np.zeros(image.shape[1] // WORD + 1, np.int64)
     flags = np.zeros(3 * (len(line) + 1), np.int64)
@@ -54,6 +50,7 @@ def find_regions(
     for k in range(len(windows)):
         stride = windows[k, 4]
         for y in range(windows[k, 2], windows[k, 3] + 1, stride):
+            # 1. the class of each seed of the row
             first = windows[k, 0] + (y // stride % 2) * (stride // 2)
             if vivid and stride == 1:
                 seeds = _classify_vivid(
@@ -62,6 +59,7 @@ def find_regions(
             else:
                 seeds = _classify(image, y, first, windows[k, 1], stride, cells, patterns, line)
             for word in range((seeds + WORD - 1) // WORD):
+                # 2. words of eight seeds in which one has a hue
                 if line[word] == 0:
                     continue
                 for seed in range(word * WORD, min((word + 1) * WORD, seeds)):
@@ -69,13 +67,13 @@ def find_regions(
                     hue = int(line.view(np.int8)[seed])
                     if hue == 0 or visited[y, x] >= mark:
                         continue
+                    # 3. the region, unless a thread or background
                     if not _is_broad(image, y, x, hue, cells, patterns):
                         continue
-                    used, whole = fill(
-                        image, visited, mark, y, x, hue, cells, patterns, runs, max_extent
-                    )
+                    used, whole = fill(scan, y, x, hue)
                     if not whole:
                         continue
+                    # 4. what it measures, as one blob or two
                     if n + 2 > len(out):
                         out = np.concatenate((out, np.empty_like(out)))
                     n += _measure_parts(runs[:used], hue, min_area, image.shape, out[n : n + 2])
@@ -84,7 +82,7 @@ def find_regions(
 
 @kernel
 def _is_broad(
-    image: _Bytes, y: int, x: int, hue: int, cells: Cells, patterns: Patterns
+    image: ByteStack, y: int, x: int, hue: int, cells: UInt16Vector, patterns: Int8Vector
 ) -> np.bool_:
     """Whether (x, y) is in a square of 2 x 2 px of ``hue``, or at the image's edge.
 
@@ -103,14 +101,14 @@ def _is_broad(
 
 @kernel
 def _classify(
-    image: _Bytes,
+    image: ByteStack,
     y: int,
     first: int,
     last: int,
     stride: int,
-    cells: Cells,
-    patterns: Patterns,
-    line: NDArray[np.int64],
+    cells: UInt16Vector,
+    patterns: Int8Vector,
+    line: IntVector,
 ) -> int:
     """What `colour_class` gives for every ``stride``-th pixel of a row, a byte each, into ``line``.
 
@@ -129,14 +127,14 @@ def _classify(
 
 @kernel
 def _classify_vivid(
-    image: _Bytes,
+    image: ByteStack,
     y: int,
     first: int,
     last: int,
-    cells: Cells,
-    patterns: Patterns,
-    flags: NDArray[np.int64],
-    line: NDArray[np.int64],
+    cells: UInt16Vector,
+    patterns: Int8Vector,
+    flags: IntVector,
+    line: IntVector,
 ) -> int:
     """The same for every pixel, where greys are told first: most images hold little else.
 
@@ -162,7 +160,7 @@ def _classify_vivid(
 
 @kernel
 def _measure_parts(
-    runs: Runs, hue: int, min_area: float, shape: tuple[int, int, int], rows: Array
+    runs: Int32Matrix, hue: int, min_area: float, shape: tuple[int, int, int], rows: Matrix
 ) -> int:
     """Measure a region as one blob, or as two where a waist says so; returns how many."""
     if not _measure(runs, hue, min_area, shape, rows[0]):
@@ -189,7 +187,7 @@ def _measure_parts(
 
 @kernel
 def _measure(
-    runs: Runs, hue: int, min_area: float, shape: tuple[int, int, int], row: Array
+    runs: Int32Matrix, hue: int, min_area: float, shape: tuple[int, int, int], row: Vector
 ) -> bool:
     """Fill one row; False where the region is a speck."""
     area, u, v, uu, uv, vv = moments(runs)

@@ -2,45 +2,68 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector
 from tracker.vision import search
 
 SIZE, CONVEXITY, CIRCULARITY, EDGE = range(4)
 SQUARE_CIRCULARITY = np.pi / 4
 
 
+class ShapeLimits(NamedTuple):
+    """What a marker's region must keep: least and greatest long axis, px; the same as a ratio to
+    the size that is expected; least convexity and circularity."""
+
+    shortest: float
+    longest: float
+    least_ratio: float
+    greatest_ratio: float
+    convexity: float
+    circularity: float
+
+
+class ExpectedBlobs(NamedTuple):
+    """Where markers are expected: uv (k, 2) px, radius (k,) px within which one is surely, hue (k,)
+    and size (k,) px."""
+
+    uv: Matrix
+    radius: Vector
+    hue: IntVector
+    size: Vector
+
+
+class Sorted(NamedTuple):
+    """Regions that failed nothing: uv (n, 2), size (n, 2) px, hue (n,) and score (n,) in 0..1; the
+    others: uv (m, 2) px, hue (m,) and reason (m,)."""
+
+    uv: Matrix
+    size: Matrix
+    hue: IntVector
+    score: Vector
+    other_uv: Matrix
+    other_hue: IntVector
+    reason: IntVector
+
+
 @kernel
-def first_failure(
-    rows: Array,
-    extent: tuple[float, float],
-    size: tuple[float, float],
-    convexity: float,
-    circularity: float,
-    hint_uv: Array,
-    hint_radius: Array,
-    hint_hue: IntArray,
-    hint_size: Array,
-) -> IntArray:
+def first_failure(rows: Matrix, limits: ShapeLimits, expected: ExpectedBlobs) -> IntVector:
     """(n,) the first requirement that each region of rows (n, COLUMNS) fails, -1 for none.
 
-    extent: long axis (px) of a marker at the farthest and the nearest place; size: limits of the
-    ratio to it. Where hints (k,) expect markers of that hue within a radius (px), one of their
-    sizes must suit as well.
+    Where markers of a region's hue are expected, one of their sizes must suit as well.
     """
     out = np.full(len(rows), -1, np.int64)
     for i in range(len(rows)):
         long_axis = rows[i, search.MAJOR]
-        low, high = size[0] * extent[0], size[1] * extent[1]
-        if not low <= long_axis <= high or not _suits(
-            rows[i], size, hint_uv, hint_radius, hint_hue, hint_size
-        ):
+        fits = limits.shortest <= long_axis <= limits.longest
+        if not fits or not _suits(rows[i], limits, expected):
             out[i] = SIZE
-        elif rows[i, search.CONVEXITY] < convexity:
+        elif rows[i, search.CONVEXITY] < limits.convexity:
             out[i] = CONVEXITY
-        elif rows[i, search.CIRCULARITY] < circularity:
+        elif rows[i, search.CIRCULARITY] < limits.circularity:
             out[i] = CIRCULARITY
         elif rows[i, search.EDGE] > 0:
             out[i] = EDGE
@@ -48,33 +71,24 @@ def first_failure(
 
 
 @kernel
-def _suits(
-    row: Array,
-    size: tuple[float, float],
-    hint_uv: Array,
-    hint_radius: Array,
-    hint_hue: IntArray,
-    hint_size: Array,
-) -> bool:
+def _suits(row: Vector, limits: ShapeLimits, expected: ExpectedBlobs) -> bool:
     """Whether a marker expected here has this size, or none is expected here."""
-    expected = False
-    for k in range(len(hint_size)):
-        if hint_hue[k] != row[search.HUE]:
+    near = False
+    for k in range(len(expected.size)):
+        if expected.hue[k] != row[search.HUE]:
             continue
-        du, dv = row[search.U] - hint_uv[k, 0], row[search.V] - hint_uv[k, 1]
-        if np.hypot(du, dv) <= hint_radius[k]:
-            if size[0] <= row[search.MAJOR] / hint_size[k] <= size[1]:
+        du, dv = row[search.U] - expected.uv[k, 0], row[search.V] - expected.uv[k, 1]
+        if np.hypot(du, dv) <= expected.radius[k]:
+            ratio = row[search.MAJOR] / expected.size[k]
+            if limits.least_ratio <= ratio <= limits.greatest_ratio:
                 return True
-            expected = True
-    return not expected
+            near = True
+    return not near
 
 
 @kernel
-def parted(  # type: ignore[no-untyped-def]
-    rows: Array, reason: IntArray
-):
-    """Of the regions that failed nothing: uv (n, 2), size (n, 2), hue (n,) and score (n,) in 0..1;
-    of the others uv (m, 2), hue (m,) and reason (m,)."""
+def parted(rows: Matrix, reason: IntVector) -> Sorted:
+    """Regions (n, COLUMNS) by what they fail, as `first_failure` says."""
     n, m = 0, 0
     for i in range(len(rows)):
         n += reason[i] < 0
@@ -96,11 +110,11 @@ def parted(  # type: ignore[no-untyped-def]
             other_uv[m, 0], other_uv[m, 1] = rows[i, search.U], rows[i, search.V]
             other_hue[m], why[m] = int(rows[i, search.HUE]), reason[i]
             m += 1
-    return uv, size, hue, score, other_uv, other_hue, why
+    return Sorted(uv, size, hue, score, other_uv, other_hue, why)
 
 
 @kernel
-def windows_around(uv: Array, radius: Array, width: int, height: int, stride: int) -> IntArray:
+def windows_around(uv: Matrix, radius: Vector, width: int, height: int, stride: int) -> IntMatrix:
     """(k, 5) first and last column, first and last row, stride: squares cut to the image.
 
     Places that are not finite, or whose square lies outside, have no row. Where the squares overlap

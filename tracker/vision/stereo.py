@@ -7,12 +7,14 @@ tracking; `all_pairs` feeds a search from nothing, where wrong pairs find no com
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector
 from tracker.messages import Array, IntArray
-from tracker.vision.cpd import parallax_em
+from tracker.vision.cpd import HuedPixels, ParallaxMixture, parallax_em
 from tracker.vision.rig import StereoRig
 
 
@@ -30,6 +32,13 @@ class StereoParams:
     iterations: int = 10
     nearest: float = 0.15  # m
     farthest: float = 0.9  # m
+
+    @cached_property
+    def mixture(self) -> ParallaxMixture:
+        """What the EM takes of it."""
+        return ParallaxMixture(
+            self.sd_u_min_px, self.sd_u_max_px, self.sd_v_px, self.outlier, self.iterations
+        )
 
 
 @dataclass(frozen=True)
@@ -64,34 +73,15 @@ def match_stereo(
 ) -> StereoMatches:
     """One partner at most for each blob. ``z_hint`` is the hand's distance (m) where known."""
     params = params or StereoParams()
-    left, right = _pixels(left_uv), _pixels(right_uv)
+    left, right = HuedPixels(_pixels(left_uv), left_hue), HuedPixels(_pixels(right_uv), right_hue)
     focal = rig.fx * rig.baseline
     limits = (focal / params.farthest, focal / params.nearest)
     start = focal / z_hint if z_hint else commonest_parallax(
-        left, left_hue, right, right_hue, params.row_px, limits, params.sd_u_min_px
+        left, right, params.row_px, limits, params.sd_u_min_px
     )  # fmt: skip
-    zeta, _ = parallax_em(
-        left,
-        left_hue,
-        right,
-        right_hue,
-        start,
-        (params.sd_u_min_px, params.sd_u_max_px),
-        params.sd_v_px,
-        params.outlier,
-        params.iterations,
-    )
-    i, j = _mutual_nearest(
-        left,
-        left_hue,
-        right,
-        right_hue,
-        zeta,
-        params.unit_u_px,
-        params.row_px,
-        params.parallax_px,
-    )
-    return _matches(i, j, left, right, rig)
+    zeta, _ = parallax_em(left, right, start, params.mixture)
+    i, j = _mutual_nearest(left, right, zeta, params.unit_u_px, params.row_px, params.parallax_px)
+    return _matches(i, j, left.uv, right.uv, rig)
 
 
 def all_pairs(
@@ -127,10 +117,8 @@ def _matches(i: IntArray, j: IntArray, left: Array, right: Array, rig: StereoRig
 
 @kernel
 def commonest_parallax(
-    left: Array,
-    left_hue: IntArray,
-    right: Array,
-    right_hue: IntArray,
+    left: HuedPixels,
+    right: HuedPixels,
     row_px: float,
     limits: tuple[float, float],
     width_px: float,
@@ -141,14 +129,15 @@ def commonest_parallax(
     partners of one blob are no agreement.
     """
     best, best_votes = 0.5 * (limits[0] + limits[1]), 0.0
-    for i in range(len(left)):
-        for j in range(len(right)):
-            zeta = left[i, 0] - right[j, 0]
-            if left_hue[i] != right_hue[j] or abs(left[i, 1] - right[j, 1]) > row_px:
+    l_uv, r_uv = left.uv, right.uv
+    for i in range(len(l_uv)):
+        for j in range(len(r_uv)):
+            zeta = l_uv[i, 0] - r_uv[j, 0]
+            if left.hue[i] != right.hue[j] or abs(l_uv[i, 1] - r_uv[j, 1]) > row_px:
                 continue
             if zeta < limits[0] or zeta > limits[1]:
                 continue
-            votes = _votes(left, left_hue, right, right_hue, zeta, row_px, width_px)
+            votes = _votes(left, right, zeta, row_px, width_px)
             if votes > best_votes:
                 best, best_votes = zeta, votes
     return best
@@ -156,46 +145,39 @@ def commonest_parallax(
 
 @kernel
 def _votes(
-    left: Array,
-    left_hue: IntArray,
-    right: Array,
-    right_hue: IntArray,
-    zeta: float,
-    row_px: float,
-    width_px: float,
+    left: HuedPixels, right: HuedPixels, zeta: float, row_px: float, width_px: float
 ) -> float:
     """How many left blobs have a partner near the parallax, each 1 at it and 0 at 4 widths."""
-    total, reach = 0.0, 4.0 * width_px
-    for i in range(len(left)):
+    total, reach, l_uv, r_uv = 0.0, 4.0 * width_px, left.uv, right.uv
+    for i in range(len(l_uv)):
         nearest = reach
-        for j in range(len(right)):
-            if left_hue[i] == right_hue[j] and abs(left[i, 1] - right[j, 1]) < row_px:
-                nearest = min(nearest, abs(left[i, 0] - right[j, 0] - zeta))
+        for j in range(len(r_uv)):
+            if left.hue[i] == right.hue[j] and abs(l_uv[i, 1] - r_uv[j, 1]) < row_px:
+                nearest = min(nearest, abs(l_uv[i, 0] - r_uv[j, 0] - zeta))
         total += 1.0 - (nearest / reach) ** 2
     return total
 
 
 @kernel
 def _mutual_nearest(
-    left: Array,
-    left_hue: IntArray,
-    right: Array,
-    right_hue: IntArray,
+    left: HuedPixels,
+    right: HuedPixels,
     zeta: float,
     unit_u: float,
     row_px: float,
     parallax_px: float,
-) -> tuple[IntArray, IntArray]:
+) -> tuple[IntVector, IntVector]:
     """Pairs that are each other's nearest after the shift and meet both outlier conditions."""
-    n, m = len(left), len(right)
+    l_uv, l_hue, r_uv, r_hue = left.uv, left.hue, right.uv, right.hue
+    n, m = len(l_uv), len(r_uv)
     partner, back = np.full(n, -1, np.int64), np.full(m, -1, np.int64)
     least, least_back = np.full(n, np.inf), np.full(m, np.inf)
     for i in range(n):
         for j in range(m):
-            if left_hue[i] != right_hue[j]:
+            if l_hue[i] != r_hue[j]:
                 continue
-            du = left[i, 0] - right[j, 0] - zeta
-            dv = left[i, 1] - right[j, 1]
+            du = l_uv[i, 0] - r_uv[j, 0] - zeta
+            dv = l_uv[i, 1] - r_uv[j, 1]
             if abs(dv) >= row_px or abs(du) >= parallax_px:
                 continue
             d2 = (du / unit_u) ** 2 + dv * dv

@@ -9,15 +9,29 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
+from tracker.geometry.solids import Vector3, sight_cuts_box, sight_cuts_capsule
 from tracker.hand.model import HandModel
 from tracker.kernels import kernel
-from tracker.messages import Array, CameraPose, IntArray
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+from tracker.messages import Array, CameraPose
 from tracker.vision.rig import Camera, StereoRig
 
 FAR_OUTSIDE = 0.5  # of the image's size; beyond it a lens polynomial means nothing
+
+
+class Factors(NamedTuple):
+    """`VisibilityParams` as the kernels take them."""
+
+    full_deg: float
+    none_deg: float
+    thin: float
+    lift: float
+    occluded: float
 
 
 @dataclass(frozen=True)
@@ -31,14 +45,20 @@ class VisibilityParams:
     lift: float = 0.001  # m above the surface, so that a neighbour's skin does not hide a marker
     occluded: float = 0.03  # what remains behind a segment: a wrong pose must not veto evidence
 
+    @cached_property
+    def factors(self) -> Factors:
+        """What the kernels take of it."""
+        return Factors(
+            self.facing_full_deg, self.facing_none_deg, self.radius_factor, self.lift, self.occluded
+        )
 
-@dataclass(frozen=True, eq=False)
-class HandShape:
+
+class HandShape(NamedTuple):
     """Segments as solids, S rows: capsules, or slabs where width > 0. All m."""
 
-    length: Array
-    radius: Array
-    width: Array
+    length: Vector
+    radius: Vector
+    width: Vector
 
     @staticmethod
     def of(hand: HandModel) -> HandShape:
@@ -56,98 +76,102 @@ class HandShape:
         )
 
 
+class PosedHand(NamedTuple):
+    """Segments as solids and where they are: R_GB (S, 3, 3), p_GB (S, 3) m."""
+
+    shape: HandShape
+    R_GB: Stack
+    p_GB: Matrix
+
+
+class MarkerRows(NamedTuple):
+    """Markers: p_G (M, 3) m, outward unit normals normal_G (M, 3), and the row (M,) of the segment
+    that each sits on."""
+
+    p_G: Matrix
+    normal_G: Matrix
+    segment: IntVector
+
+
+class _View(NamedTuple):
+    """A stereo camera in G, m, and u, v of each image's last pixel."""
+
+    R_GC: Matrix
+    p_GC: Vector
+    baseline: float
+    left_corner: tuple[float, float]
+    right_corner: tuple[float, float]
+
+
+class _Pixels(NamedTuple):
+    """Markers in both images as recorded, (M, 2) px each, and their sd (2, M, 2) px."""
+
+    left: Matrix
+    right: Matrix
+    sd: Stack
+
+
 def visibility(
-    shape: HandShape,
+    hand: PosedHand,
+    markers: MarkerRows,
     rig: StereoRig,
     pose: CameraPose,
-    p_G: Array,
-    normal_G: Array,
-    segment: IntArray,
-    R_GB: Array,
-    p_GB: Array,
     cov_px: Array | None = None,
     params: VisibilityParams | None = None,
 ) -> Array:
     """Prior probability (2, M) that the left and the right camera see each marker.
 
-    p_G, normal_G (M, 3) markers and outward unit normals; segment (M,) the row each sits on;
-    R_GB (S, 3, 3), p_GB (S, 3) poses of all segments; cov_px (2, M, 2, 2) of the projections.
+    cov_px (2, M, 2, 2) px² of the projections.
     """
-    p_C = (p_G - pose.p_GC) @ pose.R_GC
+    p_C = (markers.p_G - pose.p_GC) @ pose.R_GC
     uv = np.stack([rig.project(p_C), rig.project(p_C, right=True)])
-    solids = shape, R_GB, p_GB
-    return visibility_at(uv, solids, rig, pose, p_G, normal_G, segment, cov_px, params)
+    return visibility_at(uv, hand, markers, rig, pose, cov_px, params)
 
 
 def visibility_at(
     uv: Array,
-    solids: tuple[HandShape, Array, Array],
+    hand: PosedHand,
+    markers: MarkerRows,
     rig: StereoRig,
     pose: CameraPose,
-    p_G: Array,
-    normal_G: Array,
-    segment: IntArray,
     cov_px: Array | None = None,
     params: VisibilityParams | None = None,
 ) -> Array:
-    """`visibility` of markers whose rectified pixels uv (2, M, 2) are known.
-
-    ``solids`` are the segments' shape, R_GB (S, 3, 3) and p_GB (S, 3).
-    """
+    """`visibility` of markers whose rectified pixels uv (2, M, 2) are known."""
     params = params or VisibilityParams()
-    shape, R_GB, p_GB = solids
     if cov_px is None:
         sd = np.full(uv.shape, params.pixel_sd_px)
     else:
         sd = np.sqrt(np.stack([cov_px[..., 0, 0], cov_px[..., 1, 1]], axis=-1))
-    return _priors(
-        p_G, normal_G, segment, pose.R_GC, pose.p_GC, rig.baseline,
-        _recorded(rig.left, uv[0]), _recorded(rig.right, uv[1]), sd,
+    view = _View(
+        pose.R_GC, pose.p_GC, rig.baseline,
         (rig.left.width - 1.0, rig.left.height - 1.0),
         (rig.right.width - 1.0, rig.right.height - 1.0),
-        R_GB, p_GB, shape.length, shape.radius, shape.width,
-        params.facing_full_deg, params.facing_none_deg,
-        params.radius_factor, params.lift, params.occluded,
     )  # fmt: skip
+    seen = _Pixels(_recorded(rig.left, uv[0]), _recorded(rig.right, uv[1]), sd)
+    return _priors(markers, hand, seen, view, params.factors)
 
 
 @kernel
 def _priors(
-    p_G: Array,
-    normal_G: Array,
-    segment: IntArray,
-    R_GC: Array,
-    p_GC: Array,
-    baseline: float,
-    uv_left: Array,
-    uv_right: Array,
-    sd: Array,
-    left_corner: tuple[float, float],
-    right_corner: tuple[float, float],
-    R_GB: Array,
-    p_GB: Array,
-    length: Array,
-    radius: Array,
-    width: Array,
-    full_deg: float,
-    none_deg: float,
-    thin: float,
-    lift: float,
-    occluded: float,
-) -> Array:
-    """(2, M) of both cameras: the product of the three factors. Corners are the last pixel's u, v;
-    sd (2, M, 2) px."""
+    markers: MarkerRows, hand: PosedHand, seen: _Pixels, view: _View, factors: Factors
+) -> Matrix:
+    """(2, M) of both cameras: the product of the three factors."""
+    p_G, normal_G = markers.p_G, markers.normal_G
     out = np.empty((2, len(p_G)))
-    start = p_G + lift * normal_G
+    start = p_G + factors.lift * normal_G
+    shape = hand.shape
+    thin = HandShape(shape.length, shape.radius * factors.thin, shape.width * factors.thin)
+    occluders = PosedHand(thin, hand.R_GB, hand.p_GB)
     for c in range(2):
-        centre = p_GC + (baseline if c else 0.0) * R_GC[:, 0]
-        right, bottom = right_corner if c else left_corner
-        out[c] = facing(p_G, normal_G, centre, full_deg, none_deg)
-        out[c] *= _inside(uv_right if c else uv_left, sd[c], right, bottom)
-        _weaken_hidden(
-            out[c], occluded, centre, start, segment, R_GB, p_GB, length, radius * thin,
-            width * thin,
-        )  # fmt: skip
+        centre = view.p_GC + (view.baseline if c else 0.0) * view.R_GC[:, 0]
+        right, bottom = view.right_corner if c else view.left_corner
+        # 1. eq. 4: does the marker face the camera?
+        out[c] = facing(p_G, normal_G, centre, factors.full_deg, factors.none_deg)
+        # 2. eq. 5: is it in the image?
+        out[c] *= _inside(seen.right if c else seen.left, seen.sd[c], right, bottom)
+        # 3. does another segment stand between?
+        _weaken_hidden(out[c], factors.occluded, centre, start, markers.segment, occluders)
     return out
 
 
@@ -157,7 +181,7 @@ def both_cameras(prior: Array) -> Array:
 
 
 @kernel
-def facing(p: Array, normal: Array, centre: Array, full_deg: float, none_deg: float) -> Array:
+def facing(p: Matrix, normal: Matrix, centre: Vector, full_deg: float, none_deg: float) -> Vector:
     """Eq. 4, (M,): 1 up to alpha_min between normal and way to the camera, 0 from alpha_max."""
     out = np.empty(len(p))
     for j in range(len(p)):
@@ -184,7 +208,7 @@ def _recorded(camera: Camera, uv: Array) -> Array:
 
 
 @kernel
-def _inside(uv: Array, sd: Array, right: float, bottom: float) -> Array:
+def _inside(uv: Matrix, sd: Matrix, right: float, bottom: float) -> Vector:
     """Eq. 5, (M,): probability that a pixel of uv (M, 2) lies inside the image as recorded.
 
     Phi(d / sigma) with d the signed distance to the nearest edge, sigma along it.
@@ -202,76 +226,40 @@ def _inside(uv: Array, sd: Array, right: float, bottom: float) -> Array:
 
 @kernel
 def _weaken_hidden(
-    prior: Array,
+    prior: Vector,
     factor: float,
-    centre: Array,
-    p: Array,
-    segment: IntArray,
-    R: Array,
-    origin: Array,
-    length: Array,
-    radius: Array,
-    width: Array,
+    centre: Vector,
+    p: Matrix,
+    segment: IntVector,
+    hand: PosedHand,
 ) -> None:
     """prior (M,) *= factor where another segment than its own cuts the line camera to marker."""
+    R, origin = hand.R_GB, hand.p_GB
+    length, radius, width = hand.shape.length, hand.shape.radius, hand.shape.width
     hidden = np.zeros(len(p), np.bool_)
-    a, b = np.empty(3), np.empty(3)
     for s in range(len(length)):
-        _into(R[s], origin[s], centre, a)
+        a = _into(R, origin, s, centre)
         for j in range(len(p)):
             if prior[j] <= 0.0 or segment[j] == s or hidden[j]:
                 continue
-            _into(R[s], origin[s], p[j], b)
+            b = _into(R, origin, s, p[j])
             if width[s] > 0:
-                hidden[j] = _cuts_slab(a, b, length[s], width[s] / 2, radius[s])
+                lower = 0.0, -width[s] / 2, -radius[s]
+                upper = length[s], width[s] / 2, radius[s]
+                hidden[j] = sight_cuts_box(a, b, lower, upper)
             else:
-                hidden[j] = _cuts_capsule(a, b, length[s], radius[s])
+                hidden[j] = sight_cuts_capsule(a, b, length[s], radius[s])
     for j in range(len(p)):
         if hidden[j]:
             prior[j] *= factor
 
 
-@kernel
-def _into(R: Array, origin: Array, p_G: Array, out: Array) -> None:
-    """p_B = R_GB^T (p_G - p_GB)."""
-    for i in range(3):
-        out[i] = 0.0
-        for k in range(3):
-            out[i] += R[k, i] * (p_G[k] - origin[k])
-
-
-@kernel
-def _cuts_slab(a: Array, b: Array, length: float, half_width: float, half_height: float) -> bool:
-    """Whether the line a-b meets the box 0..length, ±half_width, ±half_height (slab method)."""
-    low, high = 0.0, 1.0
-    for i in range(3):
-        lo = 0.0 if i == 0 else (-half_width if i == 1 else -half_height)
-        hi = length if i == 0 else -lo
-        d = b[i] - a[i]
-        if abs(d) < 1e-12:
-            if a[i] < lo or a[i] > hi:
-                return False
-            continue
-        t0, t1 = (lo - a[i]) / d, (hi - a[i]) / d
-        low, high = max(low, min(t0, t1)), min(high, max(t0, t1))
-    return low < high
-
-
-@kernel
-def _cuts_capsule(a: Array, b: Array, length: float, radius: float) -> bool:
-    """Whether the line a-b comes within ``radius`` of the axis (0, 0, 0)-(length, 0, 0).
-
-    The nearest points of two line segments, Ericson, Real-Time Collision Detection, 5.1.9.
-    """
-    d0, d1, d2 = b[0] - a[0], b[1] - a[1], b[2] - a[2]
-    dd = d0 * d0 + d1 * d1 + d2 * d2
-    da = d0 * a[0] + d1 * a[1] + d2 * a[2]
-    cross = dd - d0 * d0  # of the two directions, squared, over length squared
-    t = 0.0
-    if cross > 1e-15:
-        t = min(max((d0 * a[0] - da) / cross, 0.0), 1.0)
-    x = min(max(a[0] + t * d0, 0.0), length)  # nearest on the axis to that point of the line
-    t = min(max((x * d0 - da) / dd, 0.0), 1.0)
-    x = min(max(a[0] + t * d0, 0.0), length)
-    u, v, w = a[0] + t * d0 - x, a[1] + t * d1, a[2] + t * d2
-    return u * u + v * v + w * w < radius * radius
+@kernel(inline="always")
+def _into(R: Stack, origin: Matrix, s: int, p_G: Vector) -> Vector3:
+    """p_B = R_GB^T (p_G - p_GB) of segment s."""
+    x, y, z = p_G[0] - origin[s, 0], p_G[1] - origin[s, 1], p_G[2] - origin[s, 2]
+    return (
+        R[s, 0, 0] * x + R[s, 1, 0] * y + R[s, 2, 0] * z,
+        R[s, 0, 1] * x + R[s, 1, 1] * y + R[s, 2, 1] * z,
+        R[s, 0, 2] * x + R[s, 1, 2] * y + R[s, 2, 2] * z,
+    )

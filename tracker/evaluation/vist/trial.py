@@ -31,7 +31,7 @@ from tracker.settings import Settings
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector, detect_frame
-from tracker.vision.outlook import Outlook, SearchPlan
+from tracker.vision.region_prediction import RegionPrediction, SearchPlan
 
 CHECK_EVERY = 5  # frames between two whose matches are compared with the truth
 SAME_BLOB_PX = 6.0  # a blob farther than this from every true marker is something else
@@ -103,7 +103,7 @@ class ImageSearch:
 
     def __init__(self, simulation: Simulation) -> None:
         self._rig, self._plan = simulation.rig, SearchPlan()
-        self._outlook: Outlook | None = None
+        self._predicted: RegionPrediction | None = None
         with as_file(resources.folder("colours") / "fabric-default.toml") as path:
             self._profile = load_profile(path)
         self._detector = Detector(self._profile, fx=self._rig.fx)
@@ -112,12 +112,12 @@ class ImageSearch:
         """What is found in both images."""
         names = self._profile.hue_names
         pose = frame.pose or pipeline.camera_pose(frame.t)
-        hints = self._plan.hints(self._outlook, self._rig, frame.t, pose, names)
+        hints = self._plan.hints(self._predicted, self._rig, frame.t, pose, names)
         return detect_frame(self._detector, frame, hints)
 
     def look_ahead(self, pipeline: Pipeline, t: float) -> None:
         """Where markers are expected from the newest packet at ``t`` on."""
-        self._outlook = pipeline.outlook(t, self._outlook)
+        self._predicted = pipeline.region_prediction(t, self._predicted)
 
 
 class MatchCheck:

@@ -30,7 +30,7 @@ from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.vision.colours import hue_rows
 from tracker.vision.correspondence import GateParams
 from tracker.vision.rig import StereoRig
-from tracker.vision.visibility import HandShape, visibility_at
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility_at
 
 SIDES = ("left", "right")
 MIN_PRIOR = 0.01
@@ -118,8 +118,8 @@ class PixelModel:
             pose.R_GC, pose.p_GC, rig.fx, rig.fy, rig.cx, rig.cy, rig.baseline,
         )  # fmt: skip
         R_all, p_all, *_ = self._complete(state.R_GB, p_GB, state.scale3())
-        solids = self._shape, R_all, p_all
-        prior = visibility_at(uv, solids, rig, pose, p_G, normal_G, self._segment)
+        markers = MarkerRows(p_G, normal_G, self._segment)
+        prior = visibility_at(uv, PosedHand(self._shape, R_all, p_all), markers, rig, pose)
         A = pixel_jacobians(p_C, pose.R_GC, rig.fx, rig.fy, rig.baseline)
         rows, H, HP, cov, S = expected(
             *body, *marker, state.marker, lay.theta, lay.scale, lay.joint, lay.marker,

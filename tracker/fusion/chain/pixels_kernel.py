@@ -13,7 +13,8 @@ from tracker.fusion.chain.kinematics import (
 )
 from tracker.geometry.kernels import inverse3, rotate, rotate_back
 from tracker.kernels import kernel
-from tracker.vision.correspondence import assigned
+from tracker.vision.correspondence import ExpectedPixels, assigned
+from tracker.vision.cpd import HuedPixels
 from tracker.vision.rig import projected
 
 
@@ -175,11 +176,11 @@ def matched(  # type: ignore[no-untyped-def]
         blobs, hue = (right, right_hue) if c else (left, left_hue)
         if len(blobs) == 0 or len(rows) == 0:
             continue
-        found = assigned(
-            blobs, hue, uv[c][rows], S[c], marker_hue[rows],
-            np.maximum(prior[c][rows], least_prior), gate, gate_px,
-            alone + max(0.0, spread(S[c]) - usual_spread),
-        )  # fmt: skip
+        markers = ExpectedPixels(
+            uv[c][rows], S[c], marker_hue[rows], np.maximum(prior[c][rows], least_prior)
+        )
+        price = alone + max(0.0, spread(S[c]) - usual_spread)
+        found = assigned(HuedPixels(blobs, hue), markers, gate, gate_px, price)
         for i in range(len(rows)):
             out[c, rows[i]] = found[i]
     return out

@@ -43,8 +43,8 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
-from tracker.vision.correspondence import both_cameras
 from tracker.vision.rig import StereoRig
+from tracker.vision.visibility import both_cameras
 
 SEEN_LATELY = 0.5  # s
 

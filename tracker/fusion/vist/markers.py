@@ -14,14 +14,10 @@ from tracker.fusion.vist.params import VistMatch, VistNoise
 from tracker.fusion.vist.points import jacobians, own_covariance, positions
 from tracker.fusion.vist.state import VistState
 from tracker.messages import Array, CameraPose, IntArray
-from tracker.vision.correspondence import (
-    HandShape,
-    both_cameras,
-    match_translation,
-    visibility,
-)
+from tracker.vision.correspondence import match_translation
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import match_stereo
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, both_cameras, visibility
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,9 +85,8 @@ class MarkerModel:
         R_GB = state.R_GB
         normal_G = np.einsum("mij,mj->mi", R_GB[segment], glove.marker_normal)
         R_all, p_all, *_ = self._complete(R_GB, state.p_GB(lay), state.scale)
-        prior = visibility(
-            self._shape, self._rig, pose, p_G, normal_G, self._hand_segment, R_all, p_all
-        )
+        markers = MarkerRows(p_G, normal_G, self._hand_segment)
+        prior = visibility(PosedHand(self._shape, R_all, p_all), markers, self._rig, pose)
         H = jacobians(state, segment, lay.marker_lever)
         return Expected(p_G, prior, H, own_covariance(state, H, segment))
 

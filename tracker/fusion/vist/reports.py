@@ -18,8 +18,8 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
-from tracker.vision.correspondence import both_cameras
 from tracker.vision.rig import Camera, StereoRig
+from tracker.vision.visibility import both_cameras
 
 
 def calibration_of(layout: VistLayout, state: VistState) -> Calibration:

@@ -13,7 +13,7 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector, detect_frame
-from tracker.vision.outlook import LONGEST, MARGIN_PX, Outlook, SearchPlan
+from tracker.vision.region_prediction import LONGEST, MARGIN_PX, RegionPrediction, SearchPlan
 from tracker.vision.rig import ideal_rig
 from tracker.vision.shape_tests import windows_around
 
@@ -21,18 +21,18 @@ RIG = ideal_rig()
 AHEAD = RIG.pose.p_GC + 0.4 * RIG.pose.R_GC[:, 2]  # 0.4 m before the left lens
 
 
-def outlook(t: float = 1.0, v: float = 0.0) -> Outlook:
+def predicted(t: float = 1.0, v: float = 0.0) -> RegionPrediction:
     """Two markers, one red before the lens, one blue 5 cm to its right, moving right at v m/s."""
     right = RIG.pose.R_GC[:, 0]
     p = np.stack([AHEAD, AHEAD + 0.05 * right])
     speed = np.tile(v * right, (2, 1))
-    return Outlook(
+    return RegionPrediction(
         t, p, speed, np.full(2, 0.001), np.full(2, 0.012), np.array([1, 0]), ("blue", "red")
     )
 
 
 def test_places_and_hues_are_those_of_the_images() -> None:
-    left, right = outlook().hints(RIG, 1.0, RIG.pose, ("red", "green", "blue"))
+    left, right = predicted().hints(RIG, 1.0, RIG.pose, ("red", "green", "blue"))
     assert left.uv[0] == pytest.approx([RIG.cx, RIG.cy])
     assert left.uv[1] == pytest.approx([RIG.cx + RIG.fx * 0.05 / 0.4, RIG.cy])
     assert right.uv[0, 0] == pytest.approx(RIG.cx - RIG.fx * RIG.baseline / 0.4)
@@ -41,15 +41,15 @@ def test_places_and_hues_are_those_of_the_images() -> None:
 
 
 def test_a_moving_hand_is_expected_where_it_will_be_and_less_surely() -> None:
-    now, later = (outlook(v=1.0).hints(RIG, t, RIG.pose, ("red",))[0] for t in (1.0, 1.03))
+    now, later = (predicted(v=1.0).hints(RIG, t, RIG.pose, ("red",))[0] for t in (1.0, 1.03))
     assert later.uv[0, 0] - now.uv[0, 0] == pytest.approx(RIG.fx * 0.03 / 0.4)
     assert np.all(later.radius_px > now.radius_px)
     assert later.hue.tolist() == [0, -1]
 
 
-def test_speed_is_taken_from_the_outlook_before() -> None:
-    first = outlook(1.0)
-    second = replace(outlook(1.02), p_G=first.p_G + [0.01, 0, 0])
+def test_speed_is_taken_from_the_prediction_before() -> None:
+    first = predicted(1.0)
+    second = replace(predicted(1.02), p_G=first.p_G + [0.01, 0, 0])
     assert second.after(first).v_G == pytest.approx(np.tile([0.5, 0, 0], (2, 1)))
     assert np.all(replace(second, t=1.0 + 2 * LONGEST).after(first).v_G == 0)
     assert np.all(second.after(None).v_G == 0)
@@ -58,7 +58,7 @@ def test_speed_is_taken_from_the_outlook_before() -> None:
 def test_every_sixth_image_is_searched_whole() -> None:
     plan = SearchPlan(every=6)
     whole = [
-        plan.hints(outlook(0.01 * k), RIG, 0.01 * k, None, ("red",)) is None for k in range(18)
+        plan.hints(predicted(0.01 * k), RIG, 0.01 * k, None, ("red",)) is None for k in range(18)
     ]
     assert [k for k in range(18) if whole[k]] == [5, 11, 17]
 
@@ -66,8 +66,8 @@ def test_every_sixth_image_is_searched_whole() -> None:
 def test_whole_images_while_nothing_is_sure() -> None:
     plan = SearchPlan()
     assert plan.hints(None, RIG, 1.0, None, ("red",)) is None
-    assert plan.hints(outlook(1.0), RIG, 1.2, None, ("red",)) is None  # too old
-    behind = replace(outlook(), p_G=RIG.pose.p_GC - RIG.pose.R_GC[:, [2]].T)
+    assert plan.hints(predicted(1.0), RIG, 1.2, None, ("red",)) is None  # too old
+    behind = replace(predicted(), p_G=RIG.pose.p_GC - RIG.pose.R_GC[:, [2]].T)
     assert plan.hints(behind, RIG, 1.0, None, ("red",)) is None
 
 
@@ -97,7 +97,7 @@ def found(blobs: Blobs, markers: Array) -> set[tuple[float, float]]:
 
 
 def test_regions_find_what_the_whole_image_shows(sim: Simulation) -> None:
-    """A tracked hand: from the engine's outlook, marker for marker what a whole search finds."""
+    """A tracked hand: from the engine's prediction, marker for marker what a whole search finds."""
     pipeline, seen = Pipeline(sim.hand, sim.glove, sim.rig), None
     detector = Detector(profile(sim), fx=sim.rig.fx)
     names, compared = detector.profile.hue_names, 0
@@ -107,7 +107,7 @@ def test_regions_find_what_the_whole_image_shows(sim: Simulation) -> None:
         elif isinstance(message, BlobFrame):
             pipeline.feed_frame(message)
             if pipeline.take_results() and estimate.tracking == Tracking.TRACKING:
-                seen = pipeline.outlook(estimate.t, seen)
+                seen = pipeline.region_prediction(estimate.t, seen)
         if seen is None or not isinstance(message, BlobFrame) or compared >= 12:
             continue
         t = seen.t - 0.01 + 0.002 * compared

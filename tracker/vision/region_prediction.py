@@ -3,23 +3,45 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, CameraPose, IntArray
 from tracker.vision.colours import hue_rows
 from tracker.vision.detector import DetectionHints
-from tracker.vision.rig import NEAREST, StereoRig
+from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig
 
 MARGIN_PX = 12.0
 SPEED_SD = 0.5  # m/s by which a hand may differ from the speed it had
-SHORTEST, LONGEST = 0.005, 0.1  # s between two outlooks that tell a speed
+SHORTEST, LONGEST = 0.005, 0.1  # s between two predictions that give a speed
 CLOSE = 0.05  # m; nearer than this a radius in pixels means nothing
 
 
+class MovingMarkers(NamedTuple):
+    """Of `RegionPrediction`: p_G (n, 3) m, v_G (n, 3) m/s, sd (n,) m, size (n,) m."""
+
+    p_G: Matrix
+    v_G: Matrix
+    sd: Vector
+    size: Vector
+
+
+class ImageView(NamedTuple):
+    """An image of width by height px, whose camera is ``shift`` m to the right of the pose."""
+
+    R_GC: Matrix
+    p_GC: Vector
+    shift: float
+    camera: StereoIntrinsics
+    width: int
+    height: int
+
+
 @dataclass(frozen=True, eq=False)
-class Outlook:
+class RegionPrediction:
     """Markers expected at ``t``, and how they move; written by the engine, read by vision.
 
     p_G (n, 3) m and v_G (n, 3) m/s in G, sd (n,) m, size (n,) m, hue (n,) index into ``hue_names``.
@@ -33,7 +55,7 @@ class Outlook:
     hue: IntArray
     hue_names: tuple[str, ...]
 
-    def after(self, before: Outlook | None) -> Outlook:
+    def after(self, before: RegionPrediction | None) -> RegionPrediction:
         """The same, moving as it has since ``before`` where that is a little while ago."""
         if before is None or before.p_G.shape != self.p_G.shape:
             return self
@@ -50,27 +72,29 @@ class Outlook:
         A hue that is not among them has number -1.
         """
         hue = hue_rows(self.hue_names, hue_names)[self.hue]
-        sides = []
+        sides, markers = [], MovingMarkers(self.p_G, self.v_G, self.sd, self.size)
         for camera, shift in ((rig.left, 0.0), (rig.right, rig.baseline)):
-            uv, radius, rows = seen_soon(
-                self.p_G, self.v_G, self.sd, self.size, t - self.t,
-                pose.R_GC, pose.p_GC, shift, rig.fx, rig.fy, rig.cx, rig.cy,
-                camera.width, camera.height,
-            )  # fmt: skip
+            view = ImageView(
+                pose.R_GC, pose.p_GC, shift, rig.intrinsics, camera.width, camera.height
+            )
+            uv, radius, rows = seen_soon(markers, t - self.t, view)
             sides.append(DetectionHints(camera.unrectify(uv), radius, hue[rows]))
         return sides[0], sides[1]
 
 
 @kernel
-def seen_soon(  # type: ignore[no-untyped-def]
-    p_G, v_G, sd, size, ahead, R_GC, p_GC, shift, fx, fy, cx, cy, width, height
-):
-    """Rectified pixels uv (k, 2), radius (k,) px and row (k,) of the markers near an image.
+def seen_soon(
+    markers: MovingMarkers, ahead: float, view: ImageView
+) -> tuple[Matrix, Vector, IntVector]:
+    """Rectified pixels uv (k, 2), radius (k,) px and row (k,) of the markers near an image,
+    ``ahead`` s later.
 
-    p_G, v_G (n, 3), sd and size (n,) as in `Outlook`, ``ahead`` s later; the lens is ``shift`` m to
-    the right of the pose's. Not near is what lies behind the lens, or so far outside the image
-    that a lens polynomial means nothing.
+    Not near is what lies behind the camera, or so far outside the image that a lens polynomial
+    means nothing.
     """
+    p_G, v_G, sd, size = markers.p_G, markers.v_G, markers.sd, markers.size
+    R_GC, p_GC, width, height = view.R_GC, view.p_GC, view.width, view.height
+    fx, fy, cx, cy = view.camera.fx, view.camera.fy, view.camera.cx, view.camera.cy
     uv, radius, rows = np.empty((len(p_G), 2)), np.empty(len(p_G)), np.empty(len(p_G), np.int64)
     n = 0
     for i in range(len(p_G)):
@@ -80,7 +104,7 @@ def seen_soon(  # type: ignore[no-untyped-def]
             x, y, z = x + d * R_GC[k, 0], y + d * R_GC[k, 1], z + d * R_GC[k, 2]
         if not z >= NEAREST:
             continue
-        u, v = fx * (x - shift) / z + cx, fy * y / z + cy
+        u, v = fx * (x - view.shift) / z + cx, fy * y / z + cy
         if -0.5 * width < u < 1.5 * width and -0.5 * height < v < 1.5 * height:
             reach = size[i] + 3 * sd[i] + SPEED_SD * abs(ahead)
             uv[n, 0], uv[n, 1], rows[n] = u, v, i
@@ -98,7 +122,7 @@ class SearchPlan:
 
     def hints(
         self,
-        outlook: Outlook | None,
+        prediction: RegionPrediction | None,
         rig: StereoRig,
         t: float,
         pose: CameraPose | None,
@@ -106,18 +130,18 @@ class SearchPlan:
     ) -> tuple[DetectionHints, DetectionHints] | None:
         """For the image at ``t``; None where it should be searched whole.
 
-        That is every ``every``-th, any without an outlook not older than ``longest`` s, and any in
-        which nothing at all is expected.
+        That is every ``every``-th, any without a prediction not older than ``longest`` s, and any
+        in which nothing at all is expected.
         """
         self._since_whole += 1
         if (
-            outlook is None
-            or abs(t - outlook.t) > self._longest
+            prediction is None
+            or abs(t - prediction.t) > self._longest
             or self._since_whole >= self._every
         ):
             self._since_whole = 0
             return None
-        sides = outlook.hints(rig, t, pose or rig.pose, hue_names)
+        sides = prediction.hints(rig, t, pose or rig.pose, hue_names)
         if all(len(side.uv) for side in sides):
             return sides
         self._since_whole = 0
