@@ -139,3 +139,55 @@ class TaskOwner(QObject):
         for task in self._tasks:
             task.join()
         self._tasks.clear()
+
+
+class LatestJob(QObject):
+    """Answers the newest of many questions, for jobs of a moment: no list shows them.
+
+    One job runs at a time. A question that is overtaken before its job has begun is never asked,
+    and an answer to an outdated one is dropped, so `done` hears of the newest alone.
+    """
+
+    failed = Signal(str)
+
+    def __init__(self, title: str, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._title = title
+        self._owner = TaskOwner(self)
+        self._owner.failed.connect(self.failed)
+        self._waiting: tuple[Job, Callable[[Any], None]] | None = None
+        self._busy = False
+        self._newest = 0
+
+    def run(self, job: Job, done: Callable[[Any], None]) -> None:
+        """Ask; returns at once. ``done`` gets the answer in this thread, if it still is wanted."""
+        self.forget()
+        self._waiting = job, done
+        if not self._busy:
+            self._begin()
+
+    def forget(self) -> None:
+        """Nothing is wanted any more."""
+        self._newest += 1
+        self._waiting = None
+
+    def _begin(self) -> None:
+        if self._waiting is None:
+            return
+        (job, done), self._waiting = self._waiting, None
+        mine, self._busy = self._newest, True
+
+        def answer(result: Any) -> None:
+            if mine == self._newest:
+                done(result)
+
+        self._owner.run(self._title, job, answer, self._ended)
+
+    def _ended(self) -> None:
+        self._busy = False
+        self._begin()
+
+    def shut_down(self) -> None:
+        """Forget, and wait for the job under way."""
+        self.forget()
+        self._owner.shut_down()

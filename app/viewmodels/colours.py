@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import colorsys
-import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -11,9 +10,9 @@ import numpy as np
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GOOD, IDLE, WARN, Look
-from tracker.calibration.colours_fit import FoundHue, clashes
+from tracker.calibration.colours_fit import clashes
 from tracker.messages import Blobs, Tracking
-from tracker.vision.colours import HUES, ColourProfile, HueRange
+from tracker.vision.colours import HUES, ColourProfile
 
 
 def hue_hex(hue: float) -> str:
@@ -25,55 +24,6 @@ def hue_hex(hue: float) -> str:
 def hue_colours(profile: ColourProfile) -> dict[str, str]:
     """Hue name to the colour it is drawn in."""
     return {h.name: hue_hex(h.centre) for h in profile.hues}
-
-
-class ProfileHistory:
-    """The profile being tuned, with undo and redo."""
-
-    def __init__(self, profile: ColourProfile, depth: int = 100) -> None:
-        self._past: list[ColourProfile] = []
-        self._future: list[ColourProfile] = []
-        self._depth = depth
-        self.profile = profile
-
-    def change(self, profile: ColourProfile, merge: bool = False) -> None:
-        """Take a new profile; with ``merge`` (a slider still moving) no step of its own."""
-        if profile == self.profile:
-            return
-        if not (merge and self._past):
-            self._past = [*self._past, self.profile][-self._depth :]
-        self._future.clear()
-        self.profile = profile
-
-    def undo(self) -> bool:
-        """Whether there was a step to take back."""
-        if not self._past:
-            return False
-        self._future.append(self.profile)
-        self.profile = self._past.pop()
-        return True
-
-    def redo(self) -> bool:
-        if not self._future:
-            return False
-        self._past.append(self.profile)
-        self.profile = self._future.pop()
-        return True
-
-
-def with_range(profile: ColourProfile, changed: HueRange) -> ColourProfile:
-    """``profile`` with the hue of the same name replaced."""
-    hues = tuple(changed if h.name == changed.name else h for h in profile.hues)
-    return dataclasses.replace(profile, hues=hues)
-
-
-def with_channel(hue_range: HueRange, channel: str, interval: tuple[int, int]) -> HueRange:
-    """``hue_range`` with its "hue", "saturation" or "value" interval replaced."""
-    if channel == "hue":
-        return dataclasses.replace(hue_range, hue=interval)
-    if channel == "saturation":
-        return dataclasses.replace(hue_range, saturation=interval)
-    return dataclasses.replace(hue_range, value=interval)
 
 
 @dataclass(frozen=True)
@@ -167,12 +117,3 @@ def _overlaps(profile: ColourProfile) -> dict[str, str]:
 def _room(name: str, room: Mapping[str, float]) -> str:
     share = room.get(name)
     return "" if share is None else f"the room has this colour too ({100 * share:.2g} % of it)"
-
-
-def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
-    """What a fit has done, hue by hue."""
-    if not found:
-        return "Nothing was fitted: no patches of these colours were found."
-    fitted = ", ".join(f"{f.range.name} ({f.patches} patches)" for f in found)
-    kept = [h.name for h in profile.hues if h.name not in {f.range.name for f in found}]
-    return f"Fitted {fitted}." + (f" Kept {', '.join(kept)}: too few are seen." if kept else "")

@@ -1,6 +1,8 @@
 """Tuning colours in the real window: what a click, a fit, a kept image and a restart do."""
 
 import dataclasses
+import threading
+import time
 
 import cv2
 import numpy as np
@@ -10,11 +12,12 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QFileDialog
 
-from app.panels.colours.panel import MASK_STEP
 from app.storage.colour_store import ColourStore
 from app.storage.image_folder import MOST, ImageFolder, KeptImage, read_image
+from app.viewmodels import colour_tuning
 from app.viewmodels.colour_images import in_range, masks_image, room_shares, to_hsv
-from app.viewmodels.colours import hue_colours
+from app.viewmodels.colour_tuning import MASK_STEP, ROOM_EVERY
+from app.viewmodels.colours import hue_colours, seen_rows
 from app.widgets.hue_range import HueRangeSlider
 from app.window.main_window import MainWindow
 from tracker.messages import Tracking
@@ -33,7 +36,7 @@ def colours(window, engine, qtbot):
     """The panel in sight, on a camera with a name."""
     window.host.adopt(setup_of(engine))
     window.run_command("show_colours")
-    qtbot.waitUntil(lambda: window.colours.source.image() is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.colours.image.source.image() is not None, timeout=30_000)
     return window.colours
 
 
@@ -50,24 +53,26 @@ def widget_point(view, u: float, v: float) -> QPoint:
 
 def narrow(colours, name: str) -> HueRange:
     """Choose a hue and make it so narrow that none of its patches is in it."""
-    index = colours.profile.hue_names.index(name)
+    index = colours.tuning.profile.hue_names.index(name)
     colours.choose_hue(index)
-    first = colours.profile.hues[index].hue[0]
-    colours.rows["hue"].high.setValue(first)
-    return colours.profile.hues[index]
+    first = colours.tuning.profile.hues[index].hue[0]
+    colours.ranges.rows["hue"].high.setValue(first)
+    return colours.tuning.profile.hues[index]
 
 
 def test_clicking_a_patch_takes_it_in_and_the_detector_finds_it(colours, engine, qtbot):
     image, blobs = frame_and_blobs(engine.frame)
-    index = colours.profile.hue_names.index("green")
+    index = colours.tuning.profile.hue_names.index("green")
     green = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("green")]
     before = narrow(colours, "green")
-    missed = Detector(colours.profile).detect(image.left)[0]
+    missed = Detector(colours.tuning.profile).detect(image.left)[0]
     assert not (missed.hue == index).any()
     colours.tools.pick.click()
     for uv in green:
         qtbot.mouseClick(
-            colours.mask_view, Qt.MouseButton.LeftButton, pos=widget_point(colours.mask_view, *uv)
+            colours.image.mask_view,
+            Qt.MouseButton.LeftButton,
+            pos=widget_point(colours.image.mask_view, *uv),
         )
     tuned = engine.profiles[-1]
     assert tuned.hues[index].width > before.width
@@ -77,58 +82,58 @@ def test_clicking_a_patch_takes_it_in_and_the_detector_finds_it(colours, engine,
 
 def test_the_other_eyedropper_leaves_a_pixel_out(colours, engine, qtbot):
     image, blobs = frame_and_blobs(engine.frame)
-    colours.choose_hue(colours.profile.hue_names.index("red"))
+    colours.choose_hue(colours.tuning.profile.hue_names.index("red"))
     uv = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("red")][0]
     colours.tools.pick.click()
     colours.tools.drop.click()
     assert not colours.tools.pick.isChecked()
-    at = widget_point(colours.mask_view, *uv)
-    qtbot.mouseClick(colours.mask_view, Qt.MouseButton.LeftButton, pos=at)
+    at = widget_point(colours.image.mask_view, *uv)
+    qtbot.mouseClick(colours.image.mask_view, Qt.MouseButton.LeftButton, pos=at)
     v, u = round(float(uv[1])), round(float(uv[0]))
     pixel = cv2.cvtColor(image.left[v : v + 1, u : u + 1], cv2.COLOR_BGR2HSV)[0, 0]
     assert models()[2].hues[0].contains(pixel)
-    assert not colours.profile.hues[0].contains(pixel)
+    assert not colours.tuning.profile.hues[0].contains(pixel)
 
 
 @pytest.mark.parametrize("signal", ["fit_markers", "fit_image"])
 def test_a_fit_repairs_a_hue_that_is_off_and_is_one_step_back(colours, engine, qtbot, signal):
     if signal == "fit_markers":  # the tracker still sees markers of the other hues
         narrow(colours, "blue")
-    spoilt = colours.profile
+    spoilt = colours.tuning.profile
     getattr(colours.tools, signal).emit()
     idle(colours, qtbot)
-    qtbot.waitUntil(lambda: colours.words.text().startswith("Fitted"), timeout=30_000)
-    assert engine.profiles[-1] == colours.profile != spoilt
-    default, fitted = Detector(models()[2]), Detector(colours.profile)
+    qtbot.waitUntil(lambda: colours.ranges.words.text().startswith("Fitted"), timeout=30_000)
+    assert engine.profiles[-1] == colours.tuning.profile != spoilt
+    default, fitted = Detector(models()[2]), Detector(colours.tuning.profile)
     for frame in (5, 60, 120):
         image = frame_and_blobs(frame)[0].left
         assert len(fitted.detect(image)[0]) >= 0.9 * len(default.detect(image)[0])
     colours.undo()
-    assert colours.profile == spoilt
+    assert colours.tuning.profile == spoilt
 
 
 def test_a_fit_without_a_tracked_hand_says_what_to_do(window, engine, qtbot):
     engine.tracking = Tracking.SEARCHING
     window.host.adopt(setup_of(engine))
     window.run_command("show_colours")
-    qtbot.waitUntil(lambda: window.colours.source.image() is not None, timeout=30_000)
-    window.colours.fit_markers()
+    qtbot.waitUntil(lambda: window.colours.image.source.image() is not None, timeout=30_000)
+    window.colours.tools.fit_markers.emit()
     assert "Fit from the image" in window.banner.text()
 
 
 def test_tuned_colours_come_back_for_the_same_camera_only(window, engine, store, qtbot, no_leaks):
     window.host.adopt(setup_of(engine))
-    window.colours.rows["saturation"].low.setValue(77)
-    tuned = window.colours.profile
+    window.colours.ranges.rows["saturation"].low.setValue(77)
+    tuned = window.colours.tuning.profile
     window.close()
     again, other = ScriptedEngine(), ScriptedEngine()
     reopened = MainWindow(store)
     qtbot.addWidget(reopened)
     reopened.host.adopt(setup_of(again))
-    assert again.profiles[-1] == reopened.colours.profile == tuned
+    assert again.profiles[-1] == reopened.colours.tuning.profile == tuned
     assert reopened.host.setup.profile == tuned  # a checklist and colours on screen follow
     reopened.host.adopt(dataclasses.replace(scripted_setup(other), camera="Another"))
-    assert reopened.colours.profile == models()[2] and other.profiles == []
+    assert reopened.colours.tuning.profile == models()[2] and other.profiles == []
     reopened.colours.tools.take_over.emit(reopened.colours.keeper.others()[0])
     assert other.profiles[-1] == tuned
     reopened.close()
@@ -143,39 +148,111 @@ def test_a_damaged_profile_is_left_alone_and_the_shipped_one_serves(tmp_path):
 
 def test_a_replay_keeps_no_colours(window, engine):
     window.host.adopt(scripted_setup(engine))
-    window.colours.rows["value"].low.setValue(60)
+    window.colours.ranges.rows["value"].low.setValue(60)
     window.colours.keeper.write()
     assert not (window.store.path.parent / "colours").exists()
 
 
 def test_a_kept_image_is_tuned_on_while_the_live_one_moves(colours, engine, qtbot):
     image = frame_and_blobs(engine.frame)[0]
-    colours.source.keep_button.click()
-    qtbot.waitUntil(lambda: not colours.source.is_live, timeout=30_000)
+    colours.image.source.keep_button.click()
+    qtbot.waitUntil(lambda: not colours.image.source.is_live, timeout=30_000)
     engine.frame = 60
     qtbot.wait(300)
-    assert np.array_equal(colours.source.image(), image.left)
-    colours.source.side.setCurrentIndex(1)
-    assert np.array_equal(colours.source.image(), image.right)
+    assert np.array_equal(colours.image.source.image(), image.left)
+    colours.image.source.side.setCurrentIndex(1)
+    assert np.array_equal(colours.image.source.image(), image.right)
     size = float(models()[1].marker_size.mean())
     fx = colours.host.setup.rig.fx
-    found = Detector(colours.profile, size, fx).detect(image.right)[0]
-    assert colours.hues.chips[0].text() == f"{int((found.hue == 0).sum())}"
-    colours.source.choice.setCurrentIndex(0)
-    qtbot.waitUntil(lambda: colours.source.image() is frame_and_blobs(60)[0].right, timeout=30_000)
+    found = Detector(colours.tuning.profile, size, fx).detect(image.right)[0]
+    count = f"{int((found.hue == 0).sum())}"
+    qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count, timeout=30_000)
+    colours.image.source.choice.setCurrentIndex(0)
+    qtbot.waitUntil(
+        lambda: colours.image.source.image() is frame_and_blobs(60)[0].right, timeout=30_000
+    )
+
+
+class HeldDetector:
+    """Begins a search and ends it when it is told to; counts its calls and notes their threads."""
+
+    def __init__(self) -> None:
+        self.begun: list[Detector] = []
+        self.threads: set[int] = set()
+        self.go_on = threading.Event()
+
+    def detector(self, profile, size, fx) -> "HeldDetector":
+        self.inner = Detector(profile, size, fx)
+        self.threads.add(threading.get_ident())
+        return self
+
+    def detect(self, image):
+        self.begun.append(self.inner)
+        assert self.go_on.wait(30)
+        return self.begun[-1].detect(image)
+
+
+@pytest.fixture
+def held(colours, qtbot, monkeypatch):
+    """A kept image is shown, and its search is under way and does not end by itself."""
+    held = HeldDetector()
+    monkeypatch.setattr(colour_tuning, "Detector", held.detector)
+    colours.image.source.keep_button.click()
+    qtbot.waitUntil(lambda: len(held.begun) == 1, timeout=30_000)
+    yield held
+    held.go_on.set()
+
+
+def test_a_kept_image_is_searched_beside_the_window(colours, held, qtbot):
+    began = time.monotonic()
+    colours.image.search()
+    colours.refresh(colours.host.snapshot())
+    assert time.monotonic() - began < 5  # the search itself would hold it for 30
+    assert colours.ranges.hues.chips[0].text() == "–"
+    assert threading.get_ident() not in held.threads
+    held.go_on.set()
+    image = colours.image.source.image()
+    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.rig.fx
+    found = Detector(models()[2], size, fx).detect(image)[0]
+    count = f"{int((found.hue == 0).sum())}"
+    qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count, timeout=30_000)
+
+
+def test_only_the_newest_profile_is_searched_with_and_shown(colours, held, qtbot):
+    answers = []
+    colours.image.changed.connect(
+        lambda: answers.append(colours.tuning.rows(colours.image.shown()))
+    )
+    for low in (10, 20, 30):
+        colours.ranges.rows["saturation"].low.setValue(low)
+    newest = colours.tuning.profile
+    held.go_on.set()
+    qtbot.waitUntil(lambda: len(held.begun) == 2, timeout=30_000)  # two were overtaken
+    qtbot.waitUntil(lambda: bool(answers), timeout=30_000)
+    assert len(answers) == 1  # what the first search has found was outdated
+    assert held.begun[-1].profile == newest
+
+
+def test_a_search_of_an_image_that_is_gone_is_not_shown(colours, held, qtbot):
+    colours.image.source.choice.setCurrentIndex(0)
+    colours.image.source.freeze.setChecked(True)
+    held.go_on.set()
+    qtbot.wait(200)
+    rows = colours.tuning.rows(colours.image.shown())
+    assert rows == seen_rows(colours.image.source.view, colours.tuning.profile)
 
 
 def test_kept_images_are_png_files_that_others_read(colours, engine, qtbot, tmp_path):
     image = frame_and_blobs(engine.frame)[0]
-    colours.source.save_file(tmp_path / "glove.png")
+    colours.image.source.save_file(tmp_path / "glove.png")
     idle(colours, qtbot)
     read = cv2.imread(str(tmp_path / "glove.png"))
     assert np.array_equal(read, np.hstack([image.left, image.right]))
-    colours.source.open_file(tmp_path / "glove.png")
-    qtbot.waitUntil(lambda: not colours.source.is_live, timeout=30_000)
-    assert np.array_equal(colours.source.image(), image.left)
-    colours.source.remove()
-    assert colours.source.is_live and (tmp_path / "glove.png").exists()
+    colours.image.source.open_file(tmp_path / "glove.png")
+    qtbot.waitUntil(lambda: not colours.image.source.is_live, timeout=30_000)
+    assert np.array_equal(colours.image.source.image(), image.left)
+    colours.image.source.remove()
+    assert colours.image.source.is_live and (tmp_path / "glove.png").exists()
 
 
 def test_the_oldest_kept_image_goes_first(tmp_path):
@@ -188,15 +265,15 @@ def test_the_oldest_kept_image_goes_first(tmp_path):
 
 
 def test_a_frozen_image_stays(colours, engine, qtbot):
-    colours.source.freeze.setChecked(True)
+    colours.image.source.freeze.setChecked(True)
     engine.frame = 60
     qtbot.wait(300)
-    assert colours.source.image() is frame_and_blobs(30)[0].left
+    assert colours.image.source.image() is frame_and_blobs(30)[0].left
 
 
 def test_red_runs_through_zero_on_the_slider(colours, qtbot):
     colours.choose_hue(0)
-    slider = colours.rows["hue"].slider
+    slider = colours.ranges.rows["hue"].slider
     assert isinstance(slider, HueRangeSlider) and slider.values() == (169, 11)
     (a, b), (c, d) = slider.bars()
     assert a == slider._x(169) and b > slider._x(179) and c < slider._x(0) and d == slider._x(11)
@@ -204,7 +281,7 @@ def test_red_runs_through_zero_on_the_slider(colours, qtbot):
 
 def test_dragging_a_handle_through_the_end_wraps_and_is_one_step(colours, engine, qtbot):
     colours.choose_hue(0)
-    slider, before = colours.rows["hue"].slider, colours.profile
+    slider, before = colours.ranges.rows["hue"].slider, colours.tuning.profile
 
     def at(hue: int) -> QPoint:
         return QPoint(round(slider._x(hue)), slider.height() // 2)
@@ -213,11 +290,11 @@ def test_dragging_a_handle_through_the_end_wraps_and_is_one_step(colours, engine
     for hue in (8, 3, 176):
         slider.mouseMoveEvent(_move(slider, at(hue)))
     qtbot.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=at(176))
-    low, high = colours.profile.hues[0].hue
+    low, high = colours.tuning.profile.hues[0].hue
     assert low == 169 and abs(high - 176) <= 2
     assert engine.profiles[-1].hues[0].hue == (low, high)
     colours.undo()
-    assert colours.profile == before
+    assert colours.tuning.profile == before
 
 
 def _move(widget, at: QPoint) -> QMouseEvent:
@@ -228,7 +305,7 @@ def _move(widget, at: QPoint) -> QMouseEvent:
 
 
 def test_arrow_keys_move_the_marked_end_round_the_circle(colours, qtbot):
-    slider = colours.rows["hue"].slider
+    slider = colours.ranges.rows["hue"].slider
     slider.set_values(0, 20)
     qtbot.keyClick(slider, Qt.Key.Key_Left)
     assert slider.values() == (179, 20)
@@ -238,13 +315,14 @@ def test_arrow_keys_move_the_marked_end_round_the_circle(colours, qtbot):
 
 
 def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monkeypatch):
-    colours._watch_room()
-    assert colours._room == {}  # the grey table and the hand itself are no clash
+    for _ in range(ROOM_EVERY):
+        colours.tuning.watch_room(colours.image.source.view)
+    assert colours.tuning.room == {}  # the grey table and the hand itself are no clash
     room = np.full((720, 1280, 3), 120, np.uint8)
     room[100:200, 100:300] = (30, 180, 30)
-    monkeypatch.setattr(colours.source, "image", lambda: room)
+    monkeypatch.setattr(colours.image.source, "image", lambda: room)
     colours.check_room()
-    assert "green: the room has this colour" in colours.words.text()
+    assert "green: the room has this colour" in colours.ranges.words.text()
     assert room_shares(room, models()[2])["green"] == pytest.approx(
         100 * 200 / (720 * 1280), rel=0.1
     )
@@ -266,7 +344,7 @@ def test_fast_masks_are_those_of_the_profile():
 
 def test_closing_in_the_middle_of_a_drag_keeps_the_last_values(window, engine, store):
     window.host.adopt(setup_of(engine))
-    window.colours.rows["value"].low.setValue(61)
+    window.colours.ranges.rows["value"].low.setValue(61)
     window.close()
     kept = ColourStore(store.path.parent / "colours").load(CAMERA, models()[2])
     assert kept.hues[0].value[0] == 61
@@ -276,10 +354,10 @@ def test_import_and_export_ask_for_a_file(colours, monkeypatch, tmp_path):
     path = tmp_path / "mine.toml"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
-    colours.rows["value"].low.setValue(33)
-    tuned = colours.profile
+    colours.ranges.rows["value"].low.setValue(33)
+    tuned = colours.tuning.profile
     colours.tools.save.emit()
     colours.start_again()
-    assert colours.profile == models()[2]
+    assert colours.tuning.profile == models()[2]
     colours.tools.load.emit()
-    assert colours.profile == tuned
+    assert colours.tuning.profile == tuned

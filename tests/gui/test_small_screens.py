@@ -53,7 +53,7 @@ def test_colours_stand_in_one_column_where_there_is_no_room_for_two(window, qtbo
     panel, dock = window.colours, window.docks["colours"]
 
     def are_beside() -> bool:
-        return panel.mask_view.geometry().left() > panel.strip.geometry().right()
+        return panel.image.x() > panel.ranges.geometry().right()
 
     dock.setFloating(True)
     for width, beside in ((TWO_COLUMNS + 60, True), (TWO_COLUMNS - 160, False)):

@@ -11,7 +11,8 @@ from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.viewmodels.calibration import RANGES, calibration_view, convergence
 from app.viewmodels.colour_images import hue_histogram, pixel_hsv
-from app.viewmodels.colours import ProfileHistory, hue_rows, seen_rows, with_range
+from app.viewmodels.colour_tuning import ProfileHistory, with_range
+from app.viewmodels.colours import hue_rows, seen_rows
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
 from app.viewmodels.overlay import Layers, overlay
 from app.viewmodels.sensors import curves, imu_states

@@ -114,7 +114,7 @@ def test_status_bar_tells_rates_and_latency(live, qtbot):
 def test_tuning_a_hue_reaches_the_engine_and_can_be_undone(live, engine):
     before = models()[2]
     live.colours.choose_hue(1)
-    live.colours.rows["hue"].low.setValue(5)
+    live.colours.ranges.rows["hue"].low.setValue(5)
     assert engine.profiles[-1].hues[1].hue == (5, before.hues[1].hue[1])
     live.colours.undo()
     assert engine.profiles[-1] == before
@@ -123,16 +123,16 @@ def test_tuning_a_hue_reaches_the_engine_and_can_be_undone(live, engine):
 
 
 def test_a_saved_profile_loads_as_the_same_and_a_broken_one_is_refused(live, tmp_path):
-    live.colours.rows["saturation"].low.setValue(77)
-    tuned = live.colours.profile
-    live.colours.save_file(tmp_path / "mine.toml")
+    live.colours.ranges.rows["saturation"].low.setValue(77)
+    tuned = live.colours.tuning.profile
+    live.colours.files.save(tmp_path / "mine.toml")
     live.colours.undo()
-    live.colours.load_file(tmp_path / "mine.toml")
-    assert live.colours.profile == tuned
+    live.colours.files.load(tmp_path / "mine.toml")
+    assert live.colours.tuning.profile == tuned
     (tmp_path / "bad.toml").write_text("schema = 1\nname = 3\n")
-    live.colours.load_file(tmp_path / "bad.toml")
+    live.colours.files.load(tmp_path / "bad.toml")
     assert "bad.toml" in live.banner.text()
-    assert live.colours.profile == tuned
+    assert live.colours.tuning.profile == tuned
 
 
 def test_hidden_panels_cost_nothing(live, qtbot, monkeypatch):

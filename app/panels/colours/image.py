@@ -1,0 +1,66 @@
+"""The image that colours are tuned on: which one, its mask, and what is found in it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from app.panels.colours.source import ColoursSource
+from app.platform.tasks import LatestJob, TaskOwner
+from app.viewmodels.colour_tuning import ColourTuning, MaskShown, ShownImage
+from app.widgets.image_view import ImageView
+from tracker.messages import Blobs
+
+
+class ColoursImage(QWidget):
+    """The half of the panel with the image. ``changed``: another one is shown, or blobs were found.
+
+    A kept image is searched beside the window: a search takes tens of milliseconds.
+    """
+
+    changed = Signal()
+    picked = Signal(float, float, object)  # u, v in the mask, Qt.KeyboardModifiers
+    failed = Signal(str)
+
+    def __init__(self, tasks: TaskOwner, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.tuning: ColourTuning | None = None
+        self.source = ColoursSource(tasks)
+        self.source.changed.connect(self._image_changed)
+        self.source.failed.connect(self.failed)
+        self.mask_view = ImageView(self.tr("Mask"), self.tr("No image yet"))
+        self.mask_view.picked.connect(self.picked)
+        self._search = LatestJob(self.tr("Searching the image"), self)
+        self._search.failed.connect(self.failed)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        column.addWidget(self.source)
+        column.addWidget(self.mask_view, 1)
+
+    def shown(self) -> ShownImage:
+        source = self.source
+        return ShownImage(source.image(), source.view, source.right)
+
+    def _image_changed(self) -> None:
+        self.search()
+        self.changed.emit()
+
+    def search(self) -> None:
+        """Have the image searched with the profile as it is now; an earlier search is outdated."""
+        work = self.tuning.search(self.shown()) if self.tuning is not None else None
+        if work is None:
+            self._search.forget()
+        else:
+            self._search.run(lambda _progress: work(), self._found)
+
+    def _found(self, blobs: Blobs) -> None:
+        if self.tuning is not None:
+            self.tuning.found(blobs)
+            self.changed.emit()
+
+    def show_mask(self, mask: MaskShown | None) -> None:
+        self.mask_view.show_image(*((None, ()) if mask is None else (mask.image, mask.rings)))
+
+    def shut_down(self) -> None:
+        self._search.shut_down()

@@ -1,0 +1,59 @@
+"""Fits of a colour profile, to be run in another thread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from app.engines.engine import EngineSetup
+from app.engines.snapshot import Snapshot
+from app.viewmodels.colour_images import Image
+from tracker.calibration.colours_fit import FoundHue, fit_image
+from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides
+from tracker.errors import ConfigError
+from tracker.messages import Tracking
+from tracker.vision.colours import ColourProfile
+
+Fit = tuple[ColourProfile, tuple[FoundHue, ...]]
+FitWork = Callable[[], Fit]
+
+
+def image_fit(image: Image | None, profile: ColourProfile) -> FitWork:
+    """Fit to an image, whatever is known of the hand. Raises ConfigError where there is none."""
+    if image is None:
+        raise ConfigError("There is no image yet to fit the colours to.")
+    return lambda: fit_image(image, profile)
+
+
+class MarkerWatch:
+    """Gathers what tracked markers look like, while the panel is in sight."""
+
+    def __init__(self, setup: EngineSetup) -> None:
+        self._samples = MarkerSamples(setup.glove, setup.profile.hue_names)
+        self._last = float("-inf")
+
+    def watch(self, view: Snapshot) -> None:
+        """Take the markers that are tracked in this exposure, for a fit later on."""
+        result, blobs, frame = view.result, view.blobs, view.frame
+        if result is None or result.tracking != Tracking.TRACKING or blobs is None or frame is None:
+            return
+        if frame.t == self._last:
+            return
+        self._last = frame.t
+        sides = seen_sides(frame.left, frame.right, (blobs.left, blobs.right), result)
+        self._samples.take(sides, result.visible)
+
+    def fit(self, profile: ColourProfile) -> FitWork:
+        """Fit to what was gathered. Raises ConfigError where that is nothing."""
+        if len(self._samples) == 0:
+            raise ConfigError("No markers were tracked yet. Fit from the image alone first.")
+        taken = self._samples.copy()
+        return lambda: taken.fit(profile)
+
+
+def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
+    """What a fit has done, hue by hue."""
+    if not found:
+        return "Nothing was fitted: no patches of these colours were found."
+    fitted = ", ".join(f"{f.range.name} ({f.patches} patches)" for f in found)
+    kept = [h.name for h in profile.hues if h.name not in {f.range.name for f in found}]
+    return f"Fitted {fitted}." + (f" Kept {', '.join(kept)}: too few are seen." if kept else "")

@@ -1,0 +1,242 @@
+"""A colour profile being tuned: its changes, the way back, and what is shown of it."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from app.engines.engine import EngineSetup
+from app.engines.snapshot import Snapshot
+from app.storage.colour_store import write_text_safely
+from app.viewmodels.colour_fits import MarkerWatch
+from app.viewmodels.colour_images import (
+    Image,
+    hue_histogram,
+    mask_image,
+    pixel_hsv,
+    room_image,
+    room_shares,
+)
+from app.viewmodels.colours import HueRow, blob_counts, hue_rows, seen_rows
+from app.widgets.overlay import Ring
+from tracker.calibration.colours_fit import add_pixel, remove_pixel
+from tracker.errors import ConfigError
+from tracker.messages import Array, Blobs
+from tracker.vision.colours import ColourProfile, HueRange, load_profile, profile_to_toml
+from tracker.vision.detector import Detector
+
+MASK_STEP = 2
+ROOM_EVERY = 8  # refreshes
+CHANNELS = ("hue", "saturation", "value")
+
+
+class ProfileHistory:
+    """The profile being tuned, with undo and redo."""
+
+    def __init__(self, profile: ColourProfile, depth: int = 100) -> None:
+        self._past: list[ColourProfile] = []
+        self._future: list[ColourProfile] = []
+        self._depth = depth
+        self.profile = profile
+
+    def change(self, profile: ColourProfile, merge: bool = False) -> None:
+        """Take a new profile; with ``merge`` (a slider still moving) no step of its own."""
+        if profile == self.profile:
+            return
+        if not (merge and self._past):
+            self._past = [*self._past, self.profile][-self._depth :]
+        self._future.clear()
+        self.profile = profile
+
+    def undo(self) -> bool:
+        """Whether there was a step to take back."""
+        if not self._past:
+            return False
+        self._future.append(self.profile)
+        self.profile = self._past.pop()
+        return True
+
+    def redo(self) -> bool:
+        if not self._future:
+            return False
+        self._past.append(self.profile)
+        self.profile = self._future.pop()
+        return True
+
+
+def with_range(profile: ColourProfile, changed: HueRange) -> ColourProfile:
+    """``profile`` with the hue of the same name replaced."""
+    hues = tuple(changed if h.name == changed.name else h for h in profile.hues)
+    return dataclasses.replace(profile, hues=hues)
+
+
+def with_channel(hue_range: HueRange, channel: str, interval: tuple[int, int]) -> HueRange:
+    """``hue_range`` with its "hue", "saturation" or "value" interval replaced."""
+    if channel == "hue":
+        return dataclasses.replace(hue_range, hue=interval)
+    if channel == "saturation":
+        return dataclasses.replace(hue_range, saturation=interval)
+    return dataclasses.replace(hue_range, value=interval)
+
+
+@dataclass(frozen=True, eq=False)
+class ShownImage:
+    """One side's image, and what belongs to it: the live exposure, or None for a kept image."""
+
+    image: Image | None
+    view: Snapshot | None
+    right: bool
+
+
+@dataclass(frozen=True, eq=False)
+class MaskShown:
+    """The image in the range tuned, dimmed elsewhere and `MASK_STEP` times smaller, with the blobs
+    found; the shares (180,) of its hues; each hue's interval (from, to, colour)."""
+
+    image: Image
+    rings: list[Ring]
+    histogram: Array
+    intervals: list[tuple[int, int, str]]
+
+
+class ColourTuning:
+    """The profile of one camera while it is tuned."""
+
+    def __init__(self, setup: EngineSetup, kept: ColourProfile | None = None) -> None:
+        """``kept``: tuned earlier, in place of the one the engine has."""
+        self.setup = setup
+        self.hue = 0  # row of the one that is tuned
+        self.markers = MarkerWatch(setup)
+        self.last_words = f"Colours of {setup.camera}" if kept is not None else ""
+        self.room: dict[str, float] = {}
+        self._history = ProfileHistory(kept or setup.profile)
+        self._dragging = False
+        self._room_age = 0
+        self._found: Blobs | None = None
+        self._searched: Image | None = None  # where ``_found`` was looked for
+
+    @property
+    def profile(self) -> ColourProfile:
+        return self._history.profile
+
+    @property
+    def hue_range(self) -> HueRange:
+        """Of the hue that is tuned."""
+        return self.profile.hues[self.hue]
+
+    # --- changes
+
+    def move(self, channel: str, interval: tuple[int, int], held: bool) -> None:
+        """Set an end of a range; all that a slider does while it is ``held`` is one step."""
+        changed = with_channel(self.hue_range, channel, interval)
+        self._history.change(with_range(self.profile, changed), merge=self._dragging)
+        self._dragging = held
+
+    def pick(self, image: Image, u: float, v: float, leave_out: bool) -> None:
+        """Take a pixel of the mask into the range, or leave it out."""
+        pixel = np.array(pixel_hsv(image, u * MASK_STEP, v * MASK_STEP))
+        changed = (
+            remove_pixel(self.hue_range, pixel) if leave_out else add_pixel(self.hue_range, pixel)
+        )
+        self._history.change(with_range(self.profile, changed))
+
+    def take(self, profile: ColourProfile, words: str) -> None:
+        """Another profile as one step that can be taken back, and a sentence about it."""
+        self._history.change(profile)
+        self.last_words = words
+
+    def undo(self) -> bool:
+        """Whether there was a step to take back."""
+        return self._history.undo()
+
+    def redo(self) -> bool:
+        return self._history.redo()
+
+    def load(self, path: Path) -> None:
+        """Take a profile out of a file. Raises GlovetrackError where it is none of this glove."""
+        loaded = load_profile(path)
+        if loaded.hue_names != self.profile.hue_names:
+            names = ", ".join(self.profile.hue_names)
+            raise ConfigError(f"{path.name} must have the hues {names} for this glove.")
+        self.take(loaded, f"Colours of {path.name}")
+
+    def save(self, path: Path) -> None:
+        """Write the profile to a file. Raises FileError."""
+        write_text_safely(path, profile_to_toml(self.profile))
+        self.last_words = f"Exported to {path.name}"
+
+    # --- what images tell
+
+    def check_room(self, image: Image) -> None:
+        """Take an image for the room without the glove, and believe it for a while."""
+        self.room, self._room_age = room_shares(image, self.profile), -10 * ROOM_EVERY
+        self.last_words = "" if self.room else "The room has none of the colours."
+
+    def watch_room(self, view: Snapshot | None) -> None:
+        """The colours beside the tracked hand, at every `ROOM_EVERY`-th call."""
+        self._room_age += 1
+        if self._room_age < ROOM_EVERY:
+            return
+        self._room_age = 0
+        image = room_image(view) if view is not None else None
+        if image is not None:
+            self.room = room_shares(image, self.profile)
+
+    def search(self, shown: ShownImage) -> Callable[[], Blobs] | None:
+        """The work of searching a kept image with the profile as it is now, for another thread;
+        None where nothing is to be searched: the live image is searched by the engine."""
+        image = shown.image if shown.view is None and not self._dragging else None
+        if image is None or image is not self._searched:
+            self._found = None
+        self._searched = image
+        if image is None:
+            return None
+        profile, size = self.profile, float(self.setup.glove.marker_size.mean())
+        return lambda: Detector(profile, size, self.setup.rig.fx).detect(image)[0]
+
+    def found(self, blobs: Blobs) -> None:
+        """What the last `search` has found."""
+        self._found = blobs
+
+    # --- what is shown
+
+    def rows(self, shown: ShownImage) -> list[HueRow]:
+        """One per hue."""
+        if shown.view is not None:
+            return seen_rows(shown.view, self.profile, self.room)
+        counts = blob_counts([self._found], self.profile.hue_names, self.profile)
+        return hue_rows(self.profile, counts, None, self.room)
+
+    def words(self, rows: list[HueRow]) -> str:
+        """What stands in the way of a hue, else what was done last."""
+        clashing = [f"▲ {row.name}: {row.clash}" for row in rows if row.clash]
+        return "\n".join(clashing) if clashing else self.last_words
+
+    def mask(self, shown: ShownImage, rows: list[HueRow]) -> MaskShown | None:
+        """None without an image."""
+        if shown.image is None:
+            return None
+        pairs = zip(self.profile.hues, rows, strict=True)
+        return MaskShown(
+            mask_image(shown.image, self.hue_range, MASK_STEP),
+            self._rings(shown, rows[self.hue].colour),
+            hue_histogram(shown.image),
+            [(*hue.hue, row.colour) for hue, row in pairs],
+        )
+
+    def _rings(self, shown: ShownImage, colour: str) -> list[Ring]:
+        """Round the blobs of the hue that is tuned."""
+        blobs, view = self._found, shown.view
+        if view is not None and view.blobs is not None:
+            blobs = view.blobs.right if shown.right else view.blobs.left
+        rings: list[Ring] = []
+        if blobs is not None:
+            for i in np.flatnonzero(blobs.hue == self.hue):
+                u, v = blobs.uv[i] / MASK_STEP
+                radius = float(max(blobs.size[i])) / 2 / MASK_STEP + 2
+                rings.append(Ring(float(u), float(v), radius, colour))
+        return rings
