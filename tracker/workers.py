@@ -24,7 +24,7 @@ DASK_PATIENCE = 10  # s
 
 
 @dataclass(frozen=True)
-class Task:
+class WorkItem:
     """``function(*arguments, progress)``; ``weight`` is its part of the whole work."""
 
     function: Callable[..., Any]
@@ -117,7 +117,7 @@ def some_workers(count: int, dask: str = "") -> AbstractContextManager[Workers]:
 
 
 def run_all(
-    tasks: Sequence[Task], workers: Workers, progress: Callable[[float], None]
+    tasks: Sequence[WorkItem], workers: Workers, progress: Callable[[float], None]
 ) -> list[Outcome]:
     """Outcomes in the order of ``tasks``; ``progress`` hears the share of all work that is done."""
     futures = {workers.submit(_work, task, i, workers.board): i for i, task in enumerate(tasks)}
@@ -156,7 +156,7 @@ def _outcome(future: Future[Any]) -> Outcome:
     return Outcome(error=f"The work on it broke off: {type(error).__name__}: {error}.")
 
 
-def _work(task: Task, number: int, board: Board) -> Outcome:
+def _work(task: WorkItem, number: int, board: Board) -> Outcome:
     """Runs in the worker."""
     told = [-TELL_EVERY]
 

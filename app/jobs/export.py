@@ -12,7 +12,7 @@ from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, Look
 
 if TYPE_CHECKING:
-    from tracker.session.export import ExportOptions
+    from tracker.session.export.options import ExportOptions
 
 WAITING = Look(IDLE.colour, "◌", "waiting")
 RUNNING = Look(SKY, "▶", "under way")
@@ -39,7 +39,7 @@ def export_job(request: ExportRequest) -> Job:
     """A job that writes the file; cancelled, it leaves none behind."""
 
     def run(progress: JobProgress) -> Path:
-        from tracker.session.export import export
+        from tracker.session.export.run import export
 
         progress(0.0, request.form)
         options = _options(request)
@@ -51,7 +51,7 @@ def export_job(request: ExportRequest) -> Job:
 
 def _options(request: ExportRequest) -> ExportOptions:
     """The engine's options; it counts time from the first estimate, a replay from the start."""
-    from tracker.session.export import ExportOptions
+    from tracker.session.export.options import ExportOptions
 
     options = ExportOptions(
         rate=request.rate,

@@ -33,7 +33,8 @@ def track_job(source: Path, out: Path, wanted: TrackRequest) -> Job:
     """
 
     def run(progress: JobProgress) -> Comparison | None:
-        from tracker.offline.track import TrackOptions, track
+        from tracker.offline.options import TrackOptions
+        from tracker.offline.track import track
         from tracker.session.reader import SessionReader
 
         progress(0.0, wanted.engine)
@@ -61,8 +62,7 @@ def compare_job(first: Path, second: Path) -> Job:
 
 def compared(first: Path, second: Path) -> Comparison:
     """Raises FileError where the two have no instant in common, or one was never tracked."""
-    from tracker.session.compare import compare
-    from tracker.session.truth_error import truth_error_mm
+    from tracker.session.compare import compare, truth_error_mm
 
     figures = compare(first, second)
     errors: list[dict[str, float]] = []

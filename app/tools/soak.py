@@ -135,8 +135,9 @@ def _timers() -> int:
 
 def _session(folder: Path) -> Path:
     """Two seconds of blobs and samples."""
+    from tracker.offline.options import TrackOptions
     from tracker.offline.simulate import SimulateOptions, simulate
-    from tracker.offline.track import TrackOptions, track
+    from tracker.offline.track import track
 
     simulated, path = folder / "simulated.mcap", folder / "session.mcap"
     simulate(simulated, SimulateOptions(duration=2.0, fps=30.0, images=False))

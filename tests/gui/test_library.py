@@ -19,8 +19,9 @@ from app.platform.tasks import JobProgress, TaskOwner
 from app.viewmodels.library import session_row
 from tracker.errors import ConfigError
 from tracker.messages import Estimate
+from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import USUAL, TrackOptions, track
+from tracker.offline.track import track
 from tracker.pipeline import ENGINES as PIPELINE_ENGINES
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder

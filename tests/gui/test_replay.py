@@ -8,8 +8,9 @@ import pytest
 from app.engines.replay import ReplayEngine, open_replay
 from app.engines.replay_reference import ReferenceTrack
 from tracker.messages import BlobFrame, Estimate
+from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import TrackOptions, track
+from tracker.offline.track import track
 from tracker.session.reader import SessionReader
 
 SECONDS = 3.0

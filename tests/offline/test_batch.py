@@ -9,8 +9,9 @@ from tracker.cli import main
 from tracker.errors import ConfigError, DeviceError, FileError
 from tracker.messages import Estimate
 from tracker.offline.batch import Job, plan, table, track_all
+from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import TrackOptions, track
+from tracker.offline.track import track
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
 from tracker.workers import dask_workers

@@ -6,8 +6,9 @@ from rosbags.highlevel import AnyReader
 
 from tracker.errors import ConfigError
 from tracker.messages import CameraImuSample, Estimate, ImuSample
+from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build, simulate
-from tracker.offline.track import TrackOptions, track
+from tracker.offline.track import track
 from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
 

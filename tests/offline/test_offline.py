@@ -9,8 +9,9 @@ import pytest
 from tracker.cli import main
 from tracker.errors import FileError
 from tracker.messages import Estimate, StereoFrame
+from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
-from tracker.offline.track import TrackOptions, track
+from tracker.offline.track import track
 from tracker.session.compare import compare
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader

@@ -9,8 +9,9 @@ import pytest
 from tracker.config import to_toml
 from tracker.errors import FileError
 from tracker.messages import BlobFrame, CameraPose, EngineState, Estimate, ImuSample
+from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build, truth_message
-from tracker.offline.track import TrackOptions, track
+from tracker.offline.track import track
 from tracker.pipeline import Pipeline
 from tracker.session.compare import compare
 from tracker.session.description import SessionInfo

@@ -82,7 +82,7 @@ def test_shortcuts_are_the_windows() -> None:
 
 
 def test_export_formats_are_all_told() -> None:
-    from tracker.session.formats import FORMATS
+    from tracker.session.export.options import FORMATS
 
     text = (GUIDE / "exporting.md").read_text("utf-8")
     table = "\n".join(line.split("|")[1] for line in text.split("\n") if line.startswith("| `"))

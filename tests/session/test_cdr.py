@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
+from tests.session.ros_types import typestore
 from tracker.messages import Blobs
-from tracker.session.mcap.schemas import definition, typestore
 from tracker.session.ros import motion, sensors
 from tracker.session.ros.cdr import CdrError
+from tracker.session.ros.definitions import definition
 from tracker.vision.rig import ideal_rig
 
 NS = 1_700_000_000_123_456_789
@@ -16,8 +17,10 @@ BLOBS = Blobs(
 )
 
 PACKED = {
-    sensors.IMU: sensors.pack_imu(sensors.Imu(NS, "dorsum", RNG.normal(size=3), np.ones(3))),
-    sensors.IMAGE: sensors.pack_image(sensors.Image(NS, "camera_left", "jpeg", b"\xff\xd8abc")),
+    sensors.IMU: sensors.pack_imu(sensors.ImuMessage(NS, "dorsum", RNG.normal(size=3), np.ones(3))),
+    sensors.IMAGE: sensors.pack_image(
+        sensors.ImageMessage(NS, "camera_left", "jpeg", b"\xff\xd8abc")
+    ),
     sensors.CAMERA_INFO: sensors.pack_camera_info(NS, "camera_left", ideal_rig().right),
     sensors.TIME_REFERENCE: sensors.pack_time_reference(sensors.TimeReference(NS, 12345, "glove")),
     sensors.DETECTIONS: sensors.pack_detections(
@@ -27,9 +30,9 @@ PACKED = {
         [motion.Transform(NS, "world", c, RNG.normal(size=3), RNG.normal(size=4)) for c in "ab"]
     ),
     motion.POSES: motion.pack_poses(
-        motion.Poses(NS, "world", RNG.normal(size=(5, 3)), RNG.normal(size=(5, 4)))
+        motion.PoseArray(NS, "world", RNG.normal(size=(5, 3)), RNG.normal(size=(5, 4)))
     ),
-    motion.JOINTS: motion.pack_joints(motion.Joints(NS, ["a", "bcd"], RNG.normal(size=2))),
+    motion.JOINTS: motion.pack_joints(motion.JointState(NS, ["a", "bcd"], RNG.normal(size=2))),
     motion.DIAGNOSTICS: motion.pack_diagnostics(
         NS,
         [
@@ -100,7 +103,7 @@ def test_unpacking_gives_the_identical_floats() -> None:
     assert [blobs.names[h] for h in blobs.blobs.hue] == ["blue", "red", "blue"]
 
 
-def test_definitions_name_the_types_they_use() -> None:
-    text = definition(sensors.DETECTIONS)
-    assert "MSG: vision_msgs/BoundingBox2D" in text
-    assert "MSG: geometry_msgs/PoseWithCovariance" in text
+@pytest.mark.parametrize("name", PACKED)
+def test_definitions_are_those_of_rosbags(name: str) -> None:
+    text, _ = typestore().generate_msgdef(name, ros_version=2)
+    assert definition(name) == text

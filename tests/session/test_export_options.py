@@ -17,10 +17,10 @@ from scipy.spatial.transform import Rotation
 from tracker.cli import main
 from tracker.errors import ConfigError, FileError
 from tracker.messages import CameraPose, Estimate, Event, ImuSample
-from tracker.session.export import ExportOptions, export
 from tracker.session.export.axes import AXES
-from tracker.session.export.motion import load_motion
-from tracker.session.formats import AXES_NAMES, FORMATS
+from tracker.session.export.load import load_series
+from tracker.session.export.options import AXES_NAMES, FORMATS, ExportOptions
+from tracker.session.export.run import export
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import SessionRecorder
@@ -76,7 +76,7 @@ def test_bones_point_the_same_way_in_all_axes(tracked, name: str) -> None:
     """x of a bone's own axes, turned by its orientation, points along it in any convention."""
     path, _ = tracked
     with SessionReader(path) as reader:
-        m = load_motion(reader, ExportOptions(axes=name))
+        m = load_series(reader, ExportOptions(axes=name))
     a, b = (m.keypoint_names.index(k) for k in ("index_pip", "index_dip"))
     bone = m.keypoints[:, b] - m.keypoints[:, a]
     along = Rotation.from_quat(m.q[:, a]).apply([1.0, 0, 0])
@@ -99,7 +99,7 @@ def test_a_fast_shake_does_not_fold_over_into_a_slow_rate(
         for ms, s in zip(t, swing, strict=True)
     ]
     with SessionReader(record(tmp_path / "in.mcap", rows)) as reader:
-        m = load_motion(reader, ExportOptions(rate=20.0))
+        m = load_series(reader, ExportOptions(rate=20.0))
     turn = Rotation.from_quat(m.q[5:-5, 0]).as_euler("zyx")[:, 0]
     assert np.abs(turn).max() < 0.02 * 0.2
     assert np.abs(m.keypoints[5:-5, 0, 0] - base.keypoints[0, 0]).max() < 0.02 * 0.01 * 0.2
@@ -136,7 +136,7 @@ def test_png_folder_in_pillow(filmed: Path, tmp_path: Path) -> None:
     with Image.open(out / names[2]) as image:
         assert image.size == (64, 48)
         assert np.median(np.asarray(image)) == pytest.approx(80, abs=4)
-    assert json.loads((tmp_path / "images.json").read_text())["images"] == 5
+    assert json.loads((tmp_path / "images.json").read_text())["pictures"] == 5
     with pytest.raises(FileError, match="exists already"):
         export(filmed, "png", out)
     assert not list(tmp_path.glob(".*.part"))

@@ -20,9 +20,10 @@ from scipy.spatial.transform import Rotation
 from tracker.cli import main
 from tracker.errors import ConfigError, FileError
 from tracker.messages import CameraPose, Estimate, ImuSample
-from tracker.session.export import FORMATS, ExportOptions, export
 from tracker.session.export.axes import AXES
-from tracker.session.export.motion import load_motion
+from tracker.session.export.load import load_series
+from tracker.session.export.options import FORMATS, ExportOptions
+from tracker.session.export.run import export
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
 
@@ -215,7 +216,7 @@ def test_resampling_keeps_a_sine(tmp_path: Path, record: Callable[..., Path], ma
     path = record(tmp_path / "in.mcap", rows)
     with SessionReader(path) as reader:
         for rate, tolerance in ((240.0, 2e-5), (50.0, 5e-4)):
-            m = load_motion(reader, ExportOptions(rate=rate))
+            m = load_series(reader, ExportOptions(rate=rate))
             assert np.allclose(np.diff(m.elapsed), 1 / rate, atol=1e-8)
             wanted = 0.05 * np.sin(2 * np.pi * m.elapsed)
             inner = slice(20, -20)  # the low-pass has less to go by at the ends
@@ -228,7 +229,7 @@ def test_resampling_keeps_a_sine(tmp_path: Path, record: Callable[..., Path], ma
 def test_resampling_never_bridges_what_was_lost(tracked) -> None:
     path, _ = tracked
     with SessionReader(path) as reader:
-        m = load_motion(reader, ExportOptions(rate=250.0))
+        m = load_series(reader, ExportOptions(rate=250.0))
     between = (m.elapsed > 0.0701) & (m.elapsed < 0.0999)
     assert np.isnan(m.keypoints[between, 3]).all()
     assert np.isfinite(m.keypoints[between, 4]).all()
@@ -282,7 +283,9 @@ def test_foreign_sessions_are_grouped_by_instant(tmp_path: Path, session_info, m
             if s.valid[i]:
                 queue.append((stamp + 1_000_000 + (i == 5) * 24_000_000, k, i, name, stamp))
     for log, k, i, name, stamp in sorted(queue):
-        data = sensors.pack_imu(sensors.Imu(stamp, "x", samples[k].gyro[i], samples[k].accel[i]))
+        data = sensors.pack_imu(
+            sensors.ImuMessage(stamp, "x", samples[k].gyro[i], samples[k].accel[i])
+        )
         out.write(out.channel(topics.imu("right", name), sensors.IMU), log, stamp, data, 0)
     out.finish()
     with SessionReader(tmp_path / "f.mcap") as reader:

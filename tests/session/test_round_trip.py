@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from rosbags.highlevel import AnyReader
 
+from tests.session.ros_types import typestore
 from tracker.geometry import so3
 from tracker.messages import (
     BlobFrame,
@@ -21,7 +22,6 @@ from tracker.messages import (
     Tracking,
     Validity,
 )
-from tracker.session.mcap.schemas import typestore
 from tracker.session.reader import SessionReader
 from tracker.session.writer import SessionRecorder
 

@@ -106,7 +106,9 @@ def test_a_chunk_that_admits_to_swell_is_not_unpacked(
         packed = lz4.frame.compress(zeros)
     else:
         packed = zstandard.ZstdCompressor().compress(zeros)
-    monkeypatch.setattr("tracker.session.mcap.input.decompress", lambda *_: pytest.fail("unpacked"))
+    monkeypatch.setattr(
+        "tracker.session.mcap.chunks.decompress", lambda *_: pytest.fail("unpacked")
+    )
     body = struct.pack("<QQQII", 0, 1, size, 0, len(kind)) + kind.encode()
     body += struct.pack("<Q", len(packed)) + packed
     path = tmp_path / "bomb.mcap"

@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from tracker.errors import ConfigError
-from tracker.offline.track import TrackOptions, TrackReport, track
-from tracker.session.folders import sessions_in
+from tracker.offline.options import TrackOptions
+from tracker.offline.report import TrackReport
+from tracker.offline.track import track
+from tracker.session.glance import sessions_in
 from tracker.session.mcap.disk import disk_error
 from tracker.workers import (
     Outcome,
-    Task,
+    WorkItem,
     run_all,
     some_workers,
     usable_cores,
@@ -63,7 +65,7 @@ def track_all(
     for job in jobs:
         _make_folder(job.out.parent)
     tasks = [
-        Task(_track_one, (j.source.absolute(), j.out.absolute(), options), _size(j.source))
+        WorkItem(_track_one, (j.source.absolute(), j.out.absolute(), options), _size(j.source))
         for j in jobs
     ]
     with some_workers(min(processes or usable_cores(), len(jobs)), dask) as workers:

@@ -14,7 +14,7 @@ from tracker.errors import GlovetrackError
 
 if TYPE_CHECKING:
     from tracker.offline.batch import Job
-    from tracker.offline.track import TrackOptions
+    from tracker.offline.options import TrackOptions
 
 
 def add_commands(commands: Any) -> None:
@@ -80,7 +80,8 @@ def _simulate(args: argparse.Namespace) -> int:
 
 def _track(args: argparse.Namespace) -> int:
     from tracker.offline.batch import plan
-    from tracker.offline.track import TrackOptions, track
+    from tracker.offline.options import TrackOptions
+    from tracker.offline.track import track
 
     options = TrackOptions(
         args.engine,

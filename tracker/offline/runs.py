@@ -24,15 +24,15 @@ from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
 from tracker.session import engine_state
+from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
 from tracker.session.writer import SessionRecorder
 from tracker.vision.rig import StereoRig
 
-Sensed = ImuSample | CameraImuSample | BlobFrame | PackedFrame
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
 
-class Run(Protocol):
+class SessionRun(Protocol):
     """What `track` feeds; ``progress`` of `finish` hears the share of the rest that is done."""
 
     def feed(self, message: Sensed) -> None: ...

@@ -6,7 +6,7 @@ import hashlib
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,11 +23,13 @@ from tracker.messages import (
     StereoFrame,
 )
 from tracker.offline.detection import detected
+from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.report import TrackReport, TruthCheck
-from tracker.offline.runs import LiveRun, Output, Run, Sensed, SmoothRun
+from tracker.offline.runs import LiveRun, Output, SessionRun, SmoothRun
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import ENGINES, Pipeline
+from tracker.session.decode_sensors import Sensed
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
@@ -38,22 +40,6 @@ from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.rig import StereoRig
 from tracker.workers import usable_cores
-
-USUAL = "usual"  # in place of a settings file: those of this version
-
-
-@dataclass(frozen=True)
-class TrackOptions:
-    """Names or paths; empty takes what the session holds."""
-
-    engine: str = ""
-    hand: str = ""
-    glove: str = ""
-    colours: str = ""
-    with_sensors: bool = False
-    settings: str = ""  # path of a TOML file of `tracker.settings.Settings`, or `USUAL`
-    smooth: bool = False  # estimates that know the whole session
-    lenses: str = ""  # left or right: track with that one alone
 
 
 def track(
@@ -96,7 +82,7 @@ def _run(
     settings: Settings,
     output: Output,
     options: TrackOptions,
-) -> Run:
+) -> SessionRun:
     changes: list[tuple[float, EngineState | StereoRig]] = list(reader.rig_changes())
     if options.smooth:
         if settings.lenses != "both":

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the room's commands; each sets ``func``, which returns the exit status."""
+    """Add the sub-commands; each sets ``func``, which returns the exit status."""
     _add_export(subparsers)
     for name, func, text in (
         ("info", _info, "what a session holds"),
@@ -45,7 +45,7 @@ def _add_json(command: argparse.ArgumentParser) -> None:
 
 
 def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    from tracker.session.formats import AXES_NAMES, FORMATS, HIDEABLE, PERSONAL, UNIT_NAMES
+    from tracker.session.export.options import AXES_NAMES, FORMATS, HIDEABLE, PERSONAL, UNITS
 
     command = subparsers.add_parser("export", help="write a session in another format")
     command.add_argument("file", type=Path, metavar="IN")
@@ -53,7 +53,7 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     command.add_argument("-o", "--output", type=Path, required=True, metavar="OUT")
     command.add_argument("--rate", type=float, metavar="HZ", help="resample to this rate")
     command.add_argument("--axes", choices=AXES_NAMES)
-    command.add_argument("--units", choices=UNIT_NAMES)
+    command.add_argument("--units", choices=UNITS)
     command.add_argument("--start", type=float, metavar="S", help="from the first estimate")
     command.add_argument("--stop", type=float, metavar="S", help="from the first estimate")
     command.add_argument("--every", type=int, default=1, metavar="N", help="draw every Nth image")
@@ -70,8 +70,8 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
 
 
 def _export(args: argparse.Namespace) -> int:
-    from tracker.session.export import ExportOptions, export
-    from tracker.session.formats import PERSONAL
+    from tracker.session.export.options import PERSONAL, ExportOptions
+    from tracker.session.export.run import export
 
     anonymous = () if args.anonymous is None else tuple(args.anonymous or PERSONAL)
     options = ExportOptions(
@@ -89,7 +89,7 @@ def _export(args: argparse.Namespace) -> int:
 
 
 def _info(args: argparse.Namespace) -> int:
-    from tracker.session.info import session_summary
+    from tracker.session.glance import session_summary
 
     found = session_summary(args.file)
     lines = [f"{args.file}: {found['duration_s']:.2f} s, {found['integrity']}"]
@@ -104,7 +104,7 @@ def _info(args: argparse.Namespace) -> int:
 
 
 def _verify(args: argparse.Namespace) -> int:
-    from tracker.session.folders import sessions_in
+    from tracker.session.glance import sessions_in
     from tracker.session.verify import verify
 
     paths = [path for path, _ in sessions_in(args.files)]
@@ -131,9 +131,9 @@ def _verdict(path: Path, findings: list[Finding]) -> tuple[dict[str, Any], list[
 def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
     """All at once, on all cores; a file that is no session counts as damaged."""
     from tracker.session.verify import Finding, verify_one
-    from tracker.workers import Task, run_all, some_workers, usable_cores
+    from tracker.workers import WorkItem, run_all, some_workers, usable_cores
 
-    tasks = [Task(verify_one, (path.absolute(),)) for path in paths]
+    tasks = [WorkItem(verify_one, (path.absolute(),)) for path in paths]
     with some_workers(min(usable_cores(), len(paths))) as workers:
         outcomes = run_all(tasks, workers, lambda share: None)
     files, lines = {}, []

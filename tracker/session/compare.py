@@ -1,4 +1,4 @@
-"""What differs between two trackings of one movement."""
+"""What differs between two trackings of one movement, and between one and the truth."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from tracker.errors import FileError
 from tracker.messages import Array, IntArray
-from tracker.session.export.motion import ExportOptions, Motion, load_motion
+from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.reader import SessionReader
 
 _ALIGNED_NS = 1_000_000
@@ -21,7 +21,7 @@ def compare(a: Path, b: Path, figure: Path | None = None) -> dict[str, Any]:
     ``figure``: a PNG or PDF of both over time. Raises FileError where nothing can be compared.
     """
     with SessionReader(a) as reader_a, SessionReader(b) as reader_b:
-        first, second = (load_motion(r, ExportOptions()) for r in (reader_a, reader_b))
+        first, second = (recorded_series(r) for r in (reader_a, reader_b))
         words = _metadata_changes(reader_a, reader_b)
     rows_a, rows_b = common_rows(first.stamp_ns, second.stamp_ns)
     if len(rows_a) == 0:
@@ -43,6 +43,34 @@ def compare(a: Path, b: Path, figure: Path | None = None) -> dict[str, Any]:
     }
 
 
+def truth_error_mm(tracked: Path, truth: Path) -> dict[str, float]:
+    """Mean distance (mm) of each keypoint of ``tracked`` from the truth that ``truth`` holds.
+
+    Empty where it holds none or no instant is common; NaN for a keypoint that was always lost.
+    Raises FileError if ``tracked`` holds no estimates.
+    """
+    with SessionReader(truth) as reader:
+        true = list(reader.truth())
+        names = reader.info.keypoint_names
+        stamps = np.array([reader.anchor.wall(e.t) for e in true], np.int64)
+    with SessionReader(tracked) as reader:
+        series = recorded_series(reader)
+    if not true:
+        return {}
+    rows, true_rows = common_rows(series.stamp_ns, stamps)
+    if len(rows) == 0:
+        return {}
+    keypoints = np.array([e.keypoints for e in true])
+    common = [n for n in series.keypoint_names if n in names]
+    mine = series.keypoints[rows][:, [series.keypoint_names.index(n) for n in common]]
+    theirs = keypoints[true_rows][:, [names.index(n) for n in common]]
+    distance_mm = 1e3 * np.linalg.norm(mine - theirs, axis=2)
+    known = np.isfinite(distance_mm)
+    total = np.where(known, distance_mm, 0.0).sum(axis=0)
+    mean = np.where(known.any(axis=0), total / np.maximum(known.sum(axis=0), 1), np.nan)
+    return {n: float(m) for n, m in zip(common, mean, strict=True)}
+
+
 def common_rows(a: IntArray, b: IntArray) -> tuple[IntArray, IntArray]:
     """Rows of both whose stamps (ns, rising) agree within a millisecond."""
     nearest = np.clip(np.searchsorted((b[1:] + b[:-1]) // 2, a), 0, len(b) - 1)
@@ -51,7 +79,7 @@ def common_rows(a: IntArray, b: IntArray) -> tuple[IntArray, IntArray]:
 
 
 def _keypoint_distance(
-    a: Motion, b: Motion, rows_a: IntArray, rows_b: IntArray
+    a: EstimateSeries, b: EstimateSeries, rows_a: IntArray, rows_b: IntArray
 ) -> tuple[list[str], Array]:
     names = [n for n in a.keypoint_names if n in b.keypoint_names]
     ia = [a.keypoint_names.index(n) for n in names]
@@ -61,7 +89,7 @@ def _keypoint_distance(
 
 
 def _angle_difference(
-    a: Motion, b: Motion, rows_a: IntArray, rows_b: IntArray
+    a: EstimateSeries, b: EstimateSeries, rows_a: IntArray, rows_b: IntArray
 ) -> tuple[list[str], Array]:
     names = [n for n in a.joint_names if n in b.joint_names]
     ia = [a.joint_names.index(n) for n in names]
@@ -69,7 +97,7 @@ def _angle_difference(
     return names, np.rad2deg(a.angles[rows_a][:, ia] - b.angles[rows_b][:, ib])
 
 
-def _identical(a: Motion, b: Motion) -> bool:
+def _identical(a: EstimateSeries, b: EstimateSeries) -> bool:
     """Whether every number and state is the same to the last bit."""
     pairs = [
         (a.stamp_ns, b.stamp_ns),

@@ -29,7 +29,7 @@ class EstimateDecoder:
         self.states_topic = name(info.side, "states")
         self._tracking = Tracking.TRACKING
         self._words: dict[str, dict[str, str]] = {}
-        self._joints: motion.Joints | None = None
+        self._joints: motion.JointState | None = None
         self._sd: Array | None = None
         self._segments: dict[int, list[motion.Transform]] = {}
 
@@ -60,7 +60,7 @@ class EstimateDecoder:
             else:
                 self._words[s.name] = s.values
 
-    def _build(self, poses: motion.Poses) -> Estimate:
+    def _build(self, poses: motion.PoseArray) -> Estimate:
         n = len(self._keypoint_names)
         keypoints, q = np.full((n, 3), np.nan), np.full((n, 4), np.nan)
         rows = min(n, len(poses.position))

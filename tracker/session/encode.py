@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from typing import NamedTuple
 
 import numpy as np
@@ -17,14 +17,19 @@ from tracker.messages import (
     Calibration,
     CameraImuSample,
     CameraPose,
+    EngineState,
     Estimate,
     Event,
+    FrameResult,
     ImuSample,
+    Message,
     Status,
+    StereoFrame,
     Tracking,
     Validity,
 )
 from tracker.session.description import SessionInfo
+from tracker.session.images import PackedFrame, encode_image
 from tracker.session.ros import motion, sensors, topics
 from tracker.vision.rig import StereoRig
 
@@ -40,15 +45,46 @@ class Out(NamedTuple):
     sequence: int = 0
 
 
+@dataclass(frozen=True)
+class ImageCoding:
+    """``kind``: jpeg, png (lossless) or none (blobs only); ``quality`` 1 to 100 of a JPEG."""
+
+    kind: str = "jpeg"
+    quality: int = 90
+
+
 class Encoder:
     """Turns messages into bytes; remembers what was said last where only changes are written."""
 
-    def __init__(self, info: SessionInfo) -> None:
+    def __init__(self, info: SessionInfo, images: ImageCoding) -> None:
+        self._coding = images
         self._info, self._side, self._wall = info, info.side, info.anchor.wall
         self._segments = [f"{info.side}_{s}" for s in info.hand.segment_names]
         self._states: object = None
         self._pose_stamp = -1
         self._last_imu = 0
+
+    def encoded(self, message: Message) -> Iterator[Out]:
+        """Of any message. A FrameResult follows from the rest, an EngineState is an attachment."""
+        match message:
+            case ImuSample():
+                return self.imu(message)
+            case CameraImuSample():
+                return self.camera_imu(message)
+            case StereoFrame():
+                return self.images(message)
+            case BlobFrame():
+                return self.blobs(message)
+            case Estimate():
+                return self.estimate(message)
+            case Calibration():
+                return self.calibration(message)
+            case Status():
+                return self.status(message)
+            case Event():
+                return self.event(message)
+            case FrameResult() | EngineState():
+                return iter(())
 
     def imu(self, m: ImuSample) -> Iterator[Out]:
         """Per IMU that answered one message, then the packet's times on both clocks."""
@@ -57,7 +93,7 @@ class Encoder:
         sequence = (m.seq + 1) % 2**32
         for i, name in enumerate(self._info.glove.imu_names):
             if m.valid[i]:
-                data = sensors.pack_imu(sensors.Imu(stamp, name, m.gyro[i], m.accel[i]))
+                data = sensors.pack_imu(sensors.ImuMessage(stamp, name, m.gyro[i], m.accel[i]))
                 yield Out(topics.imu(self._side, name), sensors.IMU, log, stamp, data, sequence)
         known = math.isfinite(m.t_device)
         reference = nanoseconds(m.t_device) if known else 0
@@ -69,7 +105,7 @@ class Encoder:
     def camera_imu(self, m: CameraImuSample) -> Iterator[Out]:
         """What the camera's own IMU measures, in its frame."""
         stamp, frame = self._wall(m.t), topics.camera_frame("left")
-        data = sensors.pack_imu(sensors.Imu(stamp, frame, m.gyro, m.accel))
+        data = sensors.pack_imu(sensors.ImuMessage(stamp, frame, m.gyro, m.accel))
         yield Out(topics.CAMERA_IMU, sensors.IMU, self._wall(m.t_arrival), stamp, data)
 
     def camera_pose(self, t: float, t_arrival: float, pose: CameraPose | None) -> Iterator[Out]:
@@ -79,13 +115,27 @@ class Encoder:
             self._pose_stamp = stamp
             yield from pose_messages(topics.TF, pose, self._wall(t_arrival), stamp)
 
-    def image(
-        self, camera: str, t: float, t_arrival: float, index: int, kind: str, image: bytes
-    ) -> Out:
-        stamp = self._wall(t)
-        data = sensors.pack_image(sensors.Image(stamp, topics.camera_frame(camera), kind, image))
-        log = self._wall(t_arrival)
-        return Out(topics.image(camera), sensors.IMAGE, log, stamp, data, (index + 1) % 2**32)
+    def images(self, m: StereoFrame) -> Iterator[Out]:
+        """Both images, compressed, after the pose of a camera that moves."""
+        yield from self.camera_pose(m.t, m.t_arrival, m.pose)
+        kind, quality = self._coding.kind, self._coding.quality
+        if kind == "none":
+            return
+        for camera, image in (("left", m.left), ("right", m.right)):
+            if image is not None:
+                yield self._image(camera, m, kind, encode_image(image, kind, quality))
+
+    def packed_images(self, m: PackedFrame) -> Iterator[Out]:
+        """Images of another session, byte for byte."""
+        yield from self.camera_pose(m.t, m.t_arrival, m.pose)
+        for camera, part in m.parts.items():
+            yield self._image(camera, m, part.format, part.data)
+
+    def _image(self, camera: str, m: StereoFrame | PackedFrame, kind: str, image: bytes) -> Out:
+        stamp, log = self._wall(m.t), self._wall(m.t_arrival)
+        frame = topics.camera_frame(camera)
+        data = sensors.pack_image(sensors.ImageMessage(stamp, frame, kind, image))
+        return Out(topics.image(camera), sensors.IMAGE, log, stamp, data, (m.index + 1) % 2**32)
 
     def blobs(self, m: BlobFrame) -> Iterator[Out]:
         stamp, log = self._wall(m.t), self._wall(m.t_arrival)
@@ -118,14 +168,16 @@ class Encoder:
     def _joints(self, topic: str, m: Estimate, stamp: int, log: int) -> Out:
         names = self._info.hand.joint_names
         known = np.flatnonzero(np.isfinite(m.angles) & (m.angle_state != Validity.LOST))
-        data = motion.pack_joints(motion.Joints(stamp, [names[i] for i in known], m.angles[known]))
+        data = motion.pack_joints(
+            motion.JointState(stamp, [names[i] for i in known], m.angles[known])
+        )
         return Out(topic, motion.JOINTS, log, stamp, data)
 
     def _keypoints(self, topic: str, m: Estimate, stamp: int, log: int) -> Out:
         lost = (m.keypoint_state == Validity.LOST)[:, None]
         position = np.where(lost, np.nan, m.keypoints)
         orientation = np.where(lost, np.nan, m.keypoint_q)
-        data = motion.pack_poses(motion.Poses(stamp, topics.WORLD, position, orientation))
+        data = motion.pack_poses(motion.PoseArray(stamp, topics.WORLD, position, orientation))
         return Out(topic, motion.POSES, log, stamp, data)
 
     def _segment_poses(self, m: Estimate, stamp: int, log: int) -> Out:

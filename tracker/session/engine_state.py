@@ -22,7 +22,7 @@ import numpy as np
 import zstandard
 
 from tracker.errors import FileError
-from tracker.session.mcap.decompress import decompress
+from tracker.session.mcap.chunks import decompress
 
 NAME = "engine_state"
 MEDIA_TYPE = "application/octet-stream"

@@ -1,15 +1,17 @@
-"""How good a session is and what it looks like, from a few places of the file."""
+"""Sessions at a glance: which a folder has, what each holds, how good it is, how it looks."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.errors import GlovetrackError
+from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Tracking
 from tracker.session.decode_estimate import tracking_of
 from tracker.session.images import decode_image
@@ -19,6 +21,75 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
 PLACES = 20
+
+
+def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:
+    """(session, name for what is made of it) of files and folders; folders with all below them.
+
+    ``leave_out`` is a folder that is not looked into. Raises FileError for a folder without any.
+    """
+    found: list[tuple[Path, Path]] = []
+    for source in sources:
+        if not source.is_dir():
+            found.append((source, Path(source.name)))
+            continue
+        inside = [
+            p for p in sorted(source.rglob("*.mcap")) if leave_out not in p.parents and p.is_file()
+        ]
+        if not inside:
+            raise FileError(f"There is no session in {source}.")
+        found += [(p, p.relative_to(source)) for p in inside]
+    return found
+
+
+def session_summary(path: Path) -> dict[str, Any]:
+    """Length, topics with rates, engine and whether the file is whole (see `commands`' --json)."""
+    with SessionReader(path) as reader:
+        duration = reader.duration
+        counts = _counts(reader)
+        held = {
+            channel.topic: {
+                "type": reader.source.type_of(channel),
+                "count": counts.get(i, 0),
+                "rate_hz": round(counts.get(i, 0) / duration, 3) if duration else 0.0,
+            }
+            for i, channel in sorted(
+                reader.source.contents.channels.items(), key=lambda c: c[1].topic
+            )
+        }
+        metadata = reader.metadata
+        return {
+            "duration_s": duration,
+            "topics": held,
+            "engine": metadata.get("engine", ""),
+            "version": metadata.get("version", ""),
+            "simulated": metadata.get("simulated") == "true",
+            "integrity": _integrity(reader),
+        }
+
+
+def _integrity(reader: SessionReader) -> str:
+    contents = reader.source.contents
+    if not contents.finished:
+        return "unfinished"
+    return "damaged" if contents.damage else "ok"
+
+
+def _counts(reader: SessionReader) -> dict[int, int]:
+    """Messages by channel id; counted one by one where the file has no summary."""
+    contents = reader.source.contents
+    if contents.counts is not None:
+        return contents.counts
+    ids = {c.topic: i for i, c in contents.channels.items()}
+    counts: dict[int, int] = {}
+    for i in range(len(contents.spans)):
+        try:
+            messages = reader.source.messages_in(contents.spans[i])
+        except FileError:
+            continue  # a damaged chunk holds no message; `verify` speaks of it
+        for m in messages:
+            counts[ids[m.topic]] = counts.get(ids[m.topic], 0) + 1
+    return counts
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,7 @@ class PackedFrame:
 
     t: float
     t_arrival: float
-    parts: dict[str, sensors.Image]
+    parts: dict[str, sensors.ImageMessage]
     pose: CameraPose | None
     index: int
 
@@ -54,6 +54,15 @@ def decode_image(data: bytes, name: str) -> NDArray[np.uint8]:
     if image is None:
         raise FileError(f"An image of {name} is damaged.")
     return np.asarray(image, np.uint8)
+
+
+def encode_image(image: NDArray[np.uint8], kind: str, quality: int) -> bytes:
+    """A BGR image as JPEG (of ``quality`` 1 to 100) or PNG bytes."""
+    if kind == "jpeg":
+        _, data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])
+    else:
+        _, data = cv2.imencode(".png", image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
+    return data.tobytes()
 
 
 def image_size(data: bytes) -> tuple[int, int] | None:

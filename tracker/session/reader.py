@@ -10,32 +10,24 @@ from types import TracebackType
 import numpy as np
 
 from tracker.clock import NS, ClockAnchor
-from tracker.errors import ConfigError, FileError
+from tracker.errors import FileError
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
-from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
+from tracker.messages import EngineState, Estimate, Message, StereoFrame
 from tracker.session import description, engine_state
-from tracker.session.decode import (
-    MESSAGE_KINDS,
-    Decoded,
-    Decoder,
-    Timing,
-    exact_pose,
-    is_camera,
-    pose_of,
-)
+from tracker.session.decode import MESSAGE_KINDS, Decoded, MessageDecoder
 from tracker.session.decode_estimate import EstimateDecoder
+from tracker.session.decode_sensors import Timing
 from tracker.session.description import SessionInfo
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import FOREVER, McapInput
 from tracker.session.mcap.ordering import last_before, ordered
-from tracker.session.rigs import rig_changes
-from tracker.session.ros import motion, sensors, topics
+from tracker.session.rigs import first_rig, rig_changes
+from tracker.session.ros import topics
 from tracker.session.ros.cdr import CdrReader, in_words
-from tracker.vision.rig import Camera, StereoRig
+from tracker.vision.rig import StereoRig
 
-_FOREIGN_PATIENCE = NS // 10  # images of others may be this late against their IMUs
-_LOOK_FOR_RIG = 500  # messages
+_FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late against their IMUs
 _WATCH_EVERY = 200  # messages
 
 
@@ -78,7 +70,7 @@ class SessionReader:
 
     @cached_property
     def metadata(self) -> dict[str, str]:
-        """The record ``glovetrack``; empty in a session of others."""
+        """The record ``glovetrack``; empty in a foreign session."""
         for record in self.source.metadata():
             if record.name == description.METADATA:
                 return dict(record.metadata)
@@ -117,7 +109,7 @@ class SessionReader:
 
     @cached_property
     def anchor(self) -> ClockAnchor:
-        """The session's clock; in a session of others it starts at one second."""
+        """The session's clock; in a foreign session it starts at one second."""
         try:
             return ClockAnchor(
                 int(self.metadata["wall_clock_ns"]), int(self.metadata["monotonic_ns"])
@@ -143,7 +135,7 @@ class SessionReader:
         hand = parse_hand(hand_text, f"{self.path}, hand.toml")
         glove = parse_glove(glove_text, hand, f"{self.path}, glove.toml")
         m = self.metadata
-        rig, moving = self._find_rig()
+        rig, moving = first_rig(self.source)
         known = description.SessionInfo(hand, glove, "", "", self.anchor).metadata().keys()
         return SessionInfo(
             hand=hand,
@@ -179,35 +171,6 @@ class SessionReader:
         found = list(rig_changes(self.source, moving))
         return [(self.anchor.monotonic(log_time), rig) for log_time, rig in found[1:]]
 
-    def _find_rig(self) -> tuple[StereoRig | None, bool]:
-        """The rig at the start, and whether its camera moves."""
-        cameras: dict[str, Camera] = {}
-        exact: CameraPose | None = None
-        fixed: CameraPose | None = None
-        first: CameraPose | None = None
-        infos = {topics.camera_info(c): c for c in topics.SIDES}
-        wanted = frozenset([*infos, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
-        for n, raw in enumerate(ordered(self.source, wanted)):
-            with in_words(raw.topic):
-                if raw.topic in infos:
-                    cameras.setdefault(infos[raw.topic], sensors.unpack_camera_info(raw.data))
-                elif raw.topic == topics.CAMERA_POSE:
-                    exact = exact or exact_pose(raw.data)
-                else:
-                    for t in filter(is_camera, motion.unpack_transforms(raw.data)):
-                        if raw.topic == topics.TF_STATIC:
-                            fixed = fixed or pose_of(t)
-                        first = first or pose_of(t)
-            if (len(cameras) == 2 and first is not None) or n > _LOOK_FOR_RIG:
-                break
-        pose = exact or fixed or first
-        if len(cameras) < 2 or pose is None:
-            return None, fixed is None
-        try:
-            return StereoRig(cameras["left"], cameras["right"], pose), fixed is None
-        except ConfigError as error:
-            raise FileError(f"{self.path}: {error}") from error
-
     def messages(
         self,
         kinds: Collection[type] = MESSAGE_KINDS,
@@ -228,7 +191,7 @@ class SessionReader:
         end: float | None = None,
     ) -> Iterator[Decoded]:
         """As `messages`, with a PackedFrame for each StereoFrame: to be unpacked elsewhere."""
-        decoder = Decoder(
+        decoder = MessageDecoder(
             self.info, topics.packets(self.info.side) in self.topic_names, self._timing
         )
         first = 0 if start is None else max(self.anchor.wall(start), 0)
@@ -258,7 +221,7 @@ class SessionReader:
 
     @cached_property
     def _timing(self) -> Timing:
-        """None is needed for our own files; for others half of each period."""
+        """None is needed for our own files; for foreign ones half of each period."""
         if self.metadata:
             return Timing()
         side = self.info.side

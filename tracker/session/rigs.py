@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from tracker.errors import ConfigError
+import numpy as np
+
+from tracker.errors import ConfigError, FileError
+from tracker.geometry import so3
 from tracker.messages import CameraPose
-from tracker.session.decode import exact_pose, is_camera, pose_of
 from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.ordering import ordered
 from tracker.session.ros import motion, sensors, topics
@@ -15,7 +17,67 @@ from tracker.session.ros.cdr import in_words
 from tracker.vision.rig import Camera, StereoRig
 
 _INFOS = {topics.camera_info(c): c for c in topics.SIDES}
+_LOOK_FOR_RIG = 500  # messages
 _BEFORE_CONTENT = 12  # bytes of CDR header and stamp, which differ where nothing else does
+
+
+def is_camera(t: motion.Transform) -> bool:
+    """Whether a transform is that of the left camera in the world."""
+    return t.frame.lstrip("/") == topics.WORLD and t.child.lstrip("/") == "camera_left"
+
+
+def pose_of(t: motion.Transform) -> CameraPose:
+    return CameraPose(so3.matrix_from_quat(t.rotation), np.array(t.translation))
+
+
+def exact_pose(data: bytes) -> CameraPose:
+    """A pose from the twelve numbers on `topics.CAMERA_POSE`."""
+    values = motion.unpack_numbers(data)
+    if len(values) != 12:
+        raise ValueError("a camera's pose has twelve numbers")
+    return CameraPose(values[:9].reshape(3, 3).copy(), values[9:].copy())
+
+
+@dataclass
+class _Start:
+    """What is said of the camera first."""
+
+    cameras: dict[str, Camera] = field(default_factory=dict)
+    exact: CameraPose | None = None
+    fixed: CameraPose | None = None
+    first: CameraPose | None = None
+
+    def hear(self, raw: RawMessage) -> None:
+        with in_words(raw.topic):
+            if raw.topic in _INFOS:
+                self.cameras.setdefault(_INFOS[raw.topic], sensors.unpack_camera_info(raw.data))
+            elif raw.topic == topics.CAMERA_POSE:
+                self.exact = self.exact or exact_pose(raw.data)
+            else:
+                for t in filter(is_camera, motion.unpack_transforms(raw.data)):
+                    if raw.topic == topics.TF_STATIC:
+                        self.fixed = self.fixed or pose_of(t)
+                    self.first = self.first or pose_of(t)
+
+
+def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
+    """The rig at the start, None where it is not all there, and whether its camera moves.
+
+    Raises FileError where left and right are not of one calibration.
+    """
+    start = _Start()
+    wanted = frozenset([*_INFOS, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
+    for n, raw in enumerate(ordered(source, wanted)):
+        start.hear(raw)
+        if (len(start.cameras) == 2 and start.first is not None) or n > _LOOK_FOR_RIG:
+            break
+    pose, moving = start.exact or start.fixed or start.first, start.fixed is None
+    if len(start.cameras) < 2 or pose is None:
+        return None, moving
+    try:
+        return StereoRig(start.cameras["left"], start.cameras["right"], pose), moving
+    except ConfigError as error:
+        raise FileError(f"{source.path}: {error}") from error
 
 
 @dataclass

@@ -7,28 +7,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from types import TracebackType
 
-import cv2
-import numpy as np
-from numpy.typing import NDArray
-
 from tracker.clock import seconds
 from tracker.errors import ConfigError, FileError
-from tracker.messages import (
-    BlobFrame,
-    Calibration,
-    CameraImuSample,
-    EngineState,
-    Estimate,
-    Event,
-    FrameResult,
-    ImuSample,
-    Message,
-    Status,
-    StereoFrame,
-)
+from tracker.messages import EngineState, Estimate, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.description import METADATA, SessionInfo
-from tracker.session.encode import Encoder, Out
+from tracker.session.encode import Encoder, ImageCoding, Out
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.container import COMPRESSION, McapOutput
 from tracker.session.mcap.disk import DiskError, automatic_path, free_bytes
@@ -89,7 +73,7 @@ class SessionRecorder:
         if path.parent.is_dir():
             self._check_room()
         self._out: McapOutput | None = self._open()
-        self._encoder = Encoder(info)
+        self._encoder = Encoder(info, ImageCoding(self.params.images, self.params.jpeg_quality))
         self._messages = self._frames = self._thinned = 0
         self._next_check = info.anchor.wall_ns
         self._guarded(self._write_start)
@@ -147,39 +131,11 @@ class SessionRecorder:
                 self._thinned += 1
                 return
             self._frames += 1
-        self._put(out, self._encoded(message))
-
-    def _encoded(self, message: Message) -> Iterator[Out]:
-        match message:
-            case ImuSample():
-                return self._encoder.imu(message)
-            case CameraImuSample():
-                return self._encoder.camera_imu(message)
-            case StereoFrame():
-                return self._images(message)
-            case BlobFrame():
-                return self._encoder.blobs(message)
-            case Estimate():
-                return self._encoder.estimate(message)
-            case Calibration():
-                return self._encoder.calibration(message)
-            case Status():
-                return self._encoder.status(message)
-            case Event():
-                return self._encoder.event(message)
-            case FrameResult() | EngineState():
-                return iter(())
+        self._put(out, self._encoder.encoded(message))
 
     def write_packed(self, frame: PackedFrame) -> None:
         """Images of another session, byte for byte."""
-        self._guarded(lambda out: self._put(out, self._packed(frame)))
-
-    def _packed(self, frame: PackedFrame) -> Iterator[Out]:
-        yield from self._encoder.camera_pose(frame.t, frame.t_arrival, frame.pose)
-        for camera, part in frame.parts.items():
-            yield self._encoder.image(
-                camera, frame.t, frame.t_arrival, frame.index, part.format, part.data
-            )
+        self._guarded(lambda out: self._put(out, self._encoder.packed_images(frame)))
 
     def write_truth(self, truth: Estimate) -> None:
         """What a simulated hand really did at an instant."""
@@ -189,22 +145,6 @@ class SessionRecorder:
         """A calibration that holds from ``t`` on."""
         self.info = replace(self.info, rig=rig)
         self._guarded(lambda out: self._put(out, self._encoder.rig(rig, t)))
-
-    def copy(self, topic: str, kind: str, log: int, stamp: int, data: bytes, sequence: int) -> None:
-        """Write a message of another session as it is."""
-        one = iter([Out(topic, kind, log, stamp, data, sequence)])
-        self._guarded(lambda out: self._put(out, one))
-
-    def _images(self, m: StereoFrame) -> Iterator[Out]:
-        yield from self._encoder.camera_pose(m.t, m.t_arrival, m.pose)
-        if self.params.images == "none":
-            return
-        for camera, image in (("left", m.left), ("right", m.right)):
-            if image is not None:
-                encoded = encode_image(image, self.params.images, self.params.jpeg_quality)
-                yield self._encoder.image(
-                    camera, m.t, m.t_arrival, m.index, self.params.images, encoded
-                )
 
     def _put(self, out: McapOutput, messages: Iterator[Out]) -> None:
         for m in messages:
@@ -254,15 +194,6 @@ class SessionRecorder:
         trace: TracebackType | None,
     ) -> None:
         self.close()
-
-
-def encode_image(image: NDArray[np.uint8], kind: str, quality: int) -> bytes:
-    """A BGR image as JPEG or PNG bytes."""
-    if kind == "jpeg":
-        _, data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])
-    else:
-        _, data = cv2.imencode(".png", image, [cv2.IMWRITE_PNG_COMPRESSION, 1])
-    return data.tobytes()
 
 
 def _checked(p: RecorderParams) -> RecorderParams:

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from app.jobs.export import ExportRequest
 from app.viewmodels.recording import place_text
-from tracker.session.formats import AXES_NAMES, FORMATS, PERSONAL, UNIT_NAMES
+from tracker.session.export.options import AXES_NAMES, FORMATS, PERSONAL, UNITS
 from tracker.session.mcap.disk import free_path
 
 MAX_RATE_HZ = 2000.0
@@ -69,7 +69,7 @@ class ExportDialog(QDialog):
         self.rate.setSuffix(self.tr(" Hz"))
         self.rate.setSpecialValueText(self.tr("as recorded"))
         self.axes = self._choice(AXES_NAMES)
-        self.units = self._choice(UNIT_NAMES)
+        self.units = self._choice(tuple(UNITS))
         self.anonymous = QCheckBox(self.tr("without participant and notes"))
 
     def _choice(self, names: Sequence[str]) -> QComboBox:

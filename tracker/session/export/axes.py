@@ -1,17 +1,14 @@
-"""Axis conventions of others."""
+"""Axis conventions of other programs."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from tracker.messages import Array
-
-if TYPE_CHECKING:
-    from tracker.session.export.motion import Motion
+from tracker.session.export.series import EstimateSeries
 
 _MIRROR = np.diag([1.0, -1.0, 1.0])
 
@@ -43,7 +40,7 @@ AXES = {
 }
 
 
-def turned(m: Motion, name: str) -> Motion:
+def turned(m: EstimateSeries, name: str) -> EstimateSeries:
     """Positions and orientations in the axes ``name``.
 
     A bone's own axes stay (x along it, z dorsal); in left-handed ones its y is turned round, so

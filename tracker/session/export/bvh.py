@@ -11,15 +11,17 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tracker.session.export.motion import UNITS, ExportOptions, Motion, load_motion
+from tracker.session.export.load import load_series
+from tracker.session.export.options import UNITS, ExportOptions
+from tracker.session.export.series import EstimateSeries
 from tracker.session.export.skeleton import Skeleton, skeleton
 from tracker.session.reader import SessionReader
 
 _TURN = "Zrotation Yrotation Xrotation"
 
 
-def export_bvh(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
-    m = load_motion(reader, replace(options, joints=()), even=True, axes="y-up")
+def export_bvh(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
+    m = load_series(reader, replace(options, joints=()), even=True, axes="y-up")
     tree, scale = skeleton(m), UNITS[options.units or "cm"]
     lines = ["HIERARCHY"]
     order: list[int] = []

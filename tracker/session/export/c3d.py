@@ -7,13 +7,15 @@ from pathlib import Path
 import ezc3d
 import numpy as np
 
-from tracker.session.export.motion import UNITS, ExportOptions, Motion, load_motion
+from tracker.session.export.load import load_series
+from tracker.session.export.options import UNITS, ExportOptions
+from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
 
 
-def export_c3d(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
+def export_c3d(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """A lost point is invalid in the file (negative residual, NaN); it is never at the origin."""
-    m = load_motion(reader, options, even=True)
+    m = load_series(reader, options, even=True)
     unit = options.units or "mm"
     points = np.ones((4, len(m.keypoint_names), len(m)))
     points[:3] = m.keypoints.transpose(2, 1, 0) * UNITS[unit]

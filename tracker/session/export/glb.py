@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tracker.session.export.motion import ExportOptions, Motion, load_motion
+from tracker.session.export.load import load_series
+from tracker.session.export.options import ExportOptions
 from tracker.session.export.resample import continuous
+from tracker.session.export.series import EstimateSeries
 from tracker.session.export.skeleton import Skeleton, skeleton
 from tracker.session.reader import SessionReader
 
@@ -26,8 +28,8 @@ _FACES = np.array(
 )
 
 
-def export_glb(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
-    m = load_motion(reader, replace(options, joints=()), axes="y-up")
+def export_glb(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
+    m = load_series(reader, replace(options, joints=()), axes="y-up")
     tree = skeleton(m)
     path.write_bytes(_document(m, tree))
     return replace(m, notes={**m.notes, "held": tree.held})
@@ -60,7 +62,7 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def _document(m: Motion, tree: Skeleton) -> bytes:
+def _document(m: EstimateSeries, tree: Skeleton) -> bytes:
     buffer = _Buffer()
     mesh = {
         "attributes": {"POSITION": buffer.add(_CORNERS, "VEC3")},
@@ -119,7 +121,7 @@ def _bone(offset: np.ndarray, name: str) -> dict[str, Any]:
     }
 
 
-def _animation(m: Motion, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
+def _animation(m: EstimateSeries, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
     t = buffer.add(m.elapsed.astype("<f4"), "SCALAR")
     outputs = [(0, "translation", buffer.add(tree.root.astype("<f4"), "VEC3"))]
     for i in range(len(tree.names)):

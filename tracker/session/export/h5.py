@@ -8,13 +8,15 @@ import h5py
 import numpy as np
 
 from tracker.messages import Validity
-from tracker.session.export.motion import UNITS, ExportOptions, Motion, load_motion
+from tracker.session.export.load import load_series
+from tracker.session.export.options import UNITS, ExportOptions
+from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
 
 
-def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
+def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """``/stamp_ns``, ``/keypoints/{position,orientation,state}`` and ``/joints/{angle,state}``."""
-    m = load_motion(reader, options)
+    m = load_series(reader, options)
     unit = options.units or "m"
     with h5py.File(path, "w") as file:
         file.create_dataset("stamp_ns", data=m.stamp_ns).attrs["unit"] = "ns since 1970"

@@ -8,9 +8,8 @@ from pathlib import Path
 from tracker.errors import ConfigError
 from tracker.messages import Estimate
 from tracker.session import description, engine_state
-from tracker.session.export.motion import ExportOptions
-from tracker.session.mcap.container import McapOutput
-from tracker.session.mcap.copying import Copier
+from tracker.session.export.options import ExportOptions
+from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import FOREVER, RawMessage
 from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.reader import SessionReader

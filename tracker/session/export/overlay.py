@@ -1,9 +1,10 @@
-"""The left images with the tracked hand drawn over them."""
+"""The left images with the tracked hand drawn over them, as a film (MP4) or a folder of PNG."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -12,7 +13,9 @@ from numpy.typing import NDArray
 from tracker.clock import NS
 from tracker.errors import FileError
 from tracker.messages import Array, StereoFrame, Validity
-from tracker.session.export.motion import ExportOptions, Motion, load_motion
+from tracker.session.export.load import load_series
+from tracker.session.export.options import ExportOptions
+from tracker.session.export.series import EstimateSeries, seconds_text
 from tracker.session.export.skeleton import bone_tree
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
@@ -21,6 +24,7 @@ from tracker.vision.rig import StereoRig
 Image = NDArray[np.uint8]
 _COLOUR = {Validity.MEASURED: (80, 220, 80), Validity.INFERRED: (60, 180, 250)}  # BGR
 _NEAR_NS = 50_000_000
+TABLE = "pictures.csv"
 _LATE_S = 0.2  # s that an image may arrive after its exposure
 
 
@@ -30,11 +34,11 @@ class Overlay:
 
     reader: SessionReader
     options: ExportOptions
-    motion: Motion = field(init=False)
+    motion: EstimateSeries = field(init=False)
 
     def __post_init__(self) -> None:
         span = ExportOptions(start=self.options.start, stop=self.options.stop)
-        object.__setattr__(self, "motion", load_motion(self.reader, span))
+        object.__setattr__(self, "motion", load_series(self.reader, span))
 
     def images(self) -> Iterator[tuple[int, Image]]:
         """(stamp ns, (h, w, 3) BGR) of every chosen image of the tracked time, at ``rate`` with
@@ -111,3 +115,46 @@ def _pixel(uv: Array) -> tuple[int, int]:
     """Whole pixels, held to what OpenCV can draw."""
     u, v = np.clip(np.round(uv), -30000, 30000).astype(int)
     return int(u), int(v)
+
+
+def export_mp4(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
+    """Raises FileError if the session has no images, or this computer cannot write MP4."""
+    overlay = Overlay(reader, options)
+    rate, count = overlay.frame_rate(), 0
+    writer: cv2.VideoWriter | None = None
+    try:
+        for _, image in overlay.images():
+            writer = writer or _open(path, rate, image)
+            writer.write(image)
+            count += 1
+    finally:
+        if writer is not None:
+            writer.release()
+    notes: dict[str, object] = {"pictures": count, "pictures_per_second": round(rate, 3)}
+    return replace(overlay.motion, notes=notes)
+
+
+def _open(path: Path, rate: float, image: Image) -> cv2.VideoWriter:
+    size = image.shape[1], image.shape[0]
+    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"mp4v"), rate, size)
+    if not writer.isOpened():
+        raise FileError(f"OpenCV on this computer cannot write {path.name}.")
+    return writer
+
+
+def export_png(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
+    """``path`` becomes a folder of 000000.png… and ``pictures.csv`` (file, t in s).
+
+    Raises FileError if the session has no images.
+    """
+    overlay = Overlay(reader, options)
+    zero = int(overlay.motion.stamp_ns[0]) if "time" in options.anonymous else 0
+    path.mkdir()
+    lines = ["file,t"]
+    for k, (stamp, image) in enumerate(overlay.images()):
+        name = f"{k:06d}.png"
+        if not cv2.imwrite(str(path / name), image):
+            raise FileError(f"{name} cannot be written: the disk may be full.")
+        lines.append(f"{name},{seconds_text(stamp - zero)}")
+    (path / TABLE).write_text("\n".join(lines) + "\n", "utf-8")
+    return replace(overlay.motion, notes={"pictures": len(lines) - 1})

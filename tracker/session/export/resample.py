@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,12 +11,10 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from tracker.clock import NS
 from tracker.messages import Array
-
-if TYPE_CHECKING:
-    from tracker.session.export.motion import Motion
+from tracker.session.export.series import EstimateSeries
 
 
-def resample(m: Motion, rate: float) -> Motion:
+def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
     """Estimates at ``rate`` Hz.
 
     A number next to one that was lost stays lost; states are those of the nearest estimate.
@@ -37,7 +34,7 @@ def resample(m: Motion, rate: float) -> Motion:
     )
 
 
-def low_passed(m: Motion, rate: float) -> Motion:
+def low_passed(m: EstimateSeries, rate: float) -> EstimateSeries:
     """A Gaussian that halves what lies at 0.4 of the new rate, so that little folds over."""
     sigma = np.sqrt(2 * np.log(2)) / (2 * np.pi * 0.4 * rate) * m.rate  # samples
     reach = max(int(np.ceil(3 * sigma)), 1)

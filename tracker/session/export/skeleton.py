@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from tracker.errors import FileError
 from tracker.hand.names import CHAINS
 from tracker.messages import Array
-from tracker.session.export.motion import Motion
+from tracker.session.export.series import EstimateSeries
 
 ROOT = "wrist"
 _DIGITS = {
@@ -35,7 +35,7 @@ class Skeleton:
         return [k for k, p in enumerate(self.parent) if p == i]
 
 
-def skeleton(m: Motion) -> Skeleton:
+def skeleton(m: EstimateSeries) -> Skeleton:
     """The tree of a motion. Raises FileError where a keypoint was never seen."""
     names, parent = bone_tree(m.keypoint_names)
     columns = [m.keypoint_names.index(n) for n in names]

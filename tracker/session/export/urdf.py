@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from tracker.hand.model import HandModel, Segment
 from tracker.hand.names import AXES
 from tracker.messages import Array, Calibration
-from tracker.session.export.motion import ExportOptions
+from tracker.session.export.options import ExportOptions
 from tracker.session.reader import SessionReader
 
 _VECTOR = {"abduction": "0 0 1", "flexion": "0 1 0", "twist": "1 0 0"}

@@ -8,7 +8,8 @@ from mcap.writer import CompressionType, Writer
 
 from tracker import __version__
 from tracker.session.mcap.disk import WholeRecordFile
-from tracker.session.mcap.schemas import definition
+from tracker.session.mcap.input import McapInput, RawMessage
+from tracker.session.ros.definitions import definition
 
 COMPRESSION = {
     "lz4": CompressionType.LZ4,
@@ -101,3 +102,24 @@ class McapOutput:
     def abandon(self) -> None:
         """Close the file as it is; `recover` makes a regular one of it."""
         self._file.close()
+
+
+class Copier:
+    """Writes messages of ``source`` to ``out`` as they are, with their channels and schemas."""
+
+    def __init__(self, source: McapInput, out: McapOutput) -> None:
+        contents = source.contents
+        self._out = out
+        schemas = {
+            s.id: out.add_schema(s.name, s.encoding, s.data) for s in contents.schemas.values()
+        }
+        self._channels = {
+            (c.topic, source.type_of(c)): out.add_channel(
+                c.topic, c.message_encoding, schemas.get(c.schema_id, 0), dict(c.metadata)
+            )
+            for c in contents.channels.values()
+        }
+
+    def copy(self, m: RawMessage) -> None:
+        channel = self._channels[m.topic, m.type]
+        self._out.write(channel, m.log_time, m.publish_time, m.data, m.sequence)

@@ -6,7 +6,8 @@ import heapq
 from collections.abc import Callable, Iterator
 
 from tracker.errors import FileError
-from tracker.session.mcap.input import FOREVER, LIMIT, McapInput, RawMessage
+from tracker.session.mcap.input import FOREVER, McapInput, RawMessage
+from tracker.session.mcap.records import LIMIT
 
 
 def ordered(

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracker.errors import FileError
-from tracker.session.mcap.container import McapOutput
-from tracker.session.mcap.copying import Copier
+from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.disk import free_path
-from tracker.session.mcap.input import Damage, McapInput
+from tracker.session.mcap.input import McapInput
+from tracker.session.mcap.records import Damage
 
 
 @dataclass(frozen=True)

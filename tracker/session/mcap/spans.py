@@ -67,21 +67,22 @@ class Spans:
         return self._order
 
 
-class Run:
-    """Loose messages that stand one after the other."""
+class LooseMessages:
+    """Messages outside of chunks; those that stand one after the other become one span."""
 
-    def __init__(self) -> None:
+    def __init__(self, spans: Spans) -> None:
+        self._spans = spans
         self._offset = self._length = self._start = self._end = 0
 
-    def add(self, spans: Spans, offset: int, length: int, log_time: int) -> None:
+    def add(self, offset: int, length: int, log_time: int) -> None:
         if self._length and self._length + length > RUN:
-            self.flush(spans)
+            self.flush()
         if not self._length:
             self._offset, self._start, self._end = offset, log_time, log_time
         self._length += length
         self._start, self._end = min(self._start, log_time), max(self._end, log_time)
 
-    def flush(self, spans: Spans) -> None:
+    def flush(self) -> None:
         if self._length:
-            spans.add(Span(self._start, self._end, self._offset, self._length, None))
+            self._spans.add(Span(self._start, self._end, self._offset, self._length, None))
         self._length = 0

@@ -31,14 +31,14 @@ class Transform(NamedTuple):
     rotation: Array
 
 
-class Poses(NamedTuple):
+class PoseArray(NamedTuple):
     stamp: int
     frame: str
     position: Array  # (n, 3) m
     orientation: Array  # (n, 4)
 
 
-class Joints(NamedTuple):
+class JointState(NamedTuple):
     stamp: int
     names: Sequence[str]
     position: Array  # (n,) rad
@@ -74,7 +74,7 @@ def unpack_transforms(data: bytes) -> list[Transform]:
     return out
 
 
-def pack_poses(m: Poses) -> bytes:
+def pack_poses(m: PoseArray) -> bytes:
     out = CdrWriter()
     out.header(m.stamp, m.frame)
     out.u32(len(m.position))
@@ -82,14 +82,14 @@ def pack_poses(m: Poses) -> bytes:
     return out.done()
 
 
-def unpack_poses(data: bytes) -> Poses:
+def unpack_poses(data: bytes) -> PoseArray:
     source = CdrReader(data)
     stamp, frame = source.header()
     values = source.doubles(7 * source.count(56)).reshape(-1, 7)
-    return Poses(stamp, frame, values[:, :3].copy(), values[:, 3:].copy())
+    return PoseArray(stamp, frame, values[:, :3].copy(), values[:, 3:].copy())
 
 
-def pack_joints(m: Joints) -> bytes:
+def pack_joints(m: JointState) -> bytes:
     out = CdrWriter()
     out.header(m.stamp, "")
     out.text_list(m.names)
@@ -99,10 +99,10 @@ def pack_joints(m: Joints) -> bytes:
     return out.done()
 
 
-def unpack_joints(data: bytes) -> Joints:
+def unpack_joints(data: bytes) -> JointState:
     source = CdrReader(data)
     stamp, _ = source.header()
-    return Joints(stamp, source.text_list(), source.double_list())
+    return JointState(stamp, source.text_list(), source.double_list())
 
 
 def pack_diagnostics(stamp: int, statuses: Sequence[Diagnostic]) -> bytes:

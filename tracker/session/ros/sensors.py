@@ -24,14 +24,14 @@ _NO_COVARIANCE = np.zeros(9)
 _UNKNOWN_POSE = np.r_[0.0, 0, 0, 0, 0, 0, 1, np.zeros(36)]
 
 
-class Imu(NamedTuple):
+class ImuMessage(NamedTuple):
     stamp: int
     frame: str
     gyro: Array  # (3,) rad/s
     accel: Array  # (3,) m/s²
 
 
-class Image(NamedTuple):
+class ImageMessage(NamedTuple):
     stamp: int
     frame: str
     format: str
@@ -53,21 +53,21 @@ class Detections(NamedTuple):
     names: tuple[str, ...]
 
 
-def pack_imu(m: Imu) -> bytes:
+def pack_imu(m: ImuMessage) -> bytes:
     out = CdrWriter()
     out.header(m.stamp, m.frame)
     out.doubles(np.r_[_NO_ORIENTATION, m.gyro, _NO_COVARIANCE, m.accel, _NO_COVARIANCE])
     return out.done()
 
 
-def unpack_imu(data: bytes) -> Imu:
+def unpack_imu(data: bytes) -> ImuMessage:
     source = CdrReader(data)
     stamp, frame = source.header()
     values = source.doubles(37)
-    return Imu(stamp, frame, values[13:16], values[25:28])
+    return ImuMessage(stamp, frame, values[13:16], values[25:28])
 
 
-def pack_image(m: Image) -> bytes:
+def pack_image(m: ImageMessage) -> bytes:
     out = CdrWriter()
     out.header(m.stamp, m.frame)
     out.text(m.format)
@@ -75,10 +75,10 @@ def pack_image(m: Image) -> bytes:
     return out.done()
 
 
-def unpack_image(data: bytes) -> Image:
+def unpack_image(data: bytes) -> ImageMessage:
     source = CdrReader(data)
     stamp, frame = source.header()
-    return Image(stamp, frame, source.text(), source.byte_list())
+    return ImageMessage(stamp, frame, source.text(), source.byte_list())
 
 
 def pack_time_reference(m: TimeReference) -> bytes:

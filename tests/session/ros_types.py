@@ -1,14 +1,12 @@
-"""Definitions of the ROS 2 types in a session, as text for the file's schemas (``ros2msg``)."""
-
-from __future__ import annotations
+"""The ROS 2 types of a session as rosbags knows them: an independent reader and writer."""
 
 from functools import cache
 
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 
-# vision_msgs 4.x is not in rosbags' store.
-_VISION = {
+# vision_msgs 4.x is not in rosbags' store; its .msg files without their comments.
+VISION = {
     "vision_msgs/msg/ObjectHypothesis": "string class_id\nfloat64 score\n",
     "vision_msgs/msg/ObjectHypothesisWithPose": (
         "vision_msgs/ObjectHypothesis hypothesis\ngeometry_msgs/PoseWithCovariance pose\n"
@@ -32,13 +30,6 @@ _VISION = {
 def typestore() -> Typestore:
     """rosbags' store of ROS 2 Jazzy with vision_msgs added."""
     store = get_typestore(Stores.ROS2_JAZZY)
-    for name, text in _VISION.items():
+    for name, text in VISION.items():
         store.register(get_types_from_msg(text, name))
     return store
-
-
-@cache
-def definition(type_name: str) -> str:
-    """The message definition of a type with those it uses, in the ``ros2msg`` form."""
-    text, _ = typestore().generate_msgdef(type_name, ros_version=2)
-    return text

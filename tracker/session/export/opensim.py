@@ -1,4 +1,4 @@
-"""TRC, marker trajectories for OpenSim: tab-separated, mm, y up; a lost cell is empty."""
+"""OpenSim's tables: TRC, trajectories of markers, and MOT or STO, angles of joints."""
 
 from __future__ import annotations
 
@@ -6,12 +6,14 @@ from pathlib import Path
 
 import numpy as np
 
-from tracker.session.export.motion import UNITS, ExportOptions, Motion, load_motion
+from tracker.session.export.load import load_series
+from tracker.session.export.options import UNITS, ExportOptions
+from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
 
 
-def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> Motion:
-    m = load_motion(reader, options, even=True, axes="opensim")
+def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
+    m = load_series(reader, options, even=True, axes="opensim")
     unit = options.units or "mm"
     with path.open("w", encoding="utf-8", newline="\n") as out:
         out.write(_header(m, path.name, unit))
@@ -22,11 +24,11 @@ def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> Mot
     return m
 
 
-def _row(m: Motion, i: int, scale: float) -> list[float]:
+def _row(m: EstimateSeries, i: int, scale: float) -> list[float]:
     return [float(v) for v in (m.keypoints[i] * scale).ravel()]
 
 
-def _header(m: Motion, name: str, unit: str) -> str:
+def _header(m: EstimateSeries, name: str, unit: str) -> str:
     rate, n, points = f"{m.rate:.6g}", len(m), len(m.keypoint_names)
     keys = ["DataRate", "CameraRate", "NumFrames", "NumMarkers", "Units"]
     keys += ["OrigDataRate", "OrigDataStartFrame", "OrigNumFrames"]
@@ -35,3 +37,14 @@ def _header(m: Motion, name: str, unit: str) -> str:
     axes = ["", "", *(f"{c}{k}" for k in range(1, points + 1) for c in "XYZ")]
     lines = (["PathFileType", "4", "(X/Y/Z)", name], keys, values, names, axes)
     return "\n".join("\t".join(line) for line in lines) + "\n\n"
+
+
+def export_mot(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
+    m = load_series(reader, options)
+    names = ["time", *m.joint_names]
+    head = [path.stem, "version=1", f"nRows={len(m)}", f"nColumns={len(names)}", "inDegrees=yes"]
+    table = np.column_stack([m.elapsed, np.rad2deg(m.angles)])
+    with path.open("w", encoding="utf-8", newline="\n") as out:
+        out.write("\n".join([*head, "endheader", "\t".join(names)]) + "\n")
+        np.savetxt(out, table, fmt="%.8g", delimiter="\t")
+    return m

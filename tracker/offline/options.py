@@ -1,0 +1,21 @@
+"""What can be asked of tracking a session again. Quick to import."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+USUAL = "usual"  # in place of a settings file: those of this version
+
+
+@dataclass(frozen=True)
+class TrackOptions:
+    """Names or paths; empty takes what the session holds."""
+
+    engine: str = ""
+    hand: str = ""
+    glove: str = ""
+    colours: str = ""
+    with_sensors: bool = False
+    settings: str = ""  # path of a TOML file of `tracker.settings.Settings`, or `USUAL`
+    smooth: bool = False  # estimates that know the whole session
+    lenses: str = ""  # left or right: track with that one alone

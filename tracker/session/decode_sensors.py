@@ -1,0 +1,178 @@
+"""What was sensed, put together from its topics: packets of IMUs, pairs of images and of blobs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.clock import seconds
+from tracker.messages import (
+    BlobFrame,
+    Blobs,
+    CameraImuSample,
+    CameraPose,
+    ImuSample,
+)
+from tracker.session.description import SessionInfo
+from tracker.session.grouping import Group, Grouper
+from tracker.session.images import PackedFrame
+from tracker.session.mcap.input import RawMessage
+from tracker.session.rigs import exact_pose, is_camera, pose_of
+from tracker.session.ros import motion, sensors, topics
+
+_POSES_KEPT = 64
+
+
+@dataclass(frozen=True)
+class Timing:
+    """How parts of one instant are known to belong together, ns; zero for our own files."""
+
+    imu_tolerance: int = 0
+    frame_tolerance: int = 0
+    patience: int = 0
+
+
+Sensed = ImuSample | CameraImuSample | BlobFrame | PackedFrame
+
+
+class SensorDecoder:
+    """Feeds on raw messages in order; `release` gives what is complete."""
+
+    def __init__(self, info: SessionInfo, packets: bool, timing: Timing) -> None:
+        """``packets``: the file tells where each glove packet ends."""
+        self._info, self._packets = info, packets
+        self._t = info.anchor.monotonic
+        self._imus = Grouper[sensors.ImuMessage](
+            frozenset(info.glove.imu_names), timing.imu_tolerance, timing.patience
+        )
+        both = frozenset(topics.SIDES)
+        self._images = Grouper[sensors.ImageMessage](both, timing.frame_tolerance, timing.patience)
+        self._blobs = Grouper[sensors.Detections](both, timing.frame_tolerance, timing.patience)
+        self._poses: dict[int, CameraPose] = {}
+        self._pose_tolerance = timing.frame_tolerance
+
+    def handlers(self) -> dict[str, Callable[[RawMessage], list[Sensed]]]:
+        """What to call with a message of each topic; it returns what is complete at once."""
+        side = self._info.side
+        table: dict[str, Callable[[RawMessage], list[Sensed]]] = {
+            topics.packets(side): self._packet,
+            topics.CAMERA_IMU: self._camera_imu,
+            topics.CAMERA_POSE: self._exact_pose,
+        }
+        table |= {topics.imu(side, name): self._imu for name in self._info.glove.imu_names}
+        table |= {topics.image(camera): self._image for camera in topics.SIDES}
+        table |= {topics.blobs(camera): self._detections for camera in topics.SIDES}
+        return table
+
+    def take_camera(self, transforms: list[motion.Transform]) -> None:
+        """Keep the camera's pose, unless it is known to the last bit."""
+        for t in transforms:
+            if is_camera(t) and t.stamp not in self._poses:
+                self._keep_pose(t.stamp, pose_of(t))
+
+    def release(self, now: int | None) -> list[Sensed]:
+        """What need not wait any longer at log time ``now`` (ns); everything if it is None.
+
+        At -1 no time has passed: only what is whole leaves.
+        """
+        out: list[Sensed] = []
+        if not self._packets:
+            out += [self._sample(g) for g in self._imus.ready(now)]
+        out += [self._frame(g) for g in self._images.ready(now)]
+        out += [self._blob_frame(g) for g in self._blobs.ready(now)]
+        return out
+
+    def _imu(self, raw: RawMessage) -> list[Sensed]:
+        name = raw.topic.rsplit("/", 1)[1]
+        part = sensors.unpack_imu(raw.data)
+        self._imus.add(name, part.stamp, raw.log_time, raw.sequence, part)
+        return []
+
+    def _camera_imu(self, raw: RawMessage) -> list[Sensed]:
+        part = sensors.unpack_imu(raw.data)
+        t, arrival = self._t(part.stamp), self._t(raw.log_time)
+        return [CameraImuSample(t, arrival, part.gyro.copy(), part.accel.copy())]
+
+    def _packet(self, raw: RawMessage) -> list[Sensed]:
+        times = sensors.unpack_time_reference(raw.data)
+        group = self._imus.close(times.stamp, raw.log_time, raw.sequence)
+        group.sequence = raw.sequence
+        device = seconds(times.reference) if times.source else np.nan
+        return [self._sample(group, device)]
+
+    def _sample(self, group: Group[sensors.ImuMessage], device: float = np.nan) -> ImuSample:
+        names = self._info.glove.imu_names
+        accel = np.full((len(names), 3), np.nan)
+        gyro = np.full((len(names), 3), np.nan)
+        valid = np.zeros(len(names), bool)
+        for i, name in enumerate(names):
+            part = group.parts.get(name)
+            if part is not None:
+                accel[i], gyro[i] = part.accel, part.gyro
+                valid[i] = bool(np.isfinite(accel[i]).all() and np.isfinite(gyro[i]).all())
+        t, arrival = self._t(group.stamp), self._t(group.log_time)
+        return ImuSample(t, arrival, device, group.sequence - 1, accel, gyro, valid)
+
+    def _image(self, raw: RawMessage) -> list[Sensed]:
+        part = sensors.unpack_image(raw.data)
+        self._images.add(_camera(raw.topic), part.stamp, raw.log_time, raw.sequence, part)
+        return []
+
+    def _detections(self, raw: RawMessage) -> list[Sensed]:
+        part = sensors.unpack_detections(raw.data)
+        self._blobs.add(_camera(raw.topic), part.stamp, raw.log_time, raw.sequence, part)
+        return []
+
+    def _frame(self, group: Group[sensors.ImageMessage]) -> PackedFrame:
+        return PackedFrame(
+            self._t(group.stamp),
+            self._t(group.log_time),
+            group.parts,
+            self._pose(group.stamp),
+            group.sequence - 1,
+        )
+
+    def _blob_frame(self, group: Group[sensors.Detections]) -> BlobFrame:
+        found = [n for p in group.parts.values() for n in p.names]
+        names = tuple(dict.fromkeys([*self._info.hue_names, *found]))
+        sides = {c: _with_hues(p, names) for c, p in group.parts.items()}
+        return BlobFrame(
+            self._t(group.stamp),
+            self._t(group.log_time),
+            names,
+            sides.get("left"),
+            sides.get("right"),
+            self._pose(group.stamp),
+            index=group.sequence - 1,
+        )
+
+    def _pose(self, stamp: int) -> CameraPose | None:
+        """Pose of a moving camera at an exposure; the nearest one in a foreign file."""
+        if not self._info.moving_camera or not self._poses:
+            return None
+        nearest = min(self._poses, key=lambda s: abs(s - stamp))
+        if nearest != stamp and not self._pose_tolerance:
+            return None
+        return self._poses[nearest]
+
+    def _exact_pose(self, raw: RawMessage) -> list[Sensed]:
+        self._keep_pose(raw.publish_time, exact_pose(raw.data))
+        return []
+
+    def _keep_pose(self, stamp: int, pose: CameraPose) -> None:
+        self._poses[stamp] = pose
+        while len(self._poses) > _POSES_KEPT:
+            del self._poses[next(iter(self._poses))]
+
+
+def _camera(topic: str) -> str:
+    return topic.split("/")[2]
+
+
+def _with_hues(found: sensors.Detections, names: tuple[str, ...]) -> Blobs:
+    """Blobs whose hues index ``names``."""
+    b = found.blobs
+    index = np.array([names.index(n) for n in found.names], np.int64)
+    return Blobs(b.uv, b.size, index[b.hue] if len(b) else b.hue, b.score)

@@ -1,0 +1,36 @@
+"""The estimates of a session cut, resampled and turned as an export asks."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tracker.session.export.axes import AXES, turned
+from tracker.session.export.options import ExportOptions
+from tracker.session.export.resample import resample
+from tracker.session.export.series import EstimateSeries, recorded_series
+from tracker.session.reader import SessionReader
+
+
+def load_series(
+    reader: SessionReader, options: ExportOptions, even: bool = False, axes: str = "z-up"
+) -> EstimateSeries:
+    """Estimates of a session, as ``options`` ask; ``even``: the format knows one rate only.
+
+    Raises FileError if the session holds none.
+    """
+    series = recorded_series(reader).between(options.start, options.stop)
+    rate = options.rate
+    if rate is None and even and not series.even:
+        rate = float(round(series.rate))
+    if rate is not None:
+        series = resample(series, rate)
+    named = options.axes or axes
+    series = turned(series, named)
+    if "time" in options.anonymous:
+        series = replace(series, stamp_ns=series.stamp_ns - series.stamp_ns[0])
+    notes: dict[str, object] = {
+        "axes": named,
+        "axes_are": AXES[named].words,
+        "resampled_hz": rate,
+    }
+    return replace(series.only(options.joints) if options.joints else series, notes=notes)

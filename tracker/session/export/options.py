@@ -1,0 +1,54 @@
+"""What can be asked of an export: formats, axes, units, and the rest. Quick to import."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from tracker.errors import ConfigError
+
+FORMATS = (
+    *("csv", "parquet", "h5", "c3d", "trc", "mot", "sto", "bvh", "glb", "urdf"),
+    *("mp4", "png", "mcap"),
+)
+WHOLE_HAND = ("bvh", "glb", "urdf")
+"""Formats of a skeleton, which cannot leave out joints."""
+FOLDERS = ("png",)
+"""Formats of many files."""
+AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")
+UNITS = {"m": 1.0, "cm": 100.0, "mm": 1000.0}
+"""How many of each make a metre."""
+RATES = (1.0, 2000.0)
+"""Lowest and highest rate to resample to, Hz."""
+PERSONAL = ("participant", "notes")
+"""Metadata that an anonymous export leaves out."""
+HIDEABLE = (*PERSONAL, "hand", "time")
+"""What it can leave out if asked by name: the hand's name and when it was, too."""
+
+
+@dataclass(frozen=True)
+class ExportOptions:
+    """None keeps what the session or the format has. Raises ConfigError for what cannot be.
+
+    ``rate`` Hz; ``start``, ``stop`` s from the first estimate; ``joints`` keypoints and angles to
+    keep; ``anonymous`` what is left out, of `HIDEABLE`; ``every`` n-th image is drawn.
+    """
+
+    rate: float | None = None
+    axes: str | None = None
+    units: str | None = None
+    start: float | None = None
+    stop: float | None = None
+    joints: tuple[str, ...] = ()
+    anonymous: tuple[str, ...] = ()
+    every: int = 1
+
+    def __post_init__(self) -> None:
+        low, high = RATES
+        if self.rate is not None and not low <= self.rate <= high:
+            raise ConfigError(f"A rate of {self.rate:g} Hz is not between {low:g} and {high:g} Hz.")
+        if self.every < 1:
+            raise ConfigError(f"Every image or every n-th, not every {self.every}.")
+        if self.axes is not None and self.axes not in AXES_NAMES:
+            raise ConfigError(f"Axes can be {', '.join(AXES_NAMES)}, not {self.axes!r}.")
+        if self.units is not None and self.units not in UNITS:
+            raise ConfigError(f"Units can be {', '.join(UNITS)}, not {self.units!r}.")

@@ -1,0 +1,136 @@
+"""`export` picks the format, writes the file and a small JSON beside it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable
+from dataclasses import asdict
+from importlib import import_module
+from pathlib import Path
+from shutil import rmtree
+from typing import Any
+
+from tracker import __version__
+from tracker.errors import ConfigError, FileError
+from tracker.session.export.options import FOLDERS, FORMATS, WHOLE_HAND, ExportOptions
+from tracker.session.export.series import EstimateSeries
+from tracker.session.mcap.disk import disk_error
+from tracker.session.reader import SessionReader
+
+_WRITERS = {
+    "csv": "tables:export_csv",
+    "parquet": "tables:export_parquet",
+    "h5": "h5:export_h5",
+    "c3d": "c3d:export_c3d",
+    "trc": "opensim:export_trc",
+    "mot": "opensim:export_mot",
+    "sto": "opensim:export_mot",  # OpenSim's other name for the same table
+    "bvh": "bvh:export_bvh",
+    "glb": "glb:export_glb",
+    "urdf": "urdf:export_urdf",
+    "mp4": "overlay:export_mp4",
+    "png": "overlay:export_png",
+    "mcap": "mcap:export_mcap",
+}
+"""Module and function for each format, imported when it is asked for: the libraries are slow."""
+
+
+def export(
+    path_in: Path,
+    format: str,
+    path_out: Path,
+    options: ExportOptions | None = None,
+    watch: Callable[[float], None] = lambda share: None,
+) -> dict[str, Any]:
+    """Write ``path_in`` as ``format`` to ``path_out``; returns what the JSON beside it says.
+
+    ``watch`` hears which share of the session has been read, once per pass over it, and may raise
+    to end the export. Raises GlovetrackError in words. An unfinished output is removed.
+    """
+    if format not in FORMATS:
+        raise ConfigError(f"There is no format {format!r}; there are {', '.join(FORMATS)}.")
+    options = options or ExportOptions()
+    path_in, path_out = Path(path_in), Path(path_out)
+    if path_out.exists() and path_out.samefile(path_in):
+        raise FileError(f"{path_out} is the session itself; choose another name.")
+    _check(format, path_out, options)
+    module, _, function = _WRITERS[format].partition(":")
+    write = getattr(import_module(f"tracker.session.export.{module}"), function)
+    folder = path_out.with_name(f".{path_out.name}.part")
+    try:
+        folder.mkdir()
+        partial = folder / path_out.name  # some formats write their own name into the file
+        with SessionReader(path_in, watch=watch) as reader:
+            series = write(reader, partial, options)
+            report = _report(reader, format, path_out, options, series)
+        partial.replace(path_out)
+        _sidecar(path_out).write_text(json.dumps(report, indent=2) + "\n", "utf-8")
+    except OSError as error:
+        raise disk_error(path_out, error) from error
+    finally:
+        rmtree(folder, ignore_errors=True)
+    return report
+
+
+def _check(format: str, path: Path, options: ExportOptions) -> None:
+    if format in WHOLE_HAND and options.joints:
+        raise ConfigError(f"{format} holds the whole hand; it cannot leave out joints.")
+    if format in FOLDERS and path.exists():
+        raise FileError(f"{path} exists already; the images go into a new folder.")
+
+
+def _sidecar(path: Path) -> Path:
+    return path.with_name(path.name + ".json")
+
+
+def _report(
+    reader: SessionReader,
+    format: str,
+    path: Path,
+    options: ExportOptions,
+    series: EstimateSeries | None,
+) -> dict[str, Any]:
+    """What was done, to what, with which options."""
+    info = reader.info
+    report: dict[str, Any] = {
+        "format": format,
+        "file": path.name,
+        "source": reader.path.name,
+        "source_sha256": sha256(reader.path),
+        "glovetrack": __version__,
+        "options": asdict(options),
+        "hand": info.hand.name,
+        "glove": info.glove.name,
+        "metadata": {k: v for k, v in info.metadata().items() if v},
+    }
+    if series is not None:
+        report |= {
+            "rows": len(series),
+            "keypoints": list(series.keypoint_names),
+            "joints": list(series.joint_names),
+            "start_ns": int(series.stamp_ns[0]) if len(series) else None,
+            **series.notes,
+        }
+    return _without(report, options.anonymous)
+
+
+def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, Any]:
+    """Leave out what shall not be told, and what would give it away."""
+    top, inside = set(), set(anonymous)
+    if "participant" in anonymous:  # automatic names of files hold it
+        top.add("source")
+        inside.add("source")
+    if "hand" in anonymous:
+        top.add("hand")
+    if "time" in anonymous:
+        top.add("start_ns")
+        inside |= {"wall_clock_ns", "monotonic_ns"}
+    kept = {k: v for k, v in report.items() if k not in top}
+    return kept | {"metadata": {k: v for k, v in report["metadata"].items() if k not in inside}}
+
+
+def sha256(path: Path) -> str:
+    """Hex digest of a file, read in pieces."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -1,0 +1,120 @@
+"""The estimates of a session as arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from tracker.clock import NS
+from tracker.errors import ConfigError, FileError
+from tracker.messages import Array, Estimate, IntArray, Validity
+from tracker.session.description import SessionInfo
+from tracker.session.reader import SessionReader
+
+
+@dataclass(frozen=True, eq=False)
+class EstimateSeries:
+    """N estimates: stamp_ns (N,), keypoints (N, K, 3) m, q (N, K, 4), state (N, K),
+    angles (N, J) rad, angle_state (N, J); NaN where lost.
+    """
+
+    info: SessionInfo
+    keypoint_names: tuple[str, ...]
+    joint_names: tuple[str, ...]
+    stamp_ns: IntArray
+    keypoints: Array
+    q: Array
+    state: IntArray
+    angles: Array
+    angle_state: IntArray
+    notes: dict[str, object] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.stamp_ns)
+
+    def rows(self, rows: IntArray) -> EstimateSeries:
+        """Some of the estimates."""
+        return replace(
+            self,
+            stamp_ns=self.stamp_ns[rows],
+            keypoints=self.keypoints[rows],
+            q=self.q[rows],
+            state=self.state[rows],
+            angles=self.angles[rows],
+            angle_state=self.angle_state[rows],
+        )
+
+    def between(self, start: float | None, stop: float | None) -> EstimateSeries:
+        """Those from ``start`` to ``stop``, s from the first. Raises FileError if there is none."""
+        low = -np.inf if start is None else start
+        high = np.inf if stop is None else stop
+        rows = np.flatnonzero((self.elapsed >= low) & (self.elapsed <= high))
+        if len(rows) == 0:
+            raise FileError(f"There is no estimate between {low:g} s and {high:g} s.")
+        return self.rows(rows)
+
+    def only(self, names: tuple[str, ...]) -> EstimateSeries:
+        """Keypoints and angles of those names. Raises ConfigError for a name that is none."""
+        for name in names:
+            if name not in self.keypoint_names and name not in self.joint_names:
+                raise ConfigError(f"There is no keypoint or joint {name!r} in this session.")
+        points = [i for i, n in enumerate(self.keypoint_names) if n in names]
+        joints = [i for i, n in enumerate(self.joint_names) if n in names]
+        return replace(
+            self,
+            keypoint_names=tuple(self.keypoint_names[i] for i in points),
+            joint_names=tuple(self.joint_names[i] for i in joints),
+            keypoints=self.keypoints[:, points],
+            q=self.q[:, points],
+            state=self.state[:, points],
+            angles=self.angles[:, joints],
+            angle_state=self.angle_state[:, joints],
+        )
+
+    @property
+    def elapsed(self) -> Array:
+        """(N,) s from the first estimate."""
+        return (self.stamp_ns - self.stamp_ns[0]) / NS
+
+    @property
+    def rate(self) -> float:
+        """Estimates per second: the inverse of the median step."""
+        return 100.0 if len(self) < 2 else NS / float(np.median(np.diff(self.stamp_ns)))
+
+    @property
+    def even(self) -> bool:
+        """Whether all steps are the same within a thousandth."""
+        steps = np.diff(self.stamp_ns)
+        return len(steps) == 0 or bool(np.ptp(steps) < 1e-3 * np.median(steps))
+
+
+def recorded_series(reader: SessionReader) -> EstimateSeries:
+    """All estimates of a session as they are. Raises FileError if it holds none."""
+    found = [m for m in reader.messages([Estimate]) if isinstance(m, Estimate)]
+    if not found:
+        raise FileError(f"{reader.path} holds no estimates; track it first.")
+    found.sort(key=lambda m: m.t)
+    info = reader.info
+    return EstimateSeries(
+        info,
+        info.keypoint_names,
+        info.hand.joint_names,
+        np.array([info.anchor.wall(m.t) for m in found], np.int64),
+        np.array([m.keypoints for m in found]),
+        np.array([m.keypoint_q for m in found]),
+        np.array([m.keypoint_state for m in found]),
+        np.array([m.angles for m in found]),
+        np.array([m.angle_state for m in found]),
+    )
+
+
+def state_words(state: IntArray) -> list[str]:
+    """measured, inferred, lost for each number."""
+    return [Validity(int(s)).name.lower() for s in state]
+
+
+def seconds_text(ns: int) -> str:
+    """Seconds to the microsecond; a float would not hold that many digits since 1970."""
+    whole, micro = divmod(round(ns / 1000), 1_000_000)
+    return f"{whole}.{micro:06d}"

@@ -1,0 +1,195 @@
+"""What is where in an MCAP file that may be damaged, unfinished, hostile or very long.
+
+The index is taken from the summary, or made by walking over the records where there is none, so
+that an unfinished file is read like a whole one.
+"""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from io import BytesIO
+
+from mcap.data_stream import ReadDataStream
+from mcap.opcode import Opcode
+from mcap.records import Channel, Header, Schema
+
+from tracker.errors import FileError
+from tracker.session.mcap.chunks import records, unpacked
+from tracker.session.mcap.records import BAD_RECORD, LIMIT, MAGIC, Damage, RecordFile
+from tracker.session.mcap.spans import LooseMessages, Span, Spans
+
+MESSAGE = struct.Struct("<HIQQ")
+_CHUNK = struct.Struct("<QQQI")
+_FOOTER = 37  # bytes of the footer record and the magic behind it
+
+
+@dataclass
+class Contents:
+    """What is where in a file."""
+
+    profile: str = ""
+    library: str = ""
+    schemas: dict[int, Schema] = field(default_factory=dict)
+    channels: dict[int, Channel] = field(default_factory=dict)
+    spans: Spans = field(default_factory=Spans)
+    attachments: list[tuple[int, int]] = field(default_factory=list)  # offset, length of records
+    metadata: list[tuple[int, int]] = field(default_factory=list)
+    counts: dict[int, int] | None = None  # messages by channel id
+    finished: bool = False  # there is a summary
+    damage: list[Damage] = field(default_factory=list)
+
+    def define(self, opcode: int, body: bytes) -> None:
+        """Take a schema or channel record; others are of no account."""
+        stream = ReadDataStream(BytesIO(body))
+        if opcode == Opcode.SCHEMA:
+            schema = Schema.read(stream)
+            self.schemas[schema.id] = schema
+        elif opcode == Opcode.CHANNEL:
+            channel = Channel.read(stream)
+            self.channels[channel.id] = channel
+
+    def take_header(self, file: RecordFile, offset: int, length: int) -> None:
+        try:
+            header = Header.read(ReadDataStream(BytesIO(file.body(offset, length))))
+        except BAD_RECORD as error:
+            raise FileError(f"{file.path} is not an MCAP file: its header is damaged.") from error
+        self.profile, self.library = header.profile, header.library
+
+
+def read_contents(file: RecordFile, scan: bool = False) -> Contents:
+    """What ``file`` holds; ``scan``: walk over all records even if there is a summary."""
+    contents = Contents()
+    if scan or not _read_summary(file, contents):
+        contents = Contents(finished=contents.finished)
+        _Scan(file, contents).walk()
+    return contents
+
+
+def span_records(file: RecordFile, span: Span) -> Iterator[tuple[int, bytes]]:
+    """(opcode, content) of the records in a span. Raises FileError if it is damaged."""
+    opcode, length = file.record(span.offset)
+    if opcode not in (Opcode.CHUNK, Opcode.MESSAGE):
+        raise file.damaged(span.offset, "there is no chunk")
+    try:
+        if opcode == Opcode.CHUNK:
+            yield from records(unpacked(file.body(span.offset, length)))
+        else:
+            yield from records(file.at(span.offset, min(span.length, LIMIT)))
+    except ValueError as error:
+        where = f"{file.path} is damaged in the chunk at byte {span.offset}"
+        raise FileError(f"{where}: {error}.") from error
+
+
+def _read_summary(file: RecordFile, contents: Contents) -> bool:
+    """Fill the contents from the summary; False where there is none that can be trusted."""
+    tail = file.at(max(file.size - _FOOTER, 0), _FOOTER)
+    if len(tail) < _FOOTER or tail[-8:] != MAGIC or tail[0] != Opcode.FOOTER:
+        return False
+    start, _, crc = struct.unpack("<QQI", tail[9:29])
+    end = file.size - _FOOTER
+    contents.finished = True
+    if not 0 < start <= end or end - start > LIMIT:
+        return False
+    block = file.at(start, end - start)
+    if crc and zlib.crc32(tail[:25], zlib.crc32(block)) != crc:
+        return False
+    opcode, length = file.record(len(MAGIC))
+    if opcode != Opcode.HEADER:
+        return False
+    contents.take_header(file, len(MAGIC), length)
+    try:
+        for opcode, body in records(block):
+            _take_summary(file, contents, opcode, body)
+    except BAD_RECORD:
+        return False
+    return len(contents.spans) > 0 or not any((contents.counts or {}).values())
+
+
+def _take_summary(file: RecordFile, contents: Contents, opcode: int, body: bytes) -> None:
+    if opcode == Opcode.CHUNK_INDEX:
+        start, end, offset, length, n = struct.unpack_from("<QQQQI", body)
+        if offset + length > file.size or 36 + n > len(body):
+            raise EOFError
+        ids = frozenset(k for k, _ in struct.iter_unpack("<HQ", body[36 : 36 + n]))
+        contents.spans.add(Span(start, end, offset, length, ids or None))
+    elif opcode == Opcode.STATISTICS:
+        contents.counts = dict(struct.iter_unpack("<HQ", body[46:]))
+    elif opcode == Opcode.ATTACHMENT_INDEX:
+        contents.attachments.append(struct.unpack_from("<QQ", body))
+    elif opcode == Opcode.METADATA_INDEX:
+        contents.metadata.append(struct.unpack_from("<QQ", body))
+    else:
+        contents.define(opcode, body)
+
+
+class _Scan:
+    """A walk over the records from the start as far as they are whole."""
+
+    def __init__(self, file: RecordFile, contents: Contents) -> None:
+        self._file, self._contents = file, contents
+        self._loose = LooseMessages(contents.spans)
+
+    def walk(self) -> None:
+        at = len(MAGIC)
+        while True:
+            opcode, length = self._file.record(at)
+            if opcode in (0, Opcode.DATA_END, Opcode.FOOTER):
+                break
+            if opcode != Opcode.MESSAGE:
+                self._loose.flush()
+            self._visit(opcode, at, length)
+            at += 9 + length
+        self._loose.flush()
+        if opcode != Opcode.DATA_END:
+            self._contents.damage.append(Damage(at, "the file breaks off here"))
+
+    def _visit(self, opcode: int, at: int, length: int) -> None:
+        c = self._contents
+        if opcode == Opcode.HEADER:
+            c.take_header(self._file, at, length)
+        elif opcode == Opcode.CHUNK:
+            self._visit_chunk(at, length)
+        elif opcode == Opcode.MESSAGE and length >= MESSAGE.size:
+            log_time = MESSAGE.unpack(self._file.at(at + 9, MESSAGE.size))[2]
+            self._loose.add(at, 9 + length, log_time)
+        elif opcode == Opcode.ATTACHMENT:
+            c.attachments.append((at, 9 + length))
+        elif opcode == Opcode.METADATA:
+            c.metadata.append((at, 9 + length))
+        elif opcode in (Opcode.SCHEMA, Opcode.CHANNEL):
+            try:
+                c.define(opcode, self._file.body(at, length))
+            except BAD_RECORD:
+                c.damage.append(Damage(at, "a definition is damaged"))
+
+    def _visit_chunk(self, at: int, length: int) -> None:
+        """Note a chunk; it is opened only if it speaks of channels that are still unknown."""
+        c = self._contents
+        if length < _CHUNK.size:
+            c.damage.append(Damage(at, "a chunk is too short"))
+            return
+        start, end, _, _ = _CHUNK.unpack(self._file.at(at + 9, _CHUNK.size))
+        ids = self._indexed_channels(at + 9 + length)
+        span = Span(start, end, at, 9 + length, ids or None)
+        if not ids or not ids <= c.channels.keys():
+            try:
+                for opcode, body in span_records(self._file, span):
+                    if opcode != Opcode.MESSAGE:
+                        c.define(opcode, body)
+            except (FileError, *BAD_RECORD) as error:
+                c.damage.append(Damage(at, f"a chunk cannot be read ({error})"))
+                return
+        c.spans.add(span)
+
+    def _indexed_channels(self, at: int) -> frozenset[int]:
+        """Channel ids of the message indexes that follow a chunk."""
+        ids: set[int] = set()
+        while True:
+            opcode, length = self._file.record(at)
+            if opcode != Opcode.MESSAGE_INDEX or length < 2:
+                return frozenset(ids)
+            ids.add(struct.unpack("<H", self._file.at(at + 9, 2))[0])
+            at += 9 + length

@@ -1,0 +1,87 @@
+"""The bytes of an MCAP file: records by their place, none believed before it is checked.
+
+Nothing in the file is believed before it is checked against the file's size, and no record makes
+the reader allocate more than `LIMIT` bytes.
+"""
+
+from __future__ import annotations
+
+import os
+import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO, NamedTuple
+
+from mcap.exceptions import McapError
+
+from tracker.errors import FileError
+
+MAGIC = b"\x89MCAP0\r\n"
+LIMIT = 256 * 2**20
+BAD_RECORD = (McapError, struct.error, ValueError, EOFError, IndexError, MemoryError)
+"""What a record that is not what it says raises when it is taken apart."""
+_HEAD = struct.Struct("<BQ")
+
+
+class Damage(NamedTuple):
+    """Something wrong with the file's bytes."""
+
+    offset: int
+    what: str
+
+
+class RecordFile:
+    """An MCAP file opened for reading. Raises FileError if it is none."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = Path(path)
+        self._file = _open(self.path)
+        self.size = os.fstat(self._file.fileno()).st_size
+        if self.at(0, len(MAGIC)) != MAGIC:
+            self.close()
+            raise FileError(f"{self.path} is not an MCAP file.")
+
+    def close(self) -> None:
+        self._file.close()
+
+    def at(self, offset: int, length: int) -> bytes:
+        """Bytes from ``offset`` on; fewer where the file ends."""
+        self._file.seek(offset)
+        return self._file.read(length)
+
+    def record(self, offset: int) -> tuple[int, int]:
+        """Opcode and content length of the record at ``offset``; (0, 0) past the last whole one."""
+        head = self.at(offset, _HEAD.size)
+        if len(head) < _HEAD.size:
+            return 0, 0
+        opcode, length = _HEAD.unpack(head)
+        return (opcode, length) if offset + _HEAD.size + length <= self.size else (0, 0)
+
+    def body(self, offset: int, length: int, limit: int = LIMIT) -> bytes:
+        """Content of the record at ``offset``. Raises FileError if it is longer than ``limit``."""
+        if length > limit:
+            raise FileError(f"{self.path} holds a record of {length} bytes: it is damaged.")
+        return self.at(offset + _HEAD.size, length)
+
+    def damaged(self, offset: int, why: str = "") -> FileError:
+        """The error to raise for what stands at ``offset``."""
+        text = f"{self.path} is damaged at byte {offset}"
+        return FileError(f"{text}: {why}." if why else f"{text}.")
+
+    @contextmanager
+    def in_words(self, offset: int) -> Iterator[None]:
+        """Turns what goes wrong with the record at ``offset`` into a FileError."""
+        try:
+            yield
+        except BAD_RECORD as error:
+            raise self.damaged(offset) from error
+
+
+def _open(path: Path) -> IO[bytes]:
+    try:
+        return path.open("rb")
+    except FileNotFoundError as error:
+        raise FileError(f"There is no file {path}.") from error
+    except OSError as error:
+        raise FileError(f"{path} cannot be read: {error.strerror}.") from error
