@@ -4,6 +4,7 @@ A session stores wall-clock nanoseconds; the engine works in seconds of a monoto
 ``t`` is made by `seconds` from an integer, so that a value read back from a file is the same float.
 """
 
+import time
 from dataclasses import dataclass
 
 NS = 1_000_000_000
@@ -17,6 +18,11 @@ def seconds(ns: int) -> float:
 def nanoseconds(t: float) -> int:
     """The integer nearest to ``t``; the inverse of `seconds` for |t| below 4e6 s (46 days)."""
     return round(t * NS)
+
+
+def monotonic() -> float:
+    """Seconds of the host's monotonic clock now, a whole number of nanoseconds."""
+    return seconds(time.monotonic_ns())
 
 
 @dataclass(frozen=True)

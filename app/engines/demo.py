@@ -101,7 +101,7 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         simulated=True,
         vibrate=link.vibrate,
         command=tracker.command,
-        shadowing=tracker,
+        reference_tracking=tracker,
         camera=CAMERA,
     )
 

@@ -61,12 +61,12 @@ class LiveEngine(Protocol):
     def note(self, text: str) -> None: ...
 
 
-class Shadowing(Protocol):
+class ReferenceTracking(Protocol):
     """Tracks with a second engine beside the first, to be compared with."""
 
-    def set_shadow(self, name: str | None) -> None: ...
+    def set_reference(self, name: str | None) -> None: ...
 
-    def shadow_estimate(self) -> Estimate | None: ...
+    def reference_estimate(self) -> Estimate | None: ...
 
 
 class CameraControls(Protocol):
@@ -156,7 +156,7 @@ class EngineSetup:
     simulated: bool = False
     player: Player | None = None  # of a recorded session
     command: Callable[[Callable[[Engine], None]], None] | None = None  # in the engine's own thread
-    shadowing: Shadowing | None = None
+    reference_tracking: ReferenceTracking | None = None
     camera_controls: CameraControls | None = None  # of a device that is open
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms

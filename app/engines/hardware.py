@@ -61,7 +61,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         make_recorder=recorder_maker(tracker, info),
         vibrate=link.vibrate,
         command=tracker.command,
-        shadowing=tracker,
+        reference_tracking=tracker,
         # a calibration file's name holds a ZED's serial number
         camera=f"{chosen.title} {Path(settings.calibration).stem}",
         camera_controls=chosen.controls,

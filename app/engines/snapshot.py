@@ -48,9 +48,9 @@ class Snapshot:
     def reference(self) -> ReferenceHand | None:
         """The hand to compare with: a replay's second tracking, or a second engine, where one is
         set, else the truth."""
-        player, shadowing = self.setup.player, self.setup.shadowing
+        player, reference_tracking = self.setup.player, self.setup.reference_tracking
         other = player.reference() if player is not None else None
-        second = shadowing.shadow_estimate() if shadowing is not None else None
+        second = reference_tracking.reference_estimate() if reference_tracking is not None else None
         if second is not None:
             there = second.tracking != Tracking.LOST and bool(np.isfinite(second.segment_p).all())
             return (

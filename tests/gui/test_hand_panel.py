@@ -29,12 +29,12 @@ class Second:
     def __init__(self, engine: ScriptedEngine) -> None:
         self.engine, self.names, self.lost = engine, [], False
 
-    def set_shadow(self, name) -> None:
+    def set_reference(self, name) -> None:
         if name == "vist":
             raise ConfigError("This glove has too few IMUs.")
         self.names.append(name)
 
-    def shadow_estimate(self):
+    def reference_estimate(self):
         if not self.names or self.names[-1] is None:
             return None
         estimate = self.engine.latest_estimate()
@@ -45,7 +45,9 @@ class Second:
 
 @pytest.fixture
 def hand(window, engine, qtbot):
-    window.host.adopt(dataclasses.replace(scripted_setup(engine), shadowing=Second(engine)))
+    window.host.adopt(
+        dataclasses.replace(scripted_setup(engine), reference_tracking=Second(engine))
+    )
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=30_000)
     return window.hand
 
@@ -91,7 +93,7 @@ def test_axes_stand_at_the_joints_along_their_segments(hand):
 
 
 def test_the_reference_is_the_truth_or_another_engine(hand, engine):
-    second = hand.host.setup.shadowing
+    second = hand.host.setup.reference_tracking
     choose(hand.reference, "other")
     scene = see(hand)
     np.testing.assert_allclose(scene.truth[1], scene.segment_p)  # the scripted hand is true

@@ -1,17 +1,26 @@
 """What a glove tells of itself reaches the status."""
 
-from tests.live.test_runner import live, profile, sim
+from tests.live.test_runner import Glove, live, profile, sim
 from tracker.sensors.glove_link import LinkFigures
 
 __all__ = ["profile", "sim"]  # fixtures
 
+FIGURES = LinkFigures()
+
+
+class HealthyGlove(Glove):
+    figures = FIGURES
+
 
 def test_battery_and_temperature_reach_the_status_of_a_glove_that_tells_them(sim, profile):
-    tracker, _ = live(sim, profile, None)
-    assert "battery_v" not in tracker.status().values
-    tracker._glove.figures = LinkFigures(battery_mV=3712, temperature_cC=2950)
+    silent, _ = live(sim, profile, None)
+    assert "battery_v" not in silent.status().values
+    silent.stop()
+    tracker, _ = live(sim, profile, None, glove=HealthyGlove)
+    assert "battery_v" not in tracker.status().values, "not known yet"
+    FIGURES.battery_mV, FIGURES.temperature_cC = 3712, 2950
     values = tracker.status().values
     assert (values["battery_v"], values["temperature_c"]) == (3.712, 29.5)
-    tracker._glove.figures = LinkFigures(battery_mV=None, temperature_cC=3000)
+    FIGURES.temperature_cC = 3000
     assert tracker.status().values["temperature_c"] == 30.0
     tracker.stop()

@@ -79,6 +79,11 @@ class Camera:
         self.closed = True
 
 
+class BrokenCamera(Camera):
+    def read(self, timeout: float) -> StereoFrame | None:
+        raise ZeroDivisionError
+
+
 class Tape:
     """A recorder in memory; ``limit`` messages fit on its disk."""
 
@@ -111,14 +116,20 @@ def no_thread_is_left() -> Iterator[None]:
     assert not [t.name for t in threading.enumerate() if t.name.startswith("glovetrack-")]
 
 
-def live(sim: Simulation, profile: ColourProfile, tape: Tape | None) -> tuple[LiveTracker, Stream]:
+def live(
+    sim: Simulation,
+    profile: ColourProfile,
+    tape: Tape | None,
+    glove: type[Glove] = Glove,
+    camera: type[Camera] = Camera,
+) -> tuple[LiveTracker, Stream]:
     stream = Stream(sim)
     tracker = LiveTracker(
         Pipeline(sim.hand, sim.glove, sim.rig),
         profile,
         lambda p: Detector(p, fx=sim.rig.fx),
-        Glove(stream),
-        Camera(stream),
+        glove(stream),
+        camera(stream),
         tape,
     )
     return tracker, stream
@@ -177,8 +188,7 @@ def test_a_full_disk_ends_the_recording_and_not_the_tracking(
 
 
 def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: ColourProfile) -> None:
-    tracker, _ = live(sim, profile, None)
-    tracker._camera.read = lambda timeout: 1 / 0  # type: ignore[method-assign,assignment,return-value]
+    tracker, _ = live(sim, profile, None, camera=BrokenCamera)
     tracker.start()
     said, deadline = list(tracker.take_events()), time.monotonic() + 30
     while not any("camera thread failed" in e.text for e in said):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
+from collections.abc import Callable
 
 import numpy as np
 
@@ -19,6 +20,11 @@ class Telemetry:
         self._events: dict[str, deque[float]] = {}
         self._times: dict[str, deque[float]] = {}
         self._counts: dict[str, float] = {}
+        self._sources: list[Callable[[], dict[str, float]]] = []
+
+    def ask(self, figures: Callable[[], dict[str, float]]) -> None:
+        """Call ``figures`` whenever `values` is read; a name that it leaves out stays as it was."""
+        self._sources.append(figures)
 
     def tick(self, name: str, t: float) -> None:
         """One more of ``name`` at ``t`` (s)."""
@@ -40,7 +46,10 @@ class Telemetry:
 
     def values(self, now: float) -> dict[str, float]:
         """``<name>_rate_hz`` per tick, ``latency_<name>_ms`` and ``_p99_ms`` per stage, counts."""
+        asked = [figures() for figures in self._sources]  # without the lock: they may take others
         with self._lock:
+            for figures in asked:
+                self._counts.update(figures)
             out = dict(self._counts)
             for name, ticks in self._events.items():
                 recent = [t for t in ticks if t >= now - WINDOW]

@@ -140,10 +140,10 @@ class HandPanel(Panel):
     def _choose_reference(self) -> None:
         """Start or end the second engine."""
         setup, name = self.host.setup, str(self.reference.currentData())
-        if setup is None or setup.shadowing is None:
+        if setup is None or setup.reference_tracking is None:
             return
         try:
-            setup.shadowing.set_shadow(name if name in ENGINES else None)
+            setup.reference_tracking.set_reference(name if name in ENGINES else None)
         except GlovetrackError as error:
             self.host.error.emit(str(error))
 
@@ -212,7 +212,7 @@ class HandPanel(Panel):
             self.trail.addItem(self.tr("Trail: {}").format(name), name)
         self.trail.setCurrentIndex(max(0, self.trail.findData(chosen)))
         for i in range(self.reference.count()):
-            able = self.reference.itemData(i) not in ENGINES or setup.shadowing is not None
+            able = self.reference.itemData(i) not in ENGINES or setup.reference_tracking is not None
             self.reference.model().item(i).setEnabled(able)  # type: ignore[attr-defined]
         if self.reference.currentData() in ENGINES:
             self._choose_reference()

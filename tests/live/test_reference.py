@@ -8,7 +8,7 @@ import pytest
 from tests.live.test_runner import live, profile, sim
 from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
-from tracker.live.shadow import Shadow
+from tracker.live.reference import ReferenceEngine
 from tracker.messages import BlobFrame, ImuSample
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
@@ -25,38 +25,38 @@ def wait_until(condition, limit: float = 30.0) -> bool:
     return False
 
 
-def test_a_shadow_is_the_engine_alone(sim):
+def test_a_reference_is_the_engine_alone(sim):
     messages = [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
     settings = Settings(engine="switching")
     alone = Pipeline(sim.hand, sim.glove, sim.rig, settings)
-    shadow = Shadow(Pipeline(sim.hand, sim.glove, sim.rig, settings))
+    reference = ReferenceEngine(Pipeline(sim.hand, sim.glove, sim.rig, settings))
     last = None
     for message in messages:
-        shadow.put(message)
+        reference.put(message)
         if isinstance(message, ImuSample):
             last = alone.feed_imu(message)
         else:
             alone.feed_frame(message)
-    assert wait_until(lambda: shadow.estimate is not None and shadow.estimate.t == last.t)
-    np.testing.assert_array_equal(shadow.estimate.keypoints, last.keypoints)
-    assert shadow.engine == "switching"
-    shadow.close()
-    shadow.close()
+    assert wait_until(lambda: reference.estimate is not None and reference.estimate.t == last.t)
+    np.testing.assert_array_equal(reference.estimate.keypoints, last.keypoints)
+    assert reference.engine == "switching"
+    reference.close()
+    reference.close()
 
 
-def test_a_live_tracker_starts_changes_and_ends_its_shadow(sim, profile):
+def test_a_live_tracker_starts_changes_and_ends_its_reference(sim, profile):
     tracker, _ = live(sim, profile, None)
     with pytest.raises(ConfigError):
-        tracker.set_shadow("none such")
-    tracker.set_shadow("vist")
+        tracker.set_reference("none such")
+    tracker.set_reference("vist")
     tracker.start()
-    assert wait_until(lambda: tracker.shadow_estimate() is not None)
+    assert wait_until(lambda: tracker.reference_estimate() is not None)
     assert tracker.settings.engine == "chain"
-    tracker.set_shadow(None)
-    assert tracker.shadow_estimate() is None
-    tracker.set_shadow("madgwick")
+    tracker.set_reference(None)
+    assert tracker.reference_estimate() is None
+    tracker.set_reference("madgwick")
     tracker.stop()
-    assert tracker.shadow_estimate() is None
+    assert tracker.reference_estimate() is None
 
 
 def test_a_command_is_obeyed_in_the_engines_thread_and_its_errors_are_told(sim, profile):

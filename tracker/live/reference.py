@@ -13,14 +13,14 @@ WAIT = 0.05  # s that the thread waits before it looks whether it should end
 MOST_WAITING = 500  # messages, 4 s: a machine too slow for two engines loses some here
 
 
-class Shadow:
+class ReferenceEngine:
     """Feeds a pipeline with what `put` is given, in that order; started at once."""
 
     def __init__(self, pipeline: Pipeline) -> None:
         self._pipeline = pipeline
         self._inbox: Fifo[ImuSample | BlobFrame] = Fifo(MOST_WAITING)
         self._estimate: Estimate | None = None
-        self._thread = threading.Thread(target=self._run, name="glovetrack-shadow", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="glovetrack-reference", daemon=True)
         self._thread.start()
 
     @property

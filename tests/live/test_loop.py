@@ -1,0 +1,170 @@
+"""The live loop without threads: what is recorded tells the order in which the engine was fed."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+import pytest
+
+from tests.live.test_runner import Tape, sim
+from tracker.errors import ConfigError
+from tracker.live.inbox import DetectedFrame, EngineCommand, Inbox
+from tracker.live.journal import Journal
+from tracker.live.loop import ArrivalOrder, LiveLoop
+from tracker.live.telemetry import Telemetry
+from tracker.messages import (
+    BlobFrame,
+    EngineState,
+    Estimate,
+    ImuSample,
+    Message,
+    StereoFrame,
+    Tracking,
+)
+from tracker.pipeline import Pipeline
+from tracker.simulation.scenario import Simulation
+
+__all__ = ["sim"]  # a fixture
+
+IN_TIME = 0.5  # s, far more than beginning a recording takes that nothing holds up
+
+
+class Clock:
+    """Time as told by the messages."""
+
+    def __init__(self) -> None:
+        self.now = 0.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+class RecordingBegunBetween(ArrivalOrder):
+    """Once ``begin`` is set, has another thread run it as soon as the next message is stamped."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.begin: threading.Thread | None = None
+
+    def imu(self, sample: ImuSample) -> ImuSample:
+        return self._interrupted(super().imu(sample))
+
+    def blobs(self, frame: BlobFrame) -> BlobFrame:
+        return self._interrupted(super().blobs(frame))
+
+    def _interrupted(self, message):
+        if self.begin is not None and self.begin.ident is None:
+            self.begin.start()
+            self.begin.join(IN_TIME)  # in vain where stamp and feeding are under one lock
+        return message
+
+
+def messages_of(sim: Simulation) -> list[ImuSample | BlobFrame]:
+    return [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
+
+
+def item(message: ImuSample | BlobFrame) -> ImuSample | DetectedFrame:
+    if isinstance(message, ImuSample):
+        return message
+    image = StereoFrame(message.t, message.t_arrival, None, None)
+    return DetectedFrame(image, message)
+
+
+def loop_on(sim: Simulation, order: ArrivalOrder | None = None) -> tuple[LiveLoop, Clock]:
+    clock = Clock()
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
+    return LiveLoop(pipeline, Journal(clock), Telemetry(), clock, order), clock
+
+
+def feed(loop: LiveLoop, clock: Clock, messages: list[ImuSample | BlobFrame]) -> None:
+    for message in messages:
+        clock.now = max(clock.now, message.t_arrival)
+        loop.feed(item(message))
+
+
+def tracked_again(sim: Simulation, messages: list[Message]) -> list[Estimate]:
+    """As from a file: from the recorded state on, in the order of the stamps."""
+    began = messages[0]
+    assert isinstance(began, EngineState)
+    pipeline, estimates = Pipeline(sim.hand, sim.glove, sim.rig), []
+    fed = [m for m in messages if isinstance(m, ImuSample | BlobFrame)]
+    pipeline.set_state(began.state)
+    for m in sorted(fed, key=lambda m: (m.t_arrival, isinstance(m, BlobFrame))):
+        assert m.t_arrival >= began.t, "before the state that holds what was fed before it"
+        if isinstance(m, ImuSample):
+            estimates.append(pipeline.feed_imu(m))
+        else:
+            pipeline.feed_frame(m)
+    return estimates
+
+
+@pytest.mark.parametrize("kind", [ImuSample, BlobFrame])
+def test_a_recording_begun_between_a_stamp_and_its_feeding_is_tracked_again_alike(sim, kind):
+    order, tape = RecordingBegunBetween(), Tape()
+    loop, clock = loop_on(sim, order)
+    messages = messages_of(sim)
+    middle = next(i for i, m in enumerate(messages) if m.t > 1.0 and isinstance(m, kind))
+    feed(loop, clock, messages[:middle])
+    order.begin = threading.Thread(target=loop.set_recorder, args=(tape,))
+    feed(loop, clock, messages[middle : middle + 1])
+    order.begin.join()
+    feed(loop, clock, messages[middle + 1 :])
+    loop.set_recorder(None)
+    recorded = [m for m in tape.messages if isinstance(m, Estimate)]
+    again = tracked_again(sim, tape.messages)
+    assert len(recorded) == len(again) > 50
+    for a, b in zip(recorded, again, strict=True):
+        np.testing.assert_array_equal(a.keypoints, b.keypoints)
+
+
+def test_one_thread_is_enough_to_track_a_hand(sim):
+    loop, clock = loop_on(sim)
+    messages = messages_of(sim)
+    feed(loop, clock, messages)
+    assert loop.estimate is not None and loop.estimate.tracking == Tracking.TRACKING
+    assert loop.estimate.t == max(m.t for m in messages if isinstance(m, ImuSample))
+    latest = loop.frames.latest
+    assert latest is not None and latest[0].t == latest[1].t == latest[2].t
+    assert loop.predicted is not None and loop.calibration is not None
+    assert loop.status().values["stereo_points"] > 0
+
+
+def test_stamps_tell_the_order_of_feeding_where_devices_tell_another(sim):
+    order, messages = ArrivalOrder(), messages_of(sim)
+    sample = next(m for m in messages if isinstance(m, ImuSample))
+    image = next(m for m in messages if isinstance(m, BlobFrame))
+    stamps = [order.imu(sample).t_arrival, order.mark(), order.imu(sample).t_arrival]
+    assert stamps == sorted(set(stamps)), "each after the one before"
+    late = order.imu(sample)
+    later = order.blobs(image)
+    assert later.t_arrival >= late.t_arrival
+    assert order.imu(sample).t_arrival > later.t_arrival
+
+
+def test_a_reference_that_does_not_exist_leaves_the_one_that_runs(sim):
+    loop, clock = loop_on(sim)
+    loop.set_reference("madgwick")
+    with pytest.raises(ConfigError):
+        loop.set_reference("none such")
+    feed(loop, clock, messages_of(sim)[:1])
+    loop.set_reference(None, wait=True)
+    assert loop.reference_estimate() is None
+
+
+def test_images_wait_three_at_a_time_and_packets_all(sim):
+    inbox, messages = Inbox(), messages_of(sim)
+    for message in messages[:40]:
+        waiting = item(message)
+        if isinstance(waiting, DetectedFrame):
+            inbox.put_frame(waiting)
+        else:
+            inbox.put(waiting)
+    inbox.put(EngineCommand(lambda engine: None))
+    images = sum(isinstance(m, BlobFrame) for m in messages[:40])
+    assert inbox.skipped == images - 3 > 0
+    taken = [inbox.get(0.0) for _ in range(40 - inbox.skipped + 1)]
+    assert sum(isinstance(i, DetectedFrame) for i in taken) == 3
+    assert sum(isinstance(i, ImuSample) for i in taken) == 40 - images
+    inbox.put_frame(item(next(m for m in messages if isinstance(m, BlobFrame))))
+    assert isinstance(inbox.get(0.0), DetectedFrame), "there is room again"

@@ -1,0 +1,62 @@
+"""What the threads of the glove and of the camera do: hand on what the devices give."""
+
+from __future__ import annotations
+
+from tracker.channels import Latest
+from tracker.live.inbox import Inbox
+from tracker.live.journal import Journal
+from tracker.live.telemetry import Telemetry
+from tracker.messages import Event, StereoFrame
+from tracker.sensors.sources import CameraSource, GloveSource, ReportingGlove
+
+WAIT = 0.05  # s that a step waits for its device
+
+
+class GloveReader:
+    """Packets go to the engine's inbox, events into the journal."""
+
+    def __init__(self, glove: GloveSource, inbox: Inbox, journal: Journal) -> None:
+        self._glove, self._inbox, self._journal = glove, inbox, journal
+
+    def step(self) -> None:
+        """Take what has come."""
+        for item in self._glove.poll(WAIT):
+            if isinstance(item, Event):
+                self._journal.add(item)
+            else:
+                self._inbox.put(item)
+
+    def figures(self) -> dict[str, float]:
+        """Battery and temperature, of a glove that reports them."""
+        if not isinstance(self._glove, ReportingGlove):
+            return {}
+        out, figures = {}, self._glove.figures
+        if figures.battery_mV is not None:
+            out["battery_v"] = figures.battery_mV / 1000
+        if figures.temperature_cC is not None:
+            out["temperature_c"] = figures.temperature_cC / 100
+        return out
+
+
+class CameraReader:
+    """Images go to the vision thread, which may miss some, and onto the disk, which does not."""
+
+    def __init__(
+        self,
+        camera: CameraSource,
+        images: Latest[StereoFrame],
+        journal: Journal,
+        telemetry: Telemetry,
+    ) -> None:
+        self._camera, self._images = camera, images
+        self._journal, self._telemetry = journal, telemetry
+
+    def step(self) -> None:
+        """Take the next image pair."""
+        frame = self._camera.read(WAIT)
+        for event in self._camera.take_events():
+            self._journal.add(event)
+        if frame is not None:
+            self._telemetry.tick("frame", frame.t_arrival)
+            self._journal.record(frame)
+            self._images.put(frame)

@@ -1,0 +1,44 @@
+"""Brings an image together with what the filter, which works in the past, made of it later."""
+
+from __future__ import annotations
+
+from collections import deque
+
+from tracker.live.inbox import DetectedFrame
+from tracker.messages import BlobFrame, FrameResult, StereoFrame, Tracking
+
+MOST_WAITING = 30  # images; nothing is made of them while searching
+
+
+class FrameResults:
+    """Written by one thread; ``latest`` may be read by any."""
+
+    def __init__(self) -> None:
+        self._waiting: deque[DetectedFrame] = deque()
+        self.latest: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
+
+    def wait_for(self, found: DetectedFrame) -> None:
+        """An image that the filter was just fed with."""
+        self._waiting.append(found)
+
+    def match(self, result: FrameResult) -> DetectedFrame | None:
+        """The image of ``result``, which is the latest now; None if it is not here any more."""
+        while self._waiting and self._waiting[0].blobs.t < result.t:
+            self._waiting.popleft()
+        if not self._waiting:
+            return None
+        found = self._waiting.popleft()
+        self.latest = (found.frame, found.blobs, result)
+        return found
+
+    def forget_old(self) -> None:
+        """Keep no more than `MOST_WAITING` images."""
+        while len(self._waiting) > MOST_WAITING:
+            self._waiting.popleft()
+
+    def show_unmatched(self, markers: int) -> None:
+        """The newest image is the latest, with none of the ``markers`` matched in it."""
+        if self._waiting:
+            found = self._waiting[-1]
+            nothing = FrameResult.nothing(found.blobs.t, Tracking.SEARCHING, markers)
+            self.latest = (found.frame, found.blobs, nothing)

@@ -1,0 +1,58 @@
+"""What is said and what is recorded: events for the log, every message for the disk."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tracker.channels import Fifo
+from tracker.live.recording import Recorder, RecordingThread
+from tracker.messages import Event, Message
+
+EVENTS_KEPT = 2000  # for whoever takes them
+
+
+class Journal:
+    """Methods may be called from any thread; `open` and `detach` by one at a time."""
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        self._clock = clock
+        self._events: Fifo[Event] = Fifo(EVENTS_KEPT)
+        self._disk: RecordingThread | None = None
+
+    def say(self, kind: str, text: str) -> None:
+        """A sentence for the log and the recording, stamped now."""
+        self.add(Event(self._clock(), kind, text))
+
+    def add(self, event: Event) -> None:
+        """An event of a device, with its own stamp."""
+        self._events.put(event)
+        self.record(event)
+
+    def take_events(self) -> list[Event]:
+        """What was said since the last call."""
+        return self._events.drain()
+
+    def record(self, message: Message) -> None:
+        """Hand a message to the disk's thread; nothing where no recording runs."""
+        disk = self._disk
+        if disk is not None:
+            disk.put(message)
+
+    @property
+    def recording(self) -> bool:
+        """Whether messages are recorded."""
+        return self._disk is not None
+
+    def open(self, recorder: Recorder) -> None:
+        """Record into ``recorder`` from now on."""
+        self._disk = RecordingThread(recorder, self.say)
+
+    def detach(self) -> RecordingThread | None:
+        """Record no more; the recording is to be finished by the caller, which takes a while."""
+        before, self._disk = self._disk, None
+        return before
+
+    def figures(self) -> dict[str, float]:
+        """How the disk keeps up."""
+        disk = self._disk
+        return {} if disk is None else {"pictures_thinned": disk.thinned}

@@ -1,0 +1,270 @@
+"""Everything that live tracking does with one message after another; no thread, no device.
+
+Messages enter the pipeline in one order, that of their ``t_arrival`` after `ArrivalOrder`, so that
+a session read back in that order gives the same states bit for bit.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from tracker.clock import nanoseconds, seconds
+from tracker.errors import GlovetrackError
+from tracker.live.frame_results import FrameResults
+from tracker.live.imu_history import ImuHistory
+from tracker.live.inbox import DetectedFrame, EngineCommand
+from tracker.live.journal import Journal
+from tracker.live.recording import Recorder
+from tracker.live.reference import ReferenceEngine
+from tracker.live.telemetry import Telemetry
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    EngineState,
+    Estimate,
+    FrameResult,
+    ImuSample,
+    Status,
+    Tracking,
+)
+from tracker.pipeline import Pipeline
+from tracker.vision.region_prediction import RegionPrediction
+
+SILENCE = 0.1  # s without packets after which the screen follows the images alone
+SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
+TRACKING_WORDS = {
+    Tracking.SEARCHING: "Looking for the hand.",
+    Tracking.TRACKING: "The hand is tracked.",
+    Tracking.COASTING: "The hand is out of sight; its place is extrapolated.",
+    Tracking.LOST: "The hand's place is lost; finger angles go on.",
+}
+
+
+class ArrivalOrder:
+    """Makes stamps of arrival tell the order of feeding: IMU first where two are equal.
+
+    A stamp is taken and its message fed under one lock: else another's stamp could come between.
+    """
+
+    def __init__(self) -> None:
+        self._last_ns = -1
+
+    def imu(self, sample: ImuSample) -> ImuSample:
+        """The packet, to be fed next, with a stamp later than all before."""
+        stamp = max(nanoseconds(sample.t_arrival), self._last_ns + 1)
+        self._last_ns = stamp
+        arrival = seconds(stamp)
+        return sample if arrival == sample.t_arrival else replace(sample, t_arrival=arrival)
+
+    def blobs(self, frame: BlobFrame) -> BlobFrame:
+        """The image's blobs, to be fed next, with a stamp not earlier than any before."""
+        self._last_ns = max(nanoseconds(frame.t_arrival), self._last_ns)
+        return replace(frame, t_arrival=seconds(self._last_ns))
+
+    def mark(self) -> float:
+        """An instant (s) between what was fed and what will be."""
+        self._last_ns += 1
+        return seconds(self._last_ns)
+
+
+class LiveLoop:
+    """`feed` is for one thread; everything else may be called from any.
+
+    ``estimate``, ``calibration``, ``frames.latest`` and ``predicted`` are the latest there are,
+    None before the first.
+    """
+
+    def __init__(
+        self,
+        pipeline: Pipeline,
+        journal: Journal,
+        telemetry: Telemetry,
+        clock: Callable[[], float],
+        order: ArrivalOrder | None = None,
+    ) -> None:
+        self.pipeline = pipeline
+        self.journal, self.telemetry, self.clock = journal, telemetry, clock
+        self.estimate: Estimate | None = None
+        self.calibration: Calibration | None = None
+        self.frames = FrameResults()
+        self.history = ImuHistory(telemetry)
+        self.predicted: RegionPrediction | None = None  # for the vision thread
+        self._order = order or ArrivalOrder()
+        self._reference: ReferenceEngine | None = None
+        self._pipeline_lock = threading.RLock()
+        self._next_report = 0.0
+
+    # ---- one message after another
+
+    def feed(self, item: ImuSample | DetectedFrame | EngineCommand) -> None:
+        """Do all there is to do about a message."""
+        started = self.clock()
+        if isinstance(item, ImuSample):
+            self._feed_imu(item)
+        elif isinstance(item, EngineCommand):
+            self._execute(item)
+        else:
+            self._feed_frame(item)
+        self.telemetry.took("filter", self.clock() - started)
+        self._take_results()
+        self._report()
+
+    def _feed_imu(self, sample: ImuSample) -> None:
+        with self._pipeline_lock:  # a recording holds a packet and its estimate, or neither
+            sample = self._order.imu(sample)
+            self.history.add(sample)
+            self.journal.record(sample)
+            self._show(self.pipeline.feed_imu(sample), record=True)
+        self._feed_reference(sample)
+        self.telemetry.took("imu", self.clock() - sample.t_arrival)
+
+    def _feed_frame(self, found: DetectedFrame) -> None:
+        with self._pipeline_lock:
+            blobs = self._order.blobs(found.blobs)
+            self.frames.wait_for(DetectedFrame(found.frame, blobs))
+            self.journal.record(blobs)
+            self.pipeline.feed_frame(blobs)
+        self._feed_reference(blobs)
+        if self.history.silent(blobs.t_arrival, SILENCE):
+            self._show(self.pipeline.predict(blobs.t), record=False)
+
+    def _feed_reference(self, message: ImuSample | BlobFrame) -> None:
+        reference = self._reference
+        if reference is not None:
+            reference.put(message)
+
+    def _execute(self, command: EngineCommand) -> None:
+        try:
+            with self._pipeline_lock:
+                command.work(self.pipeline.engine)
+                self.record_state()
+        except GlovetrackError as error:
+            self.journal.say("error", str(error))
+        self._next_report = 0.0  # what it changed is shown at once
+
+    def _show(self, estimate: Estimate, record: bool) -> None:
+        before, self.estimate = self.estimate, estimate
+        self.telemetry.tick("estimate", self.clock())
+        if record:
+            self.journal.record(estimate)
+        if before is None or before.tracking != estimate.tracking:
+            self.journal.say("tracking", TRACKING_WORDS[estimate.tracking])
+
+    def _take_results(self) -> None:
+        pipeline, frames = self.pipeline, self.frames
+        for text in pipeline.take_words():
+            self.journal.say("device", text)
+        for result in pipeline.take_results():
+            found = frames.match(result)
+            if found is not None:
+                self.telemetry.set("stereo_points", result.stereo_points)
+                self.telemetry.took("total", self.clock() - found.frame.t_arrival)
+                self._predict_regions(result)
+        frames.forget_old()
+        if self.estimate is not None and self.estimate.tracking == Tracking.SEARCHING:
+            frames.show_unmatched(len(pipeline.glove.markers))
+
+    def _predict_regions(self, result: FrameResult) -> None:
+        """Tell the vision thread where markers are, as long as that is sure."""
+        matched = np.count_nonzero((result.match_left >= 0) | (result.match_right >= 0))
+        estimate, expected = self.estimate, float(result.visible.sum())
+        before, self.predicted = self.predicted, None
+        if estimate is None or estimate.tracking != Tracking.TRACKING:
+            return
+        if matched >= SURE_SHARE * expected:
+            self.predicted = self.pipeline.region_prediction(estimate.t, before)
+
+    def _report(self) -> None:
+        """Once a second: calibration and status, for the screen and the file."""
+        now = self.clock()
+        if now < self._next_report:
+            return
+        self._next_report = now + 1.0
+        self.calibration = self.pipeline.calibration()
+        if self.estimate is not None and self.estimate.tracking != Tracking.SEARCHING:
+            self.journal.record(self.calibration)
+        self.journal.record(self.status())
+
+    # ---- from any thread
+
+    def status(self) -> Status:
+        """How tracking and the devices are, now."""
+        now = self.clock()
+        tracking = self.estimate.tracking if self.estimate is not None else Tracking.SEARCHING
+        return Status(now, tracking, self.telemetry.values(now))
+
+    def figures(self) -> dict[str, float]:
+        """Whether the camera is still as it was calibrated, and how late its images are."""
+        rig, timing = self.pipeline.rig_state, self.pipeline.timing
+        out = {
+            "stereo_swapped": float(rig.swapped),
+            "camera_moved": float(rig.moved),
+            "camera_jumps": rig.jumps,
+            "stereo_refused": rig.refused,
+            "camera_offset_applied_ms": 1e3 * timing.applied,
+        }
+        if math.isfinite(rig.row_shift_px):
+            out["stereo_row_shift_px"] = rig.row_shift_px
+        if math.isfinite(timing.offset.value):
+            out["camera_offset_ms"] = 1e3 * timing.offset.value
+            out["camera_offset_sd_ms"] = 1e3 * timing.offset.sd
+        return out
+
+    def set_engine(self, name: str) -> None:
+        """Track with another engine from the next message on; it looks for the hand anew.
+
+        Raises ConfigError for an unknown name.
+        """
+        if name == self.pipeline.settings.engine:
+            return
+        pipeline = self._pipeline_with(name)
+        with self._pipeline_lock:
+            self.pipeline = pipeline
+            self.record_state()
+        self.journal.say("tracking", f"The engine is now {name}.")
+
+    def set_reference(self, name: str | None, wait: bool = False) -> None:
+        """Let a second engine see the same messages, to be compared with; None ends it.
+
+        ``wait`` until the one before has ended. Raises ConfigError for an unknown name.
+        """
+        reference = ReferenceEngine(self._pipeline_with(name)) if name else None
+        before, self._reference = self._reference, reference
+        if before is not None:
+            before.close(wait)
+
+    def reference_estimate(self) -> Estimate | None:
+        """The second engine's hand; None where there is none."""
+        reference = self._reference
+        return reference.estimate if reference is not None else None
+
+    def _pipeline_with(self, engine: str) -> Pipeline:
+        p = self.pipeline
+        return Pipeline(p.hand, p.glove, p.rig, replace(p.settings, engine=engine))
+
+    def set_recorder(self, recorder: Recorder | None) -> None:
+        """Record into ``recorder`` from now on; the last one is finished and closed."""
+        with self._pipeline_lock:
+            before = self.journal.detach()
+        if before is not None:
+            before.finish()
+            self.journal.say("recording", "The recording is finished.")
+        if recorder is not None:
+            with self._pipeline_lock:
+                self.journal.open(recorder)
+                self.record_state()
+            self.journal.say("recording", "Recording.")
+
+    def record_state(self) -> None:
+        """Record what no message tells: tracked again, the session goes on as it did live."""
+        with self._pipeline_lock:
+            if self.journal.recording:
+                p = self.pipeline
+                self.journal.record(
+                    EngineState(self._order.mark(), p.settings.engine, p.get_state())
+                )

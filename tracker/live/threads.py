@@ -1,0 +1,52 @@
+"""Threads that repeat a step until they are stopped; one that fails says so and ends alone."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+from tracker.channels import Closed
+from tracker.errors import GlovetrackError
+
+
+class ThreadGroup:
+    """``say`` gets a kind and a sentence when a thread fails. Methods are for one owner."""
+
+    def __init__(self, say: Callable[[str, str], None]) -> None:
+        self._say = say
+        self._stopping = threading.Event()
+        self._threads: list[threading.Thread] = []
+
+    @property
+    def stopping(self) -> bool:
+        """Whether the threads were told to end."""
+        return self._stopping.is_set()
+
+    def start(self, name: str, step: Callable[[], None]) -> None:
+        """Repeat ``step``, which waits for its work a moment at most, in a thread of this name."""
+        thread = threading.Thread(
+            target=self._run, args=(name, step), name=f"glovetrack-{name}", daemon=True
+        )
+        self._threads.append(thread)
+        thread.start()
+
+    def tell_to_stop(self) -> None:
+        """No further step begins."""
+        self._stopping.set()
+
+    def join(self) -> None:
+        """Wait for the last steps. May be called again."""
+        for thread in self._threads:
+            thread.join()
+        self._threads.clear()
+
+    def _run(self, name: str, step: Callable[[], None]) -> None:
+        try:
+            while not self._stopping.is_set():
+                step()
+        except Closed:
+            return
+        except GlovetrackError as error:
+            self._say("error", str(error))
+        except Exception as error:  # noqa: BLE001 - the last line of defence of a thread
+            self._say("error", f"The {name} thread failed: {type(error).__name__}: {error}.")
