@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.raster.scene import RasterScene
-from app.widgets.view3d.scene import Look
+from app.widgets.view3d.scene import BodyLook
 from app.widgets.view3d.shapes import ball
 from tracker import kernels
 from tracker.glove.model import GloveModel
@@ -40,7 +40,7 @@ def warm_up_view() -> None:
     """Paint a ball, so that the window need not wait for what the hand in 3D is painted with."""
     if not kernels.are_compiled():
         scene = RasterScene()
-        scene.add(ball(0.01), Look("#FFFFFF"))
+        scene.add(ball(0.01), BodyLook("#FFFFFF"))
         scene.render(Orbit(), 2, 2)
 
 

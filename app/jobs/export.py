@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
-from app.viewmodels.states import BAD, GOOD, IDLE, SKY, Look
+from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
 
 if TYPE_CHECKING:
     from tracker.session.export.options import ExportOptions
 
-WAITING = Look(IDLE.colour, "◌", "waiting")
-RUNNING = Look(SKY, "▶", "under way")
-DONE = Look(GOOD.colour, GOOD.sign, "done")
-FAILED = Look(BAD.colour, BAD.sign, "failed")
-CANCELLED = Look(IDLE.colour, IDLE.sign, "cancelled")
+WAITING = StateLook(IDLE.colour, "◌", "waiting")
+RUNNING = StateLook(SKY, "▶", "under way")
+DONE = StateLook(GOOD.colour, GOOD.sign, "done")
+FAILED = StateLook(BAD.colour, BAD.sign, "failed")
+CANCELLED = StateLook(IDLE.colour, IDLE.sign, "cancelled")
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ class QueueItem:
     """One export on its way."""
 
     request: ExportRequest
-    look: Look = WAITING
+    look: StateLook = WAITING
     share: float = 0.0
     problem: str = ""
     task: RunningJob | None = field(default=None, repr=False)
@@ -142,7 +142,7 @@ class ExportQueue(QObject):
         item.share = min(max(share, 0.0), 1.0)
         self.changed.emit()
 
-    def _settle(self, item: QueueItem, look: Look, problem: str = "") -> None:
+    def _settle(self, item: QueueItem, look: StateLook, problem: str = "") -> None:
         item.look, item.problem = look, problem
 
     def _ended(self, item: QueueItem) -> None:

@@ -22,7 +22,7 @@ from app.panels.panel import Panel
 from app.panels.wearer_row import WearerRow
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerStore
-from app.viewmodels.calibration import CalibrationView, Cell, calibration_view
+from app.viewmodels.calibration import CalibrationCell, CalibrationView, calibration_view
 from app.viewmodels.camera_time import camera_time
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.meter import SHARE_ROLE, MeterDelegate
@@ -248,7 +248,7 @@ class CalibrationPanel(Panel):
         return item
 
     @staticmethod
-    def _show_cell(item: QTableWidgetItem, cell: Cell) -> None:
+    def _show_cell(item: QTableWidgetItem, cell: CalibrationCell) -> None:
         item.setText(cell.text)
         item.setToolTip(cell.tip)
         item.setData(SHARE_ROLE, cell.convergence)

@@ -11,9 +11,9 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.image_folder import Image
+from app.viewmodels.camera_overlay import Layers, hand_box, overlay
 from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
-from app.viewmodels.overlay import Layers, hand_box, overlay
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.image_view import ImageView
 from tracker.messages import StereoFrame

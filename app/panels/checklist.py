@@ -9,7 +9,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
-from app.viewmodels.checklist import Step, steps
+from app.viewmodels.checklist import SetUpStep, steps
 
 
 class ChecklistPanel(Panel):
@@ -68,7 +68,7 @@ class _Row:
         for column, widget in enumerate((self._sign, self._name, self._reason, self._button)):
             grid.addWidget(widget, index, column, top)
 
-    def show(self, step: Step, reachable: bool) -> None:
+    def show(self, step: SetUpStep, reachable: bool) -> None:
         look = step.look(reachable)
         self._sign.setText(look.sign)
         self._sign.setStyleSheet(f"color: {look.colour}")

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine_host import EngineHost
 from app.panels.panel import Panel
-from app.viewmodels.log import KINDS, Log
+from app.viewmodels.log import KINDS, EventLog
 from tracker.messages import Event
 
 _log = logging.getLogger(__name__)
@@ -32,7 +32,7 @@ class LogPanel(Panel):
 
     def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
         super().__init__(host, parent)
-        self.model = Log()
+        self.model = EventLog()
         self.kind = QComboBox()
         self.kind.addItem(self.tr("Everything"), "")
         for kind, look in KINDS.items():

@@ -27,7 +27,7 @@ SETTLED = 0.9
 
 
 @dataclass(frozen=True)
-class Cell:
+class CalibrationCell:
     """One parameter of one segment: its text, tooltip and convergence 0..1 (NaN: has none)."""
 
     text: str
@@ -36,14 +36,14 @@ class Cell:
 
 
 @dataclass(frozen=True)
-class Row:
+class CalibrationRow:
     segment: str
-    cells: tuple[Cell, ...]  # scale, mounting, gyro bias, accel bias
+    cells: tuple[CalibrationCell, ...]  # scale, mounting, gyro bias, accel bias
 
 
 @dataclass(frozen=True)
 class CalibrationView:
-    rows: tuple[Row, ...]
+    rows: tuple[CalibrationRow, ...]
     hand_length: str
     convergence: float
     advice: str
@@ -92,11 +92,11 @@ def _one(values: Array, name: str) -> float:
     return float(known[0]) if name == "scale" else float(np.linalg.norm(known))
 
 
-def _cell(c: Calibration, i: int, name: str, reference: Calibration | None) -> Cell:
+def _cell(c: Calibration, i: int, name: str, reference: Calibration | None) -> CalibrationCell:
     """One figure in the cell, all components in the tip; with ``reference`` the change since."""
     values, sd = getattr(c, name)[i], getattr(c, f"{name}_sd")[i]
     if not np.isfinite(values).any():
-        return Cell("", "", float("nan"))
+        return CalibrationCell("", "", float("nan"))
     kind, spread = _KINDS[name], float(np.nanmax(sd))
     if name == "scale":
         spread = float(sd[0])
@@ -109,7 +109,7 @@ def _cell(c: Calibration, i: int, name: str, reference: Calibration | None) -> C
     text = (
         f"{kind.pattern.format(_one(values, name) * kind.factor)} ± {2 * spread * kind.factor:.2g}"
     )
-    return Cell(f"{text} {kind.unit}".strip(), figures, settled)
+    return CalibrationCell(f"{text} {kind.unit}".strip(), figures, settled)
 
 
 def _row_of(c: Calibration, segment: str, name: str) -> tuple[Array, Array] | None:
@@ -121,7 +121,9 @@ def _row_of(c: Calibration, segment: str, name: str) -> tuple[Array, Array] | No
     return (values, getattr(c, f"{name}_sd")[i]) if np.isfinite(values).any() else None
 
 
-def _change(difference: Array, sd: Array, name: str, figures: str, settled: float) -> Cell:
+def _change(
+    difference: Array, sd: Array, name: str, figures: str, settled: float
+) -> CalibrationCell:
     """What has changed; a sign where that is more than both uncertainties together explain."""
     kind = _KINDS[name]
     clear = bool(np.any(np.abs(difference) > 2 * sd))
@@ -130,14 +132,14 @@ def _change(difference: Array, sd: Array, name: str, figures: str, settled: floa
     text = f"{'▲ ' if clear else ''}Δ {sign}{kind.pattern.format(one)} {kind.unit}".strip()
     word = "more than 2σ of both" if clear else "within 2σ of both"
     tip = f"now {figures}\nchange {_figures(difference, sd, kind)}: {word}"
-    return Cell(text, tip, settled)
+    return CalibrationCell(text, tip, settled)
 
 
 def calibration_view(c: Calibration, reference: Calibration | None = None) -> CalibrationView:
     """``reference``: an earlier fit that this one is compared with."""
     kinds = tuple(RANGES)
     rows = tuple(
-        Row(segment.replace("_", " "), tuple(_cell(c, i, k, reference) for k in kinds))
+        CalibrationRow(segment.replace("_", " "), tuple(_cell(c, i, k, reference) for k in kinds))
         for i, segment in enumerate(c.segments)
     )
     shares = {k: [r.cells[j].convergence for r in rows] for j, k in enumerate(kinds)}
@@ -146,7 +148,9 @@ def calibration_view(c: Calibration, reference: Calibration | None = None) -> Ca
     return CalibrationView(rows, _length(c, reference), overall, _advice(rows, means, shares))
 
 
-def _advice(rows: tuple[Row, ...], means: dict[str, float], shares: dict[str, list[float]]) -> str:
+def _advice(
+    rows: tuple[CalibrationRow, ...], means: dict[str, float], shares: dict[str, list[float]]
+) -> str:
     """Which motion helps what is farthest from settled, and whose it is."""
     known = {k: m for k, m in means.items() if np.isfinite(m)}
     worst = min(known, key=lambda k: known[k], default=None)

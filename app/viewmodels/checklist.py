@@ -10,7 +10,7 @@ import numpy as np
 from app.engines.snapshot import Snapshot
 from app.viewmodels.calibration import SETTLED, calibration_view
 from app.viewmodels.colours import seen_rows
-from app.viewmodels.states import GOOD, IDLE, WARN, Look
+from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
@@ -18,7 +18,7 @@ BIAS_DPS = 0.6
 
 
 @dataclass(frozen=True)
-class Step:
+class SetUpStep:
     """``command`` is a key of the window's commands, or empty where nothing is to be done."""
 
     name: str
@@ -27,13 +27,13 @@ class Step:
     command: str = ""
     button: str = ""
 
-    def look(self, reachable: bool) -> Look:
+    def look(self, reachable: bool) -> StateLook:
         if self.done:
             return GOOD
         return WARN if reachable else IDLE
 
 
-def steps(view: Snapshot | None, calibration: str = "") -> list[Step]:
+def steps(view: Snapshot | None, calibration: str = "") -> list[SetUpStep]:
     """All steps in order; the first that is not done is the one to work on.
 
     ``calibration`` is the chosen stereo calibration's path, for the time before devices are open.
@@ -51,41 +51,43 @@ def steps(view: Snapshot | None, calibration: str = "") -> list[Step]:
     ]
 
 
-def _glove(view: Snapshot | None) -> Step:
+def _glove(view: Snapshot | None) -> SetUpStep:
     name = "Glove found"
     if view is not None and len(view.imu) > 0:
-        return Step(name, True, view.setup.glove.name)
+        return SetUpStep(name, True, view.setup.glove.name)
     reason = "No glove answers. Plug it in, or try the demo."
-    return Step(name, False, reason, "hardware", "Look again")
+    return SetUpStep(name, False, reason, "hardware", "Look again")
 
 
-def _samples(view: Snapshot | None) -> Step:
+def _samples(view: Snapshot | None) -> SetUpStep:
     name = "All IMUs answer"
     if view is None or len(view.imu) == 0:
-        return Step(name, False, "Waits for the glove.", "glove_setup", "Set up the glove")
+        return SetUpStep(name, False, "Waits for the glove.", "glove_setup", "Set up the glove")
     valid = np.array([s.valid for s in list(view.imu)[-100:]]).mean(axis=0)
     silent = [n for n, v in zip(view.setup.glove.imu_names, valid, strict=True) if v < 0.5]
     if silent:
-        return Step(name, False, f"Silent: {', '.join(silent)}.", "show_sensors", "Show sensors")
-    return Step(name, True, f"{len(valid)} of {len(valid)}")
+        return SetUpStep(
+            name, False, f"Silent: {', '.join(silent)}.", "show_sensors", "Show sensors"
+        )
+    return SetUpStep(name, True, f"{len(valid)} of {len(valid)}")
 
 
-def _still(view: Snapshot | None) -> Step:
+def _still(view: Snapshot | None) -> SetUpStep:
     """Either the hand lay still for a moment, or the filter has found the gyros' biases by now."""
     name = "Measured at rest"
     if view is None or view.calibration is None or len(view.imu) == 0:
-        return Step(name, False, "Waits for the glove.")
+        return SetUpStep(name, False, "Waits for the glove.")
     sd = view.calibration.gyro_bias_sd
     if np.all(np.isnan(sd)):
-        return Step(name, True, "this engine estimates no biases")
+        return SetUpStep(name, True, "this engine estimates no biases")
     worst_dps = float(np.rad2deg(np.nanmax(sd)))
     if worst_dps <= BIAS_DPS:
-        return Step(name, True, f"gyros known to {worst_dps:.1f} °/s")
+        return SetUpStep(name, True, f"gyros known to {worst_dps:.1f} °/s")
     reason = "Lay the hand flat on the table for two seconds."
-    return Step(name, False, reason, "glove_setup", "Measure")
+    return SetUpStep(name, False, reason, "glove_setup", "Measure")
 
 
-def _camera(view: Snapshot | None) -> Step:
+def _camera(view: Snapshot | None) -> SetUpStep:
     name = "Camera found"
     if view is not None and view.frame is not None:
         dark = [
@@ -94,73 +96,77 @@ def _camera(view: Snapshot | None) -> Step:
             if image is None
         ]
         if not dark:
-            return Step(name, True, "both images arrive")
-        return Step(name, False, f"The {dark[0]} image is missing.", "hardware", "Look again")
-    return Step(name, False, "No images arrive.", "hardware", "Look again")
+            return SetUpStep(name, True, "both images arrive")
+        return SetUpStep(name, False, f"The {dark[0]} image is missing.", "hardware", "Look again")
+    return SetUpStep(name, False, "No images arrive.", "hardware", "Look again")
 
 
-def _stereo(view: Snapshot | None, calibration: str) -> Step:
+def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
     name = "Camera calibrated"
     if view is None and calibration:
-        return Step(name, True, Path(calibration).name)
+        return SetUpStep(name, True, Path(calibration).name)
     if view is None:
-        return Step(name, False, "Show a printed board to both lenses.", "stereo", "Calibrate")
+        return SetUpStep(name, False, "Show a printed board to both lenses.", "stereo", "Calibrate")
     baseline = view.setup.rig.baseline * 1000
-    return Step(name, True, f"baseline {baseline:.1f} mm")
+    return SetUpStep(name, True, f"baseline {baseline:.1f} mm")
 
 
-def _exposure(view: Snapshot | None) -> Step:
+def _exposure(view: Snapshot | None) -> SetUpStep:
     """A camera that exposes by itself changes the markers' colours."""
     name = "Exposure locked"
     if view is None or view.frame is None:
-        return Step(name, False, "Waits for images.")
+        return SetUpStep(name, False, "Waits for images.")
     if view.setup.simulated or view.setup.player is not None:
-        return Step(name, True, "it does not change here")
+        return SetUpStep(name, True, "it does not change here")
     if view.setup.camera_controls is None:
-        return Step(name, True, "this source has no exposure to be set")
+        return SetUpStep(name, True, "this source has no exposure to be set")
     controls = {c.name: c for c in view.setup.camera_controls.controls() if c.available}
     open_ones = [n.replace("_", " ") for n, c in controls.items() if not c.locked and n != "gain"]
     if not controls:
-        return Step(name, True, "this camera lets no program set it: keep the light as it is")
+        return SetUpStep(name, True, "this camera lets no program set it: keep the light as it is")
     if open_ones:
         words = f"The camera changes {' and '.join(open_ones)} by itself."
-        return Step(name, False, words, "lock_camera", "Lock it now")
-    return Step(
+        return SetUpStep(name, False, words, "lock_camera", "Lock it now")
+    return SetUpStep(
         name, True, ", ".join(f"{n.replace('_', ' ')} {c.value:g}" for n, c in controls.items())
     )
 
 
-def _colours(view: Snapshot | None) -> Step:
+def _colours(view: Snapshot | None) -> SetUpStep:
     name = "Colours tuned"
     if view is None or view.blobs is None:
-        return Step(name, False, "Waits for images.")
+        return SetUpStep(name, False, "Waits for images.")
     rows = seen_rows(view, view.setup.profile)
     clashing = [r.name for r in rows if r.clash]
     if clashing:
         reason = f"The intervals of {' and '.join(clashing)} overlap."
-        return Step(name, False, reason, "show_colours", "Tune colours")
+        return SetUpStep(name, False, reason, "show_colours", "Tune colours")
     sides = [b for b in (view.blobs.left, view.blobs.right) if b is not None]
     found = {view.blobs.hue_names[h] for b in sides for h in b.hue.tolist()}
     if not found:
-        return Step(name, False, "No marker is found.", "show_colours", "Tune colours")
-    return Step(name, True, f"seen: {', '.join(n for n in view.blobs.hue_names if n in found)}")
+        return SetUpStep(name, False, "No marker is found.", "show_colours", "Tune colours")
+    return SetUpStep(
+        name, True, f"seen: {', '.join(n for n in view.blobs.hue_names if n in found)}"
+    )
 
 
-def _hand(view: Snapshot | None) -> Step:
+def _hand(view: Snapshot | None) -> SetUpStep:
     name = "Hand in view"
     tracking = view.estimate.tracking if view is not None and view.estimate is not None else None
     if tracking == Tracking.TRACKING:
-        return Step(name, True, "tracking")
-    return Step(name, False, "Hold the hand flat, about 35 cm before the camera, for two seconds.")
+        return SetUpStep(name, True, "tracking")
+    return SetUpStep(
+        name, False, "Hold the hand flat, about 35 cm before the camera, for two seconds."
+    )
 
 
-def _calibration(view: Snapshot | None) -> Step:
+def _calibration(view: Snapshot | None) -> SetUpStep:
     name = "Calibration settled"
     if view is None or view.calibration is None:
-        return Step(name, False, "Waits for tracking.")
+        return SetUpStep(name, False, "Waits for tracking.")
     shown = calibration_view(view.calibration)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence
     if share >= SETTLED:
-        return Step(name, True, f"hand length {shown.hand_length}")
+        return SetUpStep(name, True, f"hand length {shown.hand_length}")
     reason = f"{100 * share:.0f} %. {shown.advice}"
-    return Step(name, False, reason, "show_calibration", "Show")
+    return SetUpStep(name, False, reason, "show_calibration", "Show")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.engines.snapshot import Snapshot
-from app.viewmodels.overlay import project
+from app.viewmodels.camera_overlay import project
 from tracker.messages import Array, Tracking
 from tracker.vision.colours import HUES, ColourProfile, HueRange
 

@@ -22,7 +22,7 @@ from app.viewmodels.colour_images import (
     room_shares,
 )
 from app.viewmodels.colours import HueRow, blob_counts, hue_rows, seen_rows
-from app.widgets.overlay import Ring
+from app.widgets.image_shapes import Ring
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.errors import ConfigError
 from tracker.messages import Array, Blobs

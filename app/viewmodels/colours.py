@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.snapshot import Snapshot
-from app.viewmodels.states import GOOD, IDLE, WARN, Look
+from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from tracker.calibration.colours_fit import clashes
 from tracker.messages import Blobs, Tracking
 from tracker.vision.colours import HUES, ColourProfile
@@ -34,7 +34,7 @@ class HueRow:
     colour: str
     count: str
     tip: str
-    look: Look
+    look: StateLook
     clash: str
 
 
@@ -93,7 +93,7 @@ def expected_counts(view: Snapshot) -> dict[str, float]:
 
 def _count(
     name: str, found: Mapping[str, float] | None, expected: Mapping[str, float] | None
-) -> tuple[str, str, Look]:
+) -> tuple[str, str, StateLook]:
     """Short text, long text and state."""
     if not found or name not in found:
         return "–", "no image", IDLE

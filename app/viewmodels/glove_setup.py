@@ -11,7 +11,7 @@ from enum import Enum
 
 import numpy as np
 
-from app.viewmodels.states import BAD, GOOD, IDLE, WARN, Look
+from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
 from tracker.calibration.still import StillParams, StillPose, still_pose
 from tracker.calibration.wiggle import WiggleResult, WiggleTest, imu_motion, moving
 from tracker.messages import Array, ImuSample
@@ -127,14 +127,14 @@ def last(samples: Sequence[ImuSample], span: float) -> list[ImuSample]:
 
 
 @dataclass(frozen=True)
-class Cell:
+class GloveRow:
     """Cells of one table row, and the look of its last."""
 
     texts: tuple[str, ...]
-    look: Look
+    look: StateLook
 
 
-def still_rows(pose: StillPose) -> list[Cell]:
+def still_rows(pose: StillPose) -> list[GloveRow]:
     """IMU, bias x y z, its uncertainty, noise, gravity, state."""
     rows = []
     for imu in pose.imus:
@@ -147,7 +147,7 @@ def still_rows(pose: StillPose) -> list[Cell]:
             f"{np.linalg.norm(imu.accel):.2f}",
             imu.trouble or "good",
         )
-        rows.append(Cell(texts, BAD if imu.trouble else GOOD))
+        rows.append(GloveRow(texts, BAD if imu.trouble else GOOD))
     return rows
 
 
@@ -161,10 +161,10 @@ WIGGLE_LOOKS = {
 }
 
 
-def wiggle_rows(result: WiggleResult) -> list[Cell]:
+def wiggle_rows(result: WiggleResult) -> list[GloveRow]:
     """IMU, state, words."""
     return [
-        Cell((spoken(r.name), r.state, r.words), WIGGLE_LOOKS.get(r.state, IDLE))
+        GloveRow((spoken(r.name), r.state, r.words), WIGGLE_LOOKS.get(r.state, IDLE))
         for r in result.rows
     ]
 

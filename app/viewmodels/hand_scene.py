@@ -9,7 +9,7 @@ import numpy as np
 
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
-from app.viewmodels.overlay import VISIBLE
+from app.viewmodels.camera_overlay import VISIBLE
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Estimate, FrameResult, IntArray, Tracking, Validity
 

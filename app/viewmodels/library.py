@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.viewmodels.recording import duration_text, size_text
-from app.viewmodels.states import BAD, GOOD, SKY, WARN, Look
+from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
 from tracker.errors import GlovetrackError
 from tracker.session.glance import Quality, quality, thumbnail
 from tracker.session.reader import SessionReader
 
 THUMBNAIL_WIDTH = 72  # px
-BEING_RECORDED = Look(SKY, "●", "being recorded")
+BEING_RECORDED = StateLook(SKY, "●", "being recorded")
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class SessionRow:
     when: str
     duration: str
     size: str
-    look: Look
+    look: StateLook
     integrity: str
     problem: str
     stamp: tuple[int, int] = (
@@ -48,7 +48,7 @@ class Details:
     """What is inside. ``image`` (h, w, 3) BGR; None where there are no images."""
 
     quality: str
-    look: Look | None
+    look: StateLook | None
     image: NDArray[np.uint8] | None
 
 
@@ -116,7 +116,7 @@ def details(path: Path) -> Details:
         return Details(str(error), BAD, None)
 
 
-def quality_text(q: Quality) -> tuple[str, Look | None]:
+def quality_text(q: Quality) -> tuple[str, StateLook | None]:
     """``tracked 97 %, 2 packets lost`` and how that is to be seen."""
     if q.tracked is None:
         return "not tracked", None

@@ -6,45 +6,45 @@ from collections import deque
 from dataclasses import dataclass
 from datetime import datetime
 
-from app.viewmodels.states import BAD, BLUE, GREY, PURPLE, SKY, Look
+from app.viewmodels.states import BAD, BLUE, GREY, PURPLE, SKY, StateLook
 from tracker.messages import Event
 
-KINDS: dict[str, Look] = {
-    "error": Look(BAD.colour, BAD.sign, "Problems"),
-    "device": Look(BLUE, "■", "Devices"),
-    "tracking": Look(SKY, "◆", "Tracking"),
-    "recording": Look(PURPLE, "●", "Recording"),
-    "note": Look(GREY, "✎", "Notes"),
+KINDS: dict[str, StateLook] = {
+    "error": StateLook(BAD.colour, BAD.sign, "Problems"),
+    "device": StateLook(BLUE, "■", "Devices"),
+    "tracking": StateLook(SKY, "◆", "Tracking"),
+    "recording": StateLook(PURPLE, "●", "Recording"),
+    "note": StateLook(GREY, "✎", "Notes"),
 }
 
 
 @dataclass(frozen=True)
-class Entry:
+class LogEntry:
     kind: str
     line: str
     colour: str
 
 
-class Log:
+class EventLog:
     """The last ``capacity`` events."""
 
     def __init__(self, capacity: int = 2000) -> None:
         self.capacity = capacity
-        self._entries: deque[Entry] = deque(maxlen=capacity)
+        self._entries: deque[LogEntry] = deque(maxlen=capacity)
 
-    def add(self, event: Event, now: datetime | None = None) -> Entry:
+    def add(self, event: Event, now: datetime | None = None) -> LogEntry:
         """Take an event; its line carries the wall clock's time of arrival."""
         look = KINDS.get(event.kind, KINDS["note"])
         clock = (now or datetime.now()).strftime("%H:%M:%S")
-        entry = Entry(event.kind, f"{clock}  {look.sign}  {event.text}", look.colour)
+        entry = LogEntry(event.kind, f"{clock}  {look.sign}  {event.text}", look.colour)
         self._entries.append(entry)
         return entry
 
     @staticmethod
-    def shows(entry: Entry, kind: str, words: str) -> bool:
+    def shows(entry: LogEntry, kind: str, words: str) -> bool:
         """Whether an entry passes the filter; all ``words`` must occur."""
         line = entry.line.lower()
         return (not kind or entry.kind == kind) and all(w in line for w in words.lower().split())
 
-    def entries(self, kind: str = "", words: str = "") -> list[Entry]:
+    def entries(self, kind: str = "", words: str = "") -> list[LogEntry]:
         return [e for e in self._entries if self.shows(e, kind, words)]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.viewmodels.states import BAD, GOOD, IDLE, WARN, Look
+from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
 from tracker import GRAVITY
 from tracker.messages import Array, Estimate, ImuSample, Status
 
@@ -26,7 +26,7 @@ class Curves:
 @dataclass(frozen=True)
 class ImuState:
     name: str
-    look: Look
+    look: StateLook
     text: str
 
 

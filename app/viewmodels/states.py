@@ -20,7 +20,7 @@ GREY = "#8A9099"
 
 
 @dataclass(frozen=True)
-class Look:
+class StateLook:
     """How one state appears: a colour, a sign that survives grey print, and a word."""
 
     colour: str
@@ -28,20 +28,20 @@ class Look:
     word: str
 
 
-GOOD = Look(BLUISH_GREEN, "●", "good")
-WARN = Look(ORANGE, "◐", "attention")
-BAD = Look(VERMILLION, "▲", "problem")
-IDLE = Look(GREY, "○", "idle")
+GOOD = StateLook(BLUISH_GREEN, "●", "good")
+WARN = StateLook(ORANGE, "◐", "attention")
+BAD = StateLook(VERMILLION, "▲", "problem")
+IDLE = StateLook(GREY, "○", "idle")
 
-VALIDITY: dict[int, Look] = {
-    Validity.MEASURED: Look(BLUISH_GREEN, "●", "measured"),
-    Validity.INFERRED: Look(ORANGE, "◐", "inferred"),
-    Validity.LOST: Look(GREY, "○", "lost"),
+VALIDITY: dict[int, StateLook] = {
+    Validity.MEASURED: StateLook(BLUISH_GREEN, "●", "measured"),
+    Validity.INFERRED: StateLook(ORANGE, "◐", "inferred"),
+    Validity.LOST: StateLook(GREY, "○", "lost"),
 }
 
-TRACKING: dict[int, Look] = {
-    Tracking.SEARCHING: Look(SKY, "◌", "Searching for the hand"),
-    Tracking.TRACKING: Look(BLUISH_GREEN, "●", "Tracking"),
-    Tracking.COASTING: Look(ORANGE, "◐", "Coasting on the glove alone"),
-    Tracking.LOST: Look(VERMILLION, "▲", "Position lost"),
+TRACKING: dict[int, StateLook] = {
+    Tracking.SEARCHING: StateLook(SKY, "◌", "Searching for the hand"),
+    Tracking.TRACKING: StateLook(BLUISH_GREEN, "●", "Tracking"),
+    Tracking.COASTING: StateLook(ORANGE, "◐", "Coasting on the glove alone"),
+    Tracking.LOST: StateLook(VERMILLION, "▲", "Position lost"),
 }

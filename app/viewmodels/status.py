@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, Look
+from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, StateLook
 from tracker.messages import Status
 
 LATENCY_WARN_MS = 60.0
@@ -25,13 +25,13 @@ class Field:
     key: str
     name: str
     text: str
-    look: Look
+    look: StateLook
     tip: str
 
 
-def tracking_look(status: Status | None, running: bool) -> Look:
+def tracking_look(status: Status | None, running: bool) -> StateLook:
     if not running or status is None:
-        return Look(IDLE.colour, IDLE.sign, "Stopped")
+        return StateLook(IDLE.colour, IDLE.sign, "Stopped")
     return TRACKING[status.tracking]
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, Look
-from app.widgets.overlay import Cross, Line, Shape
+from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, StateLook
+from app.widgets.image_shapes import Cross, Line, Shape
 from tracker.calibration.stereo.checks import (
     Extrinsics,
     known_baseline_problems,
@@ -29,7 +29,7 @@ ANSWERS = {
     Answer.KNOWN: "There is a view like this already: move on.",
     Answer.FULL: "There are enough views.",
 }
-VERDICTS: dict[str, Look] = {"good": GOOD, "usable": WARN, "refused": BAD, "waiting": IDLE}
+VERDICTS: dict[str, StateLook] = {"good": GOOD, "usable": WARN, "refused": BAD, "waiting": IDLE}
 
 SUSPECT_PX = 1.0
 """A view off by more was blurred, or the board bent."""
@@ -105,7 +105,7 @@ class ViewRow:
     name: str
     left: str
     right: str
-    look: Look
+    look: StateLook
     state: str
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from app.viewmodels.states import BAD, GOOD, IDLE, WARN, Look
+from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
 from tracker.streaming.streams import StreamCounts
 
 TITLES = {
@@ -22,7 +22,7 @@ WITHOUT_PORT = ("lsl",)
 class StreamRow:
     """Texts of one row; ``tip`` says more about the state."""
 
-    look: Look
+    look: StateLook
     state: str
     clients: str
     sent: str

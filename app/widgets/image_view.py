@@ -26,7 +26,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.widgets.overlay import Shape
+from app.widgets.image_shapes import Shape
 from app.widgets.shape_painter import paint_shape
 
 MAX_ZOOM = 16.0

@@ -7,7 +7,7 @@ import math
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.widgets.overlay import Cross, Ellipse, Label, Line, Ring, Shape
+from app.widgets.image_shapes import Cross, Ellipse, Label, Line, Ring, Shape
 
 FILLING = 110  # alpha
 

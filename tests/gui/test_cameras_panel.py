@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
+from app.viewmodels.camera_overlay import DIM, EDGE_PX, Layers, overlay
 from app.viewmodels.colours import hue_colours
-from app.viewmodels.overlay import DIM, EDGE_PX, Layers, overlay
 from app.widgets.flow_layout import FlowLayout
-from app.widgets.overlay import Cross, Ring
+from app.widgets.image_shapes import Cross, Ring
 from tracker.messages import CameraPose
 
 

@@ -9,12 +9,12 @@ from gui_fakes import ScriptedEngine, scripted_setup
 from app.panels.hand.actors import HandActors
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene
-from app.widgets.view3d.scene import Grid, Look
+from app.widgets.view3d.scene import BodyLook, Grid
 from app.widgets.view3d.shapes import Block, Capsule, Disc, Shape, ball, polyline
 
 WIDTH, HEIGHT = 160, 120
 FOCAL = 0.5 * HEIGHT / np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2))
-FLAT = Look("#FFFFFF", ambient=2.0)
+FLAT = BodyLook("#FFFFFF", ambient=2.0)
 """White wherever it is seen, so that a pixel tells how much of it is covered."""
 
 
@@ -105,7 +105,7 @@ def test_the_nearer_body_is_seen_in_whatever_order_they_came(swapped: bool) -> N
     scene, orbit = RasterScene(), Orbit()
     near, far = 0.05 * orbit.direction, np.zeros(3)
     for colour, p in [("#FF0000", near), ("#00FF00", far)][:: -1 if swapped else 1]:
-        scene.add(ball(0.01), Look(colour, ambient=2.0)).move(np.eye(3), p)
+        scene.add(ball(0.01), BodyLook(colour, ambient=2.0)).move(np.eye(3), p)
     red, green, _ = rendered(scene)[HEIGHT // 2, WIDTH // 2]
     assert (red, green) == (1.0, 0.0)
 
@@ -114,7 +114,7 @@ def test_what_is_seen_through_mixes_by_its_opacity() -> None:
     scene, orbit = RasterScene(), Orbit()
     scene.set_background("#0000FF")
     for colour, opacity, near in (("#00FF00", 0.5, 0.0), ("#FF0000", 0.4, 0.1)):
-        look = Look(colour, opacity=opacity, ambient=2.0)
+        look = BodyLook(colour, opacity=opacity, ambient=2.0)
         scene.add(ball(0.01), look).move(np.eye(3), near * orbit.direction)
     mixed = rendered(scene)[HEIGHT // 2, WIDTH // 2]
     np.testing.assert_allclose(mixed, [0.4, 0.6 * 0.5, 0.6 * 0.5], atol=1 / 255)
@@ -123,7 +123,7 @@ def test_what_is_seen_through_mixes_by_its_opacity() -> None:
 def test_of_a_group_only_the_nearest_see_through_body_is_seen() -> None:
     scene, orbit = RasterScene(), Orbit()
     for near in (0.0, 0.1):
-        look = Look("#FFFFFF", opacity=0.5, ambient=2.0, group=1)
+        look = BodyLook("#FFFFFF", opacity=0.5, ambient=2.0, group=1)
         scene.add(ball(0.01), look).move(np.eye(3), near * orbit.direction)
     assert rendered(scene)[HEIGHT // 2, WIDTH // 2, 0] == pytest.approx(0.5, abs=1 / 255)
 
@@ -133,7 +133,7 @@ def test_a_line_covers_its_length_times_its_width(width_px: float) -> None:
     orbit = Orbit()
     ends = np.array([[-0.04, -0.02, 0.0], [0.05, 0.03, 0.0]]) @ facing(orbit).T
     scene = RasterScene()
-    scene.add(polyline(ends), Look("#FFFFFF", line_width=width_px))
+    scene.add(polyline(ends), BodyLook("#FFFFFF", line_width=width_px))
     length = FOCAL / orbit.distance * np.linalg.norm(ends[1] - ends[0])
     cover = rendered(scene)[..., 0]
     assert cover.sum() == pytest.approx(length * width_px, rel=0.06)
@@ -143,8 +143,8 @@ def test_a_line_passes_behind_a_body() -> None:
     orbit = Orbit()
     R = facing(orbit)
     scene = RasterScene()
-    scene.add(polyline(np.array([[-0.05, 0, 0], [0.05, 0, 0]]) @ R.T), Look("#FF0000"))
-    scene.add(ball(0.01), Look("#00FF00", ambient=2.0)).move(np.eye(3), 0.05 * orbit.direction)
+    scene.add(polyline(np.array([[-0.05, 0, 0], [0.05, 0, 0]]) @ R.T), BodyLook("#FF0000"))
+    scene.add(ball(0.01), BodyLook("#00FF00", ambient=2.0)).move(np.eye(3), 0.05 * orbit.direction)
     row = rendered(scene)[HEIGHT // 2 - 1 : HEIGHT // 2 + 1].max(axis=0)
     assert tuple(row[WIDTH // 2, :2]) == (0.0, 1.0)
     assert row[WIDTH // 2 - 15, 0] > 0.4
@@ -152,7 +152,7 @@ def test_a_line_passes_behind_a_body() -> None:
 
 def test_a_grid_alone_lets_the_background_through_between_its_lines() -> None:
     scene = RasterScene()
-    look = Look("#FFFFFF", ambient=2.0, grid=Grid.ALONE)
+    look = BodyLook("#FFFFFF", ambient=2.0, grid=Grid.ALONE)
     scene.add(Block(np.array([0.04, 0.03, 0.005])), look).move(facing(Orbit()), np.zeros(3))
     inner = rendered(scene)[50:70, 60:100, 0]
     assert inner.min() < 0.6 < 0.7 < inner.max()
@@ -189,7 +189,7 @@ def test_the_same_scene_gives_the_same_image() -> None:
     def image() -> np.ndarray:
         scene = RasterScene()
         for k in range(5):
-            look = Look("#4080C0", opacity=0.3 + 0.15 * k, specular=0.2, grid=Grid.OVER)
+            look = BodyLook("#4080C0", opacity=0.3 + 0.15 * k, specular=0.2, grid=Grid.OVER)
             scene.add(Capsule(0.05, 0.008), look).move(np.eye(3), np.full(3, 0.005 * k))
         return rendered(scene).copy()
 

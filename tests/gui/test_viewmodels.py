@@ -10,14 +10,14 @@ from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.viewmodels.calibration import RANGES, calibration_view, convergence
+from app.viewmodels.camera_overlay import Layers, overlay
 from app.viewmodels.colour_images import hue_histogram, pixel_hsv
 from app.viewmodels.colour_tuning import ProfileHistory, with_range
 from app.viewmodels.colours import hue_rows, seen_rows
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
-from app.viewmodels.overlay import Layers, overlay
 from app.viewmodels.sensors import curves, imu_states
 from app.viewmodels.status import fields
-from app.widgets.overlay import Cross, Ellipse, Line, Ring
+from app.widgets.image_shapes import Cross, Ellipse, Line, Ring
 from app.widgets.view3d.orbit import Orbit
 from tracker.messages import Status, Tracking, Validity
 

@@ -12,7 +12,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from app.panels.hand.actors import segment_shape
-from app.viewmodels.overlay import project
+from app.viewmodels.camera_overlay import project
 from app.widgets.command_palette import CommandPalette, rank
 from app.widgets.view3d.meshes import mesh_of
 from app.window.main_window import MainWindow

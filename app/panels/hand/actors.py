@@ -15,7 +15,7 @@ from app.viewmodels.hand_scene import (
     HandScene,
 )
 from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY, VALIDITY, YELLOW
-from app.widgets.view3d.scene import Grid, Look, Scene
+from app.widgets.view3d.scene import BodyLook, BodyScene, Grid
 from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, ball, polyline
 from tracker.hand.model import Segment
 from tracker.messages import Array, Validity
@@ -23,14 +23,14 @@ from tracker.messages import Array, Validity
 WHITE = "#FFFFFF"
 HAND, REFERENCE = 1, 2  # groups of bodies that look like one where one sees through them
 SEGMENT_LOOK = {
-    Validity.MEASURED: Look(VALIDITY[Validity.MEASURED].colour, specular=0.2),
-    Validity.INFERRED: Look(
+    Validity.MEASURED: BodyLook(VALIDITY[Validity.MEASURED].colour, specular=0.2),
+    Validity.INFERRED: BodyLook(
         VALIDITY[Validity.INFERRED].colour, opacity=0.55, specular=0.2, grid=Grid.OVER, group=HAND
     ),
-    Validity.LOST: Look(VALIDITY[Validity.LOST].colour, opacity=0.5, grid=Grid.ALONE),
+    Validity.LOST: BodyLook(VALIDITY[Validity.LOST].colour, opacity=0.5, grid=Grid.ALONE),
 }
 """Measured: solid. Inferred: see-through with its grid drawn. Lost: a faint grid."""
-REFERENCE_LOOK = Look(WHITE, opacity=0.22, group=REFERENCE)
+REFERENCE_LOOK = BodyLook(WHITE, opacity=0.22, group=REFERENCE)
 MARKER_SIZE = {MARKER_NOW: 1.0, MARKER_LATELY: 0.7}
 FRUSTUM_DEPTH = 0.05
 AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sensors
@@ -38,7 +38,7 @@ AXIS_LENGTH = 2.2  # radii of the segment
 
 
 @dataclass(frozen=True)
-class Show:
+class ShownParts:
     """What the user wants to see beside the hand."""
 
     markers: bool = True
@@ -52,7 +52,7 @@ class Show:
 class HandActors:
     """One body per segment, marker, fingertip and the camera."""
 
-    def __init__(self, scene: Scene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
+    def __init__(self, scene: BodyScene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
         shapes = [segment_shape(s) for s in setup.hand.segments]
         self._segments = [scene.add(s, SEGMENT_LOOK[Validity.LOST]) for s in shapes]
         self._references = [scene.add(s, REFERENCE_LOOK) for s in shapes]
@@ -64,11 +64,13 @@ class HandActors:
             for m, looks in zip(setup.glove.markers, self._marker_looks, strict=True)
         ]
         tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
-        self._tips = [scene.add(ball(1.0), Look(SKY, opacity=0.3)) for _ in range(tips)]
-        self._camera = scene.add(_frustum(setup), Look(SKY, line_width=1.5))
-        self._trail = scene.add(polyline(np.zeros((TRAIL_POINTS, 3))), Look(YELLOW, line_width=2.5))
+        self._tips = [scene.add(ball(1.0), BodyLook(SKY, opacity=0.3)) for _ in range(tips)]
+        self._camera = scene.add(_frustum(setup), BodyLook(SKY, line_width=1.5))
+        self._trail = scene.add(
+            polyline(np.zeros((TRAIL_POINTS, 3))), BodyLook(YELLOW, line_width=2.5)
+        )
         self._axes = [
-            scene.add(_axis(k, s.radius), Look(colour, line_width=2.0))
+            scene.add(_axis(k, s.radius), BodyLook(colour, line_width=2.0))
             for s in setup.hand.segments
             for k, colour in enumerate(AXIS_COLOURS)
         ]
@@ -79,7 +81,7 @@ class HandActors:
         self._camera.show(False)
         self._trail.show(False)
 
-    def update(self, scene: HandScene, show: Show) -> None:
+    def update(self, scene: HandScene, show: ShownParts) -> None:
         """Move every actor to ``scene``."""
         for i, body in enumerate(self._segments):
             body.show(True)
@@ -132,9 +134,9 @@ class HandActors:
                 body.move(np.eye(3) * radius, scene.tips[i])
 
 
-def marker_looks(colour: str) -> dict[int, Look]:
+def marker_looks(colour: str) -> dict[int, BodyLook]:
     """Of a marker that is seen now, was seen lately, or never."""
-    now = Look(colour, ambient=0.5)
+    now = BodyLook(colour, ambient=0.5)
     faint = replace(now, opacity=0.55)
     return {MARKER_NOW: now, MARKER_LATELY: faint, MARKER_NEVER: faint}
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.panels.hand.actors import HandActors, Show
+from app.panels.hand.actors import HandActors, ShownParts
 from app.panels.hand.view_chooser import ViewChooser
 from app.panels.panel import Panel
 from app.platform.tasks import TaskOwner
@@ -229,10 +229,10 @@ class HandPanel(Panel):
         if self.view.scene is not None:
             self.view.scene.clear()
 
-    def show_options(self) -> Show:
+    def show_options(self) -> ShownParts:
         ticked = {name: box.isChecked() for name, box in self._boxes.items()}
         reference, trail = self.reference.currentData(), self.trail.currentData()
-        return Show(**ticked, truth=reference != NO_REFERENCE, trail=bool(trail))
+        return ShownParts(**ticked, truth=reference != NO_REFERENCE, trail=bool(trail))
 
     def refresh(self, view: Snapshot | None) -> None:
         show, scene = self.show_options(), None

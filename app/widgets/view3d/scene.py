@@ -19,7 +19,7 @@ class Grid(IntEnum):
 
 
 @dataclass(frozen=True)
-class Look:
+class BodyLook:
     """How a body is drawn. Shares of one, ``line_width`` in pixels.
 
     Where two see-through bodies of one ``group`` lie behind each other only the nearer is seen, so
@@ -43,7 +43,7 @@ class Body(Protocol):
 
     def show(self, on: bool) -> None: ...
 
-    def wear(self, look: Look) -> None:
+    def wear(self, look: BodyLook) -> None:
         """Look like this from now on."""
 
     def reshape(self, points: Array) -> None:
@@ -53,10 +53,10 @@ class Body(Protocol):
         """To a rotation (3, 3), times a size, and a position (3,), both in G."""
 
 
-class Scene(Protocol):
+class BodyScene(Protocol):
     """A set of bodies before a plain background."""
 
-    def add(self, shape: Shape, look: Look) -> Body:
+    def add(self, shape: Shape, look: BodyLook) -> Body:
         """A body at the origin."""
 
     def clear(self) -> None:

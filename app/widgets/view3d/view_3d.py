@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.orbit_control import OrbitControl
 from app.widgets.view3d.painted_view import PaintedView
-from app.widgets.view3d.scene import Scene
+from app.widgets.view3d.scene import BodyScene
 
 if TYPE_CHECKING:
     from app.widgets.view3d.gpu_view import GpuView
@@ -44,7 +44,7 @@ class View3D(QWidget):
     # --- which view
 
     @property
-    def scene(self) -> Scene | None:
+    def scene(self) -> BodyScene | None:
         return self._view.scene if self._view is not None else None
 
     @property

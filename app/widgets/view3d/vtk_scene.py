@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from app.widgets.view3d.meshes import Mesh, mesh_of
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
-from app.widgets.view3d.scene import Grid, Look, rgb
+from app.widgets.view3d.scene import BodyLook, Grid, rgb
 from app.widgets.view3d.shapes import Shape
 from tracker.messages import Array
 
@@ -35,7 +35,7 @@ class VtkBody:
         self.actor.SetMapper(mapper)
         self._pose = vtkMatrix4x4()
         self.actor.SetUserMatrix(self._pose)
-        self._look: Look | None = None
+        self._look: BodyLook | None = None
 
     @property
     def shown(self) -> bool:
@@ -44,7 +44,7 @@ class VtkBody:
     def show(self, on: bool) -> None:
         self.actor.SetVisibility(on)
 
-    def wear(self, look: Look) -> None:
+    def wear(self, look: BodyLook) -> None:
         if look is self._look:
             return
         self._look, drawn = look, self.actor.GetProperty()
@@ -77,7 +77,7 @@ class VtkScene:
         self._renderer = renderer
         vtkLightKit().AddLightsToRenderer(renderer)
 
-    def add(self, shape: Shape, look: Look) -> VtkBody:
+    def add(self, shape: Shape, look: BodyLook) -> VtkBody:
         mesh = mesh_of(shape)
         body = VtkBody(mesh)
         body.wear(look)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.viewmodels.glove_setup import (
-    Cell,
+    GloveRow,
     Phase,
     StillRun,
     WiggleRun,
@@ -37,7 +37,7 @@ from tracker.messages import ImuSample
 
 
 class CheckTable(QTableWidget):
-    """Rows of `Cell`; the last column but the words carries a sign."""
+    """Rows of `GloveRow`; the last column but the words carries a sign."""
 
     def __init__(self, heads: Sequence[str], signed: int) -> None:
         super().__init__(0, len(heads))
@@ -50,7 +50,7 @@ class CheckTable(QTableWidget):
         header.setSectionResizeMode(len(heads) - 1, QHeaderView.ResizeMode.Stretch)
         self.setWordWrap(True)
 
-    def show_rows(self, rows: Sequence[Cell]) -> None:
+    def show_rows(self, rows: Sequence[GloveRow]) -> None:
         self.setRowCount(len(rows))
         for i, row in enumerate(rows):
             for j, text in enumerate(row.texts):

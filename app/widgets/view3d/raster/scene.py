@@ -11,7 +11,7 @@ from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.image import Pixels, draw
 from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, DISC
 from app.widgets.view3d.raster.view import LINES
-from app.widgets.view3d.scene import Look, rgb
+from app.widgets.view3d.scene import BodyLook, rgb
 from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, turn_x_to
 from tracker.messages import Array, IntArray
 
@@ -21,7 +21,7 @@ class RasterBody:
 
     def __init__(self, scene: RasterScene, row: int, points: slice) -> None:
         self._scene, self._row, self._points = scene, row, points
-        self._look: Look | None = None
+        self._look: BodyLook | None = None
 
     @property
     def shown(self) -> bool:
@@ -30,7 +30,7 @@ class RasterBody:
     def show(self, on: bool) -> None:
         self._scene.shown[self._row] = on
 
-    def wear(self, look: Look) -> None:
+    def wear(self, look: BodyLook) -> None:
         if look is not self._look:
             self._look = look
             self._scene.looks[self._row] = _look_row(look)
@@ -69,7 +69,7 @@ class RasterScene:
     def set_background(self, colour: str) -> None:
         self._background = np.array(rgb(colour))
 
-    def add(self, shape: Shape, look: Look) -> RasterBody:
+    def add(self, shape: Shape, look: BodyLook) -> RasterBody:
         row, first = len(self.kinds), len(self.points)
         kind, form, R_BS, p_BS = _form_of(shape)
         self.kinds = _with(self.kinds, kind)
@@ -128,7 +128,7 @@ def _form_of(shape: Shape) -> tuple[int, Array, Array, Array]:
     return LINES, form, R, p
 
 
-def _look_row(look: Look) -> list[float]:
+def _look_row(look: BodyLook) -> list[float]:
     """As `view` has it."""
     strength = (look.opacity, look.ambient, look.specular, look.line_width)
     return [*rgb(look.colour), *strength, float(look.grid), float(look.group)]

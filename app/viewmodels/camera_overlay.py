@@ -8,7 +8,7 @@ import numpy as np
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GREY, VALIDITY
-from app.widgets.overlay import Cross, Ellipse, Label, Line, Ring, Shape
+from app.widgets.image_shapes import Cross, Ellipse, Label, Line, Ring, Shape
 from tracker.hand.names import bones
 from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Tracking, Validity
 from tracker.vision.rig import StereoRig
