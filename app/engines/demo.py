@@ -9,7 +9,7 @@ import numpy as np
 
 from app.engines.demo_camera import DURATION, demo_spec, start_camera
 from app.engines.engine import EngineSetup, RecordingRequest, ReferenceHand
-from app.engines.recorder import recorder_maker
+from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from tracker import library

@@ -15,7 +15,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup, RecordingRequest
-from app.engines.recorder import PausableRecorder
+from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot, nearest
 from app.platform.tasks import JobProgress, TaskOwner
 from tracker.errors import GlovetrackError
@@ -31,12 +31,11 @@ RECENT_ESTIMATES = 60
 
 
 class EngineHost(QObject):
-    """Owns the engine, its recorder and the jobs that make and end them."""
+    """Owns the engine, the recording and the jobs that make and end them."""
 
     opened = Signal(object)  # EngineSetup
     closed = Signal()
     running_changed = Signal(bool)
-    recording_changed = Signal(bool)
     profile_changed = Signal(object)  # ColourProfile
     engine_changed = Signal(str)
     happened = Signal(object)  # Event
@@ -46,8 +45,8 @@ class EngineHost(QObject):
         super().__init__(parent)
         self._tasks = tasks
         self._setup: EngineSetup | None = None
-        self._recorder: PausableRecorder | None = None
-        self._request: RecordingRequest | None = None
+        self.recording = Recording(self)
+        self.recording.failed.connect(self.error)
         self._recent: deque[Estimate] = deque(maxlen=RECENT_ESTIMATES)
         self._status: Status | None = None
         self._status_due = 0.0
@@ -107,7 +106,7 @@ class EngineHost(QObject):
     def stop(self) -> None:
         if self._setup is None or not self.running:
             return
-        self.stop_recording()
+        self.recording.end()
         self._setup.engine.stop()
         self.running = False
         self._spent = True
@@ -131,58 +130,29 @@ class EngineHost(QObject):
         self._ended = True
         self.shut_down()
 
-    # --- recording
-
-    @property
-    def recording(self) -> RecordingRequest | None:
-        return self._request
-
-    @property
-    def paused(self) -> bool:
-        return self._recorder is not None and self._recorder.paused
-
-    @property
-    def written(self) -> int:
-        """Messages that the recording holds so far."""
-        return self._recorder.written if self._recorder is not None else 0
+    # --- what the user asks
 
     def record(self, request: RecordingRequest) -> bool:
         """Begin a file; False, with an `error`, where that is impossible."""
-        setup = self._setup
-        if setup is None or setup.make_recorder is None or self._request is not None:
-            return False
-        try:
-            self._recorder = PausableRecorder(setup.make_recorder(request))
-        except (GlovetrackError, OSError) as error:
-            self.error.emit(str(error))
-            return False
-        self._request = request
-        setup.engine.set_recorder(self._recorder)
-        self.recording_changed.emit(True)
-        return True
+        return self._setup is not None and self.recording.begin(self._setup, request)
 
-    def pause(self, paused: bool) -> None:
-        """Hold the file back or let it go on."""
-        if self._recorder is not None:
-            self._recorder.paused = paused
-            if not paused and self._setup is not None:
-                self._setup.engine.keep_state()  # it has gone on meanwhile
-            self.recording_changed.emit(True)
-
-    def stop_recording(self) -> None:
-        """End the file; the engine writes what waits and closes it."""
-        if self._setup is None or self._recorder is None:
+    def toggle_recording(self, ask: Callable[[], RecordingRequest]) -> None:
+        """End the file that is being written, or begin the one that ``ask`` tells of."""
+        if self.recording.request is not None:
+            self.recording.end()
             return
-        self._setup.engine.set_recorder(None)
-        self._recorder = self._request = None
-        self.recording_changed.emit(False)
+        try:
+            self.record(ask())
+        except GlovetrackError as error:
+            self.error.emit(str(error))
+
+    def toggle_pause(self) -> None:
+        self.recording.pause(not self.recording.paused)
 
     def note(self, text: str) -> None:
         """A note with the instant of now, to the log and to the file."""
         if self._setup is not None:
             self._setup.engine.note(text)
-
-    # --- what panels ask
 
     def set_profile(self, profile: ColourProfile) -> None:
         """Look for these colours from now on."""
@@ -203,6 +173,8 @@ class EngineHost(QObject):
             return False
         self._setup.command(work)
         return True
+
+    # --- what panels see
 
     def recent(self) -> list[Message]:
         """Samples and estimates of the last seconds, in the order of their arrival."""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from app.engines.camera_choice import choose
 from app.engines.engine import EngineSetup
-from app.engines.recorder import recorder_maker
+from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from datetime import datetime
 from pathlib import Path
 
 from PySide6.QtWidgets import (
@@ -17,14 +16,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine import RecordingRequest
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
-from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.recording import (
     RateMeter,
-    automatic_path,
+    RecordingPlan,
     disk,
     duration_text,
     free_bytes,
@@ -38,12 +35,11 @@ class RecordingPanel(Panel):
     period = 0.5
 
     def __init__(
-        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+        self, host: EngineHost, plan: RecordingPlan, parent: QWidget | None = None
     ) -> None:
         super().__init__(host, parent)
-        self._store = store
+        self._plan = plan
         self._rate, self._messages = RateMeter(), RateMeter()
-        self._started = 0.0
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 12, 12, 12)
         column.setSpacing(12)
@@ -51,7 +47,7 @@ class RecordingPanel(Panel):
         column.addLayout(self._buttons())
         column.addLayout(self._figures())
         column.addStretch(1)
-        host.recording_changed.connect(self._recording_changed)
+        host.recording.changed.connect(self._recording_changed)
         host.running_changed.connect(lambda _on: self._enable())
         self._enable()
 
@@ -59,12 +55,14 @@ class RecordingPanel(Panel):
         return self.tr("Recording")
 
     def _form(self) -> QFormLayout:
-        settings = self._store.value
-        self.participant = QLineEdit(settings.participant)
+        plan = self._plan
+        self.participant = QLineEdit(plan.participant)
+        self.participant.textChanged.connect(self._plan_changed)
         self.participant.setPlaceholderText(self.tr("for example P01"))
-        self.task = QLineEdit(settings.task)
+        self.task = QLineEdit(plan.task)
+        self.task.textChanged.connect(self._plan_changed)
         self.task.setPlaceholderText(self.tr("for example pinch"))
-        self.folder = QLineEdit(str(sessions_folder(settings)))
+        self.folder = QLineEdit(str(plan.folder))
         self.folder.setReadOnly(True)
         choose = QPushButton(self.tr("Change…"))
         choose.clicked.connect(self._choose_folder)
@@ -84,7 +82,7 @@ class RecordingPanel(Panel):
         self.record_button.clicked.connect(self.toggle)
         self.pause_button = QPushButton(self.tr("Pause"))
         self.pause_button.setCheckable(True)
-        self.pause_button.clicked.connect(self.host.pause)
+        self.pause_button.clicked.connect(self.host.recording.pause)
         self.note_text = QLineEdit()
         self.note_text.setPlaceholderText(self.tr("Note (Enter adds it)"))
         self.note_text.returnPressed.connect(self._note)
@@ -119,33 +117,21 @@ class RecordingPanel(Panel):
 
     def toggle(self) -> None:
         """Begin a file, or end it."""
-        if self.host.recording is not None:
-            self.host.stop_recording()
-            return
-        folder = Path(self.folder.text())
-        participant, task = self.participant.text().strip(), self.task.text().strip()
-        self._store.update(participant=participant, task=task)
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            reason = error.strerror or str(error)
-            self.host.error.emit(
-                self.tr("Nothing can be recorded to {}: {}.").format(folder, reason)
-            )
-            return
-        path = automatic_path(folder, participant, task, datetime.now())
-        self.host.record(RecordingRequest(path, participant, task))
+        self.host.toggle_recording(self._plan.request)
+
+    def _plan_changed(self) -> None:
+        self._plan.participant, self._plan.task = self.participant.text(), self.task.text()
 
     def _choose_folder(self) -> None:
         folder = QFileDialog.getExistingDirectory(
-            self, self.tr("Folder for recordings"), self.folder.text()
+            self, self.tr("Folder for recordings"), str(self._plan.folder)
         )
         if folder:
             self.set_folder(Path(folder))
 
     def set_folder(self, folder: Path) -> None:
+        self._plan.set_folder(folder)
         self.folder.setText(str(folder))
-        self._store.update(sessions_folder=str(folder))
 
     def _note(self) -> None:
         text = self.note_text.text().strip()
@@ -155,47 +141,40 @@ class RecordingPanel(Panel):
 
     # --- what it shows
 
-    def elapsed(self) -> float:
-        """s since the recording began; 0 where there is none."""
-        return time.monotonic() - self._started if self._started else 0.0
-
     def _recording_changed(self, on: bool) -> None:
-        if on and not self.host.paused:
-            self._started = self._started or time.monotonic()
         if not on:
-            self._started = 0.0
             self._rate, self._messages = RateMeter(), RateMeter()
         self._enable()
 
     def _enable(self) -> None:
-        recording = self.host.recording is not None
+        recording = self.host.recording.request is not None
         self.record_button.setText(self.tr("Stop") if recording else self.tr("Record"))
         self.record_button.setEnabled(self.host.running)
         self.pause_button.setEnabled(recording)
-        self.pause_button.setChecked(self.host.paused and recording)
+        self.pause_button.setChecked(self.host.recording.paused and recording)
         for field in (self.participant, self.task):
             field.setEnabled(not recording)
 
     def refresh(self, view: Snapshot | None) -> None:
-        request = self.host.recording
+        request = self.host.recording.request
         rate = self._show_growth(request.path) if request is not None else 0.0
         if request is not None and view is not None and view.status is not None:
             self.losses_label.setText(losses_text(view.status.values))
-        room = disk(free_bytes(Path(self.folder.text())), rate)
+        room = disk(free_bytes(self._plan.folder), rate)
         self.disk_label.setText(room.text)
         self.warning.setText(room.warning)
         self.warning.setVisible(bool(room.warning))
         if room.full and request is not None:
-            self.host.stop_recording()
+            self.host.recording.end()
 
     def _show_growth(self, path: Path) -> float:
         """Name, time, size and messages of the file being written; returns its bytes per second."""
         size = path.stat().st_size if path.exists() else 0
         now = time.monotonic()
         rate = self._rate.add(now, size)
-        messages = self._messages.add(now, self.host.written)
+        messages = self._messages.add(now, self.host.recording.written)
         self.file_label.setText(path.name)
-        self.time_label.setText(duration_text(self.elapsed()))
+        self.time_label.setText(duration_text(self.host.recording.elapsed))
         self.size_label.setText(f"{size_text(size)}  ({size_text(rate)}/s)")
-        self.messages_label.setText(f"{self.host.written}  ({messages:.0f}/s)")
+        self.messages_label.setText(f"{self.host.recording.written}  ({messages:.0f}/s)")
         return rate

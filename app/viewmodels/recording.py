@@ -1,4 +1,4 @@
-"""A recording on screen: its name, size, rate and how long the disk still holds."""
+"""A recording: what it shall be, its name, size, rate and how long the disk still holds."""
 
 from __future__ import annotations
 
@@ -9,8 +9,42 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
+from app.engines.engine import RecordingRequest
+from app.storage.settings import SettingsStore, sessions_folder
+from tracker.errors import FileError
+
 LOW_BYTES = 5_000_000_000
 STOP_BYTES = 1_000_000_000
+
+
+class RecordingPlan:
+    """Who and what is recorded next, and where to; kept in the settings from one start to the next.
+
+    ``participant`` and ``task`` are as the user has typed them last.
+    """
+
+    def __init__(self, store: SettingsStore) -> None:
+        self._store = store
+        self.participant, self.task = store.value.participant, store.value.task
+
+    @property
+    def folder(self) -> Path:
+        return sessions_folder(self._store.value)
+
+    def set_folder(self, folder: Path) -> None:
+        self._store.update(sessions_folder=str(folder))
+
+    def request(self) -> RecordingRequest:
+        """A file of now that is not there yet. Raises FileError where the folder cannot be."""
+        participant, task = self.participant.strip(), self.task.strip()
+        self._store.update(participant=participant, task=task)
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            reason = error.strerror or str(error)
+            raise FileError(f"Nothing can be recorded to {self.folder}: {reason}.") from error
+        path = automatic_path(self.folder, participant, task, datetime.now())
+        return RecordingRequest(path, participant, task)
 
 
 def automatic_path(folder: Path, participant: str, task: str, now: datetime) -> Path:

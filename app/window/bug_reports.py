@@ -77,7 +77,7 @@ class Housekeeping(QObject):
 
     def _material(self, choice: Choice) -> Material:
         window, host = self._window, self._window.host
-        request = host.recording
+        request = host.recording.request
         player = host.setup.player if host.setup is not None else None
         opened = request.path if request is not None else player.path if player else None
         settings = window.store.value

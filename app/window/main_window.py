@@ -36,7 +36,7 @@ from app.panels.streams import StreamsPanel
 from app.platform.crash import CrashWatch
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
-from app.viewmodels.recording import duration_text
+from app.viewmodels.recording import RecordingPlan, duration_text
 from app.viewmodels.states import BAD, WARN
 from app.widgets.banner import Banner
 from app.widgets.command_palette import CommandPalette
@@ -70,6 +70,7 @@ class MainWindow(QMainWindow):
         self.host = EngineHost(self.tasks, self)
         self.set_up = SetUpDialogs(self.host, self.store, self.tasks, self)
         self.outputs = Outputs(self.host, self.store, self.tasks, self)
+        self.plan = RecordingPlan(self.store)
         self._status_due = 0.0
         self._refreshes = 0
         self._make_panels()
@@ -101,7 +102,7 @@ class MainWindow(QMainWindow):
         self.checklist = ChecklistPanel(self.host, self.store)
         self.calibration = CalibrationPanel(self.host, self.store)
         self.colours = ColoursPanel(self.host, self.store, self.tasks)
-        self.recording = RecordingPanel(self.host, self.store)
+        self.recording = RecordingPanel(self.host, self.plan)
         self.streams = StreamsPanel(self.host, self.outputs)
         self.panels: list[Panel] = [
             self.cameras,
@@ -171,7 +172,7 @@ class MainWindow(QMainWindow):
         s.opened.connect(self._opened)
         s.closed.connect(self._closed)
         s.running_changed.connect(lambda _on: self._enable())
-        s.recording_changed.connect(lambda _on: self._enable())
+        s.recording.changed.connect(lambda _on: self._enable())
         s.error.connect(lambda text: self.show_error(text))
         s.happened.connect(self._heard)
         self.tasks.failed.connect(lambda text: self.show_error(text))
@@ -236,7 +237,7 @@ class MainWindow(QMainWindow):
 
     def choose_session(self) -> None:
         path, _ = QFileDialog.getOpenFileName(
-            self, self.tr("Open a session"), self.recording.folder.text(), "*.mcap"
+            self, self.tr("Open a session"), str(self.plan.folder), "*.mcap"
         )
         if path:
             self.open_session(Path(path))
@@ -250,7 +251,7 @@ class MainWindow(QMainWindow):
         self.setWindowState(self.windowState() & ~Qt.WindowState.WindowMinimized)
         self.raise_()
         self.activateWindow()
-        if path and self.host.recording is not None:
+        if path and self.host.recording.request is not None:
             text = self.tr("{} waits: a recording is under way.").format(Path(path).name)
             self.show_error(text, (self.tr("Open it now"), lambda: self.open_session(Path(path))))
         elif path:
@@ -286,10 +287,10 @@ class MainWindow(QMainWindow):
     # --- recording
 
     def toggle_recording(self) -> None:
-        self.recording.toggle()
+        self.host.toggle_recording(self.plan.request)
 
     def toggle_pause(self) -> None:
-        self.host.pause(not self.host.paused)
+        self.host.toggle_pause()
 
     def ask_note(self) -> None:
         text, ok = QInputDialog.getText(self, self.tr("Note"), self.tr("What happened?"))
@@ -341,7 +342,7 @@ class MainWindow(QMainWindow):
         s = self.host
         opened = s.setup is not None
         recordable = s.setup is not None and s.setup.make_recorder is not None
-        recording = s.recording is not None
+        recording = s.recording.request is not None
         for key, on in (
             ("start", opened and not s.running),
             ("stop", s.running),
@@ -374,10 +375,10 @@ class MainWindow(QMainWindow):
     def _refresh_status(self, view: Snapshot | None) -> None:
         self.bar.show_status(view.status if view else None, self.host.running)
         text = ""
-        if self.host.recording is not None:
-            word = self.tr("Paused") if self.host.paused else self.tr("Recording")
-            text = f"{word} {duration_text(self.recording.elapsed())}"
-        self.bar.show_recording(text, WARN.colour if self.host.paused else BAD.colour)
+        if self.host.recording.request is not None:
+            word = self.tr("Paused") if self.host.recording.paused else self.tr("Recording")
+            text = f"{word} {duration_text(self.host.recording.elapsed)}"
+        self.bar.show_recording(text, WARN.colour if self.host.recording.paused else BAD.colour)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """End everything in order: timer, jobs, engine and file, GL."""

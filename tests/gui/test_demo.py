@@ -31,7 +31,7 @@ def _recorded(window, qtbot, tmp_path):
     """A session of a second, made by the record command."""
     window.recording.set_folder(tmp_path)
     window.commands.actions["record"].trigger()
-    path = window.host.recording.path
+    path = window.host.recording.request.path
     qtbot.wait(1200)
     window.commands.actions["record"].trigger()
     return path
@@ -82,7 +82,7 @@ def test_a_camera_process_that_is_killed_is_said_and_the_glove_goes_on(demo, qtb
 def test_closing_while_recording_leaves_a_whole_file_with_images_and_truth(demo, qtbot, tmp_path):
     demo.recording.set_folder(tmp_path)
     demo.commands.actions["record"].trigger()
-    path = demo.host.recording.path
+    path = demo.host.recording.request.path
     qtbot.wait(800)
     demo.close()
     with SessionReader(path) as reader:

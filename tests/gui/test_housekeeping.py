@@ -277,7 +277,7 @@ def test_every_part_has_a_licence_and_none_is_of_development():
 def test_what_a_window_is_given_while_it_records_waits_for_a_word(live, qtbot, tmp_path):
     live.commands.actions["record"].trigger()
     live.take_over(str(tmp_path / "other.mcap"))
-    assert live.host.recording is not None
+    assert live.host.recording.request is not None
     assert "other.mcap waits" in live.banner.text()
     live.commands.actions["record"].trigger()
     live.take_over("")

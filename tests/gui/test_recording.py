@@ -6,11 +6,13 @@ import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.engines.engine import RecordingRequest
-from app.engines.recorder import PausableRecorder
+from app.engines.recording import PausableRecorder, Recording
+from app.storage.settings import SettingsStore
 from app.viewmodels.recording import (
     LOW_BYTES,
     STOP_BYTES,
     RateMeter,
+    RecordingPlan,
     automatic_path,
     disk,
     duration_text,
@@ -34,11 +36,11 @@ def recording(window, engine, recorders, qtbot):
 
 
 def test_record_command_makes_a_named_file_and_a_second_press_ends_it(recording, recorders):
-    assert recording.host.recording is not None
+    assert recording.host.recording.request is not None
     assert recorders[0].path.name.startswith("P-01-a_")
     assert recording.recording.record_button.text() == "Stop"
     recording.commands.actions["record"].trigger()
-    assert recording.host.recording is None
+    assert recording.host.recording.request is None
     assert recorders[0].closed
     assert recording.recording.record_button.text() == "Record"
 
@@ -79,10 +81,34 @@ def test_pause_holds_back_streams_and_keeps_notes(engine, tmp_path, recorders):
 
 
 def test_after_a_pause_the_file_hears_what_the_engine_knows(recording, engine):
-    recording.host.pause(True)
+    recording.host.recording.pause(True)
     assert engine.kept_states == 0
-    recording.host.pause(False)
+    recording.host.recording.pause(False)
     assert engine.kept_states == 1
+
+
+def test_the_time_recorded_counts_from_the_record_command_to_the_stop(engine, tmp_path, qapp):
+    now = [100.0]
+    recording = Recording(clock=lambda: now[0])
+    assert recording.elapsed == 0.0
+    assert recording.begin(scripted_setup(engine), RecordingRequest(tmp_path / "a.mcap", "", ""))
+    now[0] += 7.5
+    recording.pause(True)
+    now[0] += 2.5
+    assert recording.elapsed == 10.0
+    recording.end()
+    assert recording.elapsed == 0.0 and recording.request is None
+
+
+def test_what_was_typed_is_there_at_the_next_start(store, tmp_path):
+    plan = RecordingPlan(store)
+    plan.participant, plan.task = " P01 ", "pinch"
+    plan.set_folder(tmp_path / "new")
+    request = plan.request()
+    assert (request.participant, request.task) == ("P01", "pinch")
+    assert request.path.parent == tmp_path / "new" and request.path.name.startswith("P01_pinch_")
+    again = RecordingPlan(SettingsStore(store.path))
+    assert (again.participant, again.task, again.folder) == ("P01", "pinch", tmp_path / "new")
 
 
 def test_an_impossible_folder_is_said_and_nothing_is_recorded(window, engine, tmp_path):
@@ -91,7 +117,7 @@ def test_an_impossible_folder_is_said_and_nothing_is_recorded(window, engine, tm
     blocker.write_text("")
     window.recording.set_folder(blocker / "inside")
     window.recording.toggle()
-    assert window.host.recording is None
+    assert window.host.recording.request is None
     assert "Nothing can be recorded" in window.banner.text()
 
 

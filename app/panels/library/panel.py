@@ -65,7 +65,7 @@ class LibraryPanel(Panel):
         self.exports.changed.connect(self._name_exports)
         self.host.opened.connect(self._opened)
         self.host.closed.connect(lambda: self._set_player(None))
-        self.host.recording_changed.connect(lambda on: None if on else self.rescan())
+        self.host.recording.changed.connect(lambda on: None if on else self.rescan())
         self._enable()
 
     def title(self) -> str:
@@ -117,7 +117,7 @@ class LibraryPanel(Panel):
     def rescan(self) -> None:
         """Look into the folder again, in the background."""
         folder = sessions_folder(self._store.value)
-        request = self.host.recording
+        request = self.host.recording.request
         recording = request.path if request is not None else None
         self._tasks.run(
             self.tr("Reading the library"),

@@ -1,0 +1,120 @@
+"""The file being written: made for a live engine; a pause leaves a gap in it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+
+from app.engines.engine import EngineSetup, RecordingRequest
+from tracker.config import to_toml
+from tracker.errors import GlovetrackError
+from tracker.live.recording import Recorder
+from tracker.live.runner import LiveTracker
+from tracker.messages import Calibration, EngineState, Event, Message
+from tracker.session.description import SessionInfo
+from tracker.session.writer import SessionRecorder
+from tracker.vision.colours import profile_to_toml
+
+
+class PausableRecorder:
+    """Passes messages on to ``inner`` unless ``paused``; what happens only once always."""
+
+    def __init__(self, inner: Recorder) -> None:
+        self._inner = inner
+        self.paused = False
+        self.written = 0  # messages so far
+
+    def write(self, message: Message, overloaded: bool = False) -> None:
+        if not self.paused or isinstance(message, Event | Calibration | EngineState):
+            self._inner.write(message, overloaded)
+            self.written += 1
+
+    def close(self) -> None:
+        self._inner.close()
+
+
+class Recording(QObject):
+    """One file at a time; ``request`` is None while there is none.
+
+    ``clock`` gives s; in a pause the time recorded goes on, as it does in the file.
+    """
+
+    changed = Signal(bool)  # whether a file is being written
+    failed = Signal(str)
+
+    def __init__(
+        self, parent: QObject | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        super().__init__(parent)
+        self._clock = clock
+        self._setup: EngineSetup | None = None
+        self._recorder: PausableRecorder | None = None
+        self._began = 0.0
+        self.request: RecordingRequest | None = None
+
+    @property
+    def paused(self) -> bool:
+        return self._recorder is not None and self._recorder.paused
+
+    @property
+    def written(self) -> int:
+        """Messages that the file holds so far."""
+        return self._recorder.written if self._recorder is not None else 0
+
+    @property
+    def elapsed(self) -> float:
+        """s since the recording began; 0 where there is none."""
+        return self._clock() - self._began if self.request is not None else 0.0
+
+    def begin(self, setup: EngineSetup, request: RecordingRequest) -> bool:
+        """Begin a file; False, with `failed`, where that is impossible."""
+        if setup.make_recorder is None or self.request is not None:
+            return False
+        try:
+            self._recorder = PausableRecorder(setup.make_recorder(request))
+        except (GlovetrackError, OSError) as error:
+            self.failed.emit(str(error))
+            return False
+        self._setup, self.request, self._began = setup, request, self._clock()
+        setup.engine.set_recorder(self._recorder)
+        self.changed.emit(True)
+        return True
+
+    def pause(self, on: bool) -> None:
+        """Hold the file back or let it go on."""
+        if self._recorder is None or self._setup is None:
+            return
+        self._recorder.paused = on
+        if not on:
+            self._setup.engine.keep_state()  # it has gone on meanwhile
+        self.changed.emit(True)
+
+    def end(self) -> None:
+        """End the file; the engine writes what waits and closes it."""
+        if self._setup is None:
+            return
+        self._setup.engine.set_recorder(None)
+        self._setup = self._recorder = self.request = None
+        self.changed.emit(False)
+
+
+def recorder_maker(
+    tracker: LiveTracker, info: SessionInfo
+) -> Callable[[RecordingRequest], SessionRecorder]:
+    """Recordings hold the engine, settings and colours of the instant they begin at."""
+
+    def make_recorder(request: RecordingRequest) -> SessionRecorder:
+        named = replace(
+            info,
+            participant=request.participant,
+            notes=request.task,
+            engine=tracker.settings.engine,
+            settings_text=to_toml(tracker.settings),
+            colours_text=profile_to_toml(tracker.profile),
+        )
+        return SessionRecorder(request.path, named)
+
+    return make_recorder
