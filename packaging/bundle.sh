@@ -21,8 +21,6 @@ nice "$python" -m PyInstaller --noconfirm --log-level ERROR \
     --distpath "$out" --workpath "$work" packaging/glovetrack.spec
 
 inside=$out/glovetrack/_internal
-"$python" packaging/stand_ins.py "$inside"
-"$python" packaging/slimming.py "$inside"
 # Symbol tables and debugging data make a seventh of the bundle. The libraries that auditwheel has
 # rewritten (those in *.libs folders) do not survive strip, so they are left alone.
 if command -v strip >/dev/null; then

@@ -1,4 +1,4 @@
-"""What a bundle may hold: libraries that something needs, under licences that allow it."""
+"""What a bundle may hold: parts under licences that allow it."""
 
 from __future__ import annotations
 
@@ -9,59 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 PACKAGING = Path(__file__).parents[2] / "packaging"
-pruning = SimpleNamespace(**runpy.run_path(str(PACKAGING / "pruning.py")))
 licences = SimpleNamespace(**runpy.run_path(str(PACKAGING / "licences.py")))
-
-NEEDS = {
-    "module.so": ["libused.so.1", "libsystem.so"],
-    "libused.so.1": ["libdeep.so"],
-    "libdeep.so": ["libused.so.1"],
-    "libplugin.so": ["liblonely.so"],
-}
-
-
-@pytest.fixture
-def bundle(tmp_path: Path) -> list[tuple[str, str, str]]:
-    places = (
-        *("p/module.so", "p/libused.so.1", "p/libdeep.so", "p/liblonely.so"),
-        *("q/plugins/libplugin.so", "libpython3.11.so.1.0", "data/words.txt"),
-        "p/lib.cpython-311-x86_64-linux-gnu.so",
-    )
-    entries = []
-    for place in places:
-        path = tmp_path / Path(place).name
-        path.write_bytes(b"words" if path.suffix == ".txt" else b"\x7fELF")
-        entries.append((place, str(path), "BINARY"))
-    return [*entries, ("libused.so.1", "p/libused.so.1", "SYMLINK")]
-
-
-def places(entries: list[tuple[str, str, str]], unwanted: list[str]) -> set[str]:
-    kept = pruning.prune(entries, [".", "p"], unwanted, lambda f: NEEDS.get(Path(f).name, []))
-    return {e[0] for e in kept}
-
-
-def test_all_stays_that_is_needed(bundle: list[tuple[str, str, str]]) -> None:
-    assert places(bundle, []) == {e[0] for e in bundle}
-
-
-def test_what_only_the_unwanted_needed_goes_too(bundle: list[tuple[str, str, str]]) -> None:
-    gone = {e[0] for e in bundle} - places(bundle, ["q/plugins/*"])
-    assert gone == {"q/plugins/libplugin.so", "p/liblonely.so"}
-
-
-def test_links_go_with_their_file_and_rings_do_not_hold(
-    bundle: list[tuple[str, str, str]],
-) -> None:
-    left = places(bundle, ["p/module.so"])
-    gone = {"p/module.so", "p/libused.so.1", "p/libdeep.so", "libused.so.1"}
-    assert {e[0] for e in bundle} - left == gone
-
-
-def test_needed_by_reads_a_real_library() -> None:
-    import _ctypes
-
-    assert any(name.startswith("libc.so") for name in pruning.needed_by(_ctypes.__file__))
-
 
 @pytest.mark.parametrize(
     ("licence", "allowed"),
