@@ -11,6 +11,7 @@ import pytest
 PACKAGING = Path(__file__).parents[2] / "packaging"
 licences = SimpleNamespace(**runpy.run_path(str(PACKAGING / "licences.py")))
 
+
 @pytest.mark.parametrize(
     ("licence", "allowed"),
     [

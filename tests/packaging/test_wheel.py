@@ -1,12 +1,15 @@
-"""The wheel that `pip install .` makes: it has the program and its resources, and nothing else."""
+"""The wheel that `pip install .` makes: the program and its resources under one name."""
 
 from __future__ import annotations
 
+import os
+import runpy
 import shutil
 import subprocess
 import sys
 import zipfile
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -27,10 +30,14 @@ def tracked(*folders: str) -> list[str]:
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
     source, target = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("wheel")
-    for name in tracked("app", "tracker", "resources", "pyproject.toml", "README.md", "LICENSE"):
+    for name in tracked(
+        *("app", "tracker", "resources", "packaging/backend.py"),
+        *("pyproject.toml", "README.md", "LICENSE"),
+    ):
         (source / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(ROOT / name, source / name)
-    build = "import sys, setuptools.build_meta as b; print(b.build_wheel(sys.argv[1]))"
+    build = "import sys; sys.path.insert(0, 'packaging'); import backend; "
+    build += "print(backend.build_wheel(sys.argv[1]))"
     made = subprocess.run(
         [sys.executable, "-c", build, str(target)], cwd=source, capture_output=True, text=True
     )
@@ -41,20 +48,68 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
 def test_it_has_every_module_and_every_resource(wheel: zipfile.ZipFile) -> None:
     wanted = {n for n in tracked("app", "tracker") if n.endswith(".py")}
     wanted |= {n for n in tracked("resources") if n.endswith(KINDS)}
-    assert wanted <= set(wheel.namelist())
+    assert {f"glovetrack/{n}" for n in wanted} <= set(wheel.namelist())
 
 
 def test_what_the_engine_reads_beside_its_modules_is_there(wheel: zipfile.ZipFile) -> None:
     data = {n for n in tracked("app", "tracker") if not n.endswith((".py", ".md"))}
-    assert data <= set(wheel.namelist())
+    assert {f"glovetrack/{n}" for n in data} <= set(wheel.namelist())
 
 
-def test_nothing_else_is_installed(wheel: zipfile.ZipFile) -> None:
+def test_one_name_is_claimed(wheel: zipfile.ZipFile) -> None:
     tops = {name.partition("/")[0] for name in wheel.namelist()}
-    assert {t for t in tops if not t.endswith(".dist-info")} == {"app", "tracker", "resources"}
+    assert {t for t in tops if not t.endswith(".dist-info")} == {"glovetrack"}
 
 
 def test_the_command_and_the_licence_travel_along(wheel: zipfile.ZipFile) -> None:
     (entries,) = (n for n in wheel.namelist() if n.endswith("/entry_points.txt"))
-    assert "glovetrack = app.__main__:main" in wheel.read(entries).decode()
+    assert "glovetrack = glovetrack.app.__main__:main" in wheel.read(entries).decode()
     assert any(n.endswith("/licenses/LICENSE") for n in wheel.namelist())
+
+
+def test_another_project_can_import_it(wheel: zipfile.ZipFile, tmp_path: Path) -> None:
+    """Beside a package of that project's own that is called app."""
+    wheel.extractall(tmp_path / "site")
+    (tmp_path / "app.py").write_text("OWN = True\n")
+    code = (
+        "import sys, app, glovetrack; from glovetrack.tracker.settings import *; "
+        "import glovetrack.tracker.cli as cli; assert app.OWN; "
+        "assert not {'tracker', 'resources'} & set(sys.modules); "
+        "print(glovetrack.__version__); cli.main(['simulate', '--help'])"
+    )
+    run = subprocess.run(
+        [sys.executable, "-P", "-c", code],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{tmp_path / 'site'}"},
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 0, run.stderr
+    assert "--blobs-only" in run.stdout
+
+
+def test_imports_are_rewritten_and_nothing_else() -> None:
+    backend = SimpleNamespace(**runpy.run_path(str(ROOT / "packaging" / "backend.py")))
+    code = '''"""from tracker.x import y: prose stays."""
+from __future__ import annotations
+import tracker
+import resources as r
+if True:
+    from tracker.fusion import (
+        engine,
+    )
+import app.window.theme as theme
+'''
+    assert (
+        backend.with_full_names(code)
+        == '''"""from tracker.x import y: prose stays."""
+from __future__ import annotations
+from glovetrack import tracker
+import glovetrack.resources as r
+if True:
+    from glovetrack.tracker.fusion import (
+        engine,
+    )
+import glovetrack.app.window.theme as theme
+'''
+    )

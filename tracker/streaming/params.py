@@ -109,7 +109,7 @@ def _foxglove(params: StreamParams, names: Names) -> Publisher:
 def _optional(module: str, words: str) -> ModuleType:
     """A module whose package is an optional extra; StreamError where it is not installed."""
     try:
-        return import_module(f"tracker.streaming.{module}")
+        return import_module(f"{__package__}.{module}")
     except (ImportError, RuntimeError) as error:  # pylsl: RuntimeError without its library
         raise StreamError(
             f"The {words} stream needs a package that is not installed ({error}). Run: {EXTRA}"

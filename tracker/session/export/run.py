@@ -56,7 +56,7 @@ def export(
         raise FileError(f"{path_out} is the session itself; choose another name.")
     _check(format, path_out, options)
     module, _, function = _WRITERS[format].partition(":")
-    write = getattr(import_module(f"tracker.session.export.{module}"), function)
+    write = getattr(import_module(f"{__package__}.{module}"), function)
     folder = path_out.with_name(f".{path_out.name}.part")
     try:
         folder.mkdir()

@@ -1,0 +1,147 @@
+"""The build backend: setuptools', but a wheel claims one name.
+
+In this tree the packages are `app`, `tracker` and `resources`. Installed under these names they
+would collide in any environment that is shared, so a wheel has them as `glovetrack.app`,
+`glovetrack.tracker` and `glovetrack.resources`: the tree is copied with that layout, its import
+statements name the packages by their full names, and setuptools makes the wheel of the copy.
+Nothing else is changed: code must not spell a module's name in a string (`__package__` tells it).
+An editable install, as the Makefile makes it, leaves the tree as it is.
+"""
+
+from __future__ import annotations
+
+import ast
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from setuptools import build_meta
+from setuptools.build_meta import (
+    build_editable,
+    build_sdist,
+    get_requires_for_build_editable,
+    get_requires_for_build_sdist,
+    get_requires_for_build_wheel,
+    prepare_metadata_for_build_editable,
+    prepare_metadata_for_build_wheel,
+)
+
+__all__ = [
+    "build_editable",
+    "build_sdist",
+    "build_wheel",
+    "get_requires_for_build_editable",
+    "get_requires_for_build_sdist",
+    "get_requires_for_build_wheel",
+    "prepare_metadata_for_build_editable",
+    "prepare_metadata_for_build_wheel",
+]
+
+NAME = "glovetrack"
+PACKAGES = ("app", "tracker", "resources")
+FACE = f'''"""Hand tracking with a sensor glove: the engine's names, as `tracker` has them."""
+
+from typing import Any
+
+from {NAME} import tracker
+from {NAME}.tracker import __version__
+
+__all__ = ["__version__"]
+
+
+def __getattr__(name: str) -> Any:
+    return getattr(tracker, name)
+'''
+
+
+def build_wheel(
+    wheel_directory: str,
+    config_settings: dict[str, str] | None = None,
+    metadata_directory: str | None = None,
+) -> str:
+    """PEP 517's hook; the wheel's file name."""
+    target = str(Path(wheel_directory).resolve())
+    with tempfile.TemporaryDirectory() as folder:
+        stage(Path.cwd(), Path(folder))
+        with working_in(folder):
+            return build_meta.build_wheel(target, config_settings)
+
+
+def stage(source: Path, target: Path) -> None:
+    """Copy what a wheel is made of, in the layout in which it is installed."""
+    for name in ("README.md", "LICENSE"):
+        shutil.copy(source / name, target)
+    project = (source / "pyproject.toml").read_text("utf-8")
+    (target / "pyproject.toml").write_text(installed_project(project), "utf-8")
+    hidden = shutil.ignore_patterns("__pycache__", "firmware", "_compiled*", "_dispatch*")
+    for package in PACKAGES:
+        shutil.copytree(source / package, target / NAME / package, ignore=hidden)
+    for path in (target / NAME).rglob("*.py"):
+        path.write_text(with_full_names(path.read_text("utf-8")), "utf-8")
+    (target / NAME / "__init__.py").write_text(FACE, "utf-8")
+
+
+def installed_project(text: str) -> str:
+    """pyproject.toml for the staged copy: its own names, and setuptools alone to build it."""
+    changes = {
+        'build-backend = "backend"\nbackend-path = ["packaging"]': (
+            'build-backend = "setuptools.build_meta"'
+        ),
+        f'{NAME} = "app.': f'{NAME} = "{NAME}.app.',
+        'include = ["app*", "tracker*", "resources*"]': f'include = ["{NAME}*"]',
+        **{f"\n{p} = [": f'\n"{NAME}.{p}" = [' for p in PACKAGES},
+    }
+    for old, new in changes.items():
+        if old not in text and not old.startswith("\n"):
+            raise ValueError(f"pyproject.toml has no {old!r} any more: packaging/backend.py")
+        text = text.replace(old, new)
+    return text
+
+
+def with_full_names(code: str) -> str:
+    """Python code whose import statements name our packages as they are installed."""
+    lines = code.splitlines(keepends=True)
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.ImportFrom) and node.level == 0 and _is_ours(node.module or ""):
+            _replace(lines, node, f"from {node.module}", f"from {NAME}.{node.module}")
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                _rename_import(lines, node, alias)
+    return "".join(lines)
+
+
+def _rename_import(lines: list[str], node: ast.Import, alias: ast.alias) -> None:
+    if not _is_ours(alias.name):
+        return
+    if alias.asname:
+        _replace(lines, node, f"import {alias.name}", f"import {NAME}.{alias.name}")
+    elif "." in alias.name or len(node.names) > 1:
+        raise ValueError(f"line {node.lineno}: write 'from … import …', not 'import {alias.name}'")
+    else:
+        _replace(lines, node, f"import {alias.name}", f"from {NAME} import {alias.name}")
+
+
+def _is_ours(module: str) -> bool:
+    return module.partition(".")[0] in PACKAGES
+
+
+def _replace(lines: list[str], node: ast.stmt, old: str, new: str) -> None:
+    line = lines[node.lineno - 1]
+    before, after = line[: node.col_offset], line[node.col_offset :]
+    if not after.startswith(old):
+        raise ValueError(f"line {node.lineno}: an import is written in an unusual way")
+    lines[node.lineno - 1] = before + new + after[len(old) :]
+
+
+@contextmanager
+def working_in(folder: str) -> Iterator[None]:
+    """setuptools builds the project of the working directory."""
+    before = Path.cwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(before)
