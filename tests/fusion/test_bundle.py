@@ -48,12 +48,16 @@ def engine(sim: Simulation) -> ChainEngine:
     return pipeline.engine
 
 
+def work_of(engine: ChainEngine) -> BundleWork:
+    return engine.get_state().tracker.wearer.work
+
+
 def kept(engine: ChainEngine) -> list[Keyframe]:
-    return engine.get_state()["_work"].keyframes.kept
+    return work_of(engine).keyframes.kept
 
 
 def state_of(engine: ChainEngine) -> ChainState:
-    return engine.get_state()["_state"]
+    return engine.get_state().tracker.filter.state
 
 
 def marker_error(state: ChainState, wearer: Wearer) -> float:
@@ -143,14 +147,14 @@ def test_a_saved_state_goes_on_in_the_middle_of_a_solution(sim: Simulation) -> N
     whole = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(EARLY))
     assert isinstance(whole.engine, ChainEngine)
     coming = iter(messages)
-    while whole.engine._work.sweep != 2:
+    while work_of(whole.engine).sweep != 2:
         feed(whole, [next(coming)])  # StopIteration: no solution was begun
     state, rest = whole.get_state(), list(coming)
     other = Pipeline(sim.hand, sim.glove, sim.rig, with_bundle(EARLY))
     other.set_state(state)
     for a, b in zip(feed(whole, rest), feed(other, rest), strict=True):
         assert np.array_equal(a.keypoints, b.keypoints)
-    assert whole.engine._work.calibration is None, "the solution was not finished"
+    assert work_of(whole.engine).calibration is None, "the solution was not finished"
 
 
 def test_postures_of_something_else_teach_nothing(engine: ChainEngine, sim: Simulation) -> None:

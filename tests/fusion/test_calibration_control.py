@@ -58,7 +58,7 @@ def test_one_segment_is_forgotten_and_the_others_are_not(pipeline):
 def test_a_full_reset_is_the_prior_and_the_covariance_stays_one(pipeline):
     engine = pipeline.engine
     engine.reset_calibration()
-    layout, state = engine.layout, engine._state
+    layout, state = engine.layout, engine.get_state().tracker.filter.state
     n = layout.n_dynamic
     P = initial_covariance(layout, ChainParams().prior)
     np.testing.assert_array_equal(state.P[n:, n:], P[n:, n:])

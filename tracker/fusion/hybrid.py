@@ -14,9 +14,10 @@ from typing import Any
 import numpy as np
 
 from tracker.errors import ConfigError
-from tracker.fusion.chain.engine import SEEN_LATELY, ChainEngine
+from tracker.fusion.chain.engine import ChainEngine, ChainKept
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.shown import SEEN_LATELY
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -32,7 +33,7 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
-from tracker.online.imu_health import ImuHealth
+from tracker.online.imu_health import ImuHealth, ImuHealthKept
 from tracker.vision.rig import StereoRig
 
 MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
@@ -46,13 +47,23 @@ class HybridParams:
 
 
 @dataclass(eq=False)
-class _Moving:
-    """What changes: estimator and joint rotations per finger, when each IMU answered."""
+class FingersKept:
+    """What changes of the fingers: estimator and joint rotations of each, and when (s) each IMU
+    answered last."""
 
     estimators: list[FingerEstimator3D]
     joints: list[tuple[Array, Array]]
     felt: Array
     last_t: float = np.nan
+
+
+@dataclass(eq=False)
+class HybridKept:
+    """All of a hybrid engine that changes."""
+
+    dorsum: ChainKept
+    fingers: FingersKept
+    health: ImuHealthKept
 
 
 class HybridEngine:
@@ -84,7 +95,7 @@ class HybridEngine:
         self._rows = [tuple(names.index(s) for s in pair) for pair in self._pairs]
         self._health = ImuHealth(len(names))
         dt = 1.0 / params.rate_hz
-        self._moving = _Moving(
+        self._fingers = FingersKept(
             [FingerEstimator3D(finger_geometry(hand, glove, *p), dt, variant) for p in self._pairs],
             [self._straight(pair) for pair in self._pairs],
             np.full(len(names), -np.inf),
@@ -96,11 +107,11 @@ class HybridEngine:
 
     def feed_imu(self, sample: ImuSample) -> Estimate:
         sample = self._health.check(sample)
-        self._moving.felt[sample.valid] = sample.t
+        self._fingers.felt[sample.valid] = sample.t
         dorsum = self._dorsum.feed_imu(self._of_root(sample))
         if dorsum.tracking != Tracking.SEARCHING:
             self._update_fingers(sample, dorsum.segment_R[0])
-        self._moving.last_t = sample.t
+        self._fingers.last_t = sample.t
         return self._whole(dorsum, sample.t)
 
     def _of_root(self, sample: ImuSample) -> ImuSample:
@@ -125,12 +136,12 @@ class HybridEngine:
         for k, rows in enumerate(self._rows):
             pair = self._readings(sample, rows)
             for _ in range(self._packets_since(sample.t)):
-                joints = self._moving.estimators[k].update(motion, pair)
-            self._moving.joints[k] = (joints.R_01, joints.R_12)
+                joints = self._fingers.estimators[k].update(motion, pair)
+            self._fingers.joints[k] = (joints.R_01, joints.R_12)
 
     def _packets_since(self, t: float) -> int:
         """Packets that should have come since the last one; lost ones are bridged."""
-        gap = (t - self._moving.last_t) * self._params.rate_hz
+        gap = (t - self._fingers.last_t) * self._params.rate_hz
         return 1 if not np.isfinite(gap) else int(np.clip(round(gap), 1, MAX_REPEAT))
 
     def _readings(self, sample: ImuSample, rows: Sequence[int]) -> ImuPair:
@@ -160,13 +171,13 @@ class HybridEngine:
 
     def _joint_rotations(self) -> list[tuple[str, Array]]:
         out: list[tuple[str, Array]] = []
-        for pair, joints in zip(self._pairs, self._moving.joints, strict=True):
+        for pair, joints in zip(self._pairs, self._fingers.joints, strict=True):
             out += list(zip(pair, joints, strict=True))
         return out
 
     def _sensed(self, t: float) -> IntArray:
         out = np.zeros(len(self._layout.active), np.int64)
-        out[self._layout.imu_segment[t - self._moving.felt < SEEN_LATELY]] = 1
+        out[self._layout.imu_segment[t - self._fingers.felt < SEEN_LATELY]] = 1
         return out
 
     def feed_frame(self, frame: BlobFrame) -> None:
@@ -205,17 +216,16 @@ class HybridEngine:
     def calibration(self) -> Calibration:
         return self._dorsum.calibration()
 
-    def get_state(self) -> dict[str, Any]:
-        return {
-            "dorsum": self._dorsum.get_state(),
-            "moving": copy.deepcopy(self._moving),
-            "health": self._health.state(),
-        }
+    def get_state(self) -> HybridKept:
+        """A copy of everything that changes."""
+        fingers, health = copy.deepcopy((self._fingers, self._health.kept))
+        return HybridKept(self._dorsum.get_state(), fingers, health)
 
-    def set_state(self, state: dict[str, Any]) -> None:
-        self._dorsum.set_state(state["dorsum"])
-        self._moving = copy.deepcopy(state["moving"])
-        self._health.restore(state["health"])
+    def set_state(self, state: HybridKept) -> None:
+        """Go on from `get_state`."""
+        self._dorsum.set_state(state.dorsum)
+        self._fingers, health = copy.deepcopy((state.fingers, state.health))
+        self._health.restore(health)
 
 
 def _only(glove: GloveModel, segment: str) -> GloveModel:

@@ -15,8 +15,10 @@ from typing import IO, Any
 import numpy as np
 
 from tracker.errors import ConfigError
-from tracker.messages import BlobFrame, Calibration, Estimate, ImuSample
-from tracker.offline.smooth_chain import TapedChain
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.messages import BlobFrame, Calibration, Estimate, ImuSample, Tracking
+from tracker.offline.smooth_chain import ChainTape, smoothing_params
 from tracker.session.description import SessionInfo
 from tracker.settings import Settings
 
@@ -36,7 +38,9 @@ class Smoother:
         if settings.engine != "chain":
             raise ConfigError(f"Smoothing is for the engine chain, not for {settings.engine}.")
         assert info.rig is not None
-        self._engine = TapedChain(info.hand, info.glove, info.rig, settings.chain)
+        layout, params = ChainLayout(info.hand, info.glove), smoothing_params(settings.chain)
+        self._tape, self._size = ChainTape(layout), layout.size
+        self._engine = ChainEngine(info.hand, info.glove, info.rig, params, self._tape)
         self._blocks = _Shelf()  # (state at the start, messages)
         self._state = self._engine.get_state()
         self._fed: list[Fed] = []
@@ -62,17 +66,17 @@ class Smoother:
         """All messages again, each packet with its smoothed estimate."""
         self._close_block()
         smoothed = _Shelf()
-        adjoint = np.zeros(self._engine.layout.size)
+        adjoint = np.zeros(self._size)
         n = len(self._blocks)
         for i in reversed(range(n)):
             state, fed = self._blocks.get(i)
             self._engine.set_state(state)
-            self._engine.taping = True
+            self._tape.recording = True
             for message, _ in fed:
                 _run(self._engine, message)
             if i == n - 1:
-                self._engine.come_to_the_end()
-            estimates, adjoint = self._engine.back(adjoint)
+                self._engine.catch_up()
+            estimates, adjoint = self._tape.back(adjoint)
             smoothed.put(estimates)
             progress((n - i) / n)
         yield from self._merged(smoothed)
@@ -91,14 +95,15 @@ class Smoother:
                 yield message, estimate
 
 
-def _run(engine: TapedChain, message: ImuSample | BlobFrame) -> Estimate | None:
+def _run(engine: ChainEngine, message: ImuSample | BlobFrame) -> Estimate | None:
     """Feed the engine; what it shows of a packet for which nothing better will come."""
     if isinstance(message, BlobFrame):
         engine.feed_frame(message)
         engine.take_results()
         return None
     estimate = engine.feed_imu(message)
-    return None if engine.will_show(message) else estimate
+    on_tape = engine.tracking != Tracking.SEARCHING and engine.newest == message.t
+    return None if on_tape else estimate
 
 
 class _Shelf:

@@ -1,4 +1,4 @@
-"""A chain filter that keeps a tape of what it did, and the way back along the tape.
+"""A tape of what a chain filter did, and the way back along it.
 
 Fixed-interval smoothing after Bryson and Frazier (G. J. Bierman: Fixed interval smoothing with
 discrete measurements. Int. J. Control 18 (1), 65-75, 1973, doi:10.1080/00207177308932487), on error
@@ -8,25 +8,19 @@ covariance P is P λ. Nothing is inverted, and the estimates' own linearisation 
 
 from __future__ import annotations
 
-from collections import deque
 from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
-from tracker.fusion.chain.engine import ChainEngine
-from tracker.fusion.chain.kinematics import segment_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.pixels import Prediction, SeenBlobs
 from tracker.fusion.chain.propagate import transition
+from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.state import ChainState, inject
 from tracker.fusion.output.output import Sensed
-from tracker.fusion.time.imu_buffer import Intervals
-from tracker.glove.model import GloveModel
-from tracker.hand.model import HandModel
-from tracker.messages import Array, CameraPose, Estimate, ImuSample, IntArray, Tracking
-from tracker.vision.rig import StereoRig
+from tracker.fusion.time.imu_buffer import Moment
+from tracker.messages import Array, Estimate, IntArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,30 +103,39 @@ def smoothing_params(params: ChainParams) -> ChainParams:
     )
 
 
-class TapedChain(ChainEngine):
-    """The chain filter with a tape; an estimate is put on it for the instant of every packet."""
+class ChainTape:
+    """A `Tape` of a chain filter with this layout; an estimate is put on it for each packet.
 
-    _KEPT = (*ChainEngine._KEPT, "_due")
+    Nothing is taken while ``recording`` is off.
+    """
 
-    def __init__(
-        self, hand: HandModel, glove: GloveModel, rig: StereoRig, params: ChainParams
-    ) -> None:
-        super().__init__(hand, glove, rig, smoothing_params(params))
-        self._due: deque[float] = deque()  # s, packets that the filter has not come to
-        self._tape: list[Step | Update | Forgotten | _Shown] = []
-        self._rows = shown_rows(self._layout)
-        self.taping = False
+    def __init__(self, layout: ChainLayout) -> None:
+        self._layout = layout
+        self._shown_hand = ShownHand(layout)
+        self._rows = shown_rows(layout)
+        self._entries: list[Step | Update | Forgotten | _Shown] = []
+        self.recording = False
 
-    def will_show(self, sample: ImuSample) -> bool:
-        """Whether an estimate for this packet, the last one fed, is or will be on the tape."""
-        newest = self._buffer.newest
-        return self.tracking != Tracking.SEARCHING and newest is not None and newest.t == sample.t
+    # ---- what goes on the tape
 
-    def come_to_the_end(self) -> None:
-        """Move the filter itself to the newest packet: no image will come any more."""
-        newest = self._buffer.newest
-        if newest is not None and self.tracking != Tracking.SEARCHING:
-            self._advance(newest.t)
+    def step(self, state: ChainState, readings: Moment, dt: float) -> None:
+        if self.recording:
+            self._entries.append(Step(transition(state, self._layout, readings, dt)))
+
+    def update(self, H: Array, HP: Array, S: Array, r: Array) -> None:
+        if self.recording:
+            self._entries.append(Update(H, HP, S, r))
+
+    def forgotten(self, rows: int) -> None:
+        if self.recording:
+            self._entries.append(Forgotten(rows))
+
+    def shown(self, state: ChainState, sensed: Sensed, tip_sd: Array) -> None:
+        if self.recording:
+            nominal = replace(state, P=np.zeros((0, 0)))
+            self._entries.append(_Shown(nominal.copy(), state.P[self._rows], sensed, tip_sd))
+
+    # ---- the way back
 
     def back(self, adjoint: Array) -> tuple[list[Estimate], Array]:
         """Go back along the tape, which is empty then.
@@ -141,12 +144,12 @@ class TapedChain(ChainEngine):
         λ at the tape's start.
         """
         out = []
-        for entry in reversed(self._tape):
+        for entry in reversed(self._entries):
             if isinstance(entry, _Shown):
                 out.append(self._smoothed(entry, adjoint))
             else:
                 adjoint = entry.back(adjoint)
-        self._tape.clear()
+        self._entries.clear()
         return out[::-1], adjoint
 
     def _smoothed(self, shown: _Shown, adjoint: Array) -> Estimate:
@@ -154,63 +157,4 @@ class TapedChain(ChainEngine):
         dx[self._rows] = shown.P_rows @ adjoint
         state = shown.state.copy()
         inject(state, self._layout, dx)
-        p_GB = segment_positions(state, self._layout)
-        return self._output.estimate(
-            state.t, state.R_GB, p_GB, state.scale3(), shown.sensed, shown.tip_sd
-        )
-
-    # ---- what goes on the tape
-
-    def _note(self, entry: Step | Update | Forgotten | _Shown) -> None:
-        if self.taping:
-            self._tape.append(entry)
-
-    def _heard(self, sample: ImuSample) -> None:
-        super()._heard(sample)
-        self._due.append(sample.t)
-
-    def _step(self, way: Intervals, first: int) -> int:
-        if self.taping:
-            dt = float(way.stop[first] - way.start[first])
-            self._note(Step(transition(self._state, self._layout, way.mean(first), dt)))
-        return super()._step(way, first)
-
-    def _step_end(self, way: Intervals, first: int) -> int:
-        return first + 1
-
-    def _stepped(self) -> None:
-        super()._stepped()
-        while self._due and self._due[0] < self._state.t:
-            self._due.popleft()  # from before the hand was found
-        if self._due and self._due[0] == self._state.t:
-            self._due.popleft()
-            self._show()
-
-    def _show(self) -> None:
-        if not self.taping:
-            return
-        nominal = replace(self._state, P=np.zeros((0, 0)))
-        P_rows = self._state.P[self._rows]
-        sensed = Sensed(self._sensed(self._state.t), self._track.tracking)
-        self._note(_Shown(nominal.copy(), P_rows, sensed, self._track.tip_sd))
-
-    def _learn(self, H: Array, HP: Array, HPH: Array, r: Array, R: Array) -> None:
-        self._note(Update(H, HP, HPH + R, r))
-        super()._learn(H, HP, HPH, r, R)
-
-    def _adopt(self, state: ChainState) -> None:
-        self._note(Forgotten(self._layout.size))
-        super()._adopt(state)
-
-    def _search_again(
-        self,
-        seen: tuple[SeenBlobs, ...],
-        pose: CameraPose,
-        prediction: Prediction,
-        match: IntArray,
-    ) -> tuple[Prediction, IntArray]:
-        before = self._state
-        out = super()._search_again(seen, pose, prediction, match)
-        if self._state is not before:
-            self._note(Forgotten(self._layout.n_dynamic))
-        return out
+        return self._shown_hand.estimate_of(state, state.t, shown.sensed, shown.tip_sd)

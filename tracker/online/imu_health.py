@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from tracker.kernels import kernel
 from tracker.messages import Array, ImuSample, IntArray
 
 STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
+
+
+@dataclass(eq=False)
+class ImuHealthKept:
+    """last (n, 6): accel and gyro of the packet before; same (n,): how often they came again."""
+
+    last: Array
+    same: IntArray
 
 
 class ImuHealth:
@@ -34,11 +44,14 @@ class ImuHealth:
             valid,
         )
 
-    def state(self) -> tuple[Array, IntArray]:
-        return self._last.copy(), self._same.copy()
+    @property
+    def kept(self) -> ImuHealthKept:
+        """All that changes, as it is: for a copy."""
+        return ImuHealthKept(self._last, self._same)
 
-    def restore(self, state: tuple[Array, IntArray]) -> None:
-        self._last, self._same = state[0].copy(), state[1].copy()
+    def restore(self, kept: ImuHealthKept) -> None:
+        """Go on from what was `kept`, which is taken over."""
+        self._last, self._same = kept.last, kept.same
 
 
 @kernel

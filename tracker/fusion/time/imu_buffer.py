@@ -15,6 +15,7 @@ from tracker.messages import Array, ImuSample
 
 LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
 SHORTEST_STEP = 1e-9  # s
+AROUND = 0.01  # s: neighbours that give an angular acceleration
 
 
 class Moment(NamedTuple):
@@ -27,6 +28,8 @@ class Moment(NamedTuple):
 
 
 Readings = ImuSample | Moment
+Around = tuple[Readings, Readings, Readings]
+"""Before, at and after an instant."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,6 +81,11 @@ class ImuBuffer:
             np.empty((count, n, 3)),
             np.empty((count, n), np.bool_),
         )
+
+    @property
+    def imus(self) -> int:
+        """IMUs in a packet."""
+        return self._imus
 
     def __len__(self) -> int:
         return len(self._samples)
@@ -142,10 +150,21 @@ class ImuBuffer:
             return self._samples[-1]
         return Moment(t, *_between(*self.table, t))
 
-    def state(self) -> list[ImuSample]:
-        return list(self._samples)
+    def around(self, t: float) -> Around | None:
+        """What was read at ``t`` and `AROUND` s before and after; None without packets there."""
+        before, now, after = self.at(t - AROUND), self.at(t), self.at(t + AROUND)
+        if before is None or now is None or after is None or not before.t < now.t < after.t:
+            return None
+        return before, now, after
+
+    def is_packet(self, t: float) -> bool:
+        """Whether a packet of just this instant is kept."""
+        times = self.table[0]
+        k = int(np.searchsorted(times, t))
+        return k < len(times) and bool(times[k] == t)
 
     def restore(self, samples: list[ImuSample]) -> None:
+        """Forget all packets, and take these."""
         self._samples.clear()
         self._first = self._end = 0
         for sample in samples:

@@ -9,7 +9,7 @@ import numpy as np
 from tracker.fusion.chain.params import BundleParams
 from tracker.fusion.chain.pixels import SeenBlobs
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.time.imu_buffer import Readings
+from tracker.fusion.time.imu_buffer import Around
 from tracker.messages import Array, CameraPose, IntArray
 
 MAX_RATE = 4.0  # rad/s: faster than this an image smears and the accelerometers feel the motion
@@ -24,7 +24,7 @@ class Keyframe:
     R_GB: Array
     uv: Array
     pose: CameraPose
-    packets: tuple[Readings, Readings, Readings]
+    packets: Around
     relative: Array  # (A - 1, 3) rotation vectors against the parents
 
 
@@ -64,18 +64,16 @@ def keyframe_of(
     seen: tuple[SeenBlobs, ...],
     match: IntArray,
     pose: CameraPose,
-    packets: tuple[Readings | None, ...],
+    packets: Around,
     relative: Array,
     params: BundleParams,
 ) -> Keyframe | None:
     """The posture of ``state``, or None where too little is seen or it moves too fast."""
-    before, now, after = packets
-    if before is None or now is None or after is None or not before.t < now.t < after.t:
-        return None
+    now = packets[1]
     if int(np.sum(match >= 0)) < params.least_blobs or np.abs(now.gyro).max() > MAX_RATE:
         return None
     uv = np.full((2, match.shape[1], 2), np.nan)
     for c in range(2):
         hit = np.flatnonzero(match[c] >= 0)
         uv[c, hit] = seen[c].uv[match[c, hit]]
-    return Keyframe(state.p.copy(), state.R_GB.copy(), uv, pose, (before, now, after), relative)
+    return Keyframe(state.p.copy(), state.R_GB.copy(), uv, pose, packets, relative)

@@ -38,7 +38,6 @@ class Starter:
     def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
         self._layout, self._rig, self._params = layout, rig, params
         self._search, self._mono = SearchParams(), MonoParams()
-        self.profile: WearerProfile | None = None  # what is known of the wearer beforehand
 
     def first(
         self,
@@ -50,7 +49,7 @@ class Starter:
     ) -> ChainState | None:
         """A state to start from, or None where the image does not show a hand for sure.
 
-        ``known`` is what this run has learned of the wearer; without it the profile counts.
+        ``known`` is what has been learned of the wearer.
         """
         packets = [s for s in buffer if t - LOOK_BACK <= s.t <= t + 0.05]
         if len(packets) < 5:
@@ -58,7 +57,6 @@ class Starter:
         state = initial_state(self._layout)
         state.t = t
         state.P = initial_covariance(self._layout, self._params.prior)
-        known = known or self.profile
         if known is not None:
             wear(state, self._layout, known)
         valid = np.all([s.valid for s in packets], axis=0)

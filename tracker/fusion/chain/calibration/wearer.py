@@ -1,0 +1,136 @@
+"""What a chain engine has learned of its wearer: shown, kept, taken along, refined."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from tracker.fusion.chain.bundle.keyframes import keyframe_of
+from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, adopt
+from tracker.fusion.chain.calibration import control
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.profile import WearerProfile, profile_of, wear
+from tracker.fusion.chain.recognition import Recognised, SeenImage
+from tracker.fusion.chain.reports import calibration_of
+from tracker.fusion.chain.state import ChainState
+from tracker.fusion.time.imu_buffer import ImuBuffer
+from tracker.geometry.kernels import relative_rotations
+from tracker.messages import Calibration
+from tracker.vision.rig import StereoRig
+
+
+@dataclass(eq=False)
+class WearerKept:
+    """All of it that changes."""
+
+    held: WearerProfile | None = None  # the calibration while it is frozen
+    known: WearerProfile | None = None  # what every new start begins with
+    work: BundleWork = field(default_factory=BundleWork)
+
+
+class WearerCalibration:
+    """The calibration within a filter's state. Each method is given that state, and changes it."""
+
+    def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
+        self._layout, self._params = layout, params
+        self._bundle = Bundle(layout, rig, params)
+        self.kept = WearerKept()
+
+    @property
+    def is_frozen(self) -> bool:
+        """Whether the calibration is held as it was at one instant."""
+        return self.kept.held is not None
+
+    @property
+    def is_known(self) -> bool:
+        """Whether a profile of the wearer was there beforehand."""
+        return self.kept.known is not None
+
+    def shown(self, state: ChainState) -> Calibration:
+        """What is known by now."""
+        held = self.kept.held
+        if held is not None:
+            state = control.with_held(state, self._layout, held)
+        return calibration_of(self._layout, state)
+
+    def profile(self, state: ChainState) -> WearerProfile:
+        """What has been learned of the wearer."""
+        return self.kept.held or profile_of(state, self._layout)
+
+    def start_with(self, state: ChainState, lately: bool) -> WearerProfile | None:
+        """What to look for a lost hand with: what ``state`` has learned if it was right
+        ``lately``, else what was known beforehand."""
+        return profile_of(state, self._layout) if lately else self.kept.known
+
+    # ---- a user's commands
+
+    def put_on(self, state: ChainState, profile: WearerProfile) -> None:
+        """Take what is known of the wearer, now and at each new start."""
+        self.kept.known = profile
+        wear(state, self._layout, profile)
+        self._keep_frozen(state)
+
+    def reset(self, state: ChainState, segments: Sequence[str] | None) -> None:
+        """Forget what was learned of some segments, or (None) of all of them. Raises ConfigError
+        for a segment that is not estimated."""
+        self._thaw(state)
+        self.kept.work = BundleWork()
+        names = self._layout.names if segments is None else segments
+        control.reset_calibration(state, self._layout, self._params.prior, names)
+        known = segments is not None and self.is_known
+        self.kept.known = profile_of(state, self._layout) if known else None
+        self._keep_frozen(state)
+
+    def freeze(self, state: ChainState, on: bool) -> None:
+        """Hold the calibration as it is now, or go on estimating it from there."""
+        if not on:
+            self._thaw(state)
+        self.kept.held = profile_of(state, self._layout) if on else None
+        self._keep_frozen(state)
+
+    def _thaw(self, state: ChainState) -> None:
+        """Give the state back how sure the held calibration was."""
+        if self.kept.held is not None:
+            wear(state, self._layout, self.kept.held)
+
+    def _keep_frozen(self, state: ChainState) -> None:
+        """After a change of the calibration: hold the new one if it is frozen."""
+        if self.kept.held is not None:
+            self.kept.held = profile_of(state, self._layout)
+            control.hold_calibration(state, self._layout)
+
+    # ---- while tracking
+
+    def begin(self, state: ChainState) -> None:
+        """A new start: what is frozen holds there too."""
+        if self.kept.held is not None:
+            wear(state, self._layout, self.kept.held)
+            control.hold_calibration(state, self._layout)
+
+    def refine(
+        self, state: ChainState, image: SeenImage, found: Recognised, buffer: ImuBuffer
+    ) -> None:
+        """Remember this posture if it is worth it, and go a step on with the keyframes' bundle;
+        not where the calibration is frozen or known beforehand."""
+        if not self._params.bundle.enabled or self.is_frozen or self.is_known:
+            return
+        self._remember(state, image, found, buffer)
+        solved = self._bundle.step(self.kept.work, state)
+        if solved is not None:
+            adopt(state, self._layout, solved)
+
+    def _remember(
+        self, state: ChainState, image: SeenImage, found: Recognised, buffer: ImuBuffer
+    ) -> None:
+        work = self.kept.work
+        if not self._bundle.wants(work, state.t):
+            return
+        relative = relative_rotations(state.R_GB, self._layout.parent)
+        around = buffer.around(state.t) if self._bundle.lacks(work, relative) else None
+        if around is None:
+            return
+        frame = keyframe_of(
+            state, image.blobs, found.match, image.pose, around, relative, self._params.bundle
+        )
+        self._bundle.offer(work, frame)

@@ -1,0 +1,164 @@
+"""The filter itself: a state with its covariance, moved by packets and corrected by measurements.
+
+What it takes from the accelerometers is in `tilt`, from anatomy in `constraints`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.fusion.chain.calibration.control import without_walks
+from tracker.fusion.chain.constraints import Constraints
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.prior import initial_covariance, reset_pose
+from tracker.fusion.chain.propagate import carry, propagate
+from tracker.fusion.chain.start.search import Pose
+from tracker.fusion.chain.state import ChainState, initial_state, inject
+from tracker.fusion.chain.tape import Tape
+from tracker.fusion.chain.tilt import tilt_rows
+from tracker.fusion.kalman import correct
+from tracker.fusion.sparse import joined, products
+from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
+from tracker.messages import Array, IntArray
+
+Rows = tuple[Array, Array, Array, Array]
+"""Of an update: H (m, N), H P (m, N), innovation r (m,) and its noise R (m, m)."""
+
+
+@dataclass(eq=False)
+class FilterKept:
+    """All of the filter that changes; when tilt and anatomy were used last, s."""
+
+    state: ChainState
+    last_tilt: float = -np.inf
+    last_constraint: float = -np.inf
+
+
+class ChainFilter:
+    """One hand's state. ``tape`` is told of each step and update; with one, no two intervals are
+    gone through at once."""
+
+    def __init__(
+        self, layout: ChainLayout, params: ChainParams, buffer: ImuBuffer, tape: Tape | None = None
+    ) -> None:
+        self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
+        self._held_params = without_walks(params)
+        self._constraints = Constraints(layout, params.constraint)
+        state = initial_state(layout)
+        state.P = initial_covariance(layout, params.prior)
+        self.kept = FilterKept(state)
+
+    @property
+    def state(self) -> ChainState:
+        """As it is now, with its covariance."""
+        return self.kept.state
+
+    # ---- the way
+
+    def step(self, way: Intervals, first: int, last_good: float, held: bool) -> int:
+        """Through the interval ``first`` of ``way`` and the next ones, as far as no tilt is due
+        between; the number of the one after.
+
+        ``last_good`` s is the last image that showed enough; ``held``: the calibration is frozen.
+        """
+        params = self._held_params if held else self._params
+        end = self._step_end(way, first)
+        if self._tape is not None:
+            dt = float(way.stop[first] - way.start[first])
+            self._tape.step(self.state, way.mean(first), dt)
+        coasting = last_good, params.match.lost_after
+        propagate(self.state, self._layout, params, way, slice(first, end), coasting)
+        self._tilt()
+        return end
+
+    def _step_end(self, way: Intervals, first: int) -> int:
+        """After the first interval at whose end relative tilt is due, or the last one."""
+        end = first + 1
+        while (
+            self._tape is None
+            and end < len(way.stop)
+            and not self._tilt_is_due(float(way.stop[end - 1]))
+        ):
+            end += 1
+        return end
+
+    def carry(self, state: ChainState, t: float, coasting: bool) -> None:
+        """Move a nominal state to ``t`` with the packets on the way."""
+        carry(state, self._layout, self._buffer, t, coasting)
+
+    # ---- another state
+
+    def adopt(self, state: ChainState) -> None:
+        """Go on from a state that has nothing to do with the one before."""
+        if self._tape is not None:
+            self._tape.forgotten(self._layout.size)
+        self.kept.state = state
+
+    def moved_to(self, pose: Pose) -> ChainState:
+        """A copy of the state with the hand elsewhere, at rest, and its pose as unsure as new."""
+        trial = self.state.copy()
+        trial.R_GB, trial.p, trial.v = pose.R_GB, pose.p, np.zeros(3)
+        reset_pose(trial.P, self._layout, self._params.prior)
+        return trial
+
+    def move(self, moved: ChainState) -> None:
+        """Go on from what `moved_to` gave."""
+        if self._tape is not None:
+            self._tape.forgotten(self._layout.n_dynamic)
+        self.kept.state = moved
+
+    def doubt(self, imus: IntArray) -> None:
+        """Segments whose IMUs (k,) were away may stand anywhere: doubt them, their own weight
+        aside."""
+        for j in imus:
+            rows = self._layout.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
+            self.state.P[rows, rows] += self._params.prior.returned**2
+
+    # ---- measurements
+
+    def _tilt_is_due(self, t: float) -> bool:
+        return t - self.kept.last_tilt >= self._params.constraint.period
+
+    def _tilt(self) -> None:
+        """Relative tilt from the accelerometers, at most every ``period``."""
+        t = self.state.t
+        around = self._buffer.around(t) if self._tilt_is_due(t) else None
+        if around is None:
+            return
+        rows = tilt_rows(self.state, self._layout, self._params.constraint, *around)
+        if rows is not None:
+            self.kept.last_tilt = t
+            self._use(*rows)
+
+    def constrain(self, t: float) -> None:
+        """Anatomy alone, where no image comes; at most every ``period``."""
+        if t - self.kept.last_constraint >= self._params.constraint.period:
+            self.kept.last_constraint = t
+            self._use(*self._constraints.rows(self.state))
+
+    def correct(self, seen: Rows) -> None:
+        """One stacked update: what was seen and anatomy, linearised at the same place."""
+        H, r, variance = self._constraints.rows(self.state)
+        variance = variance * self._how_often()
+        self._update(*joined(*seen, H, r, variance, self.state.P))
+        self.kept.last_constraint = self.state.t
+
+    def _how_often(self) -> float:
+        """Factor on anatomy's variance: at twice the usual rate each use says half as much."""
+        since = max(self.state.t - self.kept.last_constraint, 1e-3)
+        return max(1.0, self._params.constraint.period / since)
+
+    def _use(self, H: Array, r: Array, variance: Array) -> None:
+        """Rows H (m, N) that are few, with innovation r (m,) and variance (m,)."""
+        HP, HPH = products(H, self.state.P)
+        self._update(H, HP, HPH, r, np.diag(variance))
+
+    def _update(self, H: Array, HP: Array, HPH: Array, r: Array, R: Array) -> None:
+        """One update with H (m, N), H P, H P Hᵀ, innovation r (m,) and its noise R (m, m)."""
+        if self._tape is not None:
+            self._tape.update(H, HP, HPH + R, r)
+        dx = correct(self.state.P, HP, HPH, r, R)
+        inject(self.state, self._layout, dx)

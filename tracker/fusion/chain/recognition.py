@@ -1,0 +1,107 @@
+"""Which blob is which marker, near where the filter expects them or anywhere in the image.
+
+What markers say of the state is in `pixels`; how a hand is found from nothing, in `start`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.fusion.chain.filter import Rows
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.loose import LooseRows
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.pixels import PixelModel, Prediction, SeenBlobs, Tally, seen_blobs
+from tracker.fusion.chain.previous import Previous
+from tracker.fusion.chain.reports import frame_result
+from tracker.fusion.chain.state import ChainState
+from tracker.messages import BlobFrame, CameraPose, FrameResult, IntArray, Tracking
+from tracker.vision.rig import StereoRig
+
+
+class SeenImage(NamedTuple):
+    """An exposure: blobs of both sides in rectified pixels, and where the camera was."""
+
+    frame: BlobFrame
+    blobs: tuple[SeenBlobs, ...]
+    pose: CameraPose
+
+    @property
+    def most_blobs(self) -> int:
+        """In one of its sides."""
+        return max(len(s.uv) for s in self.blobs)
+
+    @property
+    def is_mono(self) -> bool:
+        """Only one camera sees anything."""
+        return any(len(s.uv) == 0 for s in self.blobs)
+
+
+class Recognised(NamedTuple):
+    """Markers as they are expected, and match (2, M) the row of each one's blob, -1 for none."""
+
+    prediction: Prediction
+    match: IntArray
+
+    @property
+    def tally(self) -> Tally:
+        """How many of how many."""
+        return Tally.of(self.prediction, self.match)
+
+    @property
+    def in_both(self) -> bool:
+        """Whether some marker is seen by both cameras."""
+        return bool(np.all(self.match >= 0, axis=0).any())
+
+
+@dataclass(eq=False)
+class RecognitionKept:
+    """All of the recognition that changes."""
+
+    previous: Previous | None = None  # only where correspondence is made from it
+
+
+class Recognition:
+    """For one glove seen by one rig."""
+
+    def __init__(self, layout: ChainLayout, rig: StereoRig, params: ChainParams) -> None:
+        self._layout, self._rig, self._params = layout, rig, params
+        self._pixels = PixelModel(layout, rig, params.noise)
+        self._loose = LooseRows(layout, rig, params.noise)
+        self.kept = RecognitionKept()
+
+    def image(self, frame: BlobFrame) -> SeenImage:
+        """What of a frame can be the glove's."""
+        blobs = seen_blobs(frame, self._rig, self._layout.glove.hues)
+        return SeenImage(frame, blobs, frame.pose or self._rig.pose)
+
+    def follow(self, state: ChainState, image: SeenImage) -> Recognised:
+        """Blobs near where ``state`` expects markers, or where the last image left them."""
+        prediction = self._pixels.predict(state, image.pose)
+        compared, previous = prediction, self.kept.previous
+        if previous is not None:
+            compared = previous.at(image.frame.t, self._params.prior.velocity)
+        return Recognised(prediction, self._pixels.match(compared, image.blobs))
+
+    def look(self, state: ChainState, image: SeenImage) -> Recognised:
+        """Blobs near where ``state`` expects markers, whatever was before."""
+        prediction = self._pixels.predict(state, image.pose)
+        return Recognised(prediction, self._pixels.match(prediction, image.blobs))
+
+    def rows(self, state: ChainState, image: SeenImage, found: Recognised) -> Rows:
+        """What the recognised blobs say of ``state``."""
+        if self._params.coupling == "loose":
+            return self._loose(state, found.prediction, image.blobs, found.match, image.pose)
+        return self._pixels.rows(found.prediction, image.blobs, found.match)
+
+    def finish(
+        self, state: ChainState, image: SeenImage, found: Recognised, tracking: Tracking
+    ) -> FrameResult:
+        """After the image has corrected ``state``: remember it if need be, and report it."""
+        frame = image.frame
+        if self._params.guide == "previous":
+            self.kept.previous = Previous(frame.t, self._pixels.predict(state, image.pose))
+        return frame_result(frame, self._rig, tracking, found.prediction, image.blobs, found.match)

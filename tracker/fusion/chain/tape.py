@@ -1,0 +1,28 @@
+"""What a chain filter tells while it works, to one that goes back over it later."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from tracker.fusion.chain.state import ChainState
+from tracker.fusion.output.output import Sensed
+from tracker.fusion.time.imu_buffer import Moment
+from tracker.messages import Array
+
+
+class Tape(Protocol):
+    """Told in the order in which it happens. Arrays and states are the filter's own: to be copied
+    where they are kept, unless it says otherwise."""
+
+    def step(self, state: ChainState, readings: Moment, dt: float) -> None:
+        """``state`` is about to move by ``dt`` s with these mean readings."""
+
+    def update(self, H: Array, HP: Array, S: Array, r: Array) -> None:
+        """The state is about to be corrected: H (m, N), H P (m, N), the innovation's covariance
+        S (m, m) and the innovation r (m,), all to keep."""
+
+    def forgotten(self, rows: int) -> None:
+        """The first ``rows`` error states are set anew: later ones say nothing of earlier ones."""
+
+    def shown(self, state: ChainState, sensed: Sensed, tip_sd: Array) -> None:
+        """``state`` is at the instant of a packet; tip_sd (A,) m of each segment's end, to keep."""

@@ -1,0 +1,182 @@
+"""The chain filter at work: what a packet does to it, what an image does, and what none does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerKept
+from tracker.fusion.chain.filter import ChainFilter, FilterKept
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.profile import WearerProfile
+from tracker.fusion.chain.recognition import Recognised, Recognition, RecognitionKept, SeenImage
+from tracker.fusion.chain.shown import ShownHand, ShownKept
+from tracker.fusion.chain.start.mono_start import release_size
+from tracker.fusion.chain.start.start import Starter
+from tracker.fusion.chain.state import ChainState
+from tracker.fusion.chain.tape import Tape
+from tracker.fusion.chain.tracking import TrackingJudge, TrackingKept
+from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
+from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
+from tracker.vision.rig import StereoRig
+
+
+@dataclass(eq=False)
+class TrackerKept:
+    """All of a tracker that changes, part by part."""
+
+    filter: FilterKept
+    tracking: TrackingKept
+    recognition: RecognitionKept
+    wearer: WearerKept
+    shown: ShownKept
+
+
+class ChainTracker:
+    """The parts of the chain engine joined; a `Filter` that a `Timeline` drives."""
+
+    def __init__(
+        self,
+        layout: ChainLayout,
+        rig: StereoRig,
+        params: ChainParams,
+        buffer: ImuBuffer,
+        tape: Tape | None = None,
+    ) -> None:
+        self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
+        self.filter = ChainFilter(layout, params, buffer, tape)
+        self.wearer = WearerCalibration(layout, rig, params)
+        self.shown = ShownHand(layout)
+        self._judge = TrackingJudge(params.match)
+        self._recognition = Recognition(layout, rig, params)
+        self._starter = Starter(layout, rig, params)
+
+    @property
+    def state(self) -> ChainState:
+        return self.filter.state
+
+    @property
+    def tracking(self) -> Tracking:
+        return self._judge.tracking
+
+    # ---- packets
+
+    def packet(self, sample: ImuSample) -> None:
+        self.filter.doubt(self.shown.returned(sample))
+        self.shown.packet(sample)
+
+    def step(self, way: Intervals, first: int) -> int:
+        last_good = self._judge.kept.last_good
+        end = self.filter.step(way, first, last_good, held=self.wearer.is_frozen)
+        if self._tape is not None and self._buffer.is_packet(self.state.t):
+            sensed = self.shown.sensed(self.state.t, self.tracking)
+            self._tape.shown(self.state, sensed, self.shown.kept.tip_sd)
+        return end
+
+    def carry(self, state: ChainState, t: float) -> None:
+        self.filter.carry(state, t, self._judge.is_coasting(self.state.t))
+
+    def no_image(self) -> bool:
+        """Held together by anatomy."""
+        self._judge.judge(self.state.t, enough=False)
+        self.filter.constrain(self.state.t)
+        return False
+
+    # ---- images
+
+    def image(self, frame: BlobFrame) -> FrameResult:
+        # 1. A hand that is lost in full view is looked for as at the start.
+        begun = self._begin_anew(frame)
+        if begun is not None:
+            return begun
+        # 2. Which blob is which marker: near the prediction, else anywhere.
+        image = self._recognition.image(frame)
+        found = self._recognition.follow(self.state, image)
+        if self._judge.should_search(frame.t, found.tally):
+            found = self._search_again(image, found)
+        # 3. What was seen corrects the state, together with anatomy.
+        self._correct(image, found)
+        self._judge.judge(frame.t, self._judge.is_enough(found.tally))
+        result = self._finish(image, found)
+        self._judge.looked(frame.t, image.most_blobs)
+        # 4. Now and then the calibration is solved for anew.
+        self.wearer.refine(self.state, image, found, self._buffer)
+        return result
+
+    def _correct(self, image: SeenImage, found: Recognised) -> None:
+        self.filter.correct(self._recognition.rows(self.state, image, found))
+
+    def _search_again(self, image: SeenImage, found: Recognised) -> Recognised:
+        """Move to a better place where the images show one; else all stays as it is."""
+        count = found.tally.matched
+        pose = self._starter.again(self.state, image.blobs, image.pose, count)
+        if pose is None:
+            return found
+        moved = self.filter.moved_to(pose)
+        there = self._recognition.look(moved, image)
+        if there.tally.matched <= 1.2 * count:
+            return found
+        self.filter.move(moved)
+        return there
+
+    def _begin_anew(self, frame: BlobFrame) -> FrameResult | None:
+        """Look for the lost hand as at the start: by now it may be turned and bent in any way.
+
+        What is known of the wearer is kept, unless it is so long that it may be what is wrong.
+        """
+        if not self._judge.is_in_vain(frame.t):
+            return None
+        lately = self._judge.was_lately(frame.t)
+        return self._start(frame, self.wearer.start_with(self.state, lately))
+
+    def start(self, frame: BlobFrame) -> FrameResult | None:
+        return self._start(frame, self.wearer.kept.known)
+
+    def _start(self, frame: BlobFrame, known: WearerProfile | None) -> FrameResult | None:
+        # 1. Postures that gravity allows, voted for in the image.
+        if not self._judge.should_start(frame.t):
+            return None
+        image = self._recognition.image(frame)
+        started = self._starter.first(self._buffer, image.blobs, image.pose, frame.t, known)
+        if started is None:
+            return None
+        # 2. Go on from there, with what is frozen.
+        self.filter.adopt(started)
+        self.wearer.begin(started)
+        self._judge.started(frame.t)
+        self.shown.kept.one_camera = image.is_mono
+        # 3. Correct it twice: the second pass matches and linearises at a better place.
+        for _ in range(2):
+            found = self._recognition.look(self.state, image)
+            self._correct(image, found)
+        return self._finish(image, found)
+
+    def _finish(self, image: SeenImage, found: Recognised) -> FrameResult:
+        """What is shown follows the state that the image has corrected."""
+        self.shown.image(image.frame.t, found.match)
+        second_camera = self.shown.kept.one_camera and found.in_both
+        if second_camera:
+            self.shown.kept.one_camera = False
+        self.shown.unsure(self.state, image.pose, self.wearer.is_known)
+        if second_camera:
+            release_size(self.state.P, self._layout, self._params.prior)
+        return self._recognition.finish(self.state, image, found, self.tracking)
+
+    # ---- saving
+
+    @property
+    def kept(self) -> TrackerKept:
+        """All that changes, as it is: for a copy."""
+        return TrackerKept(
+            self.filter.kept,
+            self._judge.kept,
+            self._recognition.kept,
+            self.wearer.kept,
+            self.shown.kept,
+        )
+
+    def restore(self, kept: TrackerKept) -> None:
+        """Go on from what was `kept`, which is taken over."""
+        self.filter.kept, self._judge.kept = kept.filter, kept.tracking
+        self._recognition.kept, self.wearer.kept = kept.recognition, kept.wearer
+        self.shown.kept = kept.shown

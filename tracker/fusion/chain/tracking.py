@@ -1,0 +1,102 @@
+"""The state of tracking: found, coasting, lost, and when to look for the hand again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.fusion.chain.params import MatchParams
+from tracker.fusion.chain.pixels import Tally
+from tracker.messages import Tracking
+
+IN_VAIN = 0.3  # s of images with markers in which a lost hand is not found as it was last
+KEEP_CALIBRATION = 5.0  # s after which a hand that is still lost is looked for without it
+MANY_MARKERS = 6  # in an image that shows the hand
+DOUBTFUL_SHARE = 0.35  # of the expected markers
+ENOUGH_SHARE = 0.6  # of the few markers that can be seen of a hand edge-on
+
+
+@dataclass(eq=False)
+class TrackingKept:
+    """All of the judgement that changes. Instants in s."""
+
+    tracking: Tracking = Tracking.SEARCHING
+    last_good: float = -np.inf  # last image with enough matches
+    last_search: float = -np.inf
+    last_start: float = -np.inf  # last search from nothing
+    in_vain_since: float = np.inf  # lost, although images show markers
+    doubtful_since: float = np.inf
+
+
+class TrackingJudge:
+    """Says after each image, and where none comes, how far the filter can be trusted."""
+
+    def __init__(self, params: MatchParams) -> None:
+        self._params = params
+        self.kept = TrackingKept()
+
+    @property
+    def tracking(self) -> Tracking:
+        """The state of tracking."""
+        return self.kept.tracking
+
+    def is_coasting(self, t: float) -> bool:
+        """No image with enough markers lately."""
+        return t - self.kept.last_good > self._params.lost_after
+
+    def is_enough(self, tally: Tally) -> bool:
+        """Markers to go by: some, or most of the few that can be seen of a hand edge-on."""
+        p = self._params
+        least = max(p.least_markers, ENOUGH_SHARE * tally.expected)
+        return tally.matched >= min(p.min_markers, least)
+
+    def judge(self, t: float, enough: bool) -> None:
+        """After an image with ``enough`` markers, or without."""
+        now, gap = self.kept, t - self.kept.last_good
+        if enough:
+            now.last_good, now.tracking = t, Tracking.TRACKING
+        elif gap > self._params.coast_limit:
+            now.tracking = Tracking.LOST
+        elif gap > self._params.lost_after:
+            now.tracking = Tracking.COASTING
+
+    # ---- when to search
+
+    def should_search(self, t: float, tally: Tally) -> bool:
+        """Lost, or too few of the expected markers are there for too long; then it is noted."""
+        p, now = self._params, self.kept
+        doubtful = tally.matched < max(p.min_markers, DOUBTFUL_SHARE * tally.expected)
+        now.doubtful_since = min(now.doubtful_since, t) if doubtful else np.inf
+        long = t - now.doubtful_since >= p.lost_after or self.is_coasting(t)
+        if not long or t - now.last_search < p.search_period / 10:
+            return False
+        now.last_search = t
+        return True
+
+    def should_start(self, t: float) -> bool:
+        """A search from nothing is due; then it is noted."""
+        if t - self.kept.last_start < self._params.search_period:
+            return False
+        self.kept.last_start = t
+        return True
+
+    def started(self, t: float) -> None:
+        """The hand was found from nothing."""
+        self.kept.tracking, self.kept.last_good = Tracking.TRACKING, t
+        self.kept.in_vain_since = np.inf
+
+    # ---- a lost hand
+
+    def looked(self, t: float, most_blobs: int) -> None:
+        """An image with ``most_blobs`` in one of its sides was used."""
+        in_vain = self.tracking == Tracking.LOST and most_blobs >= MANY_MARKERS
+        self.kept.in_vain_since = min(self.kept.in_vain_since, t) if in_vain else np.inf
+
+    def is_in_vain(self, t: float) -> bool:
+        """A lost hand is in the images, and not as it was last."""
+        return t - self.kept.in_vain_since > IN_VAIN
+
+    def was_lately(self, t: float) -> bool:
+        """So short a time after the last good image, what was learned is not what is wrong."""
+        return t - self.kept.last_good < KEEP_CALIBRATION

@@ -1,0 +1,214 @@
+"""The paper's filter at work: what a packet does to it, what an image does, and what none does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.pixels import SeenBlobs, seen_blobs
+from tracker.fusion.chain.start.start import Starter
+from tracker.fusion.output.output import Sensed
+from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals, Readings
+from tracker.fusion.vist.filter import VistFilter
+from tracker.fusion.vist.layout import VistLayout
+from tracker.fusion.vist.markers import Expected, MarkerModel, Matched, Previous
+from tracker.fusion.vist.params import VistParams
+from tracker.fusion.vist.propagate import propagate
+from tracker.fusion.vist.reports import frame_result
+from tracker.fusion.vist.rest import is_still
+from tracker.fusion.vist.state import (
+    VistState,
+    as_chain,
+    blank_state,
+    from_chain,
+    initial_covariance,
+    reset_motion,
+)
+from tracker.fusion.vist.track import Track, is_better
+from tracker.messages import (
+    BlobFrame,
+    CameraPose,
+    FrameResult,
+    ImuSample,
+    Tracking,
+)
+from tracker.vision.rig import StereoRig
+from tracker.vision.visibility import both_cameras
+
+SEEN_LATELY = 0.5  # s
+
+Seen = tuple[SeenBlobs, ...]
+
+
+@dataclass(eq=False)
+class VistTrackerKept:
+    """All of a tracker that changes."""
+
+    state: VistState
+    track: Track
+    previous: Previous | None = None  # only where correspondence is made from it
+
+
+class VistTracker:
+    """The parts of the vist engine joined; a `Filter` that a `Timeline` drives."""
+
+    def __init__(
+        self, layout: VistLayout, rig: StereoRig, params: VistParams, buffer: ImuBuffer
+    ) -> None:
+        self._layout, self._rig, self._params, self._buffer = layout, rig, params, buffer
+        self._filter = VistFilter(layout, params)
+        self._markers = MarkerModel(layout, rig, params.noise, params.match)
+        self._starter = Starter(layout.chain, rig, ChainParams())
+        track = Track(
+            seen=np.full(len(layout.kept), -np.inf),
+            felt=np.full(len(layout.glove.imus), -np.inf),
+            tip_sd=np.zeros(layout.n),
+        )
+        self.kept = VistTrackerKept(blank_state(layout), track)
+
+    @property
+    def state(self) -> VistState:
+        return self.kept.state
+
+    @property
+    def tracking(self) -> Tracking:
+        return self._track.tracking
+
+    @property
+    def _track(self) -> Track:
+        return self.kept.track
+
+    # ---- packets
+
+    def packet(self, sample: ImuSample) -> None:
+        self._track.felt[sample.valid] = sample.t
+
+    def step(self, way: Intervals, first: int) -> int:
+        stop = float(way.stop[first])
+        self._move(self.state, way.mean(first), stop - self.state.t, covariance=True)
+        self.state.t = stop
+        return first + 1
+
+    def carry(self, state: VistState, t: float) -> None:
+        for sample, stop in self._buffer.intervals(state.t, t):
+            self._move(state, sample, stop - state.t, covariance=False)
+            state.t = stop
+
+    def _move(self, state: VistState, sample: Readings, dt: float, covariance: bool) -> None:
+        coasting = self._track.is_coasting(self.state.t, self._params.tracking)
+        noise = self._params.noise
+        propagate(state, self._layout, noise, sample, dt, coasting=coasting, covariance=covariance)
+
+    def no_image(self) -> bool:
+        """Held together by anatomy."""
+        t = self.state.t
+        self._track.judge(t, False, self._params.tracking)
+        if t - self._track.last_constraint < self._params.constraint.period:
+            return False
+        self._filter.constrain(self.state)
+        self._rest()
+        self._track.last_constraint = t
+        self._track.tip_sd = self._filter.tip_sd(self.state)
+        return True
+
+    def _rest(self) -> None:
+        """While nothing is seen, a hand that keeps still does not drift."""
+        t, root = self.state.t, int(self._layout.imu_of[0])
+        coasting = self._track.is_coasting(t, self._params.tracking)
+        if coasting and is_still(list(self._buffer), t, root, self.state.bg[0]):
+            self._filter.rest(self.state)
+
+    # ---- images
+
+    def image(self, frame: BlobFrame) -> FrameResult:
+        seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
+        pose = frame.pose or self._rig.pose
+        self._rest()
+        expected, matched = self._look(self.state, seen, pose, self._previous(frame.t))
+        likely = float(both_cameras(expected.prior).sum())
+        if self._track.should_search(frame.t, len(matched), likely, self._params.tracking):
+            self._track.last_search = frame.t
+            expected, matched = self._search_again(seen, pose, expected, matched)
+        enough = len(matched) >= self._params.tracking.min_markers
+        if not enough and self._track.is_coasting(frame.t, self._params.tracking):
+            matched = matched.none()  # in a wide gate a point or two may be anything
+        since = max(frame.t - self._track.last_constraint, 1e-3)
+        often = max(1.0, self._params.constraint.period / since)
+        self._filter.correct(self.state, expected, matched, often)
+        self._track.judge(frame.t, enough, self._params.tracking)
+        return self._finish(frame, seen, pose, expected, matched)
+
+    def _look(
+        self, state: VistState, seen: Seen, pose: CameraPose, previous: Expected | None
+    ) -> tuple[Expected, Matched]:
+        """Markers as ``state`` expects them, and which were recognised near there, or near where
+        the ``previous`` image left them."""
+        expected = self._markers.expect(state, pose)
+        return expected, self._markers.match(previous or expected, seen, pose)
+
+    def _previous(self, t: float) -> Expected | None:
+        """What correspondence is made from where the IMUs' prediction shall not be used."""
+        previous = self.kept.previous
+        return previous.at(t, self._params.prior.velocity) if previous is not None else None
+
+    def start(self, frame: BlobFrame) -> FrameResult | None:
+        """Look for the hand from nothing, at most every ``search_period``."""
+        if frame.t - self._track.last_search < self._params.tracking.search_period:
+            return None
+        self._track.last_search = frame.t
+        seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
+        pose = frame.pose or self._rig.pose
+        found = self._starter.first(self._buffer, seen, pose, frame.t)
+        if found is None:
+            return None
+        # the search takes gyro biases from a hand at rest, but tremor turns a finger at 0.1 rad/s:
+        # over so short a time that is no bias
+        found.bg[:] = 0.0
+        self.kept.state = from_chain(self._layout, found)
+        self.state.P = initial_covariance(self._layout, self._params.prior)
+        self._track.tracking, self._track.last_good = Tracking.TRACKING, frame.t
+        for _ in range(2):  # the second pass matches and linearises at a better place
+            expected, matched = self._look(self.state, seen, pose, None)
+            self._filter.correct(self.state, expected, matched)
+        return self._finish(frame, seen, pose, expected, matched)
+
+    def _search_again(
+        self, seen: Seen, pose: CameraPose, expected: Expected, matched: Matched
+    ) -> tuple[Expected, Matched]:
+        """Move to a better place where the images show one; else all stays as it is."""
+        chain = as_chain(self._layout, self.state)
+        found = self._starter.again(chain, seen, pose, len(matched))
+        if found is None:
+            return expected, matched
+        chain.R_GB, chain.p, chain.v = found.R_GB, found.p, np.zeros(3)
+        placed = from_chain(self._layout, chain)
+        trial = self.state.copy()
+        trial.p_GI, trial.R_GI, trial.v_GI = placed.p_GI, placed.R_GI, placed.v_GI
+        reset_motion(trial.P, self._layout, self._params.prior)
+        there, recognised = self._look(trial, seen, pose, None)
+        likely = float(both_cameras(there.prior).sum())
+        if not is_better(len(recognised), len(matched), likely):
+            return expected, matched
+        self.kept.state = trial
+        return there, recognised
+
+    def _finish(
+        self, frame: BlobFrame, seen: Seen, pose: CameraPose, expected: Expected, matched: Matched
+    ) -> FrameResult:
+        self._track.last_constraint = frame.t
+        self._track.seen[matched.marker] = frame.t
+        self._track.tip_sd = self._filter.tip_sd(self.state)
+        if self._params.match.guide == "previous":
+            self.kept.previous = Previous(frame.t, self._markers.expect(self.state, pose))
+        tracking = self._track.tracking
+        return frame_result(frame, self._layout, self._rig, pose, tracking, expected, matched, seen)
+
+    # ---- what is shown
+
+    def sensed(self, t: float) -> Sensed:
+        """What was sensed lately, as of ``t``."""
+        out = (t - self._track.felt[self._layout.imu_of] < SEEN_LATELY).astype(np.int64)
+        out[self._layout.chain.marker_segment[t - self._track.seen < SEEN_LATELY]] = 1
+        return Sensed(out, self._track.tracking)
