@@ -99,7 +99,7 @@ def _wait_for_hand(window: MainWindow, spread: bool) -> None:
         return time.monotonic() - since > (STILL if spread else 0.0)
 
     wait_until(ready, PATIENCE)
-    window.hand.view_back()
+    window.hand.look_from("back")
     wait_until(lambda: False, 0.2)
 
 

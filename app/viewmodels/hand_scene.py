@@ -16,7 +16,22 @@ from tracker.messages import Array, Estimate, FrameResult, IntArray, Tracking, V
 SEEN_LATELY = 0.5
 """s for which a marker counts as seen after its last match."""
 TRAIL_POINTS = 90  # 3 s of images at 30 a second
+FOLLOW = 0.3
+"""Share of the way that the view's centre goes to the hand at each image."""
+JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
 MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
+
+
+@dataclass(frozen=True)
+class ShownParts:
+    """What the user wants to see beside the hand."""
+
+    markers: bool = True
+    uncertainty: bool = True
+    camera: bool = True
+    reference: bool = True
+    axes: bool = False
+    trail: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,7 +39,8 @@ class HandScene:
     """What the 3D view draws, all in G.
 
     segment_R (S, 3, 3), segment_p (S, 3); segment_state (S,) `Validity`; markers (M, 3) m;
-    marker_state (M,); tips (T, 3) m, tip_sd (T,) m; truth (R (S, 3, 3), p (S, 3)) or None;
+    marker_state (M,); tips (T, 3) m, tip_sd (T,) m; reference, the second hand (R (S, 3, 3),
+    p (S, 3)) or None;
     R_GC, p_GC of the camera; trail (`TRAIL_POINTS`, 3) m, the way of a fingertip, oldest first.
     """
 
@@ -35,7 +51,7 @@ class HandScene:
     marker_state: IntArray
     tips: Array
     tip_sd: Array
-    truth: tuple[Array, Array] | None
+    reference: tuple[Array, Array] | None
     R_GC: Array
     p_GC: Array
     caption: str
@@ -78,7 +94,7 @@ class HandSceneModel:
             out[TRAIL_POINTS - len(points) :] = points
         return out
 
-    def scene(self, view: Snapshot, with_truth: bool = False) -> HandScene | None:
+    def scene(self, view: Snapshot, with_reference: bool = False) -> HandScene | None:
         """None before the first estimate with a pose."""
         estimate = view.estimate
         if estimate is None:
@@ -90,7 +106,7 @@ class HandSceneModel:
         if self._last is None:
             return None
         R, p = self._last
-        truth = view.reference() if with_truth else None
+        other = view.reference() if with_reference else None
         pose = view.setup.rig.pose
         if view.frame is not None and view.frame.pose is not None:
             pose = view.frame.pose
@@ -102,7 +118,7 @@ class HandSceneModel:
             marker_state=self._marker_states(view.result, estimate.t),
             tips=estimate.keypoints[self._tip_rows],
             tip_sd=estimate.keypoint_sd[self._tip_rows],
-            truth=None if truth is None else (truth.R_GB, truth.p_GB),
+            reference=None if other is None else (other.R_GB, other.p_GB),
             R_GC=pose.R_GC,
             p_GC=pose.p_GC,
             trail=self._trail_points(estimate),
@@ -122,6 +138,20 @@ class HandSceneModel:
             states[t - self._seen_at < SEEN_LATELY] = MARKER_LATELY
             states[matched & (result.visible >= 0)] = MARKER_NOW
         return states
+
+
+def view_direction(name: str, R_GB: Array) -> Array:
+    """(3,) from a dorsum of rotation ``R_GB`` (3, 3) to the eye: "back", "palm" or "side"."""
+    x, y, z = R_GB.T
+    return {"back": z - 0.35 * x, "palm": -z - 0.35 * x, "side": y + 0.2 * z}[name]
+
+
+def followed(target: Array, scene: HandScene, found_before: bool) -> Array:
+    """(3,) where the view's centre goes from ``target``: some of the way to the hand, or at once
+    to one that has just been found or is far away."""
+    centre = scene.segment_p.mean(axis=0)
+    near = found_before and float(np.linalg.norm(centre - target)) < JUMP
+    return np.asarray(target + (FOLLOW if near else 1.0) * (centre - target))
 
 
 def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArray:

@@ -86,10 +86,10 @@ def _camera(w: MainWindow) -> list[Command]:
     return [
         Command("freeze", menu, w.tr("&Freeze the images"), w.cameras.freeze.toggle, "F"),
         Command("fit", menu, w.tr("&Whole image"), w.fit_images, "Ctrl+0"),
-        Command("view_back", menu, w.tr("Hand from the &back"), w.hand.view_back, "1"),
-        Command("view_palm", menu, w.tr("Hand from the &palm"), w.hand.view_palm, "2"),
-        Command("view_side", menu, w.tr("Hand from the &side"), w.hand.view_side, "3"),
-        Command("view_camera", menu, w.tr("Hand from the &camera"), w.hand.view_camera, "4"),
+        Command("view_back", menu, w.tr("Hand from the &back"), _look(w, "back"), "1"),
+        Command("view_palm", menu, w.tr("Hand from the &palm"), _look(w, "palm"), "2"),
+        Command("view_side", menu, w.tr("Hand from the &side"), _look(w, "side"), "3"),
+        Command("view_camera", menu, w.tr("Hand from the &camera"), _look(w, "camera"), "4"),
         Command("undo", menu, w.tr("&Undo the colour change"), w.colours.undo, "Ctrl+Z"),
         Command("redo", menu, w.tr("&Redo the colour change"), w.colours.redo, "Ctrl+Y"),
     ]
@@ -124,3 +124,7 @@ def add_help(window: MainWindow, commands: Commands) -> None:
 
 def _chooser(w: MainWindow, setting: str) -> Callable[[], None]:
     return partial(w.hand.chooser.choose, setting)
+
+
+def _look(w: MainWindow, name: str) -> Callable[[], None]:
+    return partial(w.hand.look_from, name)

@@ -14,7 +14,7 @@ from gui_fakes import ScriptedEngine, models, scripted_setup
 from app.panels.hand.view_chooser import PROVEN, ViewChooser
 from app.platform.graphics import is_card
 from app.platform.tasks import TaskOwner
-from app.viewmodels.hand_scene import TRAIL_POINTS
+from app.viewmodels.hand_scene import TRAIL_POINTS, followed
 from app.widgets.view3d.view_3d import View3D
 from app.window.main_window import MainWindow
 from tracker.errors import ConfigError
@@ -63,7 +63,7 @@ def see(hand):
 
 
 def test_a_trail_is_the_way_of_the_fingertip(hand, engine):
-    choose(hand.trail, "index")
+    choose(hand.controls.trail, "index")
     row = models()[1].keypoint_names(models()[0]).index("index_tip")
     way = []
     for frame in (31, 32, 33):
@@ -74,48 +74,76 @@ def test_a_trail_is_the_way_of_the_fingertip(hand, engine):
     np.testing.assert_allclose(scene.trail[-1], way[-1])
     corners = {tuple(p) for p in scene.trail.round(9)}
     assert {tuple(p.round(9)) for p in way} <= corners
-    assert hand._actors._trail.shown
-    choose(hand.trail, "")
+    assert hand._bodies._trail.shown
+    choose(hand.controls.trail, "")
     see(hand)
-    assert not hand._actors._trail.shown
+    assert not hand._bodies._trail.shown
 
 
 def test_axes_stand_at_the_joints_along_their_segments(hand):
-    hand._boxes["axes"].click()
+    hand.controls.boxes["axes"].click()
     scene = see(hand)
     i = models()[0].index["index_proximal"]
-    body, arrays = hand._actors._axes[3 * i], hand.view.scene  # its x
+    body, arrays = hand._bodies._axes[3 * i], hand.view.scene  # its x
     np.testing.assert_allclose(arrays.p_GB[body._row], scene.segment_p[i])
     np.testing.assert_allclose(arrays.R_GB[body._row], scene.segment_R[i])
     start, end = arrays.points[body._points]
     assert not start.any() and not end[1:].any() and end[0] > 0.01
-    assert all(b.shown for b in hand._actors._axes)
+    assert all(b.shown for b in hand._bodies._axes)
 
 
 def test_the_reference_is_the_truth_or_another_engine(hand, engine):
     second = hand.host.setup.reference_tracking
-    choose(hand.reference, "other")
+    choose(hand.controls.reference, "other")
     scene = see(hand)
-    np.testing.assert_allclose(scene.truth[1], scene.segment_p)  # the scripted hand is true
-    choose(hand.reference, "madgwick")
+    np.testing.assert_allclose(scene.reference[1], scene.segment_p)  # the scripted hand is true
+    choose(hand.controls.reference, "madgwick")
     assert second.names[-1] == "madgwick"
     scene = see(hand)
-    np.testing.assert_allclose(scene.truth[1] - scene.segment_p, np.tile([0, 0.1, 0], (16, 1)))
+    np.testing.assert_allclose(scene.reference[1] - scene.segment_p, np.tile([0, 0.1, 0], (16, 1)))
     second.lost = True
-    assert see(hand).truth is None
-    choose(hand.reference, "")
+    assert see(hand).reference is None
+    choose(hand.controls.reference, "")
     assert second.names[-1] is None
-    assert see(hand).truth is None
+    assert see(hand).reference is None
+
+
+@pytest.mark.parametrize(
+    ("name", "axis", "sign"), [("back", 2, 1), ("palm", 2, -1), ("side", 1, 1)]
+)
+def test_a_button_looks_from_a_side_of_the_dorsum(hand, name, axis, sign):
+    scene = see(hand)
+    hand.controls.presets[name].click()
+    along = scene.segment_R[0].T @ hand.view.orbit.direction  # in the dorsum's frame
+    assert np.abs(along).argmax() == axis and np.sign(along[axis]) == sign
+
+
+def test_the_camera_button_looks_from_where_the_camera_stands(hand):
+    scene = see(hand)
+    hand.controls.presets["camera"].click()
+    to_camera = scene.p_GC - hand.view.orbit.target
+    np.testing.assert_allclose(
+        hand.view.orbit.direction, to_camera / np.linalg.norm(to_camera), atol=1e-9
+    )
+
+
+def test_the_view_follows_a_hand_and_jumps_to_one_far_away(hand):
+    scene = see(hand)
+    centre = scene.segment_p.mean(axis=0)
+    near, far = centre + [0.1, 0.0, 0.0], centre + [1.0, 0.0, 0.0]
+    assert 0 < np.linalg.norm(followed(near, scene, True) - centre) < 0.1
+    for target, found_before in ((far, True), (near, False)):
+        np.testing.assert_allclose(followed(target, scene, found_before), centre)
 
 
 def test_an_engine_that_cannot_run_is_said(hand):
-    choose(hand.reference, "vist")
+    choose(hand.controls.reference, "vist")
     assert "too few IMUs" in hand.window().banner.text()
 
 
 def test_a_replay_offers_no_second_engine(window):
     window.host.adopt(scripted_setup(ScriptedEngine()))
-    reference = window.hand.reference
+    reference = window.hand.controls.reference
     able = [reference.model().item(i).isEnabled() for i in range(reference.count())]
     assert able == [True, True, False, False, False, False]
 

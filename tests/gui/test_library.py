@@ -213,7 +213,7 @@ def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
     view = window.host.snapshot()
     wanted = other[round(view.estimate.t, 6)]
     assert view.reference().p_GB == pytest.approx(wanted.segment_p, abs=1e-6)
-    assert window.hand.show_options().truth
+    assert window.hand.controls.shown().reference
     qtbot.waitUntil(lambda: replayed.table.rowCount() == 2, timeout=10_000)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 
-from app.panels.hand.actors import HandActors
+from app.panels.hand.bodies import HandBodies
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene
 from app.widgets.view3d.scene import BodyLook, Grid
@@ -220,5 +220,5 @@ def test_nothing_is_drawn_before_there_is_a_hand() -> None:
     """A fingertip's ball has unit size until it is placed, and would fill the view."""
     scene = RasterScene()
     scene.set_background("#102030")
-    HandActors(scene, scripted_setup(ScriptedEngine()), {})
+    HandBodies(scene, scripted_setup(ScriptedEngine()), {})
     assert (scene.render(Orbit(), WIDTH, HEIGHT) == 0xFF102030).all()

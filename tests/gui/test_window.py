@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from app.panels.hand.actors import segment_shape
+from app.panels.hand.bodies import segment_shape
 from app.viewmodels.camera_overlay import project
 from app.widgets.command_palette import CommandPalette, rank
 from app.widgets.view3d.meshes import mesh_of

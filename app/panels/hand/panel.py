@@ -4,42 +4,26 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.panels.hand.actors import HandActors, ShownParts
+from app.panels.hand.bodies import HandBodies
+from app.panels.hand.controls import HandControls
 from app.panels.hand.view_chooser import ViewChooser
 from app.panels.panel import Panel
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.colours import hue_colours
-from app.viewmodels.hand_scene import HandScene, HandSceneModel
+from app.viewmodels.hand_scene import HandScene, HandSceneModel, followed, view_direction
 from app.viewmodels.states import VALIDITY
-from app.widgets.flow_layout import FlowLayout
 from app.widgets.view3d.view_3d import View3D
 from tracker.errors import GlovetrackError
-from tracker.messages import Array, Validity
-
-FOLLOW = 0.3
-"""Share of the way that the view's centre goes to the hand at each image."""
+from tracker.messages import Validity
 
 FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 """From behind the hand and above it, as its owner sees it."""
-
-JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
-
-NO_REFERENCE, OTHER = "", "other"
-ENGINES = ("chain", "vist", "switching", "madgwick")
 
 
 class HandPanel(Panel):
@@ -57,19 +41,19 @@ class HandPanel(Panel):
         self.view = View3D()
         self.chooser = ViewChooser(self.view, store, tasks, self)
         self.chooser.told.connect(host.error)
-        self.view.scene_changed.connect(self._make_actors)
+        self.view.scene_changed.connect(self._make_bodies)
         self._setup: EngineSetup | None = None
-        self._actors: HandActors | None = None
+        self._bodies: HandBodies | None = None
         self._model: HandSceneModel | None = None
         self._scene: HandScene | None = None
+        self.controls = HandControls()
+        self.controls.look_from.connect(self.look_from)
+        self.controls.reference_chosen.connect(self._choose_reference)
+        self.controls.trail_chosen.connect(self._choose_trail)
         column = QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 6)
         column.setSpacing(6)
-        self._controls = FlowLayout(spacing=6)
-        self._add_presets()
-        self._add_boxes()
-        self._add_choices()
-        column.addLayout(self._controls)
+        column.addWidget(self.controls)
         column.addWidget(self.view, 1)
         column.addLayout(self._legend())
         host.opened.connect(self._open)
@@ -77,79 +61,6 @@ class HandPanel(Panel):
 
     def title(self) -> str:
         return self.tr("Hand")
-
-    # --- controls
-
-    def _add_presets(self) -> None:
-        """Buttons that look from somewhere."""
-        presets = (
-            (self.tr("Back"), self.view_back),
-            (self.tr("Palm"), self.view_palm),
-            (self.tr("Side"), self.view_side),
-            (self.tr("Camera"), self.view_camera),
-        )
-        for text, slot in presets:
-            button = QToolButton()
-            button.setText(text)
-            button.setToolTip(self.tr("Look from there"))
-            button.clicked.connect(slot)
-            self._controls.addWidget(button)
-
-    def _add_boxes(self) -> None:
-        """What is shown beside the hand."""
-        boxes = (
-            ("markers", self.tr("Markers"), self.tr("Large: seen now. Smaller: lately, never")),
-            ("uncertainty", self.tr("2σ"), self.tr("A ball round each fingertip")),
-            ("camera", self.tr("Camera"), self.tr("The left camera's field of view")),
-            ("axes", self.tr("Axes"), self.tr("The frame of each segment at its joint: x, y, z")),
-        )
-        self._boxes: dict[str, QCheckBox] = {}
-        for name, text, tip in boxes:
-            box = self._boxes[name] = QCheckBox(text)
-            box.setToolTip(tip)
-            box.setChecked(name != "axes")
-            self._controls.addWidget(box)
-
-    def _add_choices(self) -> None:
-        """Another hand to compare with, and the way of a fingertip."""
-        self.reference = QComboBox()
-        self.reference.setAccessibleName(self.tr("Hand to compare with"))
-        self.reference.setToolTip(
-            self.tr(
-                "Another hand, see-through: the truth of a simulated one, the second tracking "
-                "of a replay, or another engine on the same data"
-            )
-        )
-        self.reference.addItem(self.tr("No ghost"), NO_REFERENCE)
-        self.reference.addItem(self.tr("Ghost: truth or second"), OTHER)
-        for name in ENGINES:
-            self.reference.addItem(self.tr("Ghost: {}").format(name), name)
-        self.reference.currentIndexChanged.connect(self._choose_reference)
-        self.trail = QComboBox()
-        self.trail.setAccessibleName(self.tr("Fingertip whose way is drawn"))
-        self.trail.setToolTip(self.tr("The way of a fingertip over the last three seconds"))
-        self.trail.addItem(self.tr("No trail"), "")
-        self.trail.currentIndexChanged.connect(self._choose_trail)
-        for widget in (self.reference, self.trail):
-            self._controls.addWidget(widget)
-
-    def show_reference(self) -> None:
-        """Draw the other hand, now that there is one."""
-        self.reference.setCurrentIndex(self.reference.findData(OTHER))
-
-    def _choose_reference(self) -> None:
-        """Start or end the second engine."""
-        setup, name = self.host.setup, str(self.reference.currentData())
-        if setup is None or setup.reference_tracking is None:
-            return
-        try:
-            setup.reference_tracking.set_reference(name if name in ENGINES else None)
-        except GlovetrackError as error:
-            self.host.error.emit(str(error))
-
-    def _choose_trail(self) -> None:
-        if self._model is not None:
-            self._model.set_trail(str(self.trail.currentData() or ""))
 
     def _legend(self) -> QHBoxLayout:
         row = QHBoxLayout()
@@ -165,28 +76,35 @@ class HandPanel(Panel):
         row.addStretch(1)
         return row
 
-    # --- views
+    # --- what is wanted
 
-    def view_back(self) -> None:
-        self._look(lambda R: R[:, 2] - 0.35 * R[:, 0])
-
-    def view_palm(self) -> None:
-        self._look(lambda R: -R[:, 2] - 0.35 * R[:, 0])
-
-    def view_side(self) -> None:
-        self._look(lambda R: R[:, 1] + 0.2 * R[:, 2])
-
-    def view_camera(self) -> None:
-        """From where the camera stands."""
-        if self._scene is not None:
-            self.view.orbit.look_from(self._scene.p_GC - self.view.orbit.target)
-            self.view.render_scene()
-
-    def _look(self, direction_of) -> None:  # type: ignore[no-untyped-def]
-        """Look along a direction given by the dorsum's R_GB."""
-        R: Array = self._scene.segment_R[0] if self._scene is not None else np.eye(3)
-        self.view.orbit.look_from(direction_of(R))
+    def look_from(self, name: str) -> None:
+        """From "back", "palm" or "side" of the hand, or from where the "camera" stands."""
+        scene, orbit = self._scene, self.view.orbit
+        if name != "camera":
+            R_GB = scene.segment_R[0] if scene is not None else np.eye(3)
+            orbit.look_from(view_direction(name, R_GB))
+        elif scene is not None:
+            orbit.look_from(scene.p_GC - orbit.target)
         self.view.render_scene()
+
+    def show_reference(self) -> None:
+        """Draw the other hand, now that there is one."""
+        self.controls.show_reference()
+
+    def _choose_reference(self, engine: str) -> None:
+        """Start or end the second engine."""
+        setup = self.host.setup
+        if setup is None or setup.reference_tracking is None:
+            return
+        try:
+            setup.reference_tracking.set_reference(engine or None)
+        except GlovetrackError as error:
+            self.host.error.emit(str(error))
+
+    def _choose_trail(self, tip: str) -> None:
+        if self._model is not None:
+            self._model.set_trail(tip)
 
     # --- the engine
 
@@ -198,64 +116,41 @@ class HandPanel(Panel):
         self._clear()
         self._setup = setup
         self._model = HandSceneModel(setup)
-        self._offer(setup)
+        self.controls.offer(self._model.tip_names, setup.reference_tracking is not None)
+        if self.controls.engine:
+            self._choose_reference(self.controls.engine)
         self.view.orbit.look_from(FIRST_LOOK)
-        self._make_actors()
+        self._make_bodies()
 
-    def _offer(self, setup: EngineSetup) -> None:
-        """The fingertips of this hand, and the engines where a second one can run."""
-        assert self._model is not None
-        chosen = self.trail.currentData()
-        self.trail.clear()
-        self.trail.addItem(self.tr("No trail"), "")
-        for name in self._model.tip_names:
-            self.trail.addItem(self.tr("Trail: {}").format(name), name)
-        self.trail.setCurrentIndex(max(0, self.trail.findData(chosen)))
-        for i in range(self.reference.count()):
-            able = self.reference.itemData(i) not in ENGINES or setup.reference_tracking is not None
-            self.reference.model().item(i).setEnabled(able)  # type: ignore[attr-defined]
-        if self.reference.currentData() in ENGINES:
-            self._choose_reference()
-
-    def _make_actors(self) -> None:
+    def _make_bodies(self) -> None:
         """Fill the scene of the view that draws now."""
-        self._actors = None
+        self._bodies = None
         if self._setup is not None and self.view.scene is not None:
             colours = hue_colours(self._setup.profile)
-            self._actors = HandActors(self.view.scene, self._setup, colours)
+            self._bodies = HandBodies(self.view.scene, self._setup, colours)
 
     def _clear(self) -> None:
-        self._actors = self._model = self._scene = self._setup = None
+        self._bodies = self._model = self._scene = self._setup = None
         if self.view.scene is not None:
             self.view.scene.clear()
 
-    def show_options(self) -> ShownParts:
-        ticked = {name: box.isChecked() for name, box in self._boxes.items()}
-        reference, trail = self.reference.currentData(), self.trail.currentData()
-        return ShownParts(**ticked, truth=reference != NO_REFERENCE, trail=bool(trail))
-
     def refresh(self, view: Snapshot | None) -> None:
-        show, scene = self.show_options(), None
+        show, scene = self.controls.shown(), None
         if self._model is not None and view is not None:
-            scene = self._model.scene(view, show.truth)
-        if scene is None or self._actors is None:
+            scene = self._model.scene(view, show.reference)
+        if scene is None or self._bodies is None:
             self.view.caption = self.tr("No hand yet")
             self.view.render_scene()
             return
-        self._follow(scene)
+        orbit = self.view.orbit
+        orbit.target = followed(orbit.target, scene, found_before=self._scene is not None)
+        self._scene = scene
         self.view.caption = scene.caption
-        self._actors.update(scene, show)
+        self._bodies.update(scene, show)
         self.view.render_scene()
         self.chooser.drawn()
 
-    def _follow(self, scene: HandScene) -> None:
-        centre = scene.segment_p.mean(axis=0)
-        away = float(np.linalg.norm(centre - self.view.orbit.target))
-        step = FOLLOW if self._scene is not None and away < JUMP else 1.0
-        self.view.orbit.target = self.view.orbit.target + step * (centre - self.view.orbit.target)
-        self._scene = scene
-
     def shut_down(self) -> None:
-        self._actors = None
+        self._bodies = None
         self.chooser.shut_down()
         self.view.shut_down()

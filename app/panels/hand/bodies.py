@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from app.viewmodels.hand_scene import (
     MARKER_NOW,
     TRAIL_POINTS,
     HandScene,
+    ShownParts,
 )
 from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY, VALIDITY, YELLOW
 from app.widgets.view3d.scene import BodyLook, BodyScene, Grid
@@ -37,19 +38,7 @@ AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sens
 AXIS_LENGTH = 2.2  # radii of the segment
 
 
-@dataclass(frozen=True)
-class ShownParts:
-    """What the user wants to see beside the hand."""
-
-    markers: bool = True
-    uncertainty: bool = True
-    camera: bool = True
-    truth: bool = True
-    axes: bool = False
-    trail: bool = False
-
-
-class HandActors:
+class HandBodies:
     """One body per segment, marker, fingertip and the camera."""
 
     def __init__(self, scene: BodyScene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
@@ -82,12 +71,12 @@ class HandActors:
         self._trail.show(False)
 
     def update(self, scene: HandScene, show: ShownParts) -> None:
-        """Move every actor to ``scene``."""
+        """Move every body to ``scene``."""
         for i, body in enumerate(self._segments):
             body.show(True)
             body.move(scene.segment_R[i], scene.segment_p[i])
             body.wear(SEGMENT_LOOK[Validity(int(scene.segment_state[i]))])
-        self._update_references(scene, show.truth)
+        self._update_references(scene, show.reference)
         self._update_markers(scene, show.markers)
         self._update_tips(scene, show.uncertainty)
         self._update_axes(scene, show.axes)
@@ -97,9 +86,9 @@ class HandActors:
 
     def _update_references(self, scene: HandScene, wanted: bool) -> None:
         for i, body in enumerate(self._references):
-            body.show(wanted and scene.truth is not None)
-            if wanted and scene.truth is not None:
-                body.move(scene.truth[0][i], scene.truth[1][i])
+            body.show(wanted and scene.reference is not None)
+            if wanted and scene.reference is not None:
+                body.move(scene.reference[0][i], scene.reference[1][i])
 
     def _update_markers(self, scene: HandScene, wanted: bool) -> None:
         for i, body in enumerate(self._markers):
