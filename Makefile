@@ -8,7 +8,6 @@
 # make bench        speed and accuracy against the goals, into bench.json; ten minutes for the app
 # make bench-peers  MediaPipe Hands for it, in an environment of its own (it wants numpy 1)
 # make kernels      compiled kernels anew, after changes to them; until then numba compiles the changed
-# make signatures   the list of what `make kernels` compiles anew, from all calls that the tests make
 # make lock         requirements.lock anew, from what is installed
 # make clean        removes what was built and measured, and the virtual environment
 #
@@ -28,7 +27,7 @@ ifneq ($(wildcard ../shared/data),)
 export GLOVETRACK_DATA ?= $(abspath ../shared/data)
 endif
 
-.PHONY: demo test lint firmware screenshots docs package bench bench-peers kernels signatures lock clean
+.PHONY: demo test lint firmware screenshots docs package bench bench-peers kernels lock clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -75,13 +74,6 @@ $(PEERS)/.ready:
 kernels: $(READY)
 	packaging/kernels.sh $(VENV)
 
-signatures: export GLOVETRACK_KERNELS = record
-signatures: export GLOVETRACK_KERNEL_CALLS = $(abspath build/kernel_calls.txt)
-signatures: $(READY)
-	mkdir -p build && rm -f $(GLOVETRACK_KERNEL_CALLS)
-	$(OFFSCREEN) $(BIN)/pytest -n 2
-	$(BIN)/python -m tracker.kernels.record $(GLOVETRACK_KERNEL_CALLS)
-
 lock: $(READY)
 	packaging/lock.sh $(VENV)
 
@@ -92,7 +84,7 @@ clean:
 	find app tracker resources tests -name __pycache__ -prune -exec rm -rf {} +
 
 $(READY): requirements.lock pyproject.toml packaging/environment.sh packaging/system_libraries.sh \
-		tracker/kernels/signatures.txt tracker/kernels/build.py tracker/kernels/dispatch.c
+		tracker/kernels/build.py tracker/kernels/aot.py tracker/kernels/dispatch.c
 	packaging/system_libraries.sh app
 	packaging/environment.sh $(VENV)
 	packaging/kernels.sh $(VENV)

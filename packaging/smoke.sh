@@ -88,6 +88,6 @@ tracked=$(sed -n 's/^tracking *\([0-9]*\) %.*/\1/p' "$out/demo.log")
 [ "$tracked" -ge 50 ] || { echo "The hand was tracked for $tracked % of the time only." >&2 && exit 1; }
 [ -s "$out/demo/window.png" ] || { echo "There is no image of the window." >&2 && exit 1; }
 if grep -H "runs uncompiled" "$out"/*.log; then
-    echo "Kernels are missing in the library: make signatures" >&2 && exit 1
+    echo "Kernels are missing in the library: its types are not those of a call" >&2 && exit 1
 fi
 echo "All of it worked. The window: $out/demo/window.png"

@@ -1,10 +1,10 @@
 """Each kernel against its plain twin: the same source, run by Python and numpy.
 
-To be imported before any kernel. The first call of a kernel for each line of signatures.txt, out
-of a test's own thread and with arrays of no more than ``most`` numbers, is made twice: compiled,
-and plain with all kernels that it calls plain too. Results and what was written into arguments must
-agree. A run of all tests fails where a kernel of the list was never compared. Programs that tests
-start are not concerned.
+To be imported before any kernel. The first call of a kernel out of a test's own thread, and with
+arrays of no more than ``most`` numbers, is made twice: compiled, and plain with all kernels that it
+calls plain too. Results and what was written into arguments must agree, and the twin can write only
+to what the kernel's annotations say it writes to. A run of all tests fails where a kernel that
+Python calls was never compared. Programs that tests start are not concerned.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ import copy
 import functools
 import os
 import threading
-from collections import defaultdict
 from pathlib import Path
 from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
@@ -21,14 +20,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tracker.kernels import decorator
-from tracker.kernels.fingerprint import OURS, is_kernel
-from tracker.kernels.kinds import UnknownKindError, kinds_of
-from tracker.kernels.mode import MODE
-from tracker.kernels.record import SIGNATURES
+from tracker.kernels import decorator, exported, signature
+from tracker.kernels.fingerprint import is_kernel, is_ours
 
 DONE = "GLOVETRACK_KERNELS_COMPARED"
-"""Environment variable: a file that all processes of a run add lines of signatures.txt to."""
+"""Environment variable: a file that all processes of a run add kernels' names to."""
 
 MOST = 100_000
 """Numbers in all arrays of a call: Python takes microseconds for each."""
@@ -51,36 +47,32 @@ class Twins:
     def __init__(self) -> None:
         self.most = MOST
         self._plain: dict[Any, FunctionType] = {}
-        self._open: dict[str, set[str]] = defaultdict(set)  # kinds by kernel, not yet compared here
-        for line in SIGNATURES.read_text("utf-8").splitlines():
-            name, _, kinds = line.partition(" ")
-            if name not in OTHERWISE:
-                self._open[name].add(kinds)
 
     def install(self) -> None:
-        """Every kernel that is made from now on is compared."""
+        """Every kernel of the product that is made from now on is compared."""
         make = decorator._make
         decorator._make = lambda function, options: self._compared(make(function, options))
 
     def _compared(self, kernel: Any) -> Any:
-        wanted = self._open.get(_name(kernel))
-        return Compared(kernel, wanted, self) if wanted else kernel
+        name = _name(kernel)
+        wanted = is_ours(name) and name not in OTHERWISE
+        return Compared(kernel, self) if wanted else kernel
 
     def is_small(self, args: tuple[Any, ...]) -> bool:
         return _numbers(args) <= self.most
 
-    def compare(self, kernel: Any, kinds: str, args: tuple[Any, ...]) -> Any:
+    def compare(self, kernel: Any, args: tuple[Any, ...]) -> Any:
         """The kernel's result, if the twin's is the same."""
-        line = f"{_name(kernel)} {kinds}"
-        theirs = copy.deepcopy(args)
+        name = _name(kernel)
+        theirs = _copies(kernel.py_func, args)
         result = kernel(*args)
         with np.errstate(all="ignore"):
             expected = self._twin(kernel)(*theirs)
         close = CLOSE_FAST if kernel.options.get("fastmath") else CLOSE
-        assert_same(result, expected, close, f"{line}: result")
-        assert_same(args, theirs, close, f"{line}: argument")
+        assert_same(result, expected, close, f"{name}: result")
+        assert_same(args, theirs, close, f"{name}: argument")
         with Path(os.environ[DONE]).open("a", encoding="utf-8") as done:
-            done.write(f"{line}\n")
+            done.write(f"{name}\n")
         return result
 
     def _twin(self, kernel: Any) -> FunctionType:
@@ -97,7 +89,7 @@ class Twins:
         """What a twin sees in place of a global value."""
         if is_kernel(value):
             return lambda *args: self._twin(value)(*args)
-        if isinstance(value, ModuleType) and value.__name__.partition(".")[0] in OURS:
+        if isinstance(value, ModuleType) and is_ours(value.__name__):
             inside = {k: v for k, v in vars(value).items() if not isinstance(v, ModuleType)}
             return SimpleNamespace(**{k: self._uncompiled(v) for k, v in inside.items()})
         return value
@@ -108,38 +100,48 @@ TWINS.install()
 
 
 class Compared:
-    """A kernel, some calls of which are compared; in all else the kernel itself."""
+    """A kernel whose first call is compared; in all else the kernel itself."""
 
-    def __init__(self, kernel: Any, wanted: set[str], twins: Twins) -> None:
+    def __init__(self, kernel: Any, twins: Twins) -> None:
         functools.update_wrapper(self, kernel.py_func)
-        self._kernel, self._wanted, self._twins = kernel, wanted, twins
+        self._kernel, self._twins, self._is_done = kernel, twins, False
 
     def __call__(self, *args: Any, **named: Any) -> Any:
-        kinds = self._new(args) if self._wanted and not named else None
-        if kinds is None:
+        if self._is_done or named or not self._can_be_compared(args):
             return self._kernel(*args, **named)
-        self._wanted.remove(kinds)
-        return self._twins.compare(self._kernel, kinds, args)
+        self._is_done = True
+        return self._twins.compare(self._kernel, args)
 
-    def _new(self, args: tuple[Any, ...]) -> str | None:
-        """Kinds of a call that is to be compared."""
-        if threading.current_thread() is not threading.main_thread():
-            return None
-        if not self._twins.is_small(args):
-            return None
-        try:
-            kinds = kinds_of(args)
-        except UnknownKindError:
-            return None
-        return kinds if kinds in self._wanted else None
+    def _can_be_compared(self, args: tuple[Any, ...]) -> bool:
+        in_test = threading.current_thread() is threading.main_thread()
+        return in_test and self._twins.is_small(args)
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._kernel, name)
 
 
 def _name(kernel: Any) -> str:
-    """As signatures.txt has it."""
     return f"{kernel.py_func.__module__}.{kernel.py_func.__qualname__}"
+
+
+def _copies(function: Any, args: tuple[Any, ...]) -> tuple[Any, ...]:
+    """Copies of arguments, of which only those that the kernel says it writes can be written."""
+    try:
+        annotations = list(signature.parameters(function).values())
+    except signature.SignatureError:
+        return copy.deepcopy(args)
+    return tuple(_copy(v, a, False) for v, a in zip(args, annotations, strict=True))
+
+
+def _copy(value: Any, annotation: Any, written: bool) -> Any:
+    written = written or signature.is_written(annotation)
+    if isinstance(value, np.ndarray):
+        return value.copy()
+    if isinstance(value, tuple):
+        members = [member for _, member in signature.members(annotation) or ()]
+        copies = [_copy(v, m, written) for v, m in zip(value, members or value, strict=True)]
+        return type(value)(*copies) if hasattr(value, "_fields") else tuple(copies)
+    return value
 
 
 def _numbers(value: Any) -> int:
@@ -176,8 +178,7 @@ class EveryKernel:
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
         done = set(self._done.read_text("utf-8").splitlines()) if self._done.exists() else set()
-        lines = SIGNATURES.read_text("utf-8").splitlines()
-        self._missing = [x for x in lines if x not in done and x.split(" ")[0] not in OTHERWISE]
+        self._missing = [x for x in exported.exported() if x not in done and x not in OTHERWISE]
         if self._missing and session.exitstatus == pytest.ExitCode.OK:
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
@@ -185,9 +186,6 @@ class EveryKernel:
         if self._missing:
             terminalreporter.section("kernels that were not compared with their twins")
             terminalreporter.write_line("\n".join(self._missing))
-            terminalreporter.write_line(
-                "Lines that nothing calls any more go by `make signatures`."
-            )
 
 
 def register(config: pytest.Config, folder: Path) -> None:
@@ -196,6 +194,5 @@ def register(config: pytest.Config, folder: Path) -> None:
         return
     os.environ[DONE] = str(folder / "kernels_compared.txt")
     every = config.args == config.getini("testpaths") and not config.option.keyword
-    listing = os.environ.get(MODE) == "record"  # the list itself is being made anew
-    if every and not config.option.markexpr and not listing:
+    if every and not config.option.markexpr:
         config.pluginmanager.register(EveryKernel(Path(os.environ[DONE])), "every_kernel")

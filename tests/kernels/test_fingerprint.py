@@ -9,6 +9,8 @@ import tracker
 from tracker.kernels.fingerprint import fingerprint
 
 SOURCE = """
+from typing import NamedTuple
+
 import numpy as np
 
 SCALE = 2.0
@@ -18,9 +20,13 @@ TABLE = np.arange(3.0)
 def inner(x):
     return x + 1
 
-def outer(x):
+class State(NamedTuple):
+    x: float
+    y: float
+
+def outer(x: State) -> float:
     '''What it does.'''
-    return SCALE * inner(x) * TABLE[0]
+    return SCALE * inner(x.y) * TABLE[0]
 """
 
 
@@ -50,6 +56,8 @@ def made(source, options=None):
         ("x + 1", "x - 1"),
         ("@kernel", "@kernel(fastmath=True)"),
         ("return SCALE", "return -SCALE"),
+        ("y: float", "y: int"),
+        ("x: float\n    y: float", "y: float\n    x: float"),
     ],
 )
 def test_changes_with_code_constants_and_the_kernels_it_calls(old, new):

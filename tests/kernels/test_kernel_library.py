@@ -1,6 +1,5 @@
 """The library of compiled kernels: what runs for which types, and what runs in place of it."""
 
-import importlib
 import sys
 import threading
 import time
@@ -13,11 +12,11 @@ import numpy as np
 import pytest
 
 from tracker.kernels import parts
+from tracker.kernels.arrays import Vector
 from tracker.kernels.decorator import kernel
 from tracker.kernels.fingerprint import fingerprint
-from tracker.kernels.kinds import kinds_of
 from tracker.kernels.library import Library, load
-from tracker.kernels.record import SIGNATURES, Recorded, merge
+from tracker.kernels.signature import word
 
 dispatch = pytest.importorskip(
     "tracker.kernels._dispatch", reason="the library was not built: no C++ compiler here"
@@ -25,112 +24,151 @@ dispatch = pytest.importorskip(
 
 
 class State(NamedTuple):
-    x: object
-    y: object
+    x: Vector
+    y: float
 
 
 class Other(NamedTuple):
-    x: object
-    y: object
+    x: Vector
+    y: float
 
 
-def total(x, k=1):
+def total(x: Vector, k: int = 1) -> float:
     return float(np.sum(x) * k)
 
 
-def library_with(**functions):
-    """A library in which ``functions`` stand for compiled ones, by kinds with _ for blanks."""
-    symbols = types.SimpleNamespace(**{f"k{i}": f for i, f in enumerate(functions.values())})
-    made_of = fingerprint(total, {})
-    name = f"{total.__module__}.{total.__qualname__}"
-    kinds = [k.replace("_", " ") for k in functions]
-    lines = ["# by hand", *(f"k{i} {made_of} {name} {k}" for i, k in enumerate(kinds))]
-    return Library(dispatch.Kernel, [(symbols, "\n".join(lines))])
+def library_with(function):
+    """A library in which ``function`` stands for what `total` was compiled to."""
+    symbols = types.SimpleNamespace(k0=function)
+    name, made_of = f"{total.__module__}.{total.__qualname__}", fingerprint(total, {})
+    return Library(dispatch.Kernel, [(symbols, f"# by hand\nk0 {made_of} {name} f8[1C] i8\n")])
+
+
+def taking(words):
+    made = dispatch.Kernel(None)
+    made.add(words, lambda *args: "compiled")
+    return made
+
+
+IMAGE = np.zeros((4, 4, 3), np.uint8)
+VALUES = {
+    "b1": [True, np.bool_(1)],
+    "i1": [np.int8(1)],
+    "f4": [np.float32(1)],
+    "c16": [1j, np.complex128(1)],
+    "f8[1C]": [np.zeros(3), np.zeros(4)[:2]],
+    "f8[2C]": [np.zeros((2, 3)), np.zeros((0, 3))],
+    "i8[2F]": [np.zeros((2, 3), int).T],
+    "u1[3A]": [IMAGE, IMAGE[::2], IMAGE.swapaxes(0, 1)],
+    "(f8,(b1))": [(1.0, (True,))],
+    word(State): [State(np.zeros(2), 1.0)],
+}
+STRANGERS = [
+    "word", None, [1.0], 2**70, np.zeros(2, ">f8"), np.zeros((2, 2), "i2"), np.zeros(4)[::2],
+    np.zeros(1, np.complex64), Other(np.zeros(2), 1.0), (1.0, 2.0), (),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("words", VALUES)
+def test_a_function_runs_for_its_own_types_and_no_others(words):
+    made = taking(words)
+    for value in VALUES[words]:
+        assert made(value) == "compiled"
+        assert not made.finds(value, value) and not made.finds()
+    others = [v for other, values in VALUES.items() if other != words for v in values]
+    if words in ("f4", "c16"):
+        others = [v for v in others if type(v) in (np.ndarray, tuple, State)]
+    if words == "i1":
+        others.append(1)  # may be too large
+    for value in [*others, *STRANGERS]:
+        assert not made.finds(value)
 
 
 @pytest.mark.parametrize(
-    "args",
+    ("words", "fitting", "others"),
     [
-        (np.zeros(3), 1), (np.zeros((2, 3)), 1.0), (np.zeros((2, 3)).T, True), ((1, 2.0), None),
-        (np.zeros(4)[::2], np.int32(1)), (np.zeros(4, np.float32), np.float32(1)), ((), ()),
-        (np.zeros((2, 2, 2), np.uint8), ((1, np.zeros(2)), 3)),
-        (State(np.zeros(2), 1.0), 1j), (np.zeros(3, complex), (State(1, 2), np.complex64(2))),
+        ("f8", [1.0, 2, True, np.float64(1), np.float32(1), np.int32(1), np.uint64(1)], [1j, "1"]),
+        ("i8", [1, True, np.int64(1), np.int16(1), np.uint32(1)], [1.0, np.uint64(1), 2**63]),
     ],
-    ids=kinds_of,
-)  # fmt: skip
-def test_a_function_runs_for_its_own_types_and_no_others(args):
-    made = dispatch.Kernel(None)
-    made.add(kinds_of(args), lambda *a: "compiled")
-    assert made(*args) == "compiled"
-    others = [
-        Other(*args[0]) if type(args[0]) is State else 0j,
-        np.zeros((2, 2), "i2"),
-        "word",
-        np.zeros(2, ">f8"),
-        (1, 2),
-        2**70,
-        np.int8(1),
-    ]
-    for other in others:
-        assert not made.finds(other, args[1])
-        assert not made.finds(args[0], other)
-    assert not made.finds(*args, 1)
-    assert not made.finds(args[0])
+)
+def test_an_integer_is_a_float_and_a_bool_an_integer_as_in_python(words, fitting, others):
+    assert all(taking(words).finds(value) for value in fitting)
+    assert not any(taking(words).finds(value) for value in others)
 
 
 def test_a_read_only_array_goes_only_where_nothing_is_written():
-    frozen, made = np.zeros(3), dispatch.Kernel(None)
+    frozen = np.zeros(3)
     frozen.setflags(write=False)
-    made.add("f8[1C]", lambda x: "may write")
-    assert not made.finds(frozen)
-    made.add("f8[1Cr]", lambda x: "only reads")
-    assert made(frozen) == "only reads"
-    assert made(np.zeros(3)) == "may write"
+    assert taking("f8[1C]").finds(frozen)
+    assert not taking("f8[1Cw]").finds(frozen)
+    assert taking("f8[1Cw]").finds(np.zeros(3))
+    assert taking("a.S(x:f8[1C],P:f8[1C])").finds(types_of_s(frozen, frozen))
+    assert not taking("a.S(x:f8[1C],P:f8[1Cw])").finds(types_of_s(frozen, frozen))
 
 
-WORDS = ["f9", "f3", "c32", "a.B(f8", "i8)", "f8[", "f8[2X]", "(f8", "f8 what", "f8[2C"]
+def types_of_s(x, P):
+    class S(NamedTuple):
+        x: object
+        P: object
+
+    return S(x, P)
+
+
+def test_a_kernel_has_one_function():
+    with pytest.raises(ValueError, match="has its function"):
+        taking("f8").add("i8", total)
+
+
+WORDS = [
+    "f9",
+    "f3",
+    "c32",
+    "a.B(f8",
+    "i8)",
+    "f8[",
+    "f8[2X]",
+    "(f8",
+    "f8 what",
+    "f8[2C",
+    "x:",
+]
 
 
 @pytest.mark.parametrize("words", WORDS)
 def test_words_that_are_none(words):
-    with pytest.raises(ValueError, match="no kinds"):
+    with pytest.raises(ValueError, match="no types"):
         dispatch.Kernel(None).add(words, total)
 
 
-def test_the_narrowest_function_is_taken():
-    functions = {"f8[1A]_i8": lambda x, k: "any", "f8[1C]_i8": lambda x, k: "in a row"}
-    made = library_with(**functions).kernel(total, {})
-    assert made(np.zeros(3), 1) == "in a row"
-    assert made(np.zeros(6)[::2], 1) == "any"
-
-
 def test_arguments_by_name():
-    made = library_with(**{"f8[1C]_i8": lambda x, k: ("compiled", k)}).kernel(total, {})
+    made = library_with(lambda x, k: ("compiled", k)).kernel(total, {})
     assert made(np.zeros(2), k=3) == ("compiled", 3)
     with pytest.raises(TypeError, match="wants x, k"):
         made(other=1)
 
 
-def test_other_types_are_compiled_by_numba():
-    made = library_with(**{"f8[1C]_i8": lambda x, k: "compiled"}).kernel(total, {})
-    assert made(np.ones((2, 2)), 2) == 8.0
+def test_other_types_are_compiled_by_numba_and_the_log_says_which(caplog):
+    caplog.set_level("DEBUG", logger="tracker.kernels")
+    made = library_with(lambda x, k: "compiled").kernel(total, {})
+    assert made(np.ones((2, 2)).T[::2], 2) == 4.0
+    assert "not in the library: total(float64[2A], int)" in caplog.text
     assert made(np.ones(2), 2) == "compiled"
 
 
 def test_a_library_of_another_source_is_left_alone():
-    made = library_with(**{"f8[1C]_i8": lambda x, k: "old"}).kernel(total, {"fastmath": True})
+    made = library_with(lambda x, k: "old").kernel(total, {"fastmath": True})
     assert made(np.ones(2), 2) == 4.0
 
 
 def test_without_numba_python_itself_runs_and_the_log_says_so(monkeypatch, caplog):
     monkeypatch.setitem(sys.modules, "tracker.kernels.jit", None)
-    made = library_with().kernel(total, {})
+    made = Library(dispatch.Kernel, []).kernel(total, {})
     assert made(np.ones(3), 2) == 6.0
     assert "runs uncompiled" in caplog.text
 
 
 def test_threads_may_call_a_kernel_for_the_first_time_together(monkeypatch):
-    made = library_with(**{"f8[1C]_i8": lambda x, k: "compiled"}).kernel(total, {})
+    made = library_with(lambda x, k: "compiled").kernel(total, {})
     fill, together = Library._fill, threading.Barrier(2)
 
     def slowly(self, kernel):
@@ -149,7 +187,7 @@ def test_a_failure_inside_comes_out():
     def fails(x, k):
         raise ZeroDivisionError("as the kernel said")
 
-    made = library_with(**{"f8[1C]_i8": fails}).kernel(total, {})
+    made = library_with(fails).kernel(total, {})
     with pytest.raises(ZeroDivisionError, match="as the kernel said"):
         made(np.ones(2), 2)
 
@@ -157,7 +195,7 @@ def test_a_failure_inside_comes_out():
 def test_numba_can_call_a_kernel_of_the_library():
     from numba import njit
 
-    made = library_with().kernel(total, {})
+    made = Library(dispatch.Kernel, []).kernel(total, {})
     assert njit(lambda x: made(x, 3))(np.ones(2)) == 6.0
 
 
@@ -196,39 +234,9 @@ def test_parts_that_are_no_more_are_removed(monkeypatch, tmp_path):
     assert left == ["_compiled_app_widgets.so", "_dispatch.so", "library.py"]
 
 
-@pytest.mark.parametrize("line", SIGNATURES.read_text("utf-8").splitlines())
-def test_the_shipped_list_names_kernels_with_as_many_arguments(line):
-    name, *kinds = line.split(" ")
-    module, _, function = name.rpartition(".")
-    made = getattr(importlib.import_module(module), function)
-    assert made.py_func.__code__.co_argcount == len(kinds)
-
-
-def test_recording_notes_each_kind_of_call_once(monkeypatch, tmp_path):
-    calls = tmp_path / "calls.txt"
-    monkeypatch.setenv("GLOVETRACK_KERNEL_CALLS", str(calls))
-    from tracker.kernels.jit import compiled
-
-    made = Recorded(compiled(total, {}, cache=False))
-    for x in (np.ones(2), np.ones(3), np.ones((2, 2))):
-        made(x, 1)
-    name = f"{total.__module__}.total"
-    noted = calls.read_text("utf-8").splitlines()
-    assert noted == [f"{name} f8[1C] i8", f"{name} f8[2C] i8"]
-    assert made.__name__ == "total"
-
-
-def test_the_list_has_each_call_once_and_none_of_a_test(tmp_path):
-    files = [tmp_path / "a.txt", tmp_path / "b.txt"]
-    files[0].write_text("tracker.b.one f8\ntracker.a.two i8\n", "utf-8")
-    files[1].write_text("tracker.b.one f8\ntest_something.three f8\napp.c.four f8\n", "utf-8")
-    wanted = ["app.c.four f8", "tracker.a.two i8", "tracker.b.one f8"]
-    assert merge(*map(str, files)) == wanted
-
-
 def test_the_decorator_keeps_name_and_words():
     @kernel(error_model="numpy")
-    def half(x):
+    def half(x: float) -> float:
         """Half of x."""
         return x / 2
 

@@ -7,16 +7,15 @@ import pytest
 from kernel_twins import DONE, Compared, Twins, assert_same
 
 from tracker.kernels import kernel
-
-KINDS = "f8[1C] f8[1C]"
+from tracker.kernels.arrays import Vector, Written
 
 
 @kernel
-def doubled(x):
+def doubled(x: float) -> float:
     return 2.0 * x
 
 
-def scaled(x, out):
+def scaled(x: Vector, out: Written[Vector]) -> float:
     """Writes into ``out`` and calls a kernel."""
     for i in range(len(x)):
         out[i] = doubled(x[i])
@@ -24,7 +23,7 @@ def scaled(x, out):
 
 
 class Kernel(SimpleNamespace):
-    """`scaled` as some compiler made it."""
+    """A function as some compiler made it."""
 
     def __call__(self, *args):
         return self.compiled(*args)
@@ -38,7 +37,7 @@ def compare(monkeypatch, tmp_path):
         twins = Twins()
         twins.most = most
         made = Kernel(compiled=compiled, py_func=scaled, options={})
-        result = Compared(made, {KINDS}, twins)(np.array([1.0, 2.0]), np.zeros(2))
+        result = Compared(made, twins)(np.array([1.0, 2.0]), np.zeros(2))
         done = tmp_path / "done.txt"
         return result, done.read_text("utf-8") if done.exists() else ""
 
@@ -46,7 +45,7 @@ def compare(monkeypatch, tmp_path):
 
 
 def test_what_agrees_is_noted(compare):
-    assert compare(scaled) == (6.0, f"{__name__}.scaled {KINDS}\n")
+    assert compare(scaled) == (6.0, f"{__name__}.scaled\n")
 
 
 def test_another_result_is_an_error(compare):

@@ -2,14 +2,20 @@
 
 A kernel's parameters are annotated with these, with float, int and bool, and with named tuples
 whose fields are; so its annotations are its signature. Arrays are contiguous (C order) unless said.
+What a kernel writes to is `Written`; all else it only reads, so that read-only arrays will do.
 """
 
 from __future__ import annotations
 
-from typing import Annotated, TypeAlias
+from typing import Annotated, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+WRITTEN = object()
+T = TypeVar("T")
+Written: TypeAlias = Annotated[T, WRITTEN]
+"""An array, or a named tuple of arrays, to which the kernel writes: ``P: Written[Matrix]``."""
 
 Vector: TypeAlias = Annotated[NDArray[np.float64], "f8[1C]"]
 Matrix: TypeAlias = Annotated[NDArray[np.float64], "f8[2C]"]

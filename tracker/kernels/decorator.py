@@ -8,7 +8,10 @@ from functools import cache
 from typing import Any, TypeVar, overload
 
 from tracker.kernels.library import Library, load
-from tracker.kernels.mode import MODE
+
+MODE = "GLOVETRACK_KERNELS"
+"""Environment variable. ``numba``: leave the compiled library aside. ``build``: as the library's
+compiler wants kernels, with nothing out of numba's cache."""
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -44,15 +47,10 @@ def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:
         return library.kernel(function, options)
     from tracker.kernels.jit import compiled
 
-    made = compiled(function, options, cache=mode != "build")
-    if mode != "record":
-        return made
-    from tracker.kernels.record import Recorded
-
-    return Recorded(made)
+    return compiled(function, options, cache=mode != "build")
 
 
 @cache
 def _library() -> Library | None:
     """Looked for when the first kernel is made: the library's compiler sets the mode before."""
-    return None if os.environ.get(MODE) in ("numba", "record", "build") else load()
+    return None if os.environ.get(MODE) in ("numba", "build") else load()

@@ -1,8 +1,8 @@
-/* Kernel: a callable that picks the compiled function for the types of its arguments.
+/* Kernel: a callable that runs its compiled function if the arguments have that one's types.
  *
  * Compiled functions take what they are given for what they were compiled for, so each argument is
- * looked at first: its kind, size, dimensions and order (the words of kinds.py). This is done in C
- * because a second of tracking makes some ten thousand such calls.
+ * looked at first: its kind, size, dimensions and order (the words of signature.py). This is done in
+ * C because a second of tracking makes some ten thousand such calls.
  */
 #define PY_SSIZE_T_CLEAN
 #define NPY_NO_DEPRECATED_API NPY_1_7_API_VERSION
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum form { NUMBER, ARRAY, TUPLE, NONE };
+enum form { NUMBER, ARRAY, TUPLE };
 
 typedef struct kind {
     enum form form;
@@ -21,24 +21,19 @@ typedef struct kind {
     int size;            /* bytes of a number */
     int dimensions;      /* of an array */
     char order;          /* C, F or A */
-    int read_only;       /* whether an array that may not be written to will do */
+    int written;         /* whether the kernel writes to the array */
     Py_ssize_t count;    /* members of a tuple */
     struct kind *members;
     char name[64];       /* a named tuple's class, without its module; empty for a plain one */
 } Kind;
 
 typedef struct {
-    Kind arguments;      /* all of them, as a tuple */
-    PyObject *compiled;
-} Overload;
-
-typedef struct {
     PyObject_HEAD
     vectorcallfunc vectorcall;
     PyObject *dict;
     PyObject *helper;    /* miss(kernel, args, kwargs) and numba_type(kernel) */
-    Py_ssize_t count;
-    Overload *overloads;
+    Kind arguments;      /* all of them, as a tuple */
+    PyObject *compiled;  /* NULL before it is added, and if the library has none */
 } Kernel;
 
 /* --- reading the words */
@@ -52,6 +47,14 @@ static void free_kind(Kind *kind) {
 
 static const char *read_kind(const char *at, Kind *kind);
 
+#define LETTERS "_0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+
+/* Fields have their places; their names are for the fingerprint. */
+static const char *after_field_name(const char *at) {
+    const char *colon = at + strspn(at, LETTERS);
+    return *colon == ':' ? colon + 1 : at;
+}
+
 static const char *read_members(const char *at, char end, char between, Kind *kind) {
     kind->form = TUPLE;
     while (at && *at && *at != end) {
@@ -59,6 +62,7 @@ static const char *read_members(const char *at, char end, char between, Kind *ki
         if (!more) return NULL;
         kind->members = more;
         memset(&kind->members[kind->count], 0, sizeof(Kind));
+        at = after_field_name(at);
         at = read_kind(at, &kind->members[kind->count++]);
         if (at && *at == between) at++;
     }
@@ -71,14 +75,14 @@ static const char *read_array(const char *at, Kind *kind) {
     kind->dimensions = (int)strtol(at, &after, 10);
     if (after == at || !strchr("CFA", *after) || !*after) return NULL;
     kind->order = *after++;
-    kind->read_only = *after == 'r';
-    if (kind->read_only) after++;
+    kind->written = *after == 'w';
+    if (kind->written) after++;
     return *after == ']' ? after + 1 : NULL;
 }
 
 /* A tuple's word begins with the name of its class, or with its bracket. */
 static int is_tuple_word(const char *at) {
-    return at[strspn(at, "._0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")] == '(';
+    return at[strspn(at, "." LETTERS)] == '(';
 }
 
 static const char *read_tuple(const char *at, Kind *kind) {
@@ -93,10 +97,6 @@ static const char *read_tuple(const char *at, Kind *kind) {
 /* One word from `at` on; where it ends, or NULL. */
 static const char *read_kind(const char *at, Kind *kind) {
     if (is_tuple_word(at)) return read_tuple(at, kind);
-    if (strncmp(at, "none", 4) == 0) {
-        kind->form = NONE;
-        return at + 4;
-    }
     char *after;
     if (!*at || !strchr("biufc", *at)) return NULL;
     kind->letter = at[0];
@@ -107,6 +107,15 @@ static const char *read_kind(const char *at, Kind *kind) {
 
 /* --- looking at values */
 
+/* Whether numbers of this kind and size are among the wanted ones, as Python has it: a bool is an
+ * int, an int a float. */
+static int holds(const Kind *wanted, char letter, int size) {
+    if (letter == wanted->letter) return letter == 'c' ? size == wanted->size : size <= wanted->size;
+    if (wanted->size != 8) return 0;
+    if (wanted->letter == 'f') return letter == 'i' || letter == 'u' || letter == 'b';
+    return wanted->letter == 'i' && (letter == 'b' || (letter == 'u' && size < 8));
+}
+
 static int is_numpy_number(const Kind *kind, PyObject *value) {
     if (!PyArray_CheckScalar(value) || PyArray_Check(value)) return 0;
     PyArray_Descr *type = PyArray_DescrFromScalar(value);
@@ -114,18 +123,18 @@ static int is_numpy_number(const Kind *kind, PyObject *value) {
         PyErr_Clear();
         return 0;
     }
-    int fits = type->kind == kind->letter && PyDataType_ELSIZE(type) == kind->size;
+    int fits = holds(kind, type->kind, (int)PyDataType_ELSIZE(type));
     Py_DECREF(type);
     return fits;
 }
 
 static int is_number(const Kind *kind, PyObject *value) {
-    if (PyFloat_Check(value)) return kind->letter == 'f' && kind->size == 8;
-    if (PyBool_Check(value)) return kind->letter == 'b';
-    if (PyComplex_Check(value)) return kind->letter == 'c' && kind->size == 16;
+    if (PyFloat_Check(value)) return holds(kind, 'f', 8);
+    if (PyBool_Check(value)) return holds(kind, 'b', 1);
+    if (PyComplex_Check(value)) return holds(kind, 'c', 16);
     if (PyLong_Check(value)) {
         int overflow = 0;
-        if (kind->letter != 'i' || kind->size != 8) return 0;
+        if (!holds(kind, 'i', 8)) return 0;
         PyLong_AsLongLongAndOverflow(value, &overflow);
         return !overflow;
     }
@@ -139,7 +148,7 @@ static int is_array(const Kind *kind, PyObject *value) {
     PyArray_Descr *type = PyArray_DESCR(array);
     if (type->kind != kind->letter || PyDataType_ELSIZE(type) != kind->size) return 0;
     if (!PyArray_ISBEHAVED_RO(array)) return 0;
-    if (!kind->read_only && !PyArray_ISWRITEABLE(array)) return 0;
+    if (kind->written && !PyArray_ISWRITEABLE(array)) return 0;
     if (kind->order == 'C') return PyArray_IS_C_CONTIGUOUS(array);
     if (kind->order == 'F') return PyArray_IS_F_CONTIGUOUS(array);
     return 1;
@@ -149,7 +158,6 @@ static int fits(const Kind *kind, PyObject *value) {
     switch (kind->form) {
     case NUMBER: return is_number(kind, value);
     case ARRAY: return is_array(kind, value);
-    case NONE: return value == Py_None;
     default: break;
     }
     if (kind->name[0] ? !PyTuple_Check(value) || strcmp(Py_TYPE(value)->tp_name, kind->name) != 0
@@ -161,15 +169,11 @@ static int fits(const Kind *kind, PyObject *value) {
     return 1;
 }
 
-static PyObject *find(Kernel *self, PyObject *const *args, Py_ssize_t n) {
-    for (Py_ssize_t k = 0; k < self->count; k++) {
-        const Kind *wanted = &self->overloads[k].arguments;
-        if (wanted->count != n) continue;
-        Py_ssize_t i = 0;
-        while (i < n && fits(&wanted->members[i], args[i])) i++;
-        if (i == n) return self->overloads[k].compiled;
-    }
-    return NULL;
+static int all_fit(Kernel *self, PyObject *const *args, Py_ssize_t n) {
+    if (!self->compiled || self->arguments.count != n) return 0;
+    for (Py_ssize_t i = 0; i < n; i++)
+        if (!fits(&self->arguments.members[i], args[i])) return 0;
+    return 1;
 }
 
 /* --- the type */
@@ -198,17 +202,12 @@ static PyObject *call(PyObject *me, PyObject *const *args, size_t nargsf, PyObje
     Kernel *self = (Kernel *)me;
     Py_ssize_t n = PyVectorcall_NARGS(nargsf);
     int named = names && PyTuple_GET_SIZE(names) > 0;
-    PyObject *compiled = named ? NULL : find(self, args, n), *result;
-    PyObject *tuple = packed(args, n);
+    PyObject *tuple = packed(args, n), *result;
     if (!tuple) return NULL;
-    if (compiled) {
-        /* The kernel lets go of Python's lock, and overloads may come meanwhile. */
-        Py_INCREF(compiled);
-        result = PyObject_Call(compiled, tuple, NULL);
-        Py_DECREF(compiled);
-    } else {
+    if (!named && all_fit(self, args, n))
+        result = PyObject_Call(self->compiled, tuple, NULL);
+    else
         result = miss(self, tuple, args + n, names);
-    }
     Py_DECREF(tuple);
     return result;
 }
@@ -225,11 +224,8 @@ static PyObject *kernel_new(PyTypeObject *type, PyObject *args, PyObject *kwargs
 }
 
 static void kernel_dealloc(Kernel *self) {
-    for (Py_ssize_t k = 0; k < self->count; k++) {
-        free_kind(&self->overloads[k].arguments);
-        Py_DECREF(self->overloads[k].compiled);
-    }
-    free(self->overloads);
+    free_kind(&self->arguments);
+    Py_XDECREF(self->compiled);
     Py_XDECREF(self->helper);
     Py_XDECREF(self->dict);
     Py_TYPE(self)->tp_free((PyObject *)self);
@@ -240,24 +236,19 @@ static PyObject *kernel_add(Kernel *self, PyObject *args) {
     PyObject *compiled;
     Kind arguments = {0};
     if (!PyArg_ParseTuple(args, "sO", &words, &compiled)) return NULL;
+    if (self->compiled) return PyErr_Format(PyExc_ValueError, "the kernel has its function");
     if (!read_members(words, '\0', ' ', &arguments)) {
         free_kind(&arguments);
-        return PyErr_Format(PyExc_ValueError, "no kinds of arguments: '%s'", words);
+        return PyErr_Format(PyExc_ValueError, "no types of arguments: '%s'", words);
     }
-    Overload *more = realloc(self->overloads, (self->count + 1) * sizeof(Overload));
-    if (!more) {
-        free_kind(&arguments);
-        return PyErr_NoMemory();
-    }
-    self->overloads = more;
     Py_INCREF(compiled);
-    self->overloads[self->count++] = (Overload){arguments, compiled};
+    self->arguments = arguments;
+    self->compiled = compiled; /* last: other threads may be calling, and see it then only */
     Py_RETURN_NONE;
 }
 
 static PyObject *kernel_finds(Kernel *self, PyObject *args) {
-    PyObject *const *values = &PyTuple_GET_ITEM(args, 0);
-    return PyBool_FromLong(find(self, values, PyTuple_GET_SIZE(args)) != NULL);
+    return PyBool_FromLong(all_fit(self, &PyTuple_GET_ITEM(args, 0), PyTuple_GET_SIZE(args)));
 }
 
 static PyObject *kernel_numba_type(Kernel *self, void *unused) {
@@ -265,8 +256,8 @@ static PyObject *kernel_numba_type(Kernel *self, void *unused) {
 }
 
 static PyMethodDef methods[] = {
-    {"add", (PyCFunction)kernel_add, METH_VARARGS, "add(kinds, compiled): one more function."},
-    {"finds", (PyCFunction)kernel_finds, METH_VARARGS, "Whether there is one for the arguments."},
+    {"add", (PyCFunction)kernel_add, METH_VARARGS, "add(types, compiled): the function to run."},
+    {"finds", (PyCFunction)kernel_finds, METH_VARARGS, "Whether the function takes the arguments."},
     {NULL},
 };
 

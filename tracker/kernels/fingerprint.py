@@ -1,4 +1,4 @@
-"""What a kernel's compiled code depends on, as a number: its own code, and all that it reads.
+"""What a kernel's compiled code depends on, as a number: signature, code, and all that it reads.
 
 Two kernels with the same fingerprint compile to the same code. Lines and files do not count, so a
 comment changes nothing, and neither does where the program lies.
@@ -13,7 +13,11 @@ from typing import Any
 
 import numpy as np
 
-OURS = ("app", "tracker")
+from tracker.kernels.signature import SignatureError, signature
+
+INSTALLED_IN = (__package__ or "").removesuffix("tracker.kernels")
+"""What stands before the packages' names: nothing in this tree, ``glovetrack.`` in a wheel."""
+OURS = (f"{INSTALLED_IN}app", f"{INSTALLED_IN}tracker")
 Function = Callable[..., Any]
 
 
@@ -22,26 +26,39 @@ def is_kernel(value: Any) -> bool:
     return hasattr(value, "py_func") and hasattr(value, "options")
 
 
+def is_ours(name: str) -> bool:
+    """Whether a module or function of this full name is the product's."""
+    return name in OURS or name.startswith(tuple(f"{package}." for package in OURS))
+
+
 def fingerprint(function: Function, options: dict[str, Any]) -> str:
-    """16 digits for a kernel of `decorator` and its options."""
-    told = hashlib.sha256()
-    for part in _parts(function, options, set()):
-        told.update(part.encode())
-        told.update(b"\0")
-    return told.hexdigest()[:16]
+    """16 digits for a kernel of `decorator`. SignatureError as `signature` raises it."""
+    digest = hashlib.sha256()
+    for part in [*_signature(function), *_parts(function, options, set())]:
+        digest.update(part.encode())
+        digest.update(b"\0")
+    return digest.hexdigest()[:16]
 
 
-def _parts(function: Function, options: dict[str, Any], told: set[Function]) -> list[str]:
+def _signature(function: Function) -> list[str]:
+    """Nothing for a kernel whose annotations do not say its types yet."""
+    try:
+        return [signature(function)]
+    except SignatureError:
+        return []
+
+
+def _parts(function: Function, options: dict[str, Any], seen: set[Function]) -> list[str]:
     """All that is read, kernels called by this one included, each once."""
-    if function in told:
+    if function in seen:
         return [function.__qualname__]
-    told.add(function)
+    seen.add(function)
     code = function.__code__
     parts = [function.__qualname__, repr(sorted(options.items())), *_code(code, function.__doc__)]
     names = _names(code)
     for name in names:
         if name in function.__globals__:
-            parts += [name, *_value(function.__globals__[name], names, told)]
+            parts += [name, *_value(function.__globals__[name], names, seen)]
     return parts
 
 
@@ -57,17 +74,19 @@ def _names(code: CodeType) -> list[str]:
     return sorted({*code.co_names, *(name for c in inner for name in _names(c))})
 
 
-def _value(value: Any, names: list[str], told: set[Function]) -> list[str]:
+def _value(value: Any, names: list[str], seen: set[Function]) -> list[str]:
     """A global that a kernel reads; of a module of ours what it reads there."""
     if is_kernel(value):
-        return _parts(value.py_func, value.options, told)
+        return _parts(value.py_func, value.options, seen)
     if isinstance(value, np.ndarray):
         return [value.dtype.str, repr(value.shape), value.tobytes().hex()]
     if isinstance(value, (bool, int, float, str, tuple, np.generic)):
         return [repr(value)]
-    if isinstance(value, ModuleType) and value.__name__.partition(".")[0] in OURS:
+    if isinstance(value, ModuleType) and is_ours(value.__name__):
         found = [getattr(value, name) for name in names if hasattr(value, name)]
-        return [part for v in found for part in _value(v, names, told)]
+        return [part for v in found for part in _value(v, names, seen)]
+    if isinstance(value, type) and hasattr(value, "_fields"):
+        return [value.__qualname__, *value._fields]  # compiled code knows fields by their places
     if isinstance(value, (ModuleType, FunctionType, BuiltinFunctionType, type, np.ufunc)):
         return [value.__name__]
     raise TypeError(f"a kernel reads a global of type {type(value).__name__}")

@@ -1,8 +1,8 @@
 """The library of kernels that were compiled ahead of time, and what runs in place of a missing one.
 
 `tracker.kernels.build` leaves extension modules beside this one: those of the library's parts
-(`tracker.kernels.parts`), with a function for each line of signatures.txt, and `_dispatch`, which
-picks one by the types of a call.
+(`tracker.kernels.parts`), with a function for each kernel that Python calls, and `_dispatch`, which
+runs it if a call's arguments have the types that it was compiled for.
 """
 
 from __future__ import annotations
@@ -11,14 +11,14 @@ import functools
 import importlib
 import logging
 import threading
-from collections import defaultdict
 from collections.abc import Callable, Sequence
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+
 from tracker.kernels import parts
 from tracker.kernels.fingerprint import fingerprint
-from tracker.kernels.kinds import UnknownKindError, kinds_of
 
 _log = logging.getLogger(__name__)
 
@@ -34,11 +34,11 @@ class Library:
     def __init__(self, kernel_type: type, compiled: Sequence[tuple[ModuleType, str]]) -> None:
         self._kernel_type = kernel_type
         self._filling = threading.Lock()
-        self._lines: dict[str, list[tuple[Function, str, str]]] = defaultdict(list)
+        self._entries: dict[str, tuple[Function, str, str]] = {}
         for module, table in compiled:
             for line in table.splitlines()[1:]:
-                symbol, print_, name, *kinds = line.split(" ")
-                self._lines[name].append((getattr(module, symbol), print_, " ".join(kinds)))
+                symbol, made_of, name, *words = line.split(" ")
+                self._entries[name] = getattr(module, symbol), made_of, " ".join(words)
 
     def kernel(self, function: Function, options: dict[str, Any]) -> Any:
         """A callable for ``function``; what it runs is decided when it is first called."""
@@ -50,7 +50,7 @@ class Library:
     # --- what a kernel asks
 
     def miss(self, kernel: Any, args: tuple[Any, ...], named: dict[str, Any]) -> Any:
-        """A call that no function of the kernel fits: the first one, or one of other types."""
+        """A call that the kernel's function does not fit: the first one, or one of other types."""
         if named:
             return kernel(*args, *_in_order(kernel.py_func, len(args), named))
         with self._filling:  # threads may call a kernel for the first time together
@@ -64,23 +64,24 @@ class Library:
         return self._by_numba(kernel)._numba_type_
 
     def _fill(self, kernel: Any) -> None:
-        """Give a kernel its functions, those for the narrowest types first."""
-        lines = self._lines[f"{kernel.__module__}.{kernel.__qualname__}"]
-        wanted = fingerprint(kernel.py_func, kernel.options) if lines else ""
-        for compiled, print_, kinds in sorted(lines, key=lambda line: _breadth(line[2])):
-            if print_ == wanted:
-                kernel.add(kinds, compiled)
+        """Give a kernel its compiled function, if that was made from the same source."""
+        name = f"{kernel.__module__}.{kernel.__qualname__}"
+        if name in self._entries:
+            compiled, made_of, words = self._entries[name]
+            if made_of == fingerprint(kernel.py_func, kernel.options):
+                kernel.add(words, compiled)
 
     def _fallback(self, kernel: Any) -> Function:
-        """What runs for types that are not in the library."""
+        """What runs for arguments that the library has nothing for."""
 
         def run(*args: Any) -> Any:
-            if not told:
-                told.append(True)
-                _log.debug("not in the library: %s %s", kernel.__qualname__, _told(args))
+            if not logged.is_set():
+                logged.set()
+                types = ", ".join(_described(arg) for arg in args)
+                _log.debug("not in the library: %s(%s)", kernel.__qualname__, types)
             return self._by_numba(kernel)(*args)
 
-        told: list[bool] = []
+        logged = threading.Event()
         return run
 
     def _by_numba(self, kernel: Any) -> Any:
@@ -108,21 +109,19 @@ def load() -> Library | None:
 
 
 def _part(name: str) -> tuple[ModuleType, str]:
-    module = importlib.import_module(f"tracker.kernels.{parts.module_of(name)}")
+    module = importlib.import_module(f"{__package__}.{parts.module_of(name)}")
     return module, parts.table_of(name).read_text("utf-8")
 
 
-def _told(args: tuple[Any, ...]) -> str:
-    """The types of a call, for the log."""
-    try:
-        return kinds_of(args)
-    except UnknownKindError as unknown:
-        return f"with {unknown}"
-
-
-def _breadth(kinds: str) -> int:
-    """How many arrays may be of any order or read-only."""
-    return kinds.count("A") + kinds.count("r")
+def _described(value: Any) -> str:
+    """The type of an argument, for the log."""
+    if isinstance(value, np.ndarray):
+        order = "C" if value.flags.c_contiguous else "F" if value.flags.f_contiguous else "A"
+        frozen = "" if value.flags.writeable else " read-only"
+        return f"{value.dtype}[{value.ndim}{order}]{frozen}"
+    if isinstance(value, tuple):
+        return f"{type(value).__name__}({', '.join(_described(v) for v in value)})"
+    return type(value).__name__
 
 
 def _in_order(function: Function, given: int, named: dict[str, Any]) -> list[Any]:

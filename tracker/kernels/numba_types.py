@@ -1,53 +1,39 @@
-"""numba's types for the words of `tracker.kernels.kinds`."""
+"""numba's types for the annotations of kernels."""
 
 from __future__ import annotations
 
-import importlib
 import re
+from collections.abc import Callable
 from typing import Any
 
 from numba import types
+
+from tracker.kernels import signature
 
 NUMBERS = {
     "b1": types.boolean, "i1": types.int8, "i2": types.int16, "i4": types.int32, "i8": types.int64,
     "u1": types.uint8, "u2": types.uint16, "u4": types.uint32, "u8": types.uint64,
     "f4": types.float32, "f8": types.float64, "c8": types.complex64, "c16": types.complex128,
 }  # fmt: skip
-_ARRAY = re.compile(r"(\w\d+)\[(\d)([CFA])(r?)\]")
+_ARRAY = re.compile(r"(\w\d+)\[(\d)([CFA])\]")
 
 
-def arguments(kinds: str) -> tuple[Any, ...]:
-    """The types of all arguments of a call."""
-    return tuple(numba_type(word) for word in kinds.split(" ")) if kinds else ()
+def arguments(function: Callable[..., Any]) -> tuple[Any, ...]:
+    """The types of a kernel's parameters. SignatureError if one does not say its type."""
+    return tuple(numba_type(a) for a in signature.parameters(function).values())
 
 
-def numba_type(word: str) -> Any:
-    """The type for one word."""
-    if word.endswith(")"):
-        place, _, members = word[:-1].partition("(")
-        return types.BaseTuple.from_types([numba_type(m) for m in _members(members)], _class(place))
-    if word == "none":
-        return types.none
-    array = _ARRAY.fullmatch(word)
+def numba_type(annotation: signature.Annotation) -> Any:
+    """The type for one annotation. SignatureError as `signature.word` raises it."""
+    members, array = signature.members(annotation), signature.array_word(annotation)
+    if members is not None:
+        plain = signature.without_marks(annotation)
+        of_class = plain if isinstance(plain, type) else None
+        return types.BaseTuple.from_types([numba_type(m) for _, m in members], of_class)
     if array is None:
-        return NUMBERS[word]
-    number, dimensions, order, read_only = array.groups()
-    return types.Array(NUMBERS[number], int(dimensions), order, readonly=bool(read_only))
-
-
-def _class(place: str) -> type | None:
-    """A named tuple's class; None for a plain one's."""
-    module, _, name = place.rpartition(".")
-    return getattr(importlib.import_module(module), name) if place else None
-
-
-def _members(words: str) -> list[str]:
-    """Parts between the commas that are in no bracket."""
-    parts, depth = [""], 0
-    for letter in words:
-        depth += (letter == "(") - (letter == ")")
-        if letter == "," and depth == 0:
-            parts.append("")
-        else:
-            parts[-1] += letter
-    return [part for part in parts if part]
+        return NUMBERS[signature.word(annotation)]
+    matched = _ARRAY.fullmatch(array)
+    if matched is None:
+        raise signature.SignatureError(f"{array} is no array's type.")
+    number, dimensions, order = matched.groups()
+    return types.Array(NUMBERS[number], int(dimensions), order)

@@ -1,8 +1,8 @@
 """The files of the library: a part for each package, so that parts compile side by side and an edit
 leaves the others as they are.
 
-A part is an extension module with a function for each of its lines in signatures.txt, and a table
-that says what each function was compiled from. The table's first line says what compiled it.
+A part is an extension module with a function for each kernel that Python calls, and a table that
+says what each was compiled from, and for which types. Its first line says what compiled it.
 """
 
 from __future__ import annotations
@@ -11,13 +11,15 @@ from collections.abc import Iterable
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 
+from tracker.kernels.fingerprint import INSTALLED_IN
+
 HERE = Path(__file__).parent
 PREFIX = "_compiled_"
 
 
 def part_of(kernel: str) -> str:
     """A kernel's part: ``tracker_fusion`` for ``tracker.fusion.posterior.add``."""
-    return "_".join(kernel.split(".")[:2])
+    return "_".join(kernel.removeprefix(INSTALLED_IN).split(".")[:2])
 
 
 def module_of(part: str) -> str:

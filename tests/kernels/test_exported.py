@@ -1,0 +1,58 @@
+"""Kernels that Python calls get an entry."""
+
+import textwrap
+
+from tracker.kernels.exported import exported, kernels
+
+SOURCES = {
+    "tracker/small.py": """
+        from tracker.kernels import kernel
+
+        @kernel
+        def inner(x: float) -> float:
+            return x
+
+        @kernel(error_model="numpy")
+        def outer(x: float) -> float:
+            return inner(x)
+
+        @kernel
+        def _door(x: float) -> float:
+            return outer(x)
+
+        def plain(x: float) -> float:
+            return _door(x)
+    """,
+    "tracker/user.py": """
+        import tracker.small as numbers
+        from tracker import small
+        from tracker.small import inner as other_name, plain
+
+        class User:
+            table = {"one": other_name}
+
+            def run(self) -> float:
+                return numbers.outer(plain(1.0))
+    """,
+    "app/nobody.py": "from tracker.small import inner\n",
+}
+
+
+def write(folder, sources):
+    for path, source in sources.items():
+        (folder / path).parent.mkdir(exist_ok=True)
+        (folder / path).write_text(textwrap.dedent(source), "utf-8")
+
+
+def test_kernels_are_found_by_their_decorator(tmp_path):
+    write(tmp_path, SOURCES)
+    assert kernels(tmp_path) == [f"tracker.small.{name}" for name in ("_door", "inner", "outer")]
+
+
+def test_a_kernel_is_exported_if_something_other_than_a_kernel_names_it(tmp_path):
+    write(tmp_path, {"tracker/small.py": SOURCES["tracker/small.py"]})
+    assert exported(tmp_path) == ["tracker.small._door"]
+    write(tmp_path, {"app/nobody.py": SOURCES["app/nobody.py"]})
+    assert exported(tmp_path) == ["tracker.small._door"]  # to import it is not to call it
+    write(tmp_path, SOURCES)
+    assert exported(tmp_path) == kernels(tmp_path)

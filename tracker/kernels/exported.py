@@ -1,0 +1,74 @@
+"""Which kernels Python calls: these alone get an entry in the library.
+
+A kernel that only kernels call is compiled into them. Read from the source, so that nothing has to
+be imported, nothing be said twice, and no list be kept.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TypeGuard
+
+from tracker.kernels.fingerprint import INSTALLED_IN, OURS
+
+ROOT = Path(__file__).parents[2]
+
+
+def kernels(root: Path = ROOT) -> list[str]:
+    """``package.module.function`` of all kernels of the product, in order."""
+    return sorted(name for module, tree in _modules(root) for name in _defined(module, tree))
+
+
+def exported(root: Path = ROOT) -> list[str]:
+    """Those of them that are named outside of kernels, in order."""
+    modules = list(_modules(root))
+    all_kernels = {name for module, tree in modules for name in _defined(module, tree)}
+    named = {name for module, tree in modules for name in _named(module, tree)}
+    return sorted(all_kernels & named)
+
+
+def _modules(root: Path) -> Iterator[tuple[str, ast.Module]]:
+    for package in OURS:
+        folder = root / package.removeprefix(INSTALLED_IN)
+        for path in sorted(folder.rglob("*.py")):
+            parts = path.relative_to(root).with_suffix("").parts
+            module = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+            yield f"{INSTALLED_IN}{module}", ast.parse(path.read_bytes())
+
+
+def _defined(module: str, tree: ast.Module) -> list[str]:
+    return [f"{module}.{node.name}" for node in tree.body if is_kernel(node)]
+
+
+def is_kernel(node: ast.AST) -> TypeGuard[ast.FunctionDef]:
+    """Whether it is a function under ``@kernel`` or ``@kernel(...)``."""
+    if not isinstance(node, ast.FunctionDef):
+        return False
+    made_by = [d.func if isinstance(d, ast.Call) else d for d in node.decorator_list]
+    return any(isinstance(d, ast.Name) and d.id == "kernel" for d in made_by)
+
+
+def _named(module: str, tree: ast.Module) -> set[str]:
+    """Full names of all that is named outside of kernels, whether it is a kernel or not."""
+    outside = [n for part in tree.body if not is_kernel(part) for n in ast.walk(part)]
+    meant = _imported(tree)
+    found = set()
+    for node in outside:
+        if isinstance(node, ast.Name):
+            found.add(meant.get(node.id, f"{module}.{node.id}"))
+        elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            found.add(f"{meant.get(node.value.id, node.value.id)}.{node.attr}")
+    return found
+
+
+def _imported(tree: ast.Module) -> dict[str, str]:
+    """The full name of what each imported name stands for."""
+    meant: dict[str, str] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            meant |= {a.asname or a.name: f"{node.module}.{a.name}" for a in node.names}
+        elif isinstance(node, ast.Import):
+            meant |= {a.asname: a.name for a in node.names if a.asname}
+    return meant
