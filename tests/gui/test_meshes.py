@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.widgets.view3d.meshes import Mesh, mesh_of
-from app.widgets.view3d.raster.solids import block_surface
+from app.widgets.view3d.raster.solids import Rounded, block_surface
 from app.widgets.view3d.shapes import Block, Capsule, Disc, ball
 
 OBLIQUE = np.array([0.6, 0.0, -0.8])
@@ -65,10 +65,10 @@ def test_a_block_has_the_size_it_was_given() -> None:
 def test_a_blocks_mesh_is_the_surface_that_is_painted() -> None:
     """One shape, two renderers."""
     shape = Block(np.array([0.05, 0.04, 0.01]))
-    sizes = (*shape.half, shape.corner, shape.edge)
+    block = Rounded(*map(float, shape.half), shape.corner, shape.edge)
     mesh = BODIES["block"]
     for point, normal in zip(mesh.points, mesh.normals, strict=True):
-        away = block_surface(*point, *sizes)[0]
+        away = block_surface(tuple(point), block)[0]
         assert away == pytest.approx(0.0, abs=1e-9)
-        outside = block_surface(*(point + 0.01 * normal), *sizes)
+        outside = block_surface(tuple(point + 0.01 * normal), block)
         np.testing.assert_allclose(outside, [0.01, *normal], atol=1e-6)

@@ -12,7 +12,15 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking
 from tracker.online.frame_timing import FrameTiming, TimingParams
-from tracker.online.time_offset import FLAT, Offset, TimeOffset, _point, rigid
+from tracker.online.time_offset import (
+    FLAT,
+    Offset,
+    TimeOffset,
+    _GyroRotation,
+    _point,
+    _RootView,
+    rigid,
+)
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
@@ -154,16 +162,16 @@ def test_a_point_of_the_line_is_the_plain_one() -> None:
     first, second = np.array([0, 2, 3, 5, 7, 8]), np.array([1, 2, 3, 5, 6, 7, 8])
     p_0 = nominal[first] @ R_GB.T + rng.normal(0, 1e-4, (6, 3))
     p_1 = nominal[second] @ so3.exp(rng.normal(0, 0.2, 3)).T + rng.normal(0, 1e-4, (7, 3))
-    views = first, p_0, R_GB, second, p_1
-    turns = gyro[0], rate[0], gyro[1], rate[1]
-    fits, a, e = _point(nominal, *views, *turns, 5, 0.004)
+    views = _RootView(0.0, first, p_0, R_GB), _RootView(0.3, second, p_1, np.eye(3))
+    rotations = _GyroRotation(0.0, gyro[0], rate[0]), _GyroRotation(0.3, gyro[1], rate[1])
+    fits, a, e = _point(nominal, *views, *rotations, 5, 0.004)
     both, i, j = np.intersect1d(first, second, return_indices=True)
-    R_turn, _ = rigid(p_1[j], p_0[i])
+    R_made, _ = rigid(p_1[j], p_0[i])
     D, b = gyro[0].T @ gyro[1], nominal[both] - nominal[both].mean(axis=0)
     information = ((b**2).sum() + FLAT) * np.eye(3) - b.T @ b
     whiten = np.linalg.cholesky(information).T
     assert fits
     assert np.allclose(a, whiten @ (D.T @ rate[0] - rate[1]), atol=1e-12)
-    assert np.allclose(e, whiten @ so3.log(D.T @ R_GB.T @ R_turn @ R_GB), atol=1e-12)
-    assert not _point(nominal, *views, *turns, 6, 0.004)[0]  # too few in common
-    assert not _point(nominal, *views, *turns, 5, 1e-6)[0]  # they do not fit
+    assert np.allclose(e, whiten @ so3.log(D.T @ R_GB.T @ R_made @ R_GB), atol=1e-12)
+    assert not _point(nominal, *views, *rotations, 6, 0.004)[0]  # too few in common
+    assert not _point(nominal, *views, *rotations, 5, 1e-6)[0]  # they do not fit

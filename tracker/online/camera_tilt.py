@@ -35,7 +35,7 @@ class CameraTiltParams:
 
 
 @dataclass(frozen=True, eq=False)
-class _Turn:
+class _CameraRotation:
     """At ``t`` (s): R_GC (3, 3) and the angular rate (3,) rad/s in C from there on."""
 
     t: float
@@ -51,13 +51,13 @@ class CameraTilt:
         self._params, self._nominal = params or CameraTiltParams(), nominal
         self._bias = np.zeros(3)
         self._last: CameraImuSample | None = None
-        self._turns: deque[_Turn] = deque()
+        self._rotations: deque[_CameraRotation] = deque()
 
     def feed(self, sample: CameraImuSample) -> None:
         """The next sample; one that is late or not finite is left out."""
         if not (np.isfinite(sample.gyro).all() and np.isfinite(sample.accel).all()):
             return
-        last, R = self._last, self._turns[-1].R_GC if self._turns else self._nominal.R_GC
+        last, R = self._last, self._rotations[-1].R_GC if self._rotations else self._nominal.R_GC
         if last is not None and sample.t <= last.t:
             return
         if last is None or sample.t - last.t > self._params.longest_step:
@@ -65,9 +65,9 @@ class CameraTilt:
         else:
             R = self._moved(R, last, sample)
         self._last = sample
-        self._turns.append(_Turn(sample.t, R, sample.gyro - self._bias))
-        while sample.t - self._turns[0].t > self._params.memory:
-            self._turns.popleft()
+        self._rotations.append(_CameraRotation(sample.t, R, sample.gyro - self._bias))
+        while sample.t - self._rotations[0].t > self._params.memory:
+            self._rotations.popleft()
 
     def _moved(self, R_GC: Array, last: CameraImuSample, sample: CameraImuSample) -> Array:
         """R_GC one sample later: turned by the gyroscope, then pulled towards gravity."""
@@ -83,10 +83,10 @@ class CameraTilt:
 
     def pose(self, t: float) -> CameraPose | None:
         """The camera at the time t (s); None before the first sample."""
-        if not self._turns:
+        if not self._rotations:
             return None
-        turn = self._turns[0]
-        for later in reversed(self._turns):
+        turn = self._rotations[0]
+        for later in reversed(self._rotations):
             if later.t <= t:
                 turn = later
                 break
@@ -95,12 +95,12 @@ class CameraTilt:
 
     def get_state(self) -> dict[str, Any]:
         """All that changes."""
-        return {"bias": self._bias, "last": self._last, "turns": list(self._turns)}
+        return {"bias": self._bias, "last": self._last, "turns": list(self._rotations)}
 
     def set_state(self, state: dict[str, Any]) -> None:
         """Go on from `get_state`."""
         self._bias, self._last = state["bias"], state["last"]
-        self._turns = deque(state["turns"])
+        self._rotations = deque(state["turns"])
 
 
 def _levelled(R_GC: Array, accel: Array) -> Array:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.kernels import kernel
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix
 from tracker.messages import Array, ImuSample, IntArray
 
 STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
@@ -55,7 +56,9 @@ class ImuHealth:
 
 
 @kernel
-def _judge(accel, gyro, valid, last, same, stuck_after):  # type: ignore[no-untyped-def]
+def _judge(
+    accel: Matrix, gyro: Matrix, valid: BoolVector, last: Matrix, same: IntVector, stuck_after: int
+) -> tuple[BoolVector, bool]:
     """Which IMUs (n,) can be believed, and whether these are all that say so and are finite.
 
     ``last`` (n, 6), the readings before, and ``same`` (n,), how often they came again, move on.

@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector
 from tracker.messages import Array, BlobFrame, Blobs, FrameResult, IntArray, Tracking
 from tracker.vision.rig import StereoRig
 
@@ -184,7 +185,7 @@ class RigWatch:
 
 
 @kernel
-def median_residual(residual: Array) -> tuple[int, Array]:
+def median_residual(residual: Matrix) -> tuple[int, Vector]:
     """How many rows of residual (M, 4) px are finite, and the median of these, column by column."""
     finite = np.empty(residual.shape)
     n = 0
@@ -199,7 +200,7 @@ def median_residual(residual: Array) -> tuple[int, Array]:
 
 
 @kernel
-def leaders(counts: IntArray, means: Array) -> tuple[int, int, int, float]:
+def leaders(counts: IntMatrix, means: Matrix) -> tuple[int, int, int, float]:
     """Of `row_votes`: the most votes for one shift the right way round, the most the wrong way
     round, the most the right way round more than three rows from the first, and its mean shift px.
     """
@@ -217,13 +218,13 @@ def leaders(counts: IntArray, means: Array) -> tuple[int, int, int, float]:
 
 @kernel
 def row_votes(
-    left: Array,
-    left_hue: IntArray,
-    right: Array,
-    right_hue: IntArray,
+    left: Matrix,
+    left_hue: IntVector,
+    right: Matrix,
+    right_hue: IntVector,
     disparity: tuple[float, float],
     row_px: float,
-) -> tuple[IntArray, Array]:
+) -> tuple[IntMatrix, Matrix]:
     """How many left blobs have a partner at each row shift: counts (2, 49), mean shift (2, 49) px.
 
     Columns are shifts (left minus right row) of -24 to 24 px. Row 0 counts partners with a

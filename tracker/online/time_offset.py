@@ -23,8 +23,9 @@ from tracker.geometry.kernels import exp3, log3, mul3, nearest_rotation, rotate,
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.kernels import kernel
-from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, IntArray
-from tracker.vision.rig import StereoRig, triangulated
+from tracker.kernels.arrays import IntVector, Matrix, Vector
+from tracker.messages import Array, BlobFrame, FrameResult, ImuSample
+from tracker.vision.rig import StereoIntrinsics, StereoRig, triangulated
 
 FLAT = 1e-6  # m², for markers on one line
 FIRST_SD = 0.003  # m of a marker about the rigid root, before it is measured
@@ -56,25 +57,25 @@ class Offset:
     sd: float = float("inf")
 
 
-class _Turn(NamedTuple):
+class _GyroRotation(NamedTuple):
     """Of the root by its gyroscope: R (3, 3) up to a constant on the left, rate (3,) rad/s in B."""
 
     t: float
-    R: Array
-    rate: Array
+    R: Matrix
+    rate: Vector
 
 
-class _View(NamedTuple):
+class _RootView(NamedTuple):
     """The root's markers in an image: rows ``marker`` (n,), places p_G (n, 3) m but for the
     camera's own; and R_GB (3, 3) that they say, within the error of their placement."""
 
     t: float
-    marker: IntArray
-    p_G: Array
-    R_GB: Array
+    marker: IntVector
+    p_G: Matrix
+    R_GB: Matrix
 
 
-_QUEUES = {"_gyro": _Turn, "_seen": _View, "_late": _View}
+_QUEUES = {"_gyro": _GyroRotation, "_seen": _RootView, "_late": _RootView}
 _NUMBERS = ("_ata", "_atb", "_rss", "_count", "_last", "_last_seen")
 
 
@@ -95,9 +96,9 @@ class TimeOffset:
         self._imu = int(np.flatnonzero(on_root)[0]) if on_root.any() else -1
         self._R_BI = glove.imus[self._imu].R_BI if self._imu >= 0 else np.eye(3)
         self._markers = np.flatnonzero(segment == 0)
-        self._gyro: deque[_Turn] = deque()
-        self._seen: deque[_View] = deque()
-        self._late: deque[_View] = deque()  # seen, and waiting for packets
+        self._gyro: deque[_GyroRotation] = deque()
+        self._seen: deque[_RootView] = deque()
+        self._late: deque[_RootView] = deque()  # seen, and waiting for packets
         self._ata = self._atb = self._count = 0.0
         self._rss, self._last, self._last_seen = 0.0, -np.inf, -np.inf
 
@@ -122,11 +123,11 @@ class TimeOffset:
         if not gyro or not 0 < sample.t - gyro[-1].t <= self._params.packet_gap:
             gyro.clear()
             self._seen.clear()
-            gyro.append(_Turn(sample.t, np.eye(3), rate))
+            gyro.append(_GyroRotation(sample.t, np.eye(3), rate))
             return
         last = gyro[-1]
-        R = _turned(last.R, last.rate, rate, sample.t - last.t)
-        gyro.append(_Turn(sample.t, R, rate))
+        R = _rotated(last.R, last.rate, rate, sample.t - last.t)
+        gyro.append(_GyroRotation(sample.t, R, rate))
         while gyro[-1].t - gyro[0].t > 2 * self._params.most + 0.5:
             gyro.popleft()
         self._process()
@@ -155,7 +156,7 @@ class TimeOffset:
 
     # ---- markers
 
-    def _view(self, frame: BlobFrame, result: FrameResult) -> _View | None:
+    def _view(self, frame: BlobFrame, result: FrameResult) -> _RootView | None:
         """The root's markers that both images show; None where they are few or do not fit."""
         if frame.left is None or frame.right is None:
             return None
@@ -165,9 +166,9 @@ class TimeOffset:
         pose, rig = frame.pose or self._rig.pose, self._rig
         p_G, R_GB, misfit = _placed(
             rig.left.rectify(frame.left.uv[left]), rig.right.rectify(frame.right.uv[right]),
-            rig.baseline, rig.fx, rig.fy, rig.cx, rig.cy, pose.R_GC, self._nominal[marker],
+            rig.intrinsics, pose.R_GC, self._nominal[marker],
         )  # fmt: skip
-        return _View(frame.t, marker, p_G, R_GB) if misfit < self._params.misfit else None
+        return _RootView(frame.t, marker, p_G, R_GB) if misfit < self._params.misfit else None
 
     # ---- pairs
 
@@ -184,20 +185,18 @@ class TimeOffset:
                 self._pair(self._seen[0], now)
             self._seen.append(now)
 
-    def _pair(self, before: _View, now: _View) -> None:
+    def _pair(self, before: _RootView, now: _RootView) -> None:
         """The turn that the same markers made, so that their placement does not matter."""
-        gyro_0, gyro_1 = self._turn_at(before.t), self._turn_at(now.t)
+        gyro_0, gyro_1 = self._rotation_at(before.t), self._rotation_at(now.t)
         if gyro_0 is None or gyro_1 is None:
             return
         fits, a, e = _point(
-            self._nominal, before.marker, before.p_G, before.R_GB, now.marker, now.p_G,
-            gyro_0.R, gyro_0.rate, gyro_1.R, gyro_1.rate,
-            self._params.markers, self._params.misfit,
-        )  # fmt: skip
+            self._nominal, before, now, gyro_0, gyro_1, self._params.markers, self._params.misfit
+        )
         if fits:
             self._take(now.t, a, e)
 
-    def _turn_at(self, t: float) -> _Turn | None:
+    def _rotation_at(self, t: float) -> _GyroRotation | None:
         """Of the gyroscope, between two packets."""
         gyro = self._gyro
         for k in range(len(gyro) - 1, 0, -1):
@@ -205,7 +204,7 @@ class TimeOffset:
                 a, b = gyro[k - 1], gyro[k]
                 w = (t - a.t) / (b.t - a.t)
                 rate = (1 - w) * a.rate + w * b.rate
-                return _Turn(t, _turned(a.R, a.rate, rate, t - a.t), rate)
+                return _GyroRotation(t, _rotated(a.R, a.rate, rate, t - a.t), rate)
         return None
 
     def _take(self, t: float, a: Array, e: Array) -> None:
@@ -232,7 +231,7 @@ def rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
 
 
 @kernel
-def _rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
+def _rigid(p_out: Matrix, p_in: Matrix) -> tuple[Matrix, float]:
     """Compiled: numpy's checks would take longer than the arithmetic."""
     n = len(p_out)
     a, b, M = np.empty((n, 3)), np.empty((n, 3)), np.zeros((3, 3))
@@ -253,28 +252,22 @@ def _rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
 
 @kernel
 def _in_both(
-    markers: IntArray, left: IntArray, right: IntArray
-) -> tuple[IntArray, IntArray, IntArray]:
-    """Those of ``markers`` that both lenses show, and their rows left and right (M,), -1: none."""
+    markers: IntVector, left: IntVector, right: IntVector
+) -> tuple[IntVector, IntVector, IntVector]:
+    """Those of ``markers`` that both cameras show, and their rows left and right (M,), -1: none."""
     seen = markers[(left[markers] >= 0) & (right[markers] >= 0)]
     return seen, left[seen], right[seen]
 
 
 @kernel
 def _placed(
-    left: Array,
-    right: Array,
-    baseline: float,
-    fx: float,
-    fy: float,
-    cx: float,
-    cy: float,
-    R_GC: Array,
-    nominal: Array,
-) -> tuple[Array, Array, float]:
-    """p_G (n, 3) m but for the camera's place, R_GB (3, 3) and misfit (m) of points whose rectified
-    pixels left and right (n, 2) are; nominal (n, 3) m in B. Infinite where one is behind the lens.
+    left: Matrix, right: Matrix, camera: StereoIntrinsics, R_GC: Matrix, nominal: Matrix
+) -> tuple[Matrix, Matrix, float]:
+    """p_G (n, 3) m but for the camera's position, R_GB (3, 3) and misfit (m) of points whose
+    rectified pixels left and right (n, 2) are; nominal (n, 3) m in B. Infinite where one is behind
+    the camera.
     """
+    fx, fy, cx, cy, baseline = camera
     p_G = triangulated(left, right, baseline, fx, fy, cx, cy)
     for k in range(len(p_G)):
         p_G[k] = rotate(R_GC, p_G[k])
@@ -285,31 +278,27 @@ def _placed(
 
 
 @kernel
-def _turned(R: Array, rate_0: Array, rate_1: Array, dt: float) -> Array:
+def _rotated(R: Matrix, rate_0: Vector, rate_1: Vector, dt: float) -> Matrix:
     """R (3, 3) after ``dt`` with a rate (3,) rad/s that goes from one to the other."""
     return mul3(R, exp3((rate_0 + rate_1) / 2 * dt))
 
 
 @kernel
 def _point(
-    nominal: Array,
-    marker_0: IntArray,
-    p_0: Array,
-    R_GB: Array,
-    marker_1: IntArray,
-    p_1: Array,
-    gyro_0: Array,
-    rate_0: Array,
-    gyro_1: Array,
-    rate_1: Array,
+    nominal: Matrix,
+    before: _RootView,
+    now: _RootView,
+    gyro_0: _GyroRotation,
+    gyro_1: _GyroRotation,
     least: int,
     most_misfit: float,
-) -> tuple[bool, Array, Array]:
+) -> tuple[bool, Vector, Vector]:
     """A point of the line: whether two views fit, and a, e (3,) of e = o a, of equal variance.
 
-    Views as in `_View`, R_GB of the earlier one; ``gyro`` (3, 3) and rates (3,) as in `_Turn`;
     ``nominal`` (M, 3) m in B of all markers.
     """
+    # 1. the markers that both views have
+    marker_0, marker_1 = before.marker, now.marker
     rows = np.empty((2, len(marker_0)), np.int64)
     n = 0
     for i in range(len(marker_0)):
@@ -319,18 +308,20 @@ def _point(
                 n += 1
     if n < least:
         return False, np.zeros(3), np.zeros(3)
-    R_turn, misfit = _rigid(p_1[rows[1, :n]], p_0[rows[0, :n]])
+    # 2. the rotation that they made
+    R_made, misfit = _rigid(now.p_G[rows[1, :n]], before.p_G[rows[0, :n]])
     if misfit > most_misfit:
         return False, np.zeros(3), np.zeros(3)
-    D = tmul3(gyro_0, gyro_1)
-    e = log3(tmul3(D, tmul3(R_GB, mul3(R_turn, R_GB))))
-    a = rotate_back(D, rate_0) - rate_1
+    # 3. beside the gyroscope's, and weighed by what the markers say of each axis
+    D = tmul3(gyro_0.R, gyro_1.R)
+    e = log3(tmul3(D, tmul3(before.R_GB, mul3(R_made, before.R_GB))))
+    a = rotate_back(D, gyro_0.rate) - gyro_1.rate
     L = np.linalg.cholesky(_information(nominal[marker_0[rows[0, :n]]])).astype(np.float64)
     return True, rotate_back(L, a), rotate_back(L, e)
 
 
 @kernel
-def _information(p_B: Array) -> Array:
+def _information(p_B: Matrix) -> Matrix:
     """(3, 3) m²: of a rotation of points (n, 3), in B. Points near one line leave the turn about
     it open."""
     b = p_B.copy()

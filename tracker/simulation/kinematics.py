@@ -6,20 +6,21 @@ import numpy as np
 
 from tracker.geometry import so3
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Stack4, Vector
 from tracker.messages import Array, IntArray
 
 
 @kernel
 def forward_many(
-    parent: IntArray,
-    origin: Array,
-    R_rest: Array,
-    column: IntArray,
-    twist_per_flexion: Array,
-    angles: Array,
-    R_root: Array,
-    p_root: Array,
-) -> tuple[Array, Array]:
+    parent: IntVector,
+    origin: Matrix,
+    R_rest: Stack,
+    column: IntMatrix,
+    twist_per_flexion: Vector,
+    angles: Matrix,
+    R_root: Stack,
+    p_root: Matrix,
+) -> tuple[Stack4, Stack]:
     """Poses of all segments: R_GB (n, S, 3, 3), p_GB (n, S, 3).
 
     parent (S,), -1 for the root; origin (S, 3) m in the parent's B; R_rest (S, 3, 3); column (S, 3)
@@ -43,7 +44,9 @@ def forward_many(
 
 
 @kernel
-def _joint_rotation(column: IntArray, twist_per_flexion: float, angles: Array, out: Array) -> None:
+def _joint_rotation(
+    column: IntVector, twist_per_flexion: float, angles: Vector, out: Matrix
+) -> None:
     """Rz(abduction) Ry(flexion) Rx(twist), the twist with what flexion brings along."""
     a = angles[column[0]] if column[0] >= 0 else 0.0
     f = angles[column[1]] if column[1] >= 0 else 0.0

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
+from tracker.geometry.solids import Vector3, nearest_to_axis, sight_cuts_box
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
+from tracker.messages import Array
+from tracker.simulation.solids import Instant, Solids
 
 CIRCLE, SQUARE = 0, 1
 _SAMPLES = 16
+NO_SEGMENT = -2
+"""No solid has this owner: every solid hides."""
+BALL = 1e-12  # m²: a capsule's squared length below which it has no axis
 
 
 def sample_pattern() -> Array:
@@ -22,52 +30,63 @@ def sample_pattern() -> Array:
     return np.stack([circle, square])
 
 
+class PatchShapes(NamedTuple):
+    """Patches of M markers: outward normal (M, 3) in their segment's B, size (M,) m, `CIRCLE` or
+    `SQUARE` (M,), segment (M,), and flat (M,) 1 where a patch lies on a plane, else it is wrapped
+    about the bone."""
+
+    normal: Matrix
+    size: Vector
+    shape: IntVector
+    segment: IntVector
+    flat: IntVector
+
+
+class SeenPatches(NamedTuple):
+    """uv (M, 2) px of the seen area's centroid, extent (M, 2) px, facing (M,) mean cosine of what
+    is seen of the whole, whole (M,) share of what faces the camera that is not hidden."""
+
+    uv: Matrix
+    extent: Matrix
+    facing: Vector
+    whole: Vector
+
+
+class _Axes(NamedTuple):
+    """Of P capsules: unit vector (P, 3) from ``a`` to ``b`` (zero for a ball) and length (P,) m."""
+
+    unit: Matrix
+    length: Vector
+
+
 @kernel
 def view_patches(
-    eye: Array,
-    K: Array,
-    position: Array,
-    normal: Array,
-    size: Array,
-    shape: IntArray,
-    segment: IntArray,
-    flat: IntArray,
-    R_CB: Array,
-    p_CB: Array,
-    pattern: Array,
-    a: Array,
-    b: Array,
-    radius: Array,
-    owner: IntArray,
-    box_R: Array,
-    centre: Array,
-    half: Array,
-    box_owner: IntArray,
-) -> tuple[Array, Array, Array, Array]:
-    """Seen patches of M markers from ``eye`` (3,) in C with K = (fx, fy, cx, cy).
+    eye: Vector, K: Vector, now: Instant, patches: PatchShapes, pattern: Stack
+) -> SeenPatches:
+    """The patches of ``now`` from ``eye`` (3,) in C with K = (fx, fy, cx, cy).
 
-    position, normal (M, 3) in their segment's B; flat (M,) 1 where the patch lies on a plane, else
-    it is wrapped about the bone. R_CB (S, 3, 3), p_CB (S, 3). Solids in C.
-    Returns uv (M, 2) px of the seen area's centroid, extent (M, 2) px, facing (M,) mean cosine of
-    what is seen of the whole, whole (M,) share of what faces the camera that is not hidden.
+    Each is looked at in the points of `sample_pattern`.
     """
+    position, R_CB, p_CB, solids = now.markers, now.R_CB, now.p_CB, now.solids
+    normal, size, shape = patches.normal, patches.size, patches.shape
+    segment, flat, axes = patches.segment, patches.flat, _axes_of(solids)
     count, samples = len(position), pattern.shape[1]
     uv, extent = np.full((count, 2), np.nan), np.zeros((count, 2))
     facing, whole = np.zeros(count), np.zeros(count)
     local, n_B = np.empty(3), np.empty(3)
     x, n_C, ray = np.empty(3), np.empty(3), np.empty(3)
-    rows = np.empty(len(radius), np.int64)
+    rows = np.empty(len(solids.radius), np.int64)
     for m in range(count):
         own = segment[m]
         _carry(R_CB, p_CB, own, position[m], x)
-        near = near_ray(eye, x, 0.8 * size[m], own, a, b, radius, owner, rows)
+        near = _near_ray(eye, x, 0.8 * size[m], own, solids, axes, rows)
         seen, turned, su, sv = 0.0, 0.0, 0.0, 0.0
         low_u, high_u, low_v, high_v = 1e9, -1e9, 1e9, -1e9
         for k in range(samples):
             s = pattern[shape[m], k] * size[m]
             _on_surface(position[m], normal[m], s, flat[m] == 1, local, n_B)
             _carry(R_CB, p_CB, own, local, x)
-            _turn(R_CB, own, n_B, n_C)
+            _rotate(R_CB, own, n_B, n_C)
             distance, along = 0.0, 0.0
             for c in range(3):
                 ray[c] = x[c] - eye[c]
@@ -77,7 +96,7 @@ def view_patches(
             if ray[2] < 0.02 or cosine <= 0.0:
                 continue
             turned += cosine
-            if hidden(eye, x, own, rows, near, a, b, radius, box_R, centre, half, box_owner):
+            if _hidden(eye, x, own, rows[:near], solids, axes):
                 continue
             u = K[0] * ray[0] / ray[2] + K[2]
             v = K[1] * ray[1] / ray[2] + K[3]
@@ -91,27 +110,54 @@ def view_patches(
             extent[m, 0], extent[m, 1] = high_u - low_u, high_v - low_v
             facing[m] = seen / samples
             whole[m] = seen / turned
-    return uv, extent, facing, whole
+    return SeenPatches(uv, extent, facing, whole)
 
 
 @kernel
-def _turn(R: Array, i: int, v: Array, out: Array) -> None:
+def in_sight(eye: Vector, points: Matrix, solids: Solids) -> BoolVector:
+    """(n,) whether points (n, 3) of C are seen from ``eye`` past all solids."""
+    axes, out = _axes_of(solids), np.empty(len(points), np.bool_)
+    rows = np.empty(len(solids.radius), np.int64)
+    for i in range(len(points)):
+        near = _near_ray(eye, points[i], 0.0, NO_SEGMENT, solids, axes, rows)
+        out[i] = not _hidden(eye, points[i], NO_SEGMENT, rows[:near], solids, axes)
+    return out
+
+
+@kernel
+def _axes_of(solids: Solids) -> _Axes:
+    unit, length = np.zeros((len(solids.a), 3)), np.zeros(len(solids.a))
+    for i in range(len(length)):
+        square = 0.0
+        for c in range(3):
+            unit[i, c] = solids.b[i, c] - solids.a[i, c]
+            square += unit[i, c] * unit[i, c]
+        if square < BALL:
+            unit[i] = 0.0
+            continue
+        length[i] = np.sqrt(square)
+        unit[i] /= length[i]
+    return _Axes(unit, length)
+
+
+@kernel
+def _rotate(R: Stack, i: int, v: Vector, out: Vector) -> None:
     """R[i] v, without a BLAS call for three numbers."""
     for c in range(3):
         out[c] = R[i, c, 0] * v[0] + R[i, c, 1] * v[1] + R[i, c, 2] * v[2]
 
 
 @kernel
-def _carry(R: Array, p: Array, i: int, v: Array, out: Array) -> None:
+def _carry(R: Stack, p: Matrix, i: int, v: Vector, out: Vector) -> None:
     """R[i] v + p[i]."""
-    _turn(R, i, v, out)
+    _rotate(R, i, v, out)
     for c in range(3):
         out[c] += p[i, c]
 
 
 @kernel
 def _on_surface(
-    position: Array, normal: Array, s: Array, flat: bool, point: Array, n_out: Array
+    position: Vector, normal: Vector, s: Vector, flat: bool, point: Vector, n_out: Vector
 ) -> None:
     """The patch's point at ``s`` (along the bone, around it) from its centre, and its normal."""
     if flat or abs(normal[0]) > 0.5:
@@ -126,7 +172,7 @@ def _on_surface(
 
 
 @kernel
-def _on_plane(position: Array, n: Array, s: Array, point: Array) -> None:
+def _on_plane(position: Vector, n: Vector, s: Vector, point: Vector) -> None:
     along = np.array([1.0, 0.0, 0.0]) if abs(n[0]) <= 0.9 else np.array([0.0, 0.0, 1.0])
     along -= (along[0] * n[0] + along[1] * n[1] + along[2] * n[2]) * n
     along /= np.sqrt(along[0] ** 2 + along[1] ** 2 + along[2] ** 2)
@@ -135,96 +181,64 @@ def _on_plane(position: Array, n: Array, s: Array, point: Array) -> None:
 
 
 @kernel
-def near_ray(
-    eye: Array,
-    x: Array,
-    reach: float,
-    own: int,
-    a: Array,
-    b: Array,
-    radius: Array,
-    owner: IntArray,
-    found: IntArray,
+def _near_ray(
+    eye: Vector, x: Vector, reach: float, own: int, solids: Solids, axes: _Axes, found: IntVector
 ) -> int:
     """How many capsules come within ``reach`` of the ray from ``eye`` to x; rows into ``found``."""
     count = 0
-    for i in range(len(radius)):
-        if owner[i] != own and _segments_closer(eye, x, a, b, i, radius[i] + reach):
+    for i in range(len(solids.radius)):
+        if solids.owner[i] != own and _is_near(eye, x, solids, axes, i, solids.radius[i] + reach):
             found[count] = i
             count += 1
     return count
 
 
 @kernel
-def hidden(
-    eye: Array,
-    x: Array,
-    own: int,
-    rows: IntArray,
-    count: int,
-    a: Array,
-    b: Array,
-    radius: Array,
-    box_R: Array,
-    centre: Array,
-    half: Array,
-    box_owner: IntArray,
-) -> bool:
-    """Whether a capsule of rows[:count], or a box, stands between ``eye`` and the point x.
+def _hidden(eye: Vector, x: Vector, own: int, rows: IntVector, solids: Solids, axes: _Axes) -> bool:
+    """Whether a capsule of ``rows``, or a box, stands between ``eye`` and the point x.
 
-    What belongs to the segment ``own`` is not asked: `near_ray` leaves its capsules out.
+    What belongs to the segment ``own`` is not asked: `_near_ray` leaves its capsules out.
     """
-    for k in range(count):
-        if _segments_closer(eye, x, a, b, rows[k], radius[rows[k]]):
+    for i in rows:
+        if _is_near(eye, x, solids, axes, i, solids.radius[i]):
             return True
-    for i in range(len(half)):
-        if box_owner[i] != own and _crosses_box(eye, x, box_R, centre, half, i):
+    for i in range(len(solids.half)):
+        if solids.box_owner[i] != own and _crosses_box(eye, x, solids, i):
             return True
     return False
 
 
 @kernel
-def _segments_closer(p: Array, q: Array, a: Array, b: Array, i: int, r: float) -> bool:
-    """Whether pq and capsule i's axis come nearer than r (Ericson 2005, section 5.1.9)."""
-    d0, d1, d2 = q[0] - p[0], q[1] - p[1], q[2] - p[2]
-    e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
-    w0, w1, w2 = p[0] - a[i, 0], p[1] - a[i, 1], p[2] - a[i, 2]
-    dd = d0 * d0 + d1 * d1 + d2 * d2
-    ee = e0 * e0 + e1 * e1 + e2 * e2
-    f = e0 * w0 + e1 * w1 + e2 * w2
-    c = d0 * w0 + d1 * w1 + d2 * w2
-    if ee < 1e-12:
-        s, t = min(max(-c / dd, 0.0), 1.0), 0.0
-    else:
-        de = d0 * e0 + d1 * e1 + d2 * e2
-        denominator = dd * ee - de * de
-        s = 0.0
-        if denominator > 1e-15:
-            s = min(max((de * f - c * ee) / denominator, 0.0), 1.0)
-        t = (de * s + f) / ee
-        if t < 0.0:
-            t, s = 0.0, min(max(-c / dd, 0.0), 1.0)
-        elif t > 1.0:
-            t, s = 1.0, min(max((de - c) / dd, 0.0), 1.0)
-    g0, g1, g2 = w0 + s * d0 - t * e0, w1 + s * d1 - t * e1, w2 + s * d2 - t * e2
-    return g0 * g0 + g1 * g1 + g2 * g2 < r * r
+def _is_near(p: Vector, q: Vector, solids: Solids, axes: _Axes, i: int, reach: float) -> bool:
+    """Whether the line pq comes within ``reach`` of capsule i's axis."""
+    a, unit = solids.a, axes.unit
+    dd, du, dw, uw = 0.0, 0.0, 0.0, 0.0
+    for c in range(3):
+        d, u, w = q[c] - p[c], unit[i, c], p[c] - a[i, c]
+        dd, du, dw, uw = dd + d * d, du + d * u, dw + d * w, uw + u * w
+    t, x = nearest_to_axis(dd, du, dw, uw, axes.length[i])
+    gap2 = 0.0
+    for c in range(3):
+        gap = p[c] - a[i, c] + t * (q[c] - p[c]) - x * unit[i, c]
+        gap2 += gap * gap
+    return gap2 < reach * reach
 
 
 @kernel
-def _crosses_box(p: Array, q: Array, R: Array, centre: Array, half: Array, i: int) -> bool:
-    """Whether the segment pq meets box i (slab method)."""
-    low, high = 0.0, 1.0
-    for k in range(3):
-        start, step = 0.0, 0.0
-        for c in range(3):
-            start += R[i, c, k] * (p[c] - centre[i, c])
-            step += R[i, c, k] * (q[c] - p[c])
-        if abs(step) < 1e-12:
-            if abs(start) > half[i, k]:
-                return False
-            continue
-        t0, t1 = (-half[i, k] - start) / step, (half[i, k] - start) / step
-        low, high = max(low, min(t0, t1)), min(high, max(t0, t1))
-        if low > high:
-            return False
-    return True
+def _crosses_box(p: Vector, q: Vector, solids: Solids, i: int) -> bool:
+    """Whether the line pq passes through box i."""
+    x, y, z = solids.half[i, 0], solids.half[i, 1], solids.half[i, 2]
+    start, end = _in_box(solids, i, p), _in_box(solids, i, q)
+    return sight_cuts_box(start, end, (-x, -y, -z), (x, y, z))
+
+
+@kernel(inline="always")
+def _in_box(solids: Solids, i: int, p: Vector) -> Vector3:
+    """A point of C along the axes of box i, from its middle."""
+    R, x, y, z = solids.box_R, p[0], p[1], p[2]
+    x, y, z = x - solids.centre[i, 0], y - solids.centre[i, 1], z - solids.centre[i, 2]
+    return (
+        R[i, 0, 0] * x + R[i, 1, 0] * y + R[i, 2, 0] * z,
+        R[i, 0, 1] * x + R[i, 1, 1] * y + R[i, 2, 1] * z,
+        R[i, 0, 2] * x + R[i, 1, 2] * y + R[i, 2, 2] * z,
+    )

@@ -2,16 +2,42 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
-from numpy.typing import NDArray
 
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
+from tracker.kernels.arrays import (
+    Float32Matrix,
+    Float32Stack,
+    Int16Matrix,
+    IntMatrix,
+    IntVector,
+    Matrix,
+    Stack,
+    Vector,
+)
+from tracker.messages import Array
 from tracker.simulation.solids import Solids
 
-Float32 = NDArray[np.float32]
-Int16 = NDArray[np.int16]
 FAR = 1e6
+
+
+class Rays(NamedTuple):
+    """From ``eye`` (3,) in C: x/z and y/z (H, W, 2) of each pixel of the whole image, and what is
+    added to them (2,); the corner (v0, u0) of the region that is drawn."""
+
+    slope: Float32Stack
+    jitter: Vector
+    eye: Vector
+    corner: IntVector
+
+
+class Buffer(NamedTuple):
+    """What a region (h, w) shows: depth m, and the solid's row, capsules first, -1: nothing."""
+
+    depth: Float32Matrix
+    solid: Int16Matrix
 
 
 def bounds(solids: Solids, eye: Array, K: Array) -> Array:
@@ -40,26 +66,12 @@ def _box_of(points: Array, radius: Array, K: Array) -> Array:
 
 
 @kernel(fastmath=True)
-def draw(
-    rays: Float32,
-    jitter: Array,
-    eye: Array,
-    pixels: IntArray,
-    corner: IntArray,
-    a: Array,
-    b: Array,
-    radius: Array,
-    box_R: Array,
-    centre: Array,
-    half: Array,
-    depth: Float32,
-    ident: Int16,
-) -> None:
-    """Fill ``depth`` (h, w) m and ``ident`` (h, w) of a region whose corner is (v0, u0).
-
-    rays (H, W, 2): x/z and y/z of each pixel of the whole image; pixels (P + Q, 4): u0, v0, u1, v1
-    of each solid, the upper ones excluded. ident is the solid's row, capsules first, -1: nothing.
-    """
+def draw(view: Rays, pixels: IntMatrix, solids: Solids, buffer: Buffer) -> None:
+    """Fill ``buffer``. pixels (P + Q, 4): u0, v0, u1, v1 of each solid, the upper ones excluded."""
+    rays, jitter, eye, corner = view.slope, view.jitter, view.eye, view.corner
+    a, b, radius = solids.a, solids.b, solids.radius
+    box_R, centre, half = solids.box_R, solids.centre, solids.half
+    depth, ident = buffer.depth, buffer.solid
     depth[:] = FAR
     ident[:] = -1
     capsules = len(radius)
@@ -79,8 +91,14 @@ def draw(
 
 
 @kernel(fastmath=True, inline="always")
-def _capsule(eye: Array, x: float, y: float, a: Array, b: Array, radius: Array, i: int) -> float:
-    """Depth z at which the ray eye + z (x, y, 1) enters capsule i, FAR if it misses."""
+def _capsule(
+    eye: Vector, x: float, y: float, a: Matrix, b: Matrix, radius: Vector, i: int
+) -> float:
+    """Depth z at which the ray eye + z (x, y, 1) enters capsule i, FAR if it misses.
+
+    Apart from `tracker.geometry.solids.capsule_depth`, which wants the ray in the capsule's frame:
+    a million rays meet a capsule given by its ends, and to find and enter a frame takes longer.
+    """
     r = radius[i]
     dd = x * x + y * y + 1.0
     e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
@@ -113,8 +131,11 @@ def _capsule(eye: Array, x: float, y: float, a: Array, b: Array, radius: Array, 
 
 
 @kernel(fastmath=True, inline="always")
-def _box(eye: Array, x: float, y: float, R: Array, centre: Array, half: Array, i: int) -> float:
-    """Depth z at which the ray eye + z (x, y, 1) enters box i, FAR if it misses (slab method)."""
+def _box(eye: Vector, x: float, y: float, R: Stack, centre: Matrix, half: Matrix, i: int) -> float:
+    """Depth z at which the ray eye + z (x, y, 1) enters box i, FAR if it misses (slab method).
+
+    As `tracker.geometry.solids.box_span`, but seen from the first centimetres on.
+    """
     low, high = 0.02, FAR
     w0, w1, w2 = eye[0] - centre[i, 0], eye[1] - centre[i, 1], eye[2] - centre[i, 2]
     for k in range(3):

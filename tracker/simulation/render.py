@@ -11,10 +11,11 @@ from tracker.clock import nanoseconds
 from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.backgrounds import BackgroundParams, fabric_bgr, make_background
 from tracker.simulation.patches import SQUARE
-from tracker.simulation.raster import bounds, draw
-from tracker.simulation.scene import Instant, Scene
-from tracker.simulation.shading import develop, shade
+from tracker.simulation.raster import Buffer, Rays, bounds, draw
+from tracker.simulation.scene import Scene
+from tracker.simulation.shading import Cloth, Light, SewnPatches, develop, shade
 from tracker.simulation.smooth import rng_for
+from tracker.simulation.solids import Instant
 from tracker.simulation.wearer import tangents
 from tracker.vision.rig import Camera
 
@@ -60,35 +61,37 @@ class Renderer:
         self._grain = (p.noise * rng.standard_normal((509, 521, 3))).astype(np.float32)
         self._noisy = tuple(self._with_grain(g, rng) for g in self._ground)
         light = np.array([p.light_x, p.light_y, p.light_z])
-        self._light = light / np.linalg.norm(light)
-        self._sort_markers()
+        self._light = Light(light / np.linalg.norm(light), p.ambient)
+        self._patches = self._sewn()
 
     def _with_grain(self, ground: Image, rng: np.random.Generator) -> list[Image]:
         """Four noisy prints of a background; each frame takes one, fresh grain is too slow."""
         prints = []
         for _ in range(4):
             out = np.empty_like(ground)
-            develop(ground.astype(np.float32), 1, self._grain, rng.integers(0, 500, 2), out)
+            shift, corner = rng.integers(0, 500, 2), np.zeros(2, np.int64)
+            develop(ground.astype(np.float32), 1, self._grain, shift, corner, out)
             prints.append(out)
         return prints
 
-    def _sort_markers(self) -> None:
+    def _sewn(self) -> SewnPatches:
+        """The wearer's patches; where the markers are is for each instant to say."""
         wearer = self.scene.wearer
         self._order = np.argsort(wearer.marker_segment, kind="stable")
-        segments = np.arange(len(wearer.hand.segments) + 1)
-        self._first = np.searchsorted(wearer.marker_segment[self._order], segments)
+        segment = wearer.marker_segment[self._order]
         markers = [wearer.glove.markers[i] for i in self._order]
-        self._shape = np.array([int(m.shape == "square") * SQUARE for m in markers], np.int64)
-        fabric = [fabric_bgr(m.hue) for m in markers]
-        self._fabric = np.array(fabric, float).reshape(-1, 3) * self.params.gain
-        root = wearer.hand.index["dorsum"]
-        self._flat = np.array(
-            [int(s == root or abs(m.normal[0]) > 0.5)
-             for s, m in zip(wearer.marker_segment[self._order], markers, strict=True)], np.int64
-        )  # fmt: skip
-        self._size = wearer.glove.marker_size[self._order]
-        normal = wearer.marker_normal[self._order]
-        self._axes = np.concatenate([tangents(normal), normal[:, None]], axis=1)
+        root, normal = wearer.hand.index["dorsum"], wearer.marker_normal[self._order]
+        flat = [s == root or abs(m.normal[0]) > 0.5 for s, m in zip(segment, markers, strict=True)]
+        fabric = np.array([fabric_bgr(m.hue) for m in markers], float).reshape(-1, 3)
+        return SewnPatches(
+            np.searchsorted(segment, np.arange(len(wearer.hand.segments) + 1)),
+            np.zeros((len(markers), 3)),
+            np.concatenate([tangents(normal), normal[:, None]], axis=1),
+            wearer.glove.marker_size[self._order],
+            np.array([int(m.shape == "square") * SQUARE for m in markers], np.int64),
+            np.array(flat, np.int64),
+            fabric * self.params.gain,
+        )
 
     def frame(self, t: float, t_arrival: float | None = None, index: int = -1) -> StereoFrame:
         """Both images of the exposure whose middle is t (s), and the camera's reported pose."""
@@ -126,42 +129,32 @@ class Renderer:
             return out
         u0, v0 = some[:, :2].min(axis=0)
         u1, v1 = some[:, 2:].max(axis=0)
-        region = (slice(v0, v1), slice(u0, u1))
         total = np.zeros((v1 - v0, u1 - u0, 3), np.float32)
-        ground = self._ground[side][region]
+        ground = np.ascontiguousarray(self._ground[side][v0:v1, u0:u1])
         corner = np.array([v0, u0], np.int64)
         for k, (moment, pixels) in enumerate(zip(moments, boxes, strict=True)):
-            self._expose(moment, self._rays[side], k, eye, corner, pixels, ground, total)
-        shift = rng.integers(0, 500, 2)
-        develop(total, len(moments), self._grain, shift, out[region])
+            rays = Rays(self._rays[side], _JITTER_PX[k] / self._K[:2], eye, corner)
+            self._expose(moment, rays, pixels, ground, total)
+        develop(total, len(moments), self._grain, rng.integers(0, 500, 2), corner, out)
         return out
 
     def _expose(
         self,
         now: Instant,
-        rays: NDArray[np.float32],
-        k: int,
-        eye: Array,
-        corner: IntArray,
+        rays: Rays,
         pixels: IntArray,
         ground: Image,
         total: NDArray[np.float32],
     ) -> None:
-        s = now.solids
-        jitter = _JITTER_PX[k] / self._K[:2]
-        depth = np.empty(total.shape[:2], np.float32)
-        ident = np.empty(total.shape[:2], np.int16)
-        draw(
-            rays, jitter, eye, pixels, corner, s.a, s.b, s.radius, s.box_R, s.centre, s.half,
-            depth, ident,
-        )  # fmt: skip
-        shade(
-            rays, jitter, eye, corner, depth, ident, s.a, s.b, s.radius, s.box_R, s.centre, s.half,
+        s, size = now.solids, total.shape[:2]
+        buffer = Buffer(np.empty(size, np.float32), np.empty(size, np.int16))
+        draw(rays, pixels, s, buffer)
+        cloth = Cloth(
             np.concatenate([s.owner, s.box_owner]),
             np.concatenate([s.colour, s.box_colour]) * self.params.gain,
-            now.R_CB, now.p_CB, self._first, now.markers[self._order], self._axes, self._size,
-            self._shape, self._flat, self._fabric, self._light, self.params.ambient, ground, total,
-        )  # fmt: skip
+        )
+        patches = self._patches._replace(position=now.markers[self._order])
+        shade(rays, buffer, now, cloth, patches, self._light, ground, total)
 
 
 def _ray_map(camera: Camera) -> NDArray[np.float32]:

@@ -16,18 +16,15 @@ from tracker.simulation.motion import Motion
 from tracker.simulation.patches import (
     CIRCLE,
     SQUARE,
-    hidden,
-    near_ray,
+    PatchShapes,
+    in_sight,
     sample_pattern,
     view_patches,
 )
 from tracker.simulation.smooth import rng_for
-from tracker.simulation.solids import BodyShape, Solids, together
+from tracker.simulation.solids import BodyShape, Instant, Solids, together
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import Camera, StereoRig
-
-_NO_SEGMENT = -2
-"""No solid has this owner: every solid hides."""
 
 
 @dataclass(frozen=True)
@@ -53,16 +50,7 @@ class Extra(Protocol):
         ...
 
 
-class Instant(NamedTuple):
-    """A scene at one instant, in C: R_CB (S, 3, 3), p_CB (S, 3), solids; markers (M, 3) in B."""
-
-    R_CB: Array
-    p_CB: Array
-    solids: Solids
-    markers: Array
-
-
-class Seen(NamedTuple):
+class SeenMarkers(NamedTuple):
     """Markers in one image: raw pixel centroids (M, 2), extents (M, 2) px, and whether a blob.
 
     facing (M,) is the mean cosine of the whole patch, what is hidden counting as 0; whole (M,) the
@@ -96,8 +84,13 @@ class Scene:
         self.seed = seed
         glove = wearer.glove
         self._pattern = sample_pattern()
-        self._kind = np.array([SQUARE if m.shape == "square" else CIRCLE for m in glove.markers])
-        self._flat = (wearer.marker_segment == wearer.hand.index["dorsum"]).astype(np.int64)
+        self._patches = PatchShapes(
+            np.ascontiguousarray(glove.marker_normal, float),
+            np.ascontiguousarray(glove.marker_size, float),
+            np.array([SQUARE if m.shape == "square" else CIRCLE for m in glove.markers], np.int64),
+            np.ascontiguousarray(wearer.marker_segment, np.int64),
+            (wearer.marker_segment == wearer.hand.index["dorsum"]).astype(np.int64),
+        )
 
     def pose(self, t: float) -> CameraPose:
         """The camera's true pose at the time t (s)."""
@@ -117,23 +110,18 @@ class Scene:
         solids = together(parts).moved(R_CG, p_CG)
         return Instant(R_CG @ R_GB[0], p_GB[0] @ R_CG.T + p_CG, solids, self.wearer.markers(t))
 
-    def markers_seen(self, now: Instant, right: bool) -> Seen:
+    def markers_seen(self, now: Instant, right: bool) -> SeenMarkers:
         """The markers in one image without noise."""
-        rig, glove = self.rig, self.wearer.glove
+        rig = self.rig
         eye = np.array([rig.baseline if right else 0.0, 0.0, 0.0])
-        s = now.solids
-        uv, extent, facing, whole = view_patches(
-            eye, np.array([rig.fx, rig.fy, rig.cx, rig.cy]),
-            now.markers, glove.marker_normal, glove.marker_size, self._kind,
-            self.wearer.marker_segment, self._flat, now.R_CB, now.p_CB, self._pattern,
-            s.a, s.b, s.radius, s.owner, s.box_R, s.centre, s.half, s.box_owner,
-        )  # fmt: skip
+        K = np.array([rig.fx, rig.fy, rig.cx, rig.cy])
+        uv, extent, facing, whole = view_patches(eye, K, now, self._patches, self._pattern)
         camera = rig.right if right else rig.left
         some = np.isfinite(uv[:, 0])
         uv[some] = camera.unrectify(uv[some])
         visible = (facing > self.params.facing) & (whole > self.params.whole)
         visible &= inside(camera, uv, extent)
-        return Seen(uv, extent, visible, facing, whole)
+        return SeenMarkers(uv, extent, visible, facing, whole)
 
     def visible(self, t: float) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """(M,) bool for the left and the right image: which markers make a blob."""
@@ -190,16 +178,9 @@ class Scene:
     def _in_sight(self, now: Instant, p_C: Array, radius: Array, right: bool) -> NDArray[np.bool_]:
         """(n,) bool: whether the balls' middles are seen past the solids."""
         eye = np.array([self.rig.baseline if right else 0.0, 0.0, 0.0])
-        s, out = now.solids, np.zeros(len(p_C), bool)
-        rows = np.empty(len(s.radius), np.int64)
-        for i, x in enumerate(p_C):
-            near = x - (x - eye) / np.linalg.norm(x - eye) * (radius[i] + 1e-4)
-            count = near_ray(eye, near, 0.0, _NO_SEGMENT, s.a, s.b, s.radius, s.owner, rows)
-            out[i] = not hidden(
-                eye, near, _NO_SEGMENT, rows, count, s.a, s.b, s.radius,
-                s.box_R, s.centre, s.half, s.box_owner,
-            )  # fmt: skip
-        return out
+        away = p_C - eye
+        unit = away / np.linalg.norm(away, axis=1, keepdims=True)
+        return in_sight(eye, p_C - unit * (radius[:, None] + 1e-4), now.solids)
 
 
 def inside(camera: Camera, uv: Array, extent: Array) -> NDArray[np.bool_]:

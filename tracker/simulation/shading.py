@@ -2,52 +2,67 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
-from numpy.typing import NDArray
 
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
-from tracker.simulation.raster import Float32, Int16
+from tracker.kernels.arrays import ByteStack, Float32Stack, IntVector, Matrix, Stack, Vector
+from tracker.simulation.raster import Buffer, Rays
+from tracker.simulation.solids import Instant
+
+
+class Cloth(NamedTuple):
+    """Of all solids, capsules first: owner (n,) and colour (n, 3) BGR."""
+
+    owner: IntVector
+    colour: Matrix
+
+
+class SewnPatches(NamedTuple):
+    """Markers sorted by segment, those of segment s being first[s] to first[s + 1].
+
+    position (M, 3) in B; axes (M, 3, 3) rows: along, across and out of a flat patch in B; size (M,)
+    m; shape (M,) 1 for a square; flat (M,) 1 on a plane; fabric (M, 3) BGR.
+    """
+
+    first: IntVector
+    position: Matrix
+    axes: Stack
+    size: Vector
+    shape: IntVector
+    flat: IntVector
+    fabric: Matrix
+
+
+class Light(NamedTuple):
+    """A unit vector (3,) in C towards the light, and the share of light from everywhere."""
+
+    direction: Vector
+    ambient: float
 
 
 @kernel(fastmath=True)
 def shade(
-    rays: Float32,
-    jitter: Array,
-    eye: Array,
-    corner: IntArray,
-    depth: Float32,
-    ident: Int16,
-    a: Array,
-    b: Array,
-    radius: Array,
-    box_R: Array,
-    centre: Array,
-    half: Array,
-    owner: IntArray,
-    colour: Array,
-    R_CB: Array,
-    p_CB: Array,
-    first: IntArray,
-    marker: Array,
-    axes: Array,
-    size: Array,
-    shape: IntArray,
-    flat: IntArray,
-    fabric: Array,
-    light: Array,
-    ambient: float,
-    ground: NDArray[np.uint8],
-    total: Float32,
+    rays: Rays,
+    buffer: Buffer,
+    now: Instant,
+    cloth: Cloth,
+    patches: SewnPatches,
+    lamp: Light,
+    ground: ByteStack,
+    total: Float32Stack,
 ) -> None:
     """Add one exposure to ``total`` (h, w, 3) BGR; ``ground`` (h, w, 3) shows where nothing is.
 
-    Solids' arrays as in `Solids`; owner and colour are those of the capsules, then of the boxes.
     Arrays are handed on whole with a row's number: a view of a row costs more than the arithmetic.
-    Markers are sorted by segment, those of segment s being first[s] to first[s + 1]; axes (M, 3, 3)
-    rows: along, across and out of a flat patch in B; fabric (M, 3) BGR. light (3,) is a
-    unit vector in C towards the light.
     """
+    slope, jitter, eye, corner = rays.slope, rays.jitter, rays.eye, rays.corner
+    depth, ident, light, ambient = buffer.depth, buffer.solid, lamp.direction, lamp.ambient
+    a, b, radius = now.solids.a, now.solids.b, now.solids.radius
+    box_R, centre, half = now.solids.box_R, now.solids.centre, now.solids.half
+    owner, colour, fabric = cloth.owner, cloth.colour, patches.fabric
+    R_CB, p_CB = now.R_CB, now.p_CB
     n, q = np.empty(3), np.empty(3)
     for row in range(depth.shape[0]):
         for column in range(depth.shape[1]):
@@ -58,8 +73,8 @@ def shade(
                 continue
             z = depth[row, column]
             v, u = row + corner[0], column + corner[1]
-            q[0] = eye[0] + z * (rays[v, u, 0] + jitter[0])
-            q[1] = eye[1] + z * (rays[v, u, 1] + jitter[1])
+            q[0] = eye[0] + z * (slope[v, u, 0] + jitter[0])
+            q[1] = eye[1] + z * (slope[v, u, 1] + jitter[1])
             q[2] = eye[2] + z
             if i < len(radius):
                 _capsule_normal(q, a, b, radius, i, n)
@@ -71,14 +86,14 @@ def shade(
             m = -1
             s = owner[i]
             if s >= 0:
-                m = _patch_at(q, R_CB, p_CB, s, first, marker, axes, size, shape, flat)
+                m = _patch_at(q, R_CB, p_CB, s, patches)
             for c in range(3):
                 base = fabric[m, c] if m >= 0 else colour[i, c]
                 total[row, column, c] += base * bright
 
 
 @kernel(fastmath=True, inline="always")
-def _capsule_normal(q: Array, a: Array, b: Array, radius: Array, i: int, n: Array) -> None:
+def _capsule_normal(q: Vector, a: Matrix, b: Matrix, radius: Vector, i: int, n: Vector) -> None:
     """Outward normal at the point q of capsule i."""
     e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
     w0, w1, w2 = q[0] - a[i, 0], q[1] - a[i, 1], q[2] - a[i, 2]
@@ -90,7 +105,7 @@ def _capsule_normal(q: Array, a: Array, b: Array, radius: Array, i: int, n: Arra
 
 
 @kernel(fastmath=True, inline="always")
-def _box_normal(q: Array, R: Array, centre: Array, half: Array, i: int, n: Array) -> None:
+def _box_normal(q: Vector, R: Stack, centre: Matrix, half: Matrix, i: int, n: Vector) -> None:
     """Outward normal of the face of box i that the point q lies on."""
     best, face, sign = -1e9, 0, 1.0
     for k in range(3):
@@ -104,19 +119,10 @@ def _box_normal(q: Array, R: Array, centre: Array, half: Array, i: int, n: Array
 
 
 @kernel(fastmath=True, inline="always")
-def _patch_at(
-    q: Array,
-    R: Array,
-    p: Array,
-    i: int,
-    first: IntArray,
-    marker: Array,
-    axes: Array,
-    size: Array,
-    shape: IntArray,
-    flat: IntArray,
-) -> int:
+def _patch_at(q: Vector, R: Stack, p: Matrix, i: int, patches: SewnPatches) -> int:
     """The marker whose patch covers the surface point q of segment i, -1 if none."""
+    first, marker, axes = patches.first, patches.position, patches.axes
+    size, shape, flat = patches.size, patches.shape, patches.flat
     d0, d1, d2 = q[0] - p[i, 0], q[1] - p[i, 1], q[2] - p[i, 2]
     x = R[i, 0, 0] * d0 + R[i, 1, 0] * d1 + R[i, 2, 0] * d2
     y = R[i, 0, 1] * d0 + R[i, 1, 1] * d1 + R[i, 2, 1] * d2
@@ -151,25 +157,28 @@ def _around(y: float, z: float, my: float, mz: float) -> float:
 
 @kernel
 def develop(
-    total: Float32,
+    total: Float32Stack,
     exposures: int,
-    noise: Float32,
-    shift: IntArray,
-    out: NDArray[np.uint8],
+    noise: Float32Stack,
+    shift: IntVector,
+    corner: IntVector,
+    out: ByteStack,
 ) -> None:
-    """Mean of the exposures plus sensor noise, rounded into ``out`` (h, w, 3) uint8.
+    """Mean of the exposures plus sensor noise, rounded into the part of ``out`` (H, W, 3) uint8
+    that begins at the corner (v0, u0).
 
     noise (n, m, 3) is a tile of unit scale already multiplied; shift (2,) is where in it to begin.
     """
     rows, columns = noise.shape[0], noise.shape[1]
     share = np.float32(1.0 / exposures)
-    for v in range(out.shape[0]):
+    for v in range(total.shape[0]):
         row = (v + shift[0]) % rows
         column = shift[1] % columns
-        for u in range(out.shape[1]):
+        for u in range(total.shape[1]):
             for c in range(3):
                 value = total[v, u, c] * share + noise[row, column, c] + np.float32(0.5)
-                out[v, u, c] = np.uint8(min(max(value, np.float32(0.0)), np.float32(255.0)))
+                value = min(max(value, np.float32(0.0)), np.float32(255.0))
+                out[v + corner[0], u + corner[1], c] = np.uint8(value)
             column += 1
             if column == columns:
                 column = 0

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.glove.model import GloveModel
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, IntArray
 from tracker.simulation.wearer import Wearer
 
@@ -22,16 +23,16 @@ class Solids(NamedTuple):
     axes to the frame.
     """
 
-    a: Array
-    b: Array
-    radius: Array
-    owner: IntArray
-    colour: Array
-    box_R: Array
-    centre: Array
-    half: Array
-    box_owner: IntArray
-    box_colour: Array
+    a: Matrix
+    b: Matrix
+    radius: Vector
+    owner: IntVector
+    colour: Matrix
+    box_R: Stack
+    centre: Matrix
+    half: Matrix
+    box_owner: IntVector
+    box_colour: Matrix
 
     def moved(self, R: Array, p: Array) -> Solids:
         """In another frame: x_new = R x + p."""
@@ -41,6 +42,15 @@ class Solids(NamedTuple):
             box_R=R @ self.box_R,
             centre=self.centre @ R.T + p,
         )
+
+
+class Instant(NamedTuple):
+    """A scene at one instant, in C: R_CB (S, 3, 3), p_CB (S, 3), solids; markers (M, 3) in B."""
+
+    R_CB: Stack
+    p_CB: Matrix
+    solids: Solids
+    markers: Matrix
 
 
 def capsules(a: Array, b: Array, radius: Array, owner: IntArray, colour: Array) -> Solids:

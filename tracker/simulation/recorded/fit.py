@@ -11,12 +11,12 @@ from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
 from tracker.messages import Array, IntArray
 from tracker.simulation.kinematics import forward_many
-from tracker.simulation.recorded.solver import solve_frames
+from tracker.simulation.recorded.solver import Posture, Skeleton, Targets, solve_frames
 from tracker.simulation.recorded.track import PointTrack
 
 
 @dataclass(frozen=True)
-class FitParams:
+class SkeletonFitParams:
     """Standard deviations of what the fit weighs."""
 
     point: float = 0.003  # m
@@ -39,9 +39,9 @@ class Fit:
     residual: Array
 
 
-def fit_hand(hand: HandModel, track: PointTrack, params: FitParams | None = None) -> Fit:
+def fit_hand(hand: HandModel, track: PointTrack, params: SkeletonFitParams | None = None) -> Fit:
     """Angles and poses that bring the hand's points onto the track's, all frames."""
-    p = params or FitParams()
+    p = params or SkeletonFitParams()
     segment, local = _targets(hand, track.targets)
     k = _most_open(track)
     scale, R, origin = _umeyama(hand, segment, local, track.points[k])
@@ -64,21 +64,20 @@ def _solve(
     local: Array,
     points: Array,
     start: tuple[Array, Array, Array],
-    p: FitParams,
+    p: SkeletonFitParams,
 ) -> Fit:
-    index = hand.angle_index
-    coupling = np.array(
-        [[index[s.angle], index[s.of], s.ratio, s.offset] for s in hand.synergies]
-    ).reshape(-1, 4)
-    angles, R, p_root = (np.ascontiguousarray(x) for x in start)
     weights = 1 / np.array([p.point, p.rest, p.change, p.synergy])
-    return Fit(
-        *solve_frames(
-            *_tree(hand),
-            hand.angle_limits, coupling, segment, local, np.ascontiguousarray(points),
-            angles, R, p_root, weights, p.iterations,
-        )
-    )  # fmt: skip
+    posture = Posture(*(np.ascontiguousarray(x) for x in start))
+    points = np.ascontiguousarray(points)
+    targets = Targets(segment, local)
+    return Fit(*solve_frames(_skeleton(hand), targets, points, posture, weights, p.iterations))
+
+
+def _skeleton(hand: HandModel) -> Skeleton:
+    index = hand.angle_index
+    coupling = [[index[s.angle], index[s.of], s.ratio, s.offset] for s in hand.synergies]
+    limits = np.ascontiguousarray(hand.angle_limits, float)
+    return Skeleton(*_tree(hand), limits, np.array(coupling, float).reshape(-1, 4))
 
 
 def _tree(hand: HandModel) -> tuple[IntArray, Array, Array, IntArray]:
@@ -120,16 +119,16 @@ def _umeyama(
     hand: HandModel, segment: IntArray, local: Array, points: Array
 ) -> tuple[float, Array, Array]:
     """scale, R and t with points ≈ scale R model + t for the flat hand (Umeyama 1991)."""
-    R, p = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
-    model = p[segment] + np.einsum("nij,nj->ni", R[segment], local)
+    R_GB, p = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
+    model = p[segment] + np.einsum("nij,nj->ni", R_GB[segment], local)
     known = np.isfinite(model[:, 0]) & np.isfinite(points[:, 0])
     x, y = model[known], points[known]
     dx, dy = x - x.mean(axis=0), y - y.mean(axis=0)
     U, D, Vt = np.linalg.svd(dy.T @ dx)
     sign = np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))])
-    turn = U @ sign @ Vt
+    R = U @ sign @ Vt
     scale = float(np.trace(np.diag(D) @ sign) / np.sum(dx**2))
-    return scale, turn, y.mean(axis=0) - scale * turn @ x.mean(axis=0)
+    return scale, R, y.mean(axis=0) - scale * R @ x.mean(axis=0)
 
 
 def _place_on_dorsum(hand: HandModel, local: Array, points: Array, R: Array, p: Array) -> None:

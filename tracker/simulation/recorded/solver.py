@@ -2,56 +2,75 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector
 from tracker.simulation.kinematics import forward_many
+
+
+class Skeleton(NamedTuple):
+    """parent (S,), -1 for the root; origin (S, 3) m in the parent's B; R_rest (S, 3, 3); column
+    (S, 3) of abduction, flexion and twist among the angles, -1 where fixed; limits (J, 2) rad;
+    coupling (C, 4): angle, other, ratio, offset of a synergy held softly."""
+
+    parent: IntVector
+    origin: Matrix
+    R_rest: Stack
+    column: IntMatrix
+    limits: Matrix
+    coupling: Matrix
+
+
+class Targets(NamedTuple):
+    """Where the points sit: segment (T,), and place (T, 3) m in its B."""
+
+    segment: IntVector
+    local: Matrix
+
+
+class Posture(NamedTuple):
+    """angles (J,) rad, R_GB (3, 3) and p_GB (3,) m of the root."""
+
+    angles: Vector
+    R: Matrix
+    p: Vector
 
 
 @kernel
 def solve_frames(
-    parent: IntArray,
-    origin: Array,
-    R_rest: Array,
-    column: IntArray,
-    limits: Array,
-    coupling: Array,
-    segment: IntArray,
-    local: Array,
-    points: Array,
-    angles: Array,
-    R: Array,
-    p: Array,
-    weights: Array,
+    hand: Skeleton,
+    targets: Targets,
+    points: Stack,
+    start: Posture,
+    weights: Vector,
     iterations: int,
-) -> tuple[Array, Array, Array, Array]:
+) -> tuple[Matrix, Stack, Matrix, Matrix]:
     """Each frame in turn, starting from the one before.
 
-    points (n, T, 3) m in G, NaN where missing, of targets ``local`` (T, 3) in B of ``segment``.
-    coupling (C, 4): angle, other, ratio, offset of a synergy held softly. weights: 1 / standard
-    deviation of (a point, 1/m; rest, 1/rad; change of angle, 1/rad; synergy, 1/rad).
+    points (n, T, 3) m in G, NaN where missing, of the targets. weights: 1 / standard deviation of
+    (a point, 1/m; rest, 1/rad; change of angle, 1/rad; synergy, 1/rad).
     Returns angles (n, J), R_GB (n, 3, 3), p_GB (n, 3) of the root, residual (n, T) m.
     """
-    n, count = len(points), len(angles)
-    twist = np.zeros(len(parent))
+    parent, origin, R_rest, column = hand.parent, hand.origin, hand.R_rest, hand.column
+    limits, segment, local = hand.limits, targets.segment, targets.local
+    n, count = len(points), len(start.angles)
+    twist, step = np.zeros(len(parent)), np.empty(6 + count)
     out_a, out_R = np.empty((n, count)), np.empty((n, 3, 3))
     out_p, residual = np.empty((n, 3)), np.full((n, len(local)), np.nan)
-    a, R0, p0 = angles.copy(), R.copy(), p.copy()
+    a, R0, p0 = start.angles.copy(), start.R.copy(), start.p.copy()
     for k in range(n):
         before = a.copy()
         for _ in range(iterations):
             Rs, ps = forward_many(parent, origin, R_rest, column, twist, a.reshape(1, -1),
                                   R0.reshape(1, 3, 3), p0.reshape(1, 3))  # fmt: skip
-            H, g = _normal_equations(parent, R_rest, column, segment, local, points[k], a,
-                                     Rs[0], ps[0], weights[0])  # fmt: skip
-            _priors(H, g, a, before, coupling, weights)
-            step = np.linalg.solve(H, g)
+            H, g = _normal_equations(hand, targets, points[k], a, Rs[0], ps[0], weights[0])
+            _priors(H, g, a, before, hand.coupling, weights)
+            step[:] = np.linalg.solve(H, g)
             p0 = p0 + step[:3]
-            R0 = _turned(step[3:6], R0)
+            R0 = _rotated(step[3:6], R0)
             a = np.minimum(np.maximum(a + step[6:], limits[:, 0]), limits[:, 1])
         Rs, ps = forward_many(parent, origin, R_rest, column, twist, a.reshape(1, -1),
                               R0.reshape(1, 3, 3), p0.reshape(1, 3))  # fmt: skip
@@ -64,18 +83,18 @@ def solve_frames(
 
 @kernel
 def _normal_equations(
-    parent: IntArray,
-    R_rest: Array,
-    column: IntArray,
-    segment: IntArray,
-    local: Array,
-    points: Array,
-    angles: Array,
-    R: Array,
-    p: Array,
+    hand: Skeleton,
+    targets: Targets,
+    points: Matrix,
+    angles: Vector,
+    R: Stack,
+    p: Matrix,
     weight: float,
-) -> tuple[Array, Array]:
-    """JᵀJ and Jᵀr over (p (3), rotation of the root in G (3), angles (J))."""
+) -> tuple[Matrix, Vector]:
+    """JᵀJ and Jᵀr over (p (3), rotation of the root in G (3), angles (J)), with the poses R
+    (S, 3, 3), p (S, 3) of all segments."""
+    parent, R_rest, column = hand.parent, hand.R_rest, hand.column
+    segment, local = targets.segment, targets.local
     size = 6 + len(angles)
     H, g = np.zeros((size, size)), np.zeros(size)
     J = np.zeros((3, size))
@@ -101,7 +120,7 @@ def _normal_equations(
 
 @kernel
 def _joint_columns(
-    J: Array, base: Array, R: Array, column: IntArray, angles: Array, arm: Array
+    J: Matrix, base: Matrix, R: Matrix, column: IntVector, angles: Vector, arm: Vector
 ) -> None:
     """Axes in G of a joint Rz Ry Rx: base z; base Rz y; the segment's own x."""
     a = angles[column[0]] if column[0] >= 0 else 0.0
@@ -115,7 +134,9 @@ def _joint_columns(
 
 
 @kernel
-def _priors(H: Array, g: Array, a: Array, before: Array, coupling: Array, weights: Array) -> None:
+def _priors(
+    H: Matrix, g: Vector, a: Vector, before: Vector, coupling: Matrix, weights: Vector
+) -> None:
     """Rest, steadiness and synergies: what decides where no point does."""
     for j in range(len(a)):
         H[6 + j, 6 + j] += weights[1] ** 2 + weights[2] ** 2
@@ -135,7 +156,7 @@ def _priors(H: Array, g: Array, a: Array, before: Array, coupling: Array, weight
 
 
 @kernel
-def _turned(step: NDArray[Any], R: Array) -> Array:
+def _rotated(step: Vector, R: Matrix) -> Matrix:
     """Exp(step) R, made orthonormal again."""
     angle = np.sqrt(step[0] ** 2 + step[1] ** 2 + step[2] ** 2)
     K = np.array([[0.0, -step[2], step[1]], [step[2], 0.0, -step[0]], [-step[1], step[0], 0.0]])

@@ -11,7 +11,7 @@ from app.widgets.view3d.raster.solids import (
     BLOCK,
     CAPSULE,
     Rotation,
-    Vector,
+    Rounded,
     block_surface,
     capsule_normal,
     disc_normal,
@@ -27,9 +27,10 @@ from app.widgets.view3d.raster.view import (
     RED,
     SPECULAR,
     STYLE,
-    Bundle,
+    RayBundle,
     View,
 )
+from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 
 GRID_DARKNESS = 0.55
@@ -40,11 +41,9 @@ RIM = 0.5
 """Share of what shines through that a see-through body holds back where it is seen edge-on."""
 NUMBERS = 0x3FFFFFFF
 
-Form = tuple[float, float, float, float, float]
-
 
 @kernel(error_model="numpy")
-def blend(view: View, rays: int, bundle: Bundle) -> None:
+def blend(view: View, rays: int, bundle: RayBundle) -> None:
     """Colour of the bundle's first ``rays``: their layers before the background; and a number that
     differs between rays which meet different surfaces, 0 for none."""
     kinds, forms, places, looks = view.kinds, view.forms, view.places, view.looks
@@ -65,7 +64,7 @@ def blend(view: View, rays: int, bundle: Bundle) -> None:
                     groups |= group
                 if style != ALONE:
                     number = (number * 31 + i + 1) & NUMBERS
-                form = forms[i, 0], forms[i, 1], forms[i, 2], forms[i, 3], forms[i, 4]
+                form = Rounded(forms[i, 0], forms[i, 1], forms[i, 2], forms[i, 3], forms[i, 4])
                 R_CS = (
                     places[i, 0], places[i, 1], places[i, 2],
                     places[i, 3], places[i, 4], places[i, 5],
@@ -77,7 +76,7 @@ def blend(view: View, rays: int, bundle: Bundle) -> None:
                 n = _normal(kinds[i], form, p)
                 dark = 0.0
                 if style != 0.0:
-                    grid = grid_cover(kinds[i], form[0], form[1], p, n, d, focal / depth)
+                    grid = grid_cover(kinds[i], forms[i, 0], forms[i, 1], p, n, d, focal / depth)
                     cover, dark = _with_grid(style, cover, grid)
                 elif cover < SOLID:
                     cover = _with_rim(cover, n, d)
@@ -94,7 +93,7 @@ def blend(view: View, rays: int, bundle: Bundle) -> None:
 
 
 @kernel(error_model="numpy", inline="always")
-def _into(R_CS: Rotation, x: float, y: float) -> Vector:
+def _into(R_CS: Rotation, x: float, y: float) -> Vector3:
     """The ray (x, y, 1) in S."""
     return (
         R_CS[0] * x + R_CS[3] * y + R_CS[6],
@@ -104,14 +103,15 @@ def _into(R_CS: Rotation, x: float, y: float) -> Vector:
 
 
 @kernel(error_model="numpy", inline="always")
-def _normal(kind: int, form: Form, p: Vector) -> Vector:
-    """In S, at a point of the surface."""
+def _normal(kind: int, form: Rounded, p: Vector3) -> Vector3:
+    """In S, at a point of the surface. First in a form stand a capsule's length and radius, or a
+    disc's half height and radius."""
     if kind == CAPSULE:
-        return capsule_normal(p[0], p[1], p[2], form[0], form[1])
+        return capsule_normal(p, form[0], form[1])
     if kind == BLOCK:
-        _, nx, ny, nz = block_surface(p[0], p[1], p[2], form[0], form[1], form[2], form[3], form[4])
+        _, nx, ny, nz = block_surface(p, form)
         return nx, ny, nz
-    return disc_normal(p[0], p[1], p[2], form[0], form[1])
+    return disc_normal(p, form[0], form[1])
 
 
 @kernel(error_model="numpy", inline="always")
@@ -124,7 +124,7 @@ def _with_grid(style: float, cover: float, grid: float) -> tuple[float, float]:
 
 
 @kernel(error_model="numpy", inline="always")
-def _with_rim(cover: float, n: Vector, d: Vector) -> float:
+def _with_rim(cover: float, n: Vector3, d: Vector3) -> float:
     """A see-through body covers more where the ray passes through more of its skin."""
     length = np.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])
     aside = 1.0 - abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]) / length
@@ -132,7 +132,7 @@ def _with_rim(cover: float, n: Vector, d: Vector) -> float:
 
 
 @kernel(error_model="numpy", inline="always")
-def _coloured(colour: Vector, bright: float, shine: float, left: float) -> Vector:
+def _coloured(colour: Vector3, bright: float, shine: float, left: float) -> Vector3:
     """Under light; ``left`` is what dark lines leave of it."""
     return (
         min(colour[0] * bright + shine, 1.0) * left,

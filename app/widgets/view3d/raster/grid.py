@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, Vector
+from app.widgets.view3d.raster.solids import BLOCK, CAPSULE
+from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 
 WIDTH_PX = 1.0
@@ -18,7 +19,7 @@ CELLS = 8.0  # of a block along its longer side
 
 @kernel(error_model="numpy")
 def grid_cover(
-    kind: int, size_x: float, size_y: float, p: Vector, n: Vector, d: Vector, scale: float
+    kind: int, size_x: float, size_y: float, p: Vector3, n: Vector3, d: Vector3, scale: float
 ) -> float:
     """Share (0..1) of a pixel that lines of the grid cover.
 
@@ -36,7 +37,7 @@ def grid_cover(
 
 @kernel(error_model="numpy")
 def _on_capsule(
-    length: float, radius: float, p: Vector, n: Vector, d: Vector, scale: float
+    length: float, radius: float, p: Vector3, n: Vector3, d: Vector3, scale: float
 ) -> float:
     away = np.sqrt(p[1] * p[1] + p[2] * p[2]) + 1e-9
     step = 2 * np.pi / MERIDIANS
@@ -59,7 +60,7 @@ def _off(x: float, step: float) -> float:
 
 
 @kernel(error_model="numpy")
-def _cover(off: float, room: float, e: Vector, n: Vector, d: Vector, scale: float) -> float:
+def _cover(off: float, room: float, e: Vector3, n: Vector3, d: Vector3, scale: float) -> float:
     """Cover by lines ``room`` m apart, the nearest ``off`` m away, both measured along e.
 
     A step across the ray, δ, moves the point on the surface by δ - v (n·δ)/(n·v) with the ray's

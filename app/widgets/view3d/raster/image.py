@@ -3,19 +3,21 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from app.widgets.view3d.raster.blending import blend
 from app.widgets.view3d.raster.layers import gather
-from app.widgets.view3d.raster.placing import place, project_line
+from app.widgets.view3d.raster.placing import Bodies, Pinhole, Strokes, place_solids, project_lines
 from app.widgets.view3d.raster.tiles import TILE, line_pairs, solid_pairs, sort_pairs
-from app.widgets.view3d.raster.view import LINES, WIDTH, Bundle, View, new_bundle
+from app.widgets.view3d.raster.view import WIDTH, RayBundle, View, new_bundle
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
-
-Pixels = npt.NDArray[np.uint32]
-Numbers = npt.NDArray[np.int32]
-Bool = npt.NDArray[np.bool_]
+from tracker.kernels.arrays import (
+    Int32Matrix,
+    IntMatrix,
+    IntVector,
+    Matrix,
+    UInt32Matrix,
+    Vector,
+)
 
 FIRST_PAIRS = 4096
 MORE = ((0.376, 0.137), (-0.306, 0.257), (-0.069, -0.394))
@@ -27,29 +29,30 @@ FAINT = 16
 
 @kernel(error_model="numpy")
 def draw(
-    kinds: IntArray, shown: Bool, R_GB: Array, p_GB: Array, R_BS: Array, p_BS: Array,
-    forms: Array, looks: Array, points: Array, ends: IntArray, owner: IntArray,
-    R_GC: Array, p_GC: Array, focal: float, background: Array, image: Pixels, numbers: Numbers,
-) -> None:  # fmt: skip
-    """Fill ``image`` (H, W) with 0xFFRRGGBB.
+    bodies: Bodies,
+    strokes: Strokes,
+    camera: Pinhole,
+    background: Vector,
+    image: UInt32Matrix,
+    numbers: Int32Matrix,
+) -> None:
+    """Fill ``image`` (H, W) with 0xFFRRGGBB; numbers (H, W) is for what the pixels show.
 
-    Of N bodies: kinds, shown (N,); R_GB, p_GB, R_BS, p_BS (N, ...) their places, R_GB times a size;
-    forms (N, 5) m; looks (N, 9) as `view` has them. Of lines: points (P, 3) m in B, ends (M, 2)
-    rows of points, owner (M,) body. numbers (H, W) is for what the pixels show.
+    background (3,): red, green and blue, shares of one.
     """
     height, width = image.shape
-    places, sized = _place_solids(kinds, shown, R_GB, p_GB, R_BS, p_BS, forms, R_GC, p_GC)
-    lines = _project_lines(
-        shown, R_GB, p_GB, points, ends, owner, R_GC, p_GC, focal, 0.5 * width, 0.5 * height
-    )
+    # 1. everything before the camera, and which tiles of the image it may touch
+    places, sized = place_solids(bodies, camera)
     view = View(
-        kinds, sized, places, looks, lines, owner, focal, 0.5 * width, 0.5 * height, background
-    )
+        bodies.kinds, sized, places, bodies.looks, project_lines(bodies, strokes, camera),
+        strokes.owner, camera.focal, camera.middle_u, camera.middle_v, background,
+    )  # fmt: skip
     items, starts = _sort(view, (height, width))
     image[:] = packed((background[0], background[1], background[2]))
     numbers[:] = 0
     bundle, at = new_bundle(RAYS), np.empty((RAYS, 2), np.int64)
     columns = (width + TILE - 1) // TILE
+    # 2. a ray through each pixel's middle; 3. more where neighbours show something else
     for smooth in (False, True):
         for tile in range(len(starts) - 1):
             first, stop = starts[tile], starts[tile + 1]
@@ -70,7 +73,7 @@ def draw(
 
 @kernel(error_model="numpy")
 def _middle_rays(
-    view: View, image: Pixels, top: int, left: int, at: IntArray, bundle: Bundle
+    view: View, image: UInt32Matrix, top: int, left: int, at: IntMatrix, bundle: RayBundle
 ) -> int:
     """A ray through the middle of each pixel of a tile, and which pixel; how many."""
     rays, (height, width) = 0, image.shape
@@ -86,7 +89,13 @@ def _middle_rays(
 
 @kernel(error_model="numpy")
 def _edge_rays(
-    view: View, image: Pixels, numbers: Numbers, top: int, left: int, at: IntArray, bundle: Bundle
+    view: View,
+    image: UInt32Matrix,
+    numbers: Int32Matrix,
+    top: int,
+    left: int,
+    at: IntMatrix,
+    bundle: RayBundle,
 ) -> int:
     """`MORE` rays one after another through each pixel of a tile whose neighbour shows
     something else."""
@@ -114,7 +123,12 @@ def _edge_rays(
 
 @kernel(error_model="numpy")
 def _paint(
-    rays: int, at: IntArray, colour: Array, number: IntArray, image: Pixels, numbers: Numbers
+    rays: int,
+    at: IntMatrix,
+    colour: Matrix,
+    number: IntVector,
+    image: UInt32Matrix,
+    numbers: Int32Matrix,
 ) -> None:
     """Each ray's colour to its pixel."""
     for k in range(rays):
@@ -123,7 +137,7 @@ def _paint(
 
 
 @kernel(error_model="numpy")
-def _mix(rays: int, at: IntArray, colour: Array, image: Pixels) -> None:
+def _mix(rays: int, at: IntMatrix, colour: Matrix, image: UInt32Matrix) -> None:
     """The mean of `MORE` rays and the first one to their pixel."""
     share = 1.0 / (len(MORE) + 1)
     for k in range(0, rays, len(MORE)):
@@ -158,41 +172,7 @@ def packed(colour: tuple[float, float, float]) -> np.uint32:
 
 
 @kernel(error_model="numpy")
-def _place_solids(
-    kinds: IntArray, shown: Bool, R_GB: Array, p_GB: Array, R_BS: Array, p_BS: Array,
-    forms: Array, R_GC: Array, p_GC: Array,
-) -> tuple[Array, Array]:  # fmt: skip
-    """(N, 13) of `placing.place`, size 0 for what is not drawn; (N, 5) forms in m."""
-    places, sized = np.zeros((len(kinds), 13)), np.zeros(forms.shape)
-    for i in range(len(kinds)):
-        if shown[i] and kinds[i] != LINES:
-            places[i] = place(R_GB[i], p_GB[i], R_BS[i], p_BS[i], R_GC, p_GC)
-            sized[i] = forms[i] * places[i, 12]
-    return places, sized
-
-
-@kernel(error_model="numpy")
-def _project_lines(
-    shown: Bool, R_GB: Array, p_GB: Array, points: Array, ends: IntArray, owner: IntArray,
-    R_GC: Array, p_GC: Array, focal: float, cx: float, cy: float,
-) -> Array:  # fmt: skip
-    """(M, 6) of `placing.project_line`; NaN for what is not drawn."""
-    lines = np.full((len(ends), 6), np.nan)
-    a, b = np.empty(3), np.empty(3)
-    for m in range(len(ends)):
-        i = owner[m]
-        if shown[i]:
-            for k in range(3):
-                a[k] = b[k] = p_GB[i, k]
-                for j in range(3):
-                    a[k] += R_GB[i, k, j] * points[ends[m, 0], j]
-                    b[k] += R_GB[i, k, j] * points[ends[m, 1], j]
-            project_line(a, b, R_GC, p_GC, focal, cx, cy, lines[m])
-    return lines
-
-
-@kernel(error_model="numpy")
-def _sort(view: View, size: tuple[int, int]) -> tuple[IntArray, IntArray]:
+def _sort(view: View, size: tuple[int, int]) -> tuple[IntVector, IntVector]:
     """Items of each tile, as `tiles.sort_pairs`: a body's row, or N and more for a line."""
     bodies, pairs = len(view.kinds), np.empty((FIRST_PAIRS, 2), np.int64)
     tiles = ((size[0] + TILE - 1) // TILE) * ((size[1] + TILE - 1) // TILE)

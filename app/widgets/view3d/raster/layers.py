@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.widgets.view3d.raster.placing import NEAR
-from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, block_depth, capsule_depth, disc_depth
+from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, Rounded, block_depth, disc_depth
 from app.widgets.view3d.raster.strokes import stroke_cover, stroke_depth
 from app.widgets.view3d.raster.view import (
     ALONE,
@@ -11,11 +11,12 @@ from app.widgets.view3d.raster.view import (
     OPACITY,
     STYLE,
     WIDTH,
-    Bundle,
+    RayBundle,
     View,
 )
+from tracker.geometry.solids import capsule_depth
 from tracker.kernels import kernel
-from tracker.messages import IntArray
+from tracker.kernels.arrays import IntVector
 
 SOLID = 0.999
 """Cover from which nothing behind is seen."""
@@ -24,7 +25,9 @@ MOST_OF_A_LINE = 0.99
 
 
 @kernel(error_model="numpy")
-def gather(view: View, items: IntArray, first: int, stop: int, rays: int, bundle: Bundle) -> None:
+def gather(
+    view: View, items: IntVector, first: int, stop: int, rays: int, bundle: RayBundle
+) -> None:
     """Fill the layers of the bundle's first ``rays`` with what they meet.
 
     ``items`` from ``first`` to ``stop``: rows of bodies, or of a line behind them.
@@ -46,28 +49,29 @@ def gather(view: View, items: IntArray, first: int, stop: int, rays: int, bundle
 
 
 @kernel(error_model="numpy")
-def _meet(view: View, i: int, side: float, rays: int, bundle: Bundle) -> None:
+def _meet(view: View, i: int, side: float, rays: int, bundle: RayBundle) -> None:
     """The depths at which the rays meet solid i, as `solids` has them, into ``found``."""
     xs, ys, found, places, forms = bundle.x, bundle.y, bundle.found, view.places, view.forms
     r0, r1, r2 = places[i, 0], places[i, 1], places[i, 2]  # R_CS row by row
     r3, r4, r5 = places[i, 3], places[i, 4], places[i, 5]
     r6, r7, r8 = places[i, 6], places[i, 7], places[i, 8]
-    ox, oy, oz = places[i, 9], places[i, 10], places[i, 11]
-    f0, f1, f2, f3, f4 = forms[i, 0], forms[i, 1], forms[i, 2], forms[i, 3], forms[i, 4]
+    o = places[i, 9], places[i, 10], places[i, 11]
+    f0, f1 = forms[i, 0], forms[i, 1]
+    block = Rounded(f0, f1, forms[i, 2], forms[i, 3], forms[i, 4])
     kind = view.kinds[i]
     for k in range(rays):
         x, y = xs[k], ys[k]
-        dx, dy, dz = r0 * x + r3 * y + r6, r1 * x + r4 * y + r7, r2 * x + r5 * y + r8
+        d = r0 * x + r3 * y + r6, r1 * x + r4 * y + r7, r2 * x + r5 * y + r8
         if kind == CAPSULE:
-            found[k] = capsule_depth(ox, oy, oz, dx, dy, dz, f0, f1, side)
+            found[k] = capsule_depth(o, d, f0, f1, side)
         elif kind == BLOCK:
-            found[k] = block_depth(ox, oy, oz, dx, dy, dz, f0, f1, f2, f3, f4, side)
+            found[k] = block_depth(o, d, block, side)
         else:
-            found[k] = disc_depth(ox, oy, oz, dx, dy, dz, f0, f1, side)
+            found[k] = disc_depth(o, d, f0, f1, side)
 
 
 @kernel(error_model="numpy")
-def _lay(i: int, rays: int, bundle: Bundle) -> None:
+def _lay(i: int, rays: int, bundle: RayBundle) -> None:
     """A layer of body i on each ray that has found it, where it belongs by its depth.
 
     One that nothing shines through hides all behind it.
@@ -94,7 +98,7 @@ def _lay(i: int, rays: int, bundle: Bundle) -> None:
 
 
 @kernel(error_model="numpy")
-def _meet_line(view: View, m: int, rays: int, bundle: Bundle) -> None:
+def _meet_line(view: View, m: int, rays: int, bundle: RayBundle) -> None:
     """The depth of line m where a ray comes near it, into ``found``, and its cover into ``share``.
 
     Where lines of one body meet the one that covers more counts, and is laid once.

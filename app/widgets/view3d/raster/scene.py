@@ -8,11 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
-from app.widgets.view3d.raster.image import Pixels, draw
+from app.widgets.view3d.raster.image import draw
+from app.widgets.view3d.raster.placing import Bodies, Pinhole, Strokes
 from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, DISC
 from app.widgets.view3d.raster.view import LINES
 from app.widgets.view3d.scene import BodyLook, rgb
 from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, turn_x_to
+from tracker.kernels.arrays import UInt32Matrix
 from tracker.messages import Array, IntArray
 
 
@@ -48,7 +50,7 @@ class RasterScene:
 
     def __init__(self) -> None:
         self._background = np.zeros(3)
-        self._image: Pixels = np.empty((0, 0), np.uint32)
+        self._image: UInt32Matrix = np.empty((0, 0), np.uint32)
         self._numbers = np.empty((0, 0), np.int32)
         self.clear()
 
@@ -83,7 +85,7 @@ class RasterScene:
             self.owner = np.concatenate([self.owner, np.full(len(shape.pairs), row)])
         return RasterBody(self, row, slice(first, len(self.points)))
 
-    def render(self, orbit: Orbit, width: int, height: int) -> Pixels:
+    def render(self, orbit: Orbit, width: int, height: int) -> UInt32Matrix:
         """(height, width) of 0xFFRRGGBB from the orbit's eye; good until the next."""
         if self._image.shape != (height, width):
             self._image = np.empty((height, width), np.uint32)
@@ -93,11 +95,13 @@ class RasterScene:
             self._image.fill(0xFF000000 | red << 16 | green << 8 | blue)
             return self._image
         R_GC, p_GC = camera_pose(orbit)
-        draw(
+        camera = Pinhole(R_GC, p_GC, focal_px(height), 0.5 * width, 0.5 * height)
+        bodies = Bodies(
             self.kinds, self.shown, self.R_GB, self.p_GB, self.R_BS, self.p_BS, self.forms,
-            self.looks, self.points, self.ends, self.owner, R_GC, p_GC, focal_px(height),
-            self._background, self._image, self._numbers,
+            self.looks,
         )  # fmt: skip
+        strokes = Strokes(self.points, self.ends, self.owner)
+        draw(bodies, strokes, camera, self._background, self._image, self._numbers)
         return self._image
 
 

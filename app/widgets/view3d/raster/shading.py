@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.widgets.view3d.raster.solids import Rotation, Vector
+from app.widgets.view3d.raster.solids import Rotation
+from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 
 
@@ -36,7 +37,7 @@ GLOSS_TURNS = 4
 
 
 @kernel(error_model="numpy", inline="always")
-def lit(R_CS: Rotation, n_S: Vector, ambient: float, specular: float) -> tuple[float, float]:
+def lit(R_CS: Rotation, n_S: Vector3, ambient: float, specular: float) -> tuple[float, float]:
     """Factor of a surface's colour, and white to be added; the normal is in S."""
     n = (
         R_CS[0] * n_S[0] + R_CS[1] * n_S[1] + R_CS[2] * n_S[2],

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from app.widgets.view3d.raster.placing import NEAR
-from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, box_span, capsule_depth
+from app.widgets.view3d.raster.solids import BLOCK, CAPSULE
 from app.widgets.view3d.raster.strokes import distance_px
+from tracker.geometry.solids import box_span, capsule_depth
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector
 
 TILE = 12
 """px along a tile's side."""
@@ -16,7 +17,7 @@ HALF_DIAGONAL = 0.7072 * TILE
 
 
 @kernel(error_model="numpy")
-def bounding_ball(kind: int, form: Array, place: Array) -> tuple[float, float, float, float]:
+def bounding_ball(kind: int, form: Vector, place: Vector) -> tuple[float, float, float, float]:
     """Centre in C (3), m, and radius of a ball that holds a solid."""
     along, radius = 0.0, 0.0
     if kind == CAPSULE:
@@ -37,7 +38,7 @@ def bounding_ball(kind: int, form: Array, place: Array) -> tuple[float, float, f
 @kernel(error_model="numpy")
 def solid_span(
     ball: tuple[float, float, float, float], focal: float, cx: float, cy: float
-) -> Array:
+) -> Vector:
     """(4,) px: left, top, right and bottom of an image's part that holds a ball; NaN if behind."""
     x, y, z, radius = ball
     out = np.full(4, np.nan)
@@ -57,24 +58,25 @@ def solid_span(
 
 
 @kernel(error_model="numpy")
-def may_show(kind: int, form: Array, place: Array, x: float, y: float, grown: float) -> bool:
+def may_show(kind: int, form: Vector, place: Vector, x: float, y: float, grown: float) -> bool:
     """Whether the ray (x, y, 1) meets a solid that is grown by ``grown`` m: as far as a tile's
     rays part from its middle ray by the solid's farthest depth."""
-    dx = place[0] * x + place[3] * y + place[6]
-    dy = place[1] * x + place[4] * y + place[7]
-    dz = place[2] * x + place[5] * y + place[8]
-    ox, oy, oz = place[9], place[10], place[11]
+    d = (
+        place[0] * x + place[3] * y + place[6],
+        place[1] * x + place[4] * y + place[7],
+        place[2] * x + place[5] * y + place[8],
+    )
+    o = place[9], place[10], place[11]
     if kind == BLOCK:
-        hx, hy, hz = form[0] + grown, form[1] + grown, form[2] + grown
-        enters, leaves = box_span(ox, oy, oz, dx, dy, dz, hx, hy, hz)
+        enters, leaves = box_span(o, d, (form[0] + grown, form[1] + grown, form[2] + grown))
         return enters <= leaves
     length = form[0] if kind == CAPSULE else 0.0
     radius = form[1] if kind == CAPSULE else np.sqrt(form[0] ** 2 + form[1] ** 2)
-    return capsule_depth(ox, oy, oz, dx, dy, dz, length, radius + grown, 1.0) != 0.0
+    return capsule_depth(o, d, length, radius + grown, 1.0) != 0.0
 
 
 @kernel(error_model="numpy")
-def line_span(line: Array, width_px: float) -> Array:
+def line_span(line: Vector, width_px: float) -> Vector:
     """(4,) px: left, top, right and bottom of a line's pixels; NaN if it is not ahead."""
     reach = 0.5 * width_px + 1.0
     out = np.empty(4)
@@ -93,8 +95,8 @@ def tile_range(low: float, high: float, count: int) -> tuple[int, int]:
 
 @kernel(error_model="numpy")
 def solid_pairs(
-    item: int, kind: int, form: Array, place: Array, focal: float, size: tuple[int, int],
-    pairs: IntArray, found: int,
+    item: int, kind: int, form: Vector, place: Vector, focal: float, size: tuple[int, int],
+    pairs: IntMatrix, found: int,
 ) -> int:  # fmt: skip
     """Append (tile, ``item``) for each tile that may show a solid; how many there are now.
 
@@ -121,11 +123,11 @@ def solid_pairs(
 @kernel(error_model="numpy")
 def line_pairs(
     item: int,
-    lines: Array,
+    lines: Matrix,
     m: int,
     width_px: float,
     size: tuple[int, int],
-    pairs: IntArray,
+    pairs: IntMatrix,
     found: int,
 ) -> int:
     """The same as `solid_pairs`, of a line."""
@@ -144,7 +146,7 @@ def line_pairs(
 
 
 @kernel(error_model="numpy")
-def sort_pairs(pairs: IntArray, found: int, tiles: int) -> tuple[IntArray, IntArray]:
+def sort_pairs(pairs: IntMatrix, found: int, tiles: int) -> tuple[IntVector, IntVector]:
     """Items of all tiles behind one another, and where (T + 1,) those of each begin."""
     starts = np.zeros(tiles + 1, np.int64)
     for i in range(found):

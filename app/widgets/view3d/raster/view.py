@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector
 
 LINES = 3
 """Kind of a body that has no surface; the others are those of `solids`."""
@@ -24,19 +24,19 @@ class View(NamedTuple):
     `placing.place` has them, looks (N, 9). Of M lines: lines (M, 6) as `placing.project_line` has
     them, owner (M,) row of the body. focal, middle_u, middle_v in px; background (3,)."""
 
-    kinds: IntArray
-    forms: Array
-    places: Array
-    looks: Array
-    lines: Array
-    owner: IntArray
+    kinds: IntVector
+    forms: Matrix
+    places: Matrix
+    looks: Matrix
+    lines: Matrix
+    owner: IntVector
     focal: float
     middle_u: float
     middle_v: float
-    background: Array
+    background: Vector
 
 
-class Bundle(NamedTuple):
+class RayBundle(NamedTuple):
     """Up to R rays (x, y, 1) of one tile, x and y (R,), and the layers that each meets.
 
     Layers (R, `DEEPEST`), nearest first, of which many (R,) are there: depth in m, cover as a
@@ -44,23 +44,23 @@ class Bundle(NamedTuple):
     and number (R,) are what `blending.blend` makes of all.
     """
 
-    x: Array
-    y: Array
-    many: IntArray
-    depth: Array
-    cover: Array
-    body: IntArray
-    found: Array
-    share: Array
-    colour: Array
-    number: IntArray
+    x: Vector
+    y: Vector
+    many: IntVector
+    depth: Matrix
+    cover: Matrix
+    body: IntMatrix
+    found: Vector
+    share: Vector
+    colour: Matrix
+    number: IntVector
 
 
 @kernel(error_model="numpy")
-def new_bundle(rays: int) -> Bundle:
+def new_bundle(rays: int) -> RayBundle:
     """Room for so many."""
     layers = (rays, DEEPEST)
-    return Bundle(
+    return RayBundle(
         np.empty(rays), np.empty(rays), np.empty(rays, np.int64),
         np.empty(layers), np.empty(layers), np.empty(layers, np.int64),
         np.empty(rays), np.empty(rays), np.empty((rays, 3)), np.empty(rays, np.int64),
