@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker import GRAVITY
-from tracker.messages import Array, Calibration
+from tracker.messages import Array, Calibration, Status
 
 # Prior standard deviations and those at which a parameter counts as settled: the bar runs between
 # them on a logarithmic scale, as a filter's uncertainty falls by factors.
@@ -172,3 +172,14 @@ def _length(c: Calibration, reference: Calibration | None) -> str:
 def _mean(values: list[float]) -> float:
     known = [v for v in values if np.isfinite(v)]
     return float(np.mean(known)) if known else float("nan")
+
+
+def camera_time(status: Status | None) -> str:
+    """How late images are stamped against the glove, with 2σ, and whether that is taken off."""
+    v = status.values if status is not None else {}
+    late_ms, sd_ms = v.get("camera_offset_ms"), v.get("camera_offset_sd_ms")
+    if late_ms is None or sd_ms is None:
+        return "not known yet: turn the hand"
+    word = "late" if late_ms >= 0 else "early"
+    applied = "corrected" if v.get("camera_offset_applied_ms", 0.0) else "not corrected"
+    return f"{abs(late_ms):.1f} ± {2 * sd_ms:.1f} ms {word}, {applied}"

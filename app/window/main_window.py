@@ -21,7 +21,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost, SetupFactory
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
-from app.panels.calibration import CalibrationPanel
+from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
 from app.panels.colours.panel import ColoursPanel

@@ -67,7 +67,7 @@ def panel(window, engine, qtbot):
     teach(engine.inner, 1.04)
     window.host.adopt(setup_of(engine))
     window.run_command("show_calibration")
-    qtbot.waitUntil(lambda: window.calibration._latest is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.calibration._worn.latest is not None, timeout=30_000)
     return window.calibration
 
 

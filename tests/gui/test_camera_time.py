@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.viewmodels.camera_time import camera_time
+from app.viewmodels.calibration import camera_time
 from tracker.messages import Status, Tracking
 
 

@@ -2,33 +2,21 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QLabel,
-    QProgressBar,
-    QTableWidget,
-    QTableWidgetItem,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.calibration_commands import CalibrationCommands
+from app.panels.calibration.table import CalibrationTable
+from app.panels.calibration.wearer_row import WearerRow
 from app.panels.panel import Panel
-from app.panels.wearer_row import WearerRow
 from app.storage.settings import SettingsStore
-from app.storage.wearers import WearerStore
-from app.viewmodels.calibration import CalibrationCell, CalibrationView, calibration_view
-from app.viewmodels.camera_time import camera_time
+from app.storage.wearers import WearerFile, WearerStore
+from app.viewmodels.calibration import camera_time
+from app.viewmodels.worn_calibration import WornCalibration
 from app.widgets.flow_layout import FlowLayout
-from app.widgets.meter import SHARE_ROLE, MeterDelegate
 from tracker.errors import GlovetrackError
-from tracker.fusion.chain.calibration.profile_file import WearerFile
-from tracker.messages import Calibration
 
 PROFILE_ENGINE = "chain"
 
@@ -42,13 +30,9 @@ class CalibrationPanel(Panel):
     ) -> None:
         super().__init__(host, parent)
         self._store = store
-        self._wearers = WearerStore(store.path.parent / "wearers")
+        self._worn = WornCalibration(WearerStore(store.path.parent / "wearers"))
         self._link = CalibrationCommands(host, self)
         self._link.learned.connect(self._learned)
-        self._saving = ""  # the name that an answer of the engine is to be saved under
-        self._worn: WearerFile | None = None
-        self._last_fit: Calibration | None = None
-        self._latest: Calibration | None = None
         self._make_widgets()
         self._lay_out()
         self._connect()
@@ -71,7 +55,7 @@ class CalibrationPanel(Panel):
         self.advice = QLabel(self.tr("Start tracking to see what is estimated."))
         self.advice.setWordWrap(True)
         self.wearer = WearerRow()
-        self.table = self._table()
+        self.table = CalibrationTable()
 
     def _lay_out(self) -> None:
         head = FlowLayout(spacing=12)
@@ -105,39 +89,14 @@ class CalibrationPanel(Panel):
     def _enable(self) -> None:
         self.wearer.set_available(self._link.available)
 
-    def _table(self) -> QTableWidget:
-        table = QTableWidget(0, 5)
-        table.setHorizontalHeaderLabels(
-            [
-                self.tr("Segment"),
-                self.tr("Scale ± 2σ"),
-                self.tr("Mounting"),
-                self.tr("Gyro bias"),
-                self.tr("Accel. bias"),
-            ]
-        )
-        table.verticalHeader().hide()
-        table.verticalHeader().setDefaultSectionSize(27)
-        table.setShowGrid(False)
-        table.setAlternatingRowColors(True)
-        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
-        header = table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
-        delegate = MeterDelegate(table)
-        for column in range(1, 5):
-            table.setItemDelegateForColumn(column, delegate)
-        return table
-
     # --- the wearer
 
     def _open(self, setup: EngineSetup) -> None:
         """Put on what was worn last, before the engine starts."""
-        self._worn = self._latest = self._last_fit = None
+        self._worn.open()
         self.wearer.frozen.setChecked(False)
         last = self._store.value.wearer
-        self.wearer.set_names(self._wearers.names(), last)
+        self.wearer.set_names(self._worn.names(), last)
         if self.wearer.name and setup.command is not None:
             self._put_on(last)
 
@@ -146,63 +105,62 @@ class CalibrationPanel(Panel):
         if layout is None:
             return
         try:
-            self._worn = self._wearers.load(name, layout)
+            self._worn.put_on(name, layout)
         except GlovetrackError as error:
             self.host.error.emit(str(error))
-            self.wearer.set_names(self._wearers.names(), "")
+            self.wearer.set_names(self._worn.names(), "")
             return
-        self._last_fit = self._worn.calibration
-        if self._store.value.engine == PROFILE_ENGINE:
+        self._give_profile(self._store.value.engine)
+
+    def _give_profile(self, engine: str) -> None:
+        """What the wearer's profile holds, to an engine that can take it."""
+        if engine == PROFILE_ENGINE and self._worn.profile is not None:
             self._link.put_on(self._worn.profile)
 
     def _engine_changed(self, name: str) -> None:
         """A new engine knows nobody."""
         self.wearer.frozen.setChecked(False)
-        if name == PROFILE_ENGINE and self._worn is not None:
-            self._link.put_on(self._worn.profile)
+        self._give_profile(name)
 
     def wear(self, name: str) -> None:
         """Put on a kept profile; without a name somebody new wears the glove."""
         self._store.update(wearer=name)
-        self._worn = None
+        self._worn.take_off()
         if name:
             self._put_on(name)
         else:
             self.reset(None)
-        self.wearer.set_names(self._wearers.names(), self.wearer.name)
+        self.wearer.set_names(self._worn.names(), self.wearer.name)
 
     def save(self, name: str) -> None:
         """Keep what has been learned under a name; the engine is asked for it first."""
-        self._saving = name
+        self._worn.ask_to_save(name)
         self._link.ask()
 
     def _learned(self, wearer: WearerFile) -> None:
-        name, self._saving = self._saving, ""
-        if not name:
-            return
         try:
-            kept = self._wearers.save(name, wearer)
+            kept = self._worn.learned(wearer)
         except GlovetrackError as error:
             self.host.error.emit(str(error))
             return
-        self._worn, self._last_fit = wearer, wearer.calibration
-        self._store.update(wearer=kept)
-        self.wearer.set_names(self._wearers.names(), kept)
-        self._draw()
+        if kept:
+            self._store.update(wearer=kept)
+            self.wearer.set_names(self._worn.names(), kept)
+            self._draw()
 
     def remove(self, name: str) -> None:
         """Remove a profile; what the engine has learned stays."""
         try:
-            self._wearers.remove(name)
+            self._worn.remove(name)
         except GlovetrackError as error:
             self.host.error.emit(str(error))
         self._store.update(wearer="")
-        self.wearer.set_names(self._wearers.names(), "")
+        self.wearer.set_names(self._worn.names(), "")
 
     def reset(self, segments: list[str] | None) -> None:
         """Forget; what was there can be compared with."""
         if self._link.reset(segments):
-            self._last_fit = self._latest or self._last_fit
+            self._worn.forgotten()
 
     # --- what it shows
 
@@ -210,45 +168,17 @@ class CalibrationPanel(Panel):
         if view is None or view.calibration is None:
             return
         self.camera_time.setText(camera_time(view.status))
-        self._latest = view.calibration
+        self._worn.latest = view.calibration
         self.wearer.set_segments(view.calibration.segments)
         self._draw()
 
     def _draw(self) -> None:
-        if self._latest is None:
+        comparing, frozen = self.wearer.comparing.isChecked(), self.wearer.frozen.isChecked()
+        shown = self._worn.shown(comparing, frozen)
+        if shown is None:
             return
-        comparing = self.wearer.comparing.isChecked()
-        shown = calibration_view(self._latest, self._last_fit if comparing else None)
         self.length.setText(shown.hand_length)
         share = shown.convergence
         self.overall.setValue(0 if share != share else round(100 * share))
-        self.advice.setText(self._advice(shown, comparing))
-        self._fill(shown)
-
-    def _advice(self, shown: CalibrationView, comparing: bool) -> str:
-        if comparing and self._last_fit is None:
-            return self.tr("There is nothing to compare with yet: save a profile, or reset.")
-        if self.wearer.frozen.isChecked():
-            return self.tr("Frozen: nothing is learned until you unfreeze it.")
-        return shown.advice
-
-    def _fill(self, shown: CalibrationView) -> None:
-        self.table.setRowCount(len(shown.rows))
-        for i, row in enumerate(shown.rows):
-            self._item(i, 0).setText(row.segment)
-            for j, cell in enumerate(row.cells, start=1):
-                self._show_cell(self._item(i, j), cell)
-
-    def _item(self, row: int, column: int) -> QTableWidgetItem:
-        item = self.table.item(row, column)
-        if item is None:
-            item = QTableWidgetItem()
-            item.setTextAlignment(Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft)
-            self.table.setItem(row, column, item)
-        return item
-
-    @staticmethod
-    def _show_cell(item: QTableWidgetItem, cell: CalibrationCell) -> None:
-        item.setText(cell.text)
-        item.setToolTip(cell.tip)
-        item.setData(SHARE_ROLE, cell.convergence)
+        self.advice.setText(shown.advice)
+        self.table.show_rows(shown.rows)

@@ -1,0 +1,77 @@
+"""Who wears the glove: the kept profile that is worn, and the fit that is compared with."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from app.storage.wearers import WearerStore
+from app.viewmodels.calibration import CalibrationView, calibration_view
+from tracker.fusion.chain.calibration.profile_file import WearerFile
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.profile import WearerProfile
+from tracker.messages import Calibration
+
+
+class WornCalibration:
+    """``latest`` is the calibration as it is; the last fit is what was kept, worn or reset last."""
+
+    def __init__(self, store: WearerStore) -> None:
+        self._store = store
+        self._worn: WearerFile | None = None
+        self._last_fit: Calibration | None = None
+        self._saving = ""  # the name that an answer of the engine is to be saved under
+        self.latest: Calibration | None = None
+
+    def open(self) -> None:
+        """Another engine: nobody wears the glove yet."""
+        self._worn = self._last_fit = self.latest = None
+
+    def names(self) -> list[str]:
+        """Whose profiles are kept."""
+        return self._store.names()
+
+    @property
+    def profile(self) -> WearerProfile | None:
+        """Of whom is known to wear the glove."""
+        return self._worn.profile if self._worn is not None else None
+
+    def put_on(self, name: str, layout: ChainLayout) -> None:
+        """Raises FileError where no profile is kept under the name, or one of another glove."""
+        self._worn = self._store.load(name, layout)
+        self._last_fit = self._worn.calibration
+
+    def take_off(self) -> None:
+        self._worn = None
+
+    def ask_to_save(self, name: str) -> None:
+        """What is `learned` next is to be kept under this name."""
+        self._saving = name
+
+    def learned(self, wearer: WearerFile) -> str:
+        """Keep it if that was asked for; the name that it has now, or "". Raises FileError."""
+        name, self._saving = self._saving, ""
+        if not name:
+            return ""
+        kept = self._store.save(name, wearer)
+        self._worn, self._last_fit = wearer, wearer.calibration
+        return kept
+
+    def remove(self, name: str) -> None:
+        """Raises GlovetrackError where the disk refuses."""
+        self._store.remove(name)
+
+    def forgotten(self) -> None:
+        """The engine starts anew; what it knew can be compared with."""
+        self._last_fit = self.latest or self._last_fit
+
+    def shown(self, comparing: bool, frozen: bool) -> CalibrationView | None:
+        """None before the first calibration."""
+        if self.latest is None:
+            return None
+        shown = calibration_view(self.latest, self._last_fit if comparing else None)
+        if comparing and self._last_fit is None:
+            words = "There is nothing to compare with yet: save a profile, or reset."
+            return replace(shown, advice=words)
+        if frozen:
+            return replace(shown, advice="Frozen: nothing is learned until you unfreeze it.")
+        return shown
