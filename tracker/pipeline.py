@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -29,23 +28,26 @@ from tracker.online.camera_tilt import CameraTilt
 from tracker.online.frame_timing import FrameTiming
 from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
-from tracker.settings import Settings
+from tracker.settings import ENGINES, Settings
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.region_prediction import RegionPrediction
 from tracker.vision.rig import StereoRig
 
-Builder = Callable[[HandModel, GloveModel, StereoRig, Settings], Engine]
 
-ENGINES: dict[str, Builder] = {
-    "chain": lambda hand, glove, rig, s: ChainEngine(hand, glove, rig, s.chain),
-    "vist": lambda hand, glove, rig, s: VistEngine(hand, glove, rig, s.vist),
-    "switching": lambda hand, glove, rig, s: HybridEngine(
-        hand, glove, rig, s.chain, s.hybrid, "switching_offset"
-    ),
-    "madgwick": lambda hand, glove, rig, s: HybridEngine(
-        hand, glove, rig, s.chain, s.hybrid, "madgwick_adaptive"
-    ),
-}
+def build_engine(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
+    """The engine that ``settings`` name. Raises ConfigError where there is none of that name."""
+    match settings.engine:
+        case "chain":
+            return ChainEngine(hand, glove, rig, settings.chain)
+        case "vist":
+            return VistEngine(hand, glove, rig, settings.vist)
+        case "switching":
+            variant = "switching_offset"
+        case "madgwick":
+            variant = "madgwick_adaptive"
+        case name:
+            raise ConfigError(f"There is no engine {name!r}; there are {', '.join(ENGINES)}.")
+    return HybridEngine(hand, glove, rig, settings.chain, settings.hybrid, variant)
 
 
 class Pipeline:
@@ -63,13 +65,8 @@ class Pipeline:
     ) -> None:
         self.hand, self.glove, self.rig = hand, glove, rig
         self.settings = settings or Settings()
-        build = ENGINES.get(self.settings.engine)
-        if build is None:
-            raise ConfigError(
-                f"There is no engine {self.settings.engine!r}; there are {', '.join(ENGINES)}."
-            )
         check_lenses(self.settings.lenses, self.settings.engine)
-        self._engine = build(hand, glove, rig, self.settings)
+        self._engine = build_engine(hand, glove, rig, self.settings)
         self._watch = RigWatch(rig)
         self._camera = CameraTilt(rig.pose)
         offset = TimeOffset(hand, glove, rig)

@@ -1,19 +1,27 @@
-"""All settings of a tracking run, as one tree that a session carries along."""
+"""All settings of a tracking run, as one tree that a session carries along. Quick to import."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.hybrid import HybridParams
+from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.vist.params import VistParams
 from tracker.online.frame_timing import TimingParams
 from tracker.streaming.params import StreamParams
 
+ENGINES = {
+    "chain": "chain (cameras and IMUs, our own)",
+    "vist": "vist (Lee et al. 2021)",
+    "switching": "switching (fingers by their IMUs alone)",
+    "madgwick": "Madgwick (fingers by their IMUs alone)",
+}
+"""Names and titles of the engines, the default one first; `tracker.pipeline` builds them."""
+
 
 @dataclass(frozen=True)
 class Settings:
-    """``engine`` is one of `tracker.pipeline.ENGINES`, ``lenses`` of `tracker.vision.lenses`."""
+    """``engine`` is one of `ENGINES`, ``lenses`` of `tracker.vision.lenses`."""
 
     engine: str = "chain"
     lenses: str = "both"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
@@ -59,7 +60,7 @@ class TomlTable:
     def _number(self, key: str, value: Any, low: float, high: float) -> float:
         if not isinstance(value, int | float) or isinstance(value, bool):
             raise self.fail(key, "must be a number")
-        if not math.isfinite(value):
+        if not abs(value) <= sys.float_info.max:  # NaN, infinite, or an integer beyond all floats
             raise self.fail(key, "must be a finite number")
         if not low <= value <= high:
             raise self.fail(key, f"is {value:g}; it must lie between {low:g} and {high:g}")
@@ -151,10 +152,20 @@ def read_toml(text: str, name: str) -> TomlTable:
 
     Raises FileError if it is no TOML.
     """
+    return TomlTable(parse_toml(text, name), "", Source(name, text))
+
+
+def parse_toml(text: str, name: str) -> dict[str, Any]:
+    """The tables of a TOML text. Raises FileError if it is none, or nobody could have written it.
+
+    The standard library's parser has no bound of its own on digits and nesting.
+    """
     try:
-        return TomlTable(tomllib.loads(text), "", Source(name, text))
-    except tomllib.TOMLDecodeError as error:
+        return tomllib.loads(text)
+    except ValueError as error:  # TOMLDecodeError is one; so are integers of thousands of digits
         raise FileError(f"{name} is not valid TOML: {error}.") from error
+    except RecursionError as error:
+        raise FileError(f"{name} is not valid TOML: it is nested too deeply.") from error
 
 
 def read_text(path: Path, limit: int = 4_000_000) -> str:

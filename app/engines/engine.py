@@ -27,9 +27,6 @@ from tracker.sensors.camera_controls import Control, Locks
 from tracker.vision.colours import ColourProfile
 from tracker.vision.rig import StereoRig
 
-ENGINES = ("chain", "vist", "switching", "madgwick")
-"""`tracker.pipeline.ENGINES`, whose import takes a second."""
-
 
 class LiveEngine(Protocol):
     """The part of `tracker.live.runner.LiveTracker` that the window talks to."""

@@ -14,6 +14,7 @@ from app.engines.warm_up import warm_up_view
 from app.platform.tasks import JobProgress
 from resources import folder
 from tracker.errors import FileError, GlovetrackError
+from tracker.live.imu_history import HISTORY_S
 from tracker.live.recording import Recorder
 from tracker.messages import (
     BlobFrame,
@@ -31,7 +32,6 @@ from tracker.session.reader import SessionReader
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.rig import StereoRig
 
-HISTORY_S = 10.0
 IMAGES_WAITING = 30
 LEAD_IN_S = 0.12  # read before the place asked for: an image is older than its blobs
 LOOK_BACK_S = (0.5, 2.0, 10.0)  # where the image before is looked for, nearest first

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
 from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
-
-if TYPE_CHECKING:
-    from tracker.session.export.options import ExportOptions
+from tracker.session.export.options import ExportOptions
 
 WAITING = StateLook(IDLE.colour, "◌", "waiting")
 RUNNING = StateLook(SKY, "▶", "under way")
@@ -23,16 +20,13 @@ CANCELLED = StateLook(IDLE.colour, IDLE.sign, "cancelled")
 
 @dataclass(frozen=True)
 class ExportRequest:
-    """``part``: from and to in s of the replay; None is the whole session."""
+    """What, into what, and how. ``part``: from and to in s of the replay; None is all of it."""
 
     source: Path
     form: str
     target: Path
     part: tuple[float, float] | None = None
-    rate: float | None = None  # Hz
-    axes: str | None = None
-    units: str | None = None
-    anonymous: tuple[str, ...] = ()
+    options: ExportOptions = field(default_factory=ExportOptions)
 
 
 def export_job(request: ExportRequest) -> Job:
@@ -50,20 +44,12 @@ def export_job(request: ExportRequest) -> Job:
 
 
 def _options(request: ExportRequest) -> ExportOptions:
-    """The engine's options; it counts time from the first estimate, a replay from the start."""
-    from tracker.session.export.options import ExportOptions
-
-    options = ExportOptions(
-        rate=request.rate,
-        axes=request.axes,
-        units=request.units,
-        anonymous=request.anonymous,
-    )
+    """With the part: the engine counts time from the first estimate, a replay from the start."""
     if request.part is None:
-        return options
+        return request.options
     first = _first_estimate(request.source)
     start, stop = request.part
-    return replace(options, start=max(0.0, start - first), stop=max(0.0, stop - first))
+    return replace(request.options, start=max(0.0, start - first), stop=max(0.0, stop - first))
 
 
 def _first_estimate(path: Path) -> float:

@@ -2,44 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.compare import Comparison
 from tracker.errors import FileError
+from tracker.offline.options import TrackOptions
 
-USUAL_SETTINGS = "usual"
-"""`tracker.offline.track.USUAL`, whose import takes a second."""
 TRACKING_SHARE = 0.9  # of the bar; the rest is the comparison
 
 
-@dataclass(frozen=True)
-class TrackRequest:
-    """What to track with: names or paths; empty takes what the session holds."""
-
-    engine: str = ""
-    hand: str = ""
-    glove: str = ""
-    colours: str = ""
-    settings: str = ""  # a TOML file, or `USUAL_SETTINGS`
-    smooth: bool = False  # estimates that know the whole session
-
-
-def track_job(source: Path, out: Path, wanted: TrackRequest) -> Job:
+def track_job(source: Path, out: Path, wanted: TrackOptions) -> Job:
     """A job that tracks ``source`` into the new file ``out``; cancelled, it leaves none behind.
 
     Its result is a `Comparison`, or None where ``source`` was never tracked before.
     """
 
     def run(progress: JobProgress) -> Comparison | None:
-        from tracker.offline.options import TrackOptions
         from tracker.offline.track import track
         from tracker.session.reader import SessionReader
 
         progress(0.0, wanted.engine)
-        options = TrackOptions(**asdict(wanted))
-        track(source, out, options, lambda share: progress(TRACKING_SHARE * share, wanted.engine))
+        track(source, out, wanted, lambda share: progress(TRACKING_SHARE * share, wanted.engine))
         with SessionReader(source) as reader:
             tracked = any(n.startswith("/hand/") for n in reader.topic_names)
         if not tracked:

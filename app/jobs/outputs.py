@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any, TypeVar
 
 import numpy as np
@@ -19,6 +19,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore
+from tracker.config import from_dict
 from tracker.messages import Event, Validity
 from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.haptics import HapticPublisher, Sphere
@@ -55,8 +56,8 @@ class Outputs(QObject):
     ) -> None:
         super().__init__(parent)
         self._host, self._store, self._tasks = host, store, tasks
-        self.params = params_from(StreamParams, store.value.streams)
-        self.rule = params_from(HapticRule, store.value.haptics)
+        self.params = remembered(StreamParams, store.value.streams)
+        self.rule = remembered(HapticRule, store.value.haptics)
         self._attached: dict[str, Attachment] = {}
         self._fresh: list[Publisher] = []  # open, and not yet attached
         self._wanted: dict[str, int] = {}  # number of the latest wish for each output
@@ -217,14 +218,6 @@ class Outputs(QObject):
         self._fresh.clear()
 
 
-def params_from(kind: type[P], data: dict[str, Any]) -> P:
+def remembered(kind: type[P], data: dict[str, Any]) -> P:
     """Params from what was remembered; what is unknown or of a wrong type keeps its default."""
-    default = kind()
-    values: dict[str, Any] = {}
-    for f in fields(kind):  # type: ignore[arg-type]
-        value, usual = data.get(f.name), getattr(default, f.name)
-        if isinstance(usual, tuple) and isinstance(value, list):
-            values[f.name] = tuple(float(v) for v in value if isinstance(v, int | float))
-        elif type(value) is type(usual):
-            values[f.name] = value
-    return replace(default, **values)  # type: ignore[type-var]
+    return from_dict(kind, data, lambda key, why: _log.info("%s %s", key, why))

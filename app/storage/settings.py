@@ -18,6 +18,7 @@ from typing import Any
 
 import platformdirs
 
+from tracker.config import UNKNOWN, from_dict
 from tracker.session.mcap.disk import free_path
 
 VERSION = 2
@@ -128,13 +129,12 @@ def migrated(data: dict[str, Any], version: int) -> dict[str, Any]:
 
 def _settings_from(data: dict[str, Any]) -> AppSettings:
     """Settings from JSON. Unknown keys are dropped; wrong types are ValueErrors."""
-    default = AppSettings()
-    known = {f.name for f in dataclasses.fields(AppSettings)}
-    values = {k: v for k, v in data.items() if k in known}
-    for key, value in values.items():
-        if type(value) is not type(getattr(default, key)):
-            raise ValueError(f"{key} has a wrong type")
-    return dataclasses.replace(default, **values)
+
+    def complain(key: str, why: str) -> None:
+        if why != UNKNOWN:
+            raise ValueError(f"{key} {why}")
+
+    return from_dict(AppSettings, data, complain)
 
 
 def sessions_folder(settings: AppSettings) -> Path:

@@ -11,10 +11,8 @@ from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.camera_overlay import VISIBLE
 from tracker.hand.model import HandModel
-from tracker.messages import Array, Estimate, FrameResult, IntArray, Tracking, Validity
+from tracker.messages import SEEN_LATELY, Array, Estimate, FrameResult, IntArray, Tracking, Validity
 
-SEEN_LATELY = 0.5
-"""s for which a marker counts as seen after its last match."""
 TRAIL_POINTS = 90  # 3 s of images at 30 a second
 FOLLOW = 0.3
 """Share of the way that the view's centre goes to the hand at each image."""

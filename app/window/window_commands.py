@@ -7,6 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from app.window.commands import Command, Commands
+from tracker.settings import ENGINES
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
@@ -54,12 +55,7 @@ def _tracking(w: MainWindow) -> list[Command]:
 
 
 def _engines(w: MainWindow, menu: str) -> list[Command]:
-    titles = {
-        "chain": w.tr("Engine: &chain (cameras and IMUs, our own)"),
-        "vist": w.tr("Engine: &vist (Lee et al. 2021)"),
-        "switching": w.tr("Engine: s&witching (fingers by their IMUs alone)"),
-        "madgwick": w.tr("Engine: &Madgwick (fingers by their IMUs alone)"),
-    }
+    titles = {name: w.tr("Engine: {}").format(title) for name, title in ENGINES.items()}
     return [
         Command(f"engine_{n}", menu, title, partial(w.set_engine, n), separator=n == "chain")
         for n, title in titles.items()

@@ -9,7 +9,7 @@ import numpy as np
 from glove_oracle import HELLO, IMUS, SAMPLES, STATUS, samples, simulated_glove
 
 from tracker.messages import Event, ImuSample
-from tracker.sensors.decoder import Decoder
+from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.sensors.protocol import Haptic, Hello, Rate, Samples, Start, Status, Stop, encode
 
@@ -18,7 +18,7 @@ def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
     with simulated_glove(build, "0:battery 3900", "0:unplug 6") as glove:
         glove.start()
         glove.wait_for(SAMPLES, 60)
-    decoder = Decoder()
+    decoder = FrameDecoder()
     frames = decoder.feed(bytes(glove.raw))
     assert decoder.counters.errors == 0
     assert len(frames) == len(glove.frames)

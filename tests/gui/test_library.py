@@ -9,9 +9,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QDialogButtonBox
 
-from app.engines.engine import ENGINES
 from app.jobs.export import CANCELLED, DONE, FAILED, WAITING, ExportQueue, ExportRequest
-from app.jobs.offline_tracking import USUAL_SETTINGS, TrackRequest, track_job
+from app.jobs.offline_tracking import track_job
 from app.panels.library.compare_dialog import CompareDialog
 from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.track_dialog import TrackDialog
@@ -22,7 +21,6 @@ from tracker.messages import Estimate
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
-from tracker.pipeline import ENGINES as PIPELINE_ENGINES
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 
@@ -247,14 +245,9 @@ def test_settings_of_another_version_are_said_and_the_usual_ones_serve(recorded,
         with SessionRecorder(old, info, RecorderParams(sync=False)) as recorder:
             for message in reader.messages():
                 recorder.write(message)
-    job = track_job(old, tmp_path / "new.mcap", TrackRequest())
+    job = track_job(old, tmp_path / "new.mcap", TrackOptions())
     with pytest.raises(ConfigError, match="Another version recorded old.mcap"):
         job(JobProgress(lambda *_: None))
     assert not (tmp_path / "new.mcap").exists()
-    usual = track_job(old, tmp_path / "new.mcap", TrackRequest(settings=USUAL_SETTINGS))
+    usual = track_job(old, tmp_path / "new.mcap", TrackOptions(settings=USUAL))
     assert usual(JobProgress(lambda *_: None)).figures["compared"] > 200
-
-
-def test_the_dialog_offers_the_engines_that_there_are():
-    assert set(ENGINES) == set(PIPELINE_ENGINES)
-    assert USUAL_SETTINGS == USUAL

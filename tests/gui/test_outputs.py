@@ -9,7 +9,7 @@ import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 
-from app.jobs.outputs import HapticRule, params_from
+from app.jobs.outputs import HapticRule, remembered
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
 from tracker.streaming.params import STREAMS, StreamParams
@@ -55,7 +55,7 @@ def panel(window, motors, qtbot):
 def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel, window):
     assert not any(box.isChecked() for box in panel.boxes.values())
     assert set(panel.boxes) == set(STREAMS)
-    assert panel.host.text() == "127.0.0.1"
+    assert panel.address.text() == "127.0.0.1"
     assert window.outputs._attached == {}
 
 
@@ -146,7 +146,7 @@ def test_a_fingertip_in_the_sphere_vibrates_its_motor(panel, window, motors, sto
     panel.rule.click()
     qtbot.waitUntil(lambda: motors != [], timeout=10_000)
     assert motors[0][0] == 1  # the index finger's
-    rule = params_from(HapticRule, SettingsStore(store.path).value.haptics)
+    rule = remembered(HapticRule, SettingsStore(store.path).value.haptics)
     engine = window.host.setup.engine
     names = window.host.setup.glove.keypoint_names(window.host.setup.hand)
     tip = engine.latest_estimate().keypoints[names.index("index_tip")]
@@ -162,6 +162,6 @@ def test_without_an_engine_there_is_no_place_for_the_sphere(window):
 
 
 def test_what_was_remembered_wrongly_is_the_default():
-    params = params_from(StreamParams, {"udp": True, "udp_port": "9000", "host": 3, "new": 1})
+    params = remembered(StreamParams, {"udp": True, "udp_port": "9000", "host": 3, "new": 1})
     assert params == StreamParams(udp=True)
-    assert params_from(HapticRule, {"center": [1, 2.5, 3]}).center == (1.0, 2.5, 3.0)
+    assert remembered(HapticRule, {"center": [1, 2.5, 3]}).center == (1.0, 2.5, 3.0)

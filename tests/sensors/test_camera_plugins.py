@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from app.engines.camera_choice import choose
-from app.storage.settings import Settings
+from app.storage.settings import AppSettings
 from tests.conftest import ROOT
 from tracker.errors import DeviceError
 from tracker.sensors.camera import StereoCamera
@@ -68,7 +68,7 @@ def test_its_camera_is_among_all_and_gives_images(folder: Path) -> None:
 @pytest.mark.parametrize("by_name", [True, False])
 def test_the_window_opens_it_by_name_or_address(folder: Path, by_name: bool) -> None:
     text = f"name:Folder {folder.name}" if by_name else f"folder://{folder}"
-    chosen = choose(Settings(camera=text), 64, 48, 50.0)
+    chosen = choose(AppSettings(camera=text), 64, 48, 50.0)
     chosen.source.open()
     pair = chosen.source.read()
     assert pair is not None and pair[0].shape == (48, 64, 3)

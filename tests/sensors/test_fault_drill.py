@@ -6,7 +6,7 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.messages import ImuSample
-from tracker.sensors.decoder import Decoder
+from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.protocol import Hello, HelloRequest, Samples, Start, Stop, encode
 
@@ -29,7 +29,7 @@ class Line:
 
     def restart(self) -> None:
         self.born, self.seq, self.streaming = self.t, 0, False
-        self.next_hello, self.decoder = self.t, Decoder()
+        self.next_hello, self.decoder = self.t, FrameDecoder()
 
     def step(self) -> None:
         """10 ms pass."""

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from tracker.messages import Event, ImuSample
-from tracker.sensors.decoder import Decoder
+from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink, LinkState, serial_port
 from tracker.sensors.protocol import Haptic
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove, link_to
@@ -186,5 +186,5 @@ def test_motors_may_be_driven_from_another_thread_while_the_cable_goes() -> None
     texts += [e.text for e in link.poll(0.0) if not isinstance(e, ImuSample)]
     assert not port.mixed
     assert any("was unplugged" in text for text in texts)
-    haptics = [f for f in Decoder().feed(port.data) if isinstance(f, Haptic)]
+    haptics = [f for f in FrameDecoder().feed(port.data) if isinstance(f, Haptic)]
     assert len(haptics) > 350 and {h.amplitude for h in haptics} == {200}

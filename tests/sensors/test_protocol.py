@@ -11,17 +11,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tracker.sensors import cobs
-from tracker.sensors.decoder import MAX_FRAME_BYTES, Decoder, Unwrapper
+from tracker.sensors.decoder import MAX_FRAME_BYTES, FrameDecoder, Unwrapper
 from tracker.sensors.protocol import (
     ErrorText,
     Frame,
+    GloveStatus,
     Haptic,
     Hello,
     HelloRequest,
     Rate,
     Samples,
     Start,
-    Status,
     Stop,
     crc16,
     encode,
@@ -67,8 +67,8 @@ def test_crc_check_value() -> None:
 
 FRAMES: list[Frame] = [
     Hello(0xDEADBEEF, 7, 2000, 16, 200, 3, (1, 2, 3)),
-    Status(None, -1250, 0x7F, 65535),
-    Status(3900, 2500, 0x3F, 0),
+    GloveStatus(None, -1250, 0x7F, 65535),
+    GloveStatus(3900, 2500, 0x3F, 0),
     ErrorText("IMU 3 fehlt: Überlauf"),
     HelloRequest(),
     Start(),
@@ -79,7 +79,7 @@ FRAMES: list[Frame] = [
 
 
 def test_every_frame_survives_the_wire() -> None:
-    assert Decoder().feed(b"".join(encode(f) for f in FRAMES)) == FRAMES
+    assert FrameDecoder().feed(b"".join(encode(f) for f in FRAMES)) == FRAMES
 
 
 def test_bytes_on_the_wire_are_those_of_the_contract() -> None:
@@ -91,7 +91,7 @@ def test_bytes_on_the_wire_are_those_of_the_contract() -> None:
 
 
 def test_error_text_is_cut_between_characters() -> None:
-    (frame,) = Decoder().feed(encode(ErrorText("ü" * 50)))
+    (frame,) = FrameDecoder().feed(encode(ErrorText("ü" * 50)))
     assert frame == ErrorText("ü" * 30)
 
 
@@ -104,7 +104,7 @@ def packets(count: int, seed: int = 0) -> list[bytes]:
 @settings(max_examples=30)
 @given(st.lists(st.integers(1, 400), min_size=1, max_size=30))
 def test_pieces_of_any_size_give_the_same(sizes: list[int]) -> None:
-    data, decoder, got, i = b"".join(packets(40)), Decoder(), [], 0
+    data, decoder, got, i = b"".join(packets(40)), FrameDecoder(), [], 0
     for k in range(10_000):
         if i >= len(data):
             break
@@ -123,7 +123,7 @@ def test_a_damaged_frame_costs_itself_alone() -> None:
         k = int(rng.integers(1, 8))
         bad = bytearray(clean[k])
         bad[rng.integers(len(bad))] ^= 1 << int(rng.integers(8))
-        decoder = Decoder()
+        decoder = FrameDecoder()
         got = [f.seq for f in decoder.feed(b"".join([*clean[:k], bytes(bad), *clean[k + 1 :]]))]
         lost = sorted(set(range(9)) - set(got))
         assert lost in ([k], [k, k + 1])
@@ -134,14 +134,14 @@ def test_a_damaged_frame_costs_itself_alone() -> None:
 @settings(max_examples=200)
 @given(st.lists(st.binary(max_size=700), max_size=8))
 def test_garbage_never_crashes_and_the_next_frames_come_through(pieces: list[bytes]) -> None:
-    decoder = Decoder()
+    decoder = FrameDecoder()
     for piece in pieces:
         decoder.feed(piece)
     assert Start() in decoder.feed(b"\0" + encode(Start()))
 
 
 def test_endless_garbage_takes_no_memory() -> None:
-    decoder, block = Decoder(), b"\x55" * 4096
+    decoder, block = FrameDecoder(), b"\x55" * 4096
     decoder.feed(block)
     tracemalloc.start()
     for _ in range(2000):
@@ -157,7 +157,7 @@ def test_lengths_and_types_are_judged_apart() -> None:
     def framed(body: bytes) -> bytes:
         return cobs.encode(body + crc16(body).to_bytes(2, "little")) + b"\0"
 
-    decoder = Decoder()
+    decoder = FrameDecoder()
     assert decoder.feed(framed(b"\x84\x01")) == []  # RATE of one byte
     assert decoder.feed(framed(b"\x02" + bytes(6))) == []  # SAMPLES of no IMU
     assert decoder.feed(framed(b"\x02" + bytes(6 + 17 * 12))) == []  # of too many
@@ -171,7 +171,7 @@ def test_lengths_and_types_are_judged_apart() -> None:
 
 def test_throughput_is_fifty_times_the_real_rate() -> None:
     data = b"".join(packets(3000))
-    decoder, started = Decoder(), time.process_time()
+    decoder, started = FrameDecoder(), time.process_time()
     count = sum(len(decoder.feed(data[i : i + 64])) for i in range(0, len(data), 64))
     rate = len(data) / (time.process_time() - started)
     assert count == 3000

@@ -14,9 +14,9 @@ from tracker.errors import FileError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, ImuSample
-from tracker.pipeline import ENGINES, Pipeline
+from tracker.pipeline import Pipeline
 from tracker.session.engine_state import MOST_BYTES, fits, pack, unpack
-from tracker.settings import Settings
+from tracker.settings import ENGINES, Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 

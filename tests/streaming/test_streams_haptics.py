@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tracker.messages import Estimate
-from tracker.sensors.decoder import Decoder
+from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink
 from tracker.sensors.protocol import Haptic
 from tracker.streaming.haptics import ContactRule, HapticParams, HapticPublisher, Sphere
@@ -84,7 +84,7 @@ def test_contact_reaches_the_glove_as_a_haptic_frame(make_estimate, names: Names
     params = HapticParams(amplitude=90, duration_ms=300, motors={"thumb_tip": 5})
     out = HapticPublisher(names, [BALL], link.vibrate, params)
     out.send(moved(make_estimate(), names, "thumb_tip", on_x(0.01)))
-    assert Decoder().feed(port.written) == [Haptic(5, 90, 300)]
+    assert FrameDecoder().feed(port.written) == [Haptic(5, 90, 300)]
 
 
 @pytest.mark.parametrize(

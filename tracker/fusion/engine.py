@@ -14,6 +14,8 @@ from tracker.messages import (
     IntArray,
 )
 
+COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
+
 
 class Engine(Protocol):
     """A synchronous tracker: the same messages in the same order give the same states."""

@@ -17,13 +17,14 @@ from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine, ChainKept
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.shown import SEEN_LATELY
+from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.inertial.finger3d import FingerEstimator3D, ImuPair, finger_geometry, finger_pairs
 from tracker.inertial.geometry3d import DorsumMotion
 from tracker.messages import (
+    SEEN_LATELY,
     Array,
     BlobFrame,
     Calibration,
@@ -37,13 +38,6 @@ from tracker.online.imu_health import ImuHealth, ImuHealthKept
 from tracker.vision.rig import StereoRig
 
 MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
-
-
-@dataclass(frozen=True)
-class HybridParams:
-    """``rate_hz`` of the glove; the dorsum's filter has its own settings."""
-
-    rate_hz: float = 100.0
 
 
 @dataclass(eq=False)

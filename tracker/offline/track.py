@@ -28,13 +28,13 @@ from tracker.offline.report import TrackReport, TruthCheck
 from tracker.offline.runs import LiveRun, Output, SessionRun, SmoothRun
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
-from tracker.pipeline import ENGINES, Pipeline
+from tracker.pipeline import Pipeline
 from tracker.session.decode_sensors import Sensed
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 from tracker.session.writer import RecorderParams, SessionRecorder
-from tracker.settings import Settings
+from tracker.settings import ENGINES, Settings
 from tracker.toml_reader import read_text
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams

@@ -1,1 +1,1 @@
-"""Devices: the glove's link and clock, cameras, and simulated ones that behave as badly."""
+"""Devices: the glove's link and clock, cameras, what watches their images."""

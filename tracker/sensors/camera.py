@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from tracker.clock import nanoseconds, seconds
+from tracker.clock import monotonic, nanoseconds, seconds
 from tracker.errors import DeviceError
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.image_input import Image, ImageInput, Pair
@@ -23,11 +23,6 @@ class CameraParams:
     retry: float = 0.4  # s between attempts to open a camera that is gone
     slow: float = 0.8  # of the asked frame rate: below, the user is told
     watch: WatchParams = field(default_factory=WatchParams)
-
-
-def monotonic() -> float:
-    """Seconds of the host's monotonic clock, a whole number of nanoseconds."""
-    return seconds(time.monotonic_ns())
 
 
 class StereoCamera:

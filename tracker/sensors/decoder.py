@@ -37,7 +37,7 @@ class LinkCounters:
         )
 
 
-class Decoder:
+class FrameDecoder:
     """Feed it what a port gave, in pieces of any size; it holds at most one unfinished frame.
 
     What stands before the first zero is the tail of a frame that began before the port was opened:

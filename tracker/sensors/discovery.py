@@ -12,9 +12,9 @@ from pathlib import Path
 
 from serial.tools import list_ports
 
-from tracker.sensors.decoder import Decoder
+from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import Port, reason, serial_port
-from tracker.sensors.protocol import Hello, HelloRequest, Samples, encode
+from tracker.sensors.protocol import BAUD, Hello, HelloRequest, Samples, encode
 
 LATENCY_FILES = Path("/sys/bus/usb-serial/devices")
 GOOD_LATENCY_MS = 2
@@ -43,7 +43,7 @@ def serial_ports() -> list[str]:
 
 
 def find_gloves(
-    paths: Iterable[str] | None = None, patience: float = 4.0, baud: int = 250_000
+    paths: Iterable[str] | None = None, patience: float = 4.0, baud: int = BAUD
 ) -> list[PortReport]:
     """Ask every port in turn, for at most ``patience`` s each (a reset chip needs two)."""
     found = serial_ports() if paths is None else paths
@@ -70,7 +70,7 @@ def probe(
 
 
 def _ask(path: str, port: Port, patience: float, clock: Callable[[], float]) -> PortReport:
-    decoder, start = Decoder(), clock()
+    decoder, start = FrameDecoder(), clock()
     next_request, streaming = start, False
     while (now := clock()) - start < patience:
         if now >= next_request:
@@ -83,7 +83,7 @@ def _ask(path: str, port: Port, patience: float, clock: Callable[[], float]) -> 
     return PortReport(path, None, streaming, "" if streaming else _silence(path, decoder))
 
 
-def _silence(path: str, decoder: Decoder) -> str:
+def _silence(path: str, decoder: FrameDecoder) -> str:
     if decoder.counters.bytes:
         return (
             f"{path} sends {decoder.counters.bytes} bytes that are no glove's: "

@@ -1,8 +1,7 @@
 """The glove on a serial port: handshake, samples, faults, and coming back by itself.
 
 `GloveLink.poll` does all the work and owns no thread; `GloveLink.vibrate` may be called from any.
-Every fault becomes a counter and, once, an
-event in plain words.
+Every fault becomes a counter and, once, an event in plain words.
 """
 
 from __future__ import annotations
@@ -20,26 +19,26 @@ import serial
 from tracker import GRAVITY
 from tracker.clock import nanoseconds, seconds
 from tracker.messages import Event, ImuSample
-from tracker.sensors.clock_map import ClockMap
-from tracker.sensors.decoder import Decoder, Unwrapper
+from tracker.sensors.decoder import FrameDecoder
+from tracker.sensors.packet_clock import PacketClock, PacketTime
 from tracker.sensors.protocol import (
+    BAUD,
+    BITS_PER_BYTE,
     RATES_HZ,
     ErrorText,
     Frame,
+    GloveStatus,
     Haptic,
     Hello,
     HelloRequest,
     Rate,
     Samples,
     Start,
-    Status,
     Stop,
     encode,
 )
 
 DEGREE = np.pi / 180
-BITS_PER_BYTE = 10  # 8N1
-CLOCK_JUMP, CLOCK_RATE = 0.005, 0.02  # s and share by which t_us may differ from what seq says
 LONG_SILENCE = 60.0  # s, after which seq may have wrapped unseen
 
 
@@ -76,7 +75,7 @@ class LinkParams:
     patience: float = 2.0  # more without HELLO, then START is sent anyway
     silent_after: float = 0.5
     reopen_every: float = 0.5
-    baud: int = 250_000  # a packet's own time on the wire is known and taken off
+    baud: int = BAUD  # a packet's own time on the wire is known and taken off
 
 
 @dataclass(eq=False)
@@ -114,17 +113,11 @@ class GloveLink:
         self.state = LinkState.UNPLUGGED
         self.hello: Hello | None = None
         self.figures = LinkFigures()
-        self.decoder = Decoder()
+        self.decoder = FrameDecoder()
         self._imu_ok = (1 << imu_count) - 1
         packet = encode(Samples(0, 0, np.zeros((imu_count, 6), np.int16)))
-        self._wire_time = BITS_PER_BYTE * len(packet) / self.params.baud
-        self._restart_counting()
-
-    def _restart_counting(self) -> None:
-        self._seq, self._device = Unwrapper(16), Unwrapper(32)
-        self._last_seq: int | None = None
-        self._last_device = 0.0
-        self._map = ClockMap()
+        wire_time = BITS_PER_BYTE * len(packet) / self.params.baud
+        self._packet_clock = PacketClock(1 / self.params.rate_hz, wire_time)
 
     # ---- outside
 
@@ -170,14 +163,14 @@ class GloveLink:
             return False
         self._told.discard("open")
         self.figures.reopened += 1
-        counters, self.decoder = self.decoder.counters, Decoder()
+        counters, self.decoder = self.decoder.counters, FrameDecoder()
         self.decoder.counters = counters
         self._greet(now)
         return True
 
     def _greet(self, now: float) -> None:
         self.state, self._since, self._asked = LinkState.GREETING, now, False
-        self._restart_counting()
+        self._packet_clock.restart()
         self._send(HelloRequest())
 
     def _read(self, timeout: float) -> bytes:
@@ -215,7 +208,7 @@ class GloveLink:
                 return self._samples(frame, now)
             case Hello():
                 self._greeted(frame, now)
-            case Status():
+            case GloveStatus():
                 self._status(frame)
             case ErrorText():
                 self._say(f"The glove says: {frame.text}")
@@ -235,7 +228,7 @@ class GloveLink:
         self._begin(now)
 
     def _begin(self, now: float) -> None:
-        self._restart_counting()
+        self._packet_clock.restart()
         if self.hello is None or self.hello.rate_hz != self.params.rate_hz:
             self._send(Rate(self.params.rate_hz))
         self._send(Start())
@@ -251,29 +244,20 @@ class GloveLink:
         if self.state == LinkState.SILENT:
             self._say("The glove sends again.")
             if now - self._since > LONG_SILENCE:
-                self._restart_counting()
+                self._packet_clock.restart()
         self.state, self._since = LinkState.STREAMING, now
-        seq, t_device = self._seq(frame.seq), self._device(frame.t_us) * 1e-6
-        if self._last_seq is not None:
-            if seq <= self._last_seq:
-                return []
-            self.figures.lost += seq - self._last_seq - 1
-            self._check_clock(seq - self._last_seq, t_device - self._last_device)
-        self._last_seq, self._last_device = seq, t_device
+        time_of = self._packet_clock.read(frame, now)
+        if time_of is None:
+            return []
         self.figures.packets += 1
-        self._map.add(t_device, now - self._wire_time)
-        return [self._sample(frame, seq, t_device, now)]
-
-    def _check_clock(self, packets: int, passed: float) -> None:
-        """The glove's clock has to agree with its packet numbers; else it is mapped anew."""
-        expected = packets / self.params.rate_hz
-        if abs(passed - expected) > CLOCK_JUMP + CLOCK_RATE * expected:
+        self.figures.lost += time_of.lost
+        if time_of.jumped:
             self.figures.clock_jumps += 1
-            self._map = ClockMap()
-            by = passed - expected
+            by = time_of.jumped
             self._say(f"The glove's clock jumped by {by:+.3f} s; its packets are timed anew.")
+        return [self._sample(frame, time_of, now)]
 
-    def _sample(self, frame: Samples, seq: int, t_device: float, now: float) -> ImuSample:
+    def _sample(self, frame: Samples, time_of: PacketTime, now: float) -> ImuSample:
         hello = self.hello or Hello(0, self._imu_count)
         raw = frame.raw.astype(float) / 32768.0
         valid = np.array([bool(self._imu_ok >> j & 1) for j in range(self._imu_count)])
@@ -281,16 +265,16 @@ class GloveLink:
         gyro = raw[:, 3:] * (hello.gyro_range_dps * DEGREE)
         accel[~valid], gyro[~valid] = np.nan, np.nan
         return ImuSample(
-            t=seconds(nanoseconds(min(self._map.host(t_device), now))),
+            t=seconds(nanoseconds(time_of.t)),
             t_arrival=seconds(nanoseconds(now)),
-            t_device=t_device,
-            seq=seq,
+            t_device=time_of.t_device,
+            seq=time_of.seq,
             accel=accel,
             gyro=gyro,
             valid=valid,
         )
 
-    def _status(self, status: Status) -> None:
+    def _status(self, status: GloveStatus) -> None:
         self.figures.battery_mV = status.battery_mV
         self.figures.temperature_cC = status.temperature_cC
         changed = status.imu_ok ^ self._imu_ok
@@ -346,6 +330,6 @@ def reason(error: Exception) -> str:
     return getattr(error, "strerror", None) or text
 
 
-def serial_port(path: str, baud: int = 250_000) -> Callable[[], Port]:
+def serial_port(path: str, baud: int = BAUD) -> Callable[[], Port]:
     """Opens a real port (or a pseudo-terminal) by its path or name."""
     return lambda: serial.Serial(path, baud, timeout=0.05, write_timeout=1.0)

@@ -20,6 +20,7 @@ VERSION = 1
 MAX_IMUS = 16  # as many as STATUS has bits for
 RATES_HZ = (50, 100, 200)
 BAUD = 250_000
+BITS_PER_BYTE = 10  # 8N1
 NO_BATTERY_MV = 0xFFFF
 
 _HELLO = struct.Struct("<BBBBIBHBHB")
@@ -54,7 +55,7 @@ class Samples:
 
 
 @dataclass(frozen=True)
-class Status:
+class GloveStatus:
     """The glove's own health; bit j of ``imu_ok`` is set while IMU j answers."""
 
     battery_mV: int | None
@@ -101,7 +102,7 @@ class Haptic:
     duration_ms: int
 
 
-Frame = Hello | Samples | Status | ErrorText | HelloRequest | Start | Stop | Rate | Haptic
+Frame = Hello | Samples | GloveStatus | ErrorText | HelloRequest | Start | Stop | Rate | Haptic
 
 
 class LengthError(ValueError):
@@ -168,14 +169,14 @@ def _unpack_samples(payload: bytes) -> Samples:
     return Samples(seq, t_us, raw)
 
 
-def _pack_status(s: Status) -> bytes:
+def _pack_status(s: GloveStatus) -> bytes:
     battery = NO_BATTERY_MV if s.battery_mV is None else s.battery_mV
     return _STATUS.pack(battery, s.temperature_cC, s.imu_ok, s.dropped)
 
 
-def _unpack_status(payload: bytes) -> Status:
+def _unpack_status(payload: bytes) -> GloveStatus:
     battery, temperature, imu_ok, dropped = _STATUS.unpack(payload)
-    return Status(None if battery == NO_BATTERY_MV else battery, temperature, imu_ok, dropped)
+    return GloveStatus(None if battery == NO_BATTERY_MV else battery, temperature, imu_ok, dropped)
 
 
 def _pack_error(e: ErrorText) -> bytes:
@@ -205,7 +206,7 @@ def _empty(make: Callable[[], Frame]) -> Callable[[bytes], Frame]:
 _CODECS: dict[type, tuple[int, Callable[..., bytes], Callable[[bytes], Frame]]] = {
     Hello: (0x01, _pack_hello, _unpack_hello),
     Samples: (0x02, _pack_samples, _unpack_samples),
-    Status: (0x03, _pack_status, _unpack_status),
+    GloveStatus: (0x03, _pack_status, _unpack_status),
     ErrorText: (0x04, _pack_error, _unpack_error),
     HelloRequest: (0x81, lambda f: b"", _empty(HelloRequest)),
     Start: (0x82, lambda f: b"", _empty(Start)),

@@ -21,14 +21,16 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.messages import ImuSample
-from tracker.sensors.decoder import Decoder
+from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.protocol import (
+    BAUD,
+    BITS_PER_BYTE,
     ErrorText,
+    GloveStatus,
     Hello,
     HelloRequest,
     Samples,
     Start,
-    Status,
     Stop,
     encode,
 )
@@ -53,7 +55,7 @@ class GloveDeviceParams:
 
     skew: float = 60e-6
     bunch: float = 0.0
-    baud: int = 250_000  # a packet is on its way for as long as its bytes take
+    baud: int = BAUD  # a packet is on its way for as long as its bytes take
     glove_id: int = 1
     start_us: int = 4_000_000  # on the glove's clock at its start
     seed: int = 0
@@ -91,7 +93,7 @@ class SimulatedGlove:
         os.set_blocking(self._master, False)
         self.path = os.ttyname(slave)
         self._slave = slave  # held open, so that the line survives a host that comes and goes
-        self._decoder = Decoder()
+        self._decoder = FrameDecoder()
 
     def unplug(self) -> None:
         """Pull the cable: the host's port dies."""
@@ -125,7 +127,7 @@ class SimulatedGlove:
     def _run(self) -> None:
         pending: list[bytes] = []
         last_hello = last_status = last_flush = float("-inf")
-        wire = 10 * (12 * self._imu_count + 11) / self.params.baud
+        wire = BITS_PER_BYTE * (12 * self._imu_count + 11) / self.params.baud
         sample = next(self._source, None)
         while not self._stopping.wait(TICK):
             now = time.monotonic()
@@ -145,7 +147,7 @@ class SimulatedGlove:
                     sample = next(self._source, None)
                 if now - last_status >= 1.0:
                     last_status = now
-                    pending.append(encode(Status(3700, 2900, (1 << self._imu_count) - 1, 0)))
+                    pending.append(encode(GloveStatus(3700, 2900, (1 << self._imu_count) - 1, 0)))
                 if not self.faults.stalled and now - last_flush >= self.params.bunch:
                     last_flush = now
                     self._write(b"".join(pending))

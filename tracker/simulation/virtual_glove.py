@@ -12,12 +12,21 @@ from collections.abc import Iterator
 import numpy as np
 
 from tracker.messages import ImuSample
-from tracker.sensors.decoder import Decoder
-from tracker.sensors.protocol import Hello, HelloRequest, Samples, Start, Status, Stop, encode
+from tracker.sensors.decoder import FrameDecoder
+from tracker.sensors.protocol import (
+    BAUD,
+    BITS_PER_BYTE,
+    GloveStatus,
+    Hello,
+    HelloRequest,
+    Samples,
+    Start,
+    Stop,
+    encode,
+)
 from tracker.simulation.glove_device import ACCEL_RANGE_G, GYRO_RANGE_DPS, quantised
 
 FAULTS = ("lose", "corrupt", "garbage", "unplug", "stall", "silence", "reset", "clock jump")
-BAUD = 250_000
 BOOT = 0.3  # s that the chip takes after power returns
 LONGEST_JUMP = 30.0  # s
 BUFFER_BYTES = 20_000  # what the system keeps of a stalled line; more is lost
@@ -32,7 +41,7 @@ class VirtualGlove:
         self._source, self._imu_count = source, imu_count
         self._rng = np.random.default_rng(seed)
         self._next = next(source, None)
-        self._wire = 10 * (12 * imu_count + 11) / BAUD
+        self._wire = BITS_PER_BYTE * (12 * imu_count + 11) / BAUD
         self._fault = ""
         self._out = b""
         self._sent: deque[int] = deque(maxlen=1000)
@@ -42,7 +51,7 @@ class VirtualGlove:
     def _restart(self) -> None:
         self._born, self._jumped, self._seq, self._streaming = self.now, 0.0, 0, False
         self._next_hello, self._next_status = max(self._ready_at, self.now), self.now + 1.0
-        self._decoder = Decoder()
+        self._decoder = FrameDecoder()
 
     # ---- the caller's side
 
@@ -63,7 +72,7 @@ class VirtualGlove:
         """HELLO until START, STATUS once a second after it."""
         if self._streaming and self.now >= self._next_status:
             self._next_status = self.now + 1.0
-            self._put(encode(Status(3700, 2900, (1 << self._imu_count) - 1, 0)))
+            self._put(encode(GloveStatus(3700, 2900, (1 << self._imu_count) - 1, 0)))
         elif not self._streaming and self.now >= self._next_hello:
             self._next_hello = self.now + 1.0
             self._put(encode(self._hello()))

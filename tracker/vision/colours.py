@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import tomli_w
 from numpy.typing import NDArray
 
 from tracker.messages import IntArray
@@ -140,23 +141,14 @@ def _shape(table: TomlTable) -> ShapeLimits:
 
 def profile_to_toml(profile: ColourProfile) -> str:
     """The file that `parse_profile` reads back as an equal profile."""
-    lines = [f"schema = {SCHEMA}", f"name = {_quoted(profile.name)}", ""]
-    for h in profile.hues:
-        lines.append(f"[hues.{_quoted(h.name) if not _is_bare(h.name) else h.name}]")
-        for key in ("hue", "saturation", "value"):
-            low, high = getattr(h, key)
-            lines.append(f"{key} = [{low}, {high}]")
-        lines.append("")
+    hues = {
+        h.name: {key: [int(v) for v in getattr(h, key)] for key in ("hue", "saturation", "value")}
+        for h in profile.hues
+    }
     s = profile.shape
-    lines += ["[shape]", f"size = [{s.size[0]!r}, {s.size[1]!r}]"]
-    lines += [f"convexity = {float(s.convexity)!r}", f"circularity = {float(s.circularity)!r}"]
-    return "\n".join(lines) + "\n"
-
-
-def _is_bare(key: str) -> bool:
-    """Whether TOML takes the key without quotes."""
-    return key.isascii() and key.replace("-", "").replace("_", "").isalnum()
-
-
-def _quoted(text: str) -> str:
-    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    shape = {
+        "size": [float(v) for v in s.size],
+        "convexity": float(s.convexity),
+        "circularity": float(s.circularity),
+    }
+    return tomli_w.dumps({"schema": SCHEMA, "name": profile.name, "hues": hues, "shape": shape})

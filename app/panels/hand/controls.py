@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QToolButton, QWidget
 
-from app.engines.engine import ENGINES
 from app.viewmodels.hand_scene import ShownParts
 from app.widgets.flow_layout import FlowLayout
+from tracker.settings import ENGINES
 
 NO_REFERENCE, OTHER = "", "other"
 

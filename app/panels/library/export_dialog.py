@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from app.jobs.export import ExportRequest
 from app.viewmodels.recording import place_text
-from tracker.session.export.options import AXES_NAMES, FORMATS, PERSONAL, UNITS
+from tracker.session.export.options import AXES_NAMES, FORMATS, PERSONAL, UNITS, ExportOptions
 from tracker.session.mcap.disk import free_path
 
 MAX_RATE_HZ = 2000.0
@@ -126,8 +126,10 @@ class ExportDialog(QDialog):
             form,
             target,
             self._part if self.range.isChecked() else None,
-            self.rate.value() or None,
-            self.axes.currentData(),
-            self.units.currentData(),
-            PERSONAL if self.anonymous.isChecked() else (),
+            ExportOptions(
+                rate=self.rate.value() or None,
+                axes=self.axes.currentData(),
+                units=self.units.currentData(),
+                anonymous=PERSONAL if self.anonymous.isChecked() else (),
+            ),
         )

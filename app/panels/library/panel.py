@@ -11,7 +11,7 @@ from app.engines.engine import EngineSetup, Player
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.export import ExportQueue, ExportRequest
-from app.jobs.offline_tracking import TrackRequest, compare_job, free_name, track_job
+from app.jobs.offline_tracking import compare_job, free_name, track_job
 from app.panels.library.compare_dialog import CompareDialog
 from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.export_list import ExportList
@@ -24,6 +24,7 @@ from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.compare import Comparison
 from app.viewmodels.library import Details, SessionRow, look_inside, scan
 from tracker.errors import GlovetrackError
+from tracker.offline.options import TrackOptions
 
 
 class LibraryPanel(Panel):
@@ -206,7 +207,7 @@ class LibraryPanel(Panel):
         dialog.wanted.connect(self.track_again)
         dialog.open()
 
-    def track_again(self, source: Path, wanted: TrackRequest) -> None:
+    def track_again(self, source: Path, wanted: TrackOptions) -> None:
         """Track ``source`` in the background; then both are shown and compared."""
         try:
             out = free_name(source, wanted.engine)

@@ -19,15 +19,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.engine import ENGINES
-from app.jobs.offline_tracking import USUAL_SETTINGS, TrackRequest
 from tracker import library
+from tracker.offline.options import USUAL, TrackOptions
+from tracker.settings import ENGINES
 
 
 class TrackDialog(QDialog):
     """Asks, and says ``wanted(source, request)`` when the user starts it. Blocks nothing."""
 
-    wanted = Signal(object, object)  # Path, TrackRequest
+    wanted = Signal(object, object)  # Path, TrackOptions
 
     def __init__(self, source: Path, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,7 +42,7 @@ class TrackDialog(QDialog):
         self.colours = self._choice("colours")
         self.settings = QComboBox()
         self.settings.addItem(self.tr("as recorded"), "")
-        self.settings.addItem(self.tr("the usual ones"), USUAL_SETTINGS)
+        self.settings.addItem(self.tr("the usual ones"), USUAL)
         self.smooth = QCheckBox(self.tr("every estimate knows the whole session (chain)"))
         column = QVBoxLayout(self)
         column.addWidget(self._about())
@@ -102,9 +102,9 @@ class TrackDialog(QDialog):
         self.wanted.emit(self.source, self.request())
         self.close()
 
-    def request(self) -> TrackRequest:
-        """What is chosen.."""
-        return TrackRequest(
+    def request(self) -> TrackOptions:
+        """What is chosen."""
+        return TrackOptions(
             engine=self.engine.currentData(),
             hand=self.hand.currentData(),
             glove=self.glove.currentData(),

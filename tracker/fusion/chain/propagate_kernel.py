@@ -9,11 +9,10 @@ from __future__ import annotations
 import numpy as np
 
 from tracker import GRAVITY
+from tracker.fusion.engine import COAST_DAMPING
 from tracker.fusion.time.imu_buffer import cut
 from tracker.geometry.kernels import exp3, mul3, rotate, rotate_all, rotate_back, skew3, tmul3
 from tracker.kernels import kernel
-
-COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
 
 
 @kernel

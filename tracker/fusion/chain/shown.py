@@ -12,9 +12,8 @@ from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_u
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.fusion.output.output_kernel import sensed_lately
-from tracker.messages import Array, CameraPose, Estimate, ImuSample, IntArray, Tracking
+from tracker.messages import SEEN_LATELY, Array, CameraPose, Estimate, ImuSample, IntArray, Tracking
 
-SEEN_LATELY = 0.5  # s
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 

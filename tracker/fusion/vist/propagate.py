@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker import GRAVITY
+from tracker.fusion.engine import COAST_DAMPING
 from tracker.fusion.time.imu_buffer import Readings
 from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, P, V, VistLayout
 from tracker.fusion.vist.params import VistNoise
@@ -24,8 +25,6 @@ from tracker.kernels import kernel
 from tracker.messages import Array, IntArray
 
 Bools = NDArray[np.bool_]
-
-COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
 
 
 def propagate(

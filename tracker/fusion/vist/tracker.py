@@ -28,6 +28,7 @@ from tracker.fusion.vist.state import (
 )
 from tracker.fusion.vist.track import Track, is_better
 from tracker.messages import (
+    SEEN_LATELY,
     BlobFrame,
     CameraPose,
     FrameResult,
@@ -36,8 +37,6 @@ from tracker.messages import (
 )
 from tracker.vision.rig import StereoRig
 from tracker.vision.visibility import both_cameras
-
-SEEN_LATELY = 0.5  # s
 
 Seen = tuple[SeenBlobs, ...]
 

@@ -12,11 +12,11 @@ from contextlib import contextmanager
 import numpy as np
 from numpy.typing import ArrayLike
 
+from tracker.clock import NS
 from tracker.errors import FileError
 from tracker.messages import Array
 
 LITTLE_ENDIAN = b"\x00\x01\x00\x00"
-NS = 1_000_000_000
 
 
 class CdrError(ValueError):
