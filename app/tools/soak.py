@@ -193,18 +193,18 @@ def _watch(window, out: Soak) -> Soak:  # type: ignore[no-untyped-def]
         raise SystemExit("The demo did not find the hand.")
     out.start_to_tracked_s = round(time.time() - STARTED, 2)
     out.memory_mb.append(memory_mb())
-    before, began = window.refreshes, time.monotonic()
+    before, began = window.ticker.ticks, time.monotonic()
     left = 60.0 * out.minutes
     while left > 0:
         wait_until(lambda: False, min(60.0, left))
         left -= 60.0
         out.memory_mb.append(memory_mb())
-    out.refreshes_hz = round((window.refreshes - before) / (time.monotonic() - began), 1)
+    out.refreshes_hz = round((window.ticker.ticks - before) / (time.monotonic() - began), 1)
     _take_status(window, out)
     window.docks["hand"].hide()
-    before, began = window.refreshes, time.monotonic()
+    before, began = window.ticker.ticks, time.monotonic()
     wait_until(lambda: False, HIDDEN_S)
-    hidden = (window.refreshes - before) / (time.monotonic() - began)
+    hidden = (window.ticker.ticks - before) / (time.monotonic() - began)
     out.refreshes_hidden_3d_hz = round(hidden, 1)
     return out
 

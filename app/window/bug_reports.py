@@ -1,62 +1,77 @@
-"""What the window does besides tracking: notices at start, crashes, bug reports, the About box."""
+"""Bug reports: offered after a crash, gathered from the window, saved in the background."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QObject, QPoint, QRect
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QWidget
 
 from app.engines.engine import RecordingRequest
+from app.engines.engine_host import EngineHost
 from app.panels.bug_report_dialog import BugReportDialog
 from app.platform.bug_report import Choice, Material, machine, write_bundle
 from app.platform.crash import CrashWatch
-from app.platform.tasks import JobProgress
-from app.storage.settings import sessions_folder
-from app.window.about import AboutDialog
+from app.platform.tasks import JobProgress, TaskOwner
+from app.storage.settings import SettingsStore, sessions_folder
+from app.viewmodels.log import EventLog
+from app.window.message_bar import MessageBar
 from tracker.messages import Event
 
-if TYPE_CHECKING:
-    from app.window.main_window import MainWindow
 
-PRIVATE_PANELS = ("library", "recording", "log")
-"""Panels that show file names, and with them the names of people."""
+@dataclass(frozen=True, eq=False)
+class ReportSources:
+    """What a report tells of. ``private``: what of the window shows file names and people's."""
+
+    host: EngineHost
+    store: SettingsStore
+    log: EventLog
+    private: Sequence[QWidget]
 
 
-class Housekeeping(QObject):
+class BugReports(QObject):
     """Serves one window. ``crashes`` is None where nobody watches (tests, screenshots)."""
 
-    def __init__(self, window: MainWindow, crashes: CrashWatch | None = None) -> None:
+    def __init__(
+        self,
+        sources: ReportSources,
+        tasks: TaskOwner,
+        messages: MessageBar,
+        window: QWidget,
+        crashes: CrashWatch | None = None,
+    ) -> None:
         super().__init__(window)
+        self._sources, self._tasks, self._messages = sources, tasks, messages
         self._window, self._crashes = window, crashes
+        sources.host.happened.connect(self._heard)
         if crashes is not None:
-            crashes.happened.connect(self.offer_report)
-        if window.store.notice:
-            window.show_error(window.store.notice)
+            crashes.happened.connect(self.offer)
         if crashes is not None and crashes.found is not None:
-            self.offer_report(self.tr("Glovetrack ended unexpectedly the last time."))
+            self.offer(self.tr("Glovetrack ended unexpectedly the last time."))
 
-    def offer_report(self, sentence: str) -> None:
+    def _heard(self, event: Event) -> None:
+        """What went wrong in the engine stands in the banner too; the log has everything."""
+        if event.kind == "error":
+            self.offer(event.text)
+
+    def offer(self, sentence: str) -> None:
         """A banner with a button; nothing stands in the way."""
-        self._window.show_error(sentence, (self.tr("Save a bug report…"), self.ask_report))
+        self._messages.say(sentence, (self.tr("Save a bug report…"), self.ask))
 
-    def show_about(self) -> None:
-        AboutDialog(self._window).show()
-
-    # --- bug reports
-
-    def ask_report(self) -> None:
+    def ask(self) -> None:
+        """A dialog that tells what would be in it, and where to."""
         stamp = datetime.now().strftime("%Y-%m-%d_%H-%M-%S")
-        folder = sessions_folder(self._window.store.value)
+        folder = sessions_folder(self._sources.store.value)
         folder = folder if folder.is_dir() else Path.home()
         dialog = BugReportDialog(folder / f"glovetrack-bug_{stamp}.zip", self._window)
-        dialog.wanted.connect(self.save_report)
+        dialog.wanted.connect(self.save)
         dialog.show()
 
-    def save_report(self, path: Path, choice: Choice) -> None:
+    def save(self, path: Path, choice: Choice) -> None:
         """Gather now, write in the background, say where it is."""
         material = self._material(choice)
 
@@ -64,7 +79,7 @@ class Housekeeping(QObject):
             progress(-1.0, path.name)
             return write_bundle(path, material, choice)
 
-        self._window.tasks.run(
+        self._tasks.run(
             self.tr("Saving the bug report"), job, lambda troubles: self._saved(path, troubles)
         )
 
@@ -72,17 +87,17 @@ class Housekeeping(QObject):
         text = self.tr("The bug report is saved: {}.").format(path)
         if troubles:
             text += self.tr(" Not in it: {}.").format("; ".join(troubles))
-        self._window.host.happened.emit(Event(0.0, "note", text))
-        self._window.show_error(text)
+        self._sources.host.happened.emit(Event(0.0, "note", text))
+        self._messages.say(text)
 
     def _material(self, choice: Choice) -> Material:
-        window, host = self._window, self._window.host
+        sources, host = self._sources, self._sources.host
         request = host.recording.request
         player = host.setup.player if host.setup is not None else None
         opened = request.path if request is not None else player.path if player else None
-        settings = window.store.value
+        settings = sources.store.value
         return Material(
-            log="\n".join(entry.line for entry in window.log.model.entries()),
+            log="\n".join(entry.line for entry in sources.log.entries()),
             settings=settings,
             status=self._status(),
             machine=machine(),
@@ -94,7 +109,8 @@ class Housekeeping(QObject):
         )
 
     def _status(self) -> dict[str, object]:
-        setup = self._window.host.setup
+        host = self._sources.host
+        setup = host.setup
         if setup is None:
             return {"engine": "none is open"}
         status = setup.engine.status()
@@ -102,14 +118,14 @@ class Housekeeping(QObject):
             "hand": setup.hand.name,
             "glove": setup.glove.name,
             "simulated": setup.simulated,
-            "running": self._window.host.running,
+            "running": host.running,
             "tracking": status.tracking.name.lower(),
             "values": dict(status.values),
         }
 
     def _write_recent(self, path: Path) -> None:
         """The seconds in memory, in a file made like any recording, with nobody's name."""
-        host = self._window.host
+        host = self._sources.host
         setup = host.setup
         if setup is None or setup.make_recorder is None:
             return
@@ -126,8 +142,7 @@ class Housekeeping(QObject):
         image = window.grab()
         if not personal:
             painter = QPainter(image)
-            for name in PRIVATE_PANELS:
-                panel = window.docks[name]
+            for panel in self._sources.private:
                 if not panel.visibleRegion().isEmpty():
                     painter.fillRect(_place(panel, window), QColor("#000000"))
             painter.end()

@@ -77,9 +77,9 @@ def _run(
         return 1
     path = _free(out / "session.mcap")
     window.host.record(RecordingRequest(path, "demo", "random postures"))
-    figures, began, ticks = Figures(), time.monotonic(), window.refreshes
+    figures, began, ticks = Figures(), time.monotonic(), window.ticker.ticks
     _gather(window, figures, duration, out / "window.png")
-    rate = (window.refreshes - ticks) / (time.monotonic() - began)
+    rate = (window.ticker.ticks - ticks) / (time.monotonic() - began)
     view = window.host.snapshot()
     window.host.stop()
     export_job(ExportRequest(path, "csv", path.with_suffix(".csv")))(

@@ -1,7 +1,7 @@
 """Where an engine comes from: the demo, the devices, a file. Each gives a job that builds one.
 
-The rooms are imported inside the jobs: they compile kernels and load codecs, and the window is to
-open at once.
+What builds it is imported inside the job: it compiles kernels and loads codecs, and the window is
+to open at once.
 """
 
 from __future__ import annotations
@@ -9,10 +9,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
+
 from app.engines.engine import EngineSetup
-from app.engines.engine_host import SetupFactory
+from app.engines.engine_host import EngineHost, SetupFactory
 from app.platform.tasks import JobProgress
-from app.storage.settings import AppSettings
+from app.storage.settings import AppSettings, SettingsStore
+from app.viewmodels.recording import RecordingPlan
+from app.window.message_bar import MessageBar
 
 if TYPE_CHECKING:
     from tracker.simulation.camera_device import SimulatedCamera
@@ -52,3 +57,58 @@ def replay_factory(path: Path) -> SetupFactory:
         return open_replay(path, progress)
 
     return build
+
+
+class Sources(QObject):
+    """Opens what the user asks for; ``messages`` is taken away by what is opened next."""
+
+    devices_asked = Signal()
+
+    def __init__(
+        self, host: EngineHost, store: SettingsStore, messages: MessageBar, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._host, self._store, self._messages, self._window = host, store, messages, window
+        host.opened.connect(lambda setup: setup.engine.set_engine(store.value.engine))
+
+    def open_demo(self, fps: float = 30.0, camera: SimulatedCamera | None = None) -> None:
+        self._open(self.tr("Starting the demo"), demo_factory(fps=fps, camera=camera))
+
+    def open_devices(self) -> None:
+        """Glove and camera, as the settings name them."""
+        self._open(self.tr("Looking for glove and camera"), hardware_factory(self._store.value))
+        self.devices_asked.emit()
+
+    def open_session(self, path: Path) -> None:
+        """Replay a file through the same panels."""
+        self._open(self.tr("Opening {}").format(path.name), replay_factory(path))
+
+    def choose_session(self, plan: RecordingPlan) -> None:
+        """Ask for a file, where recordings go to."""
+        path, _ = QFileDialog.getOpenFileName(
+            self._window, self.tr("Open a session"), str(plan.folder), "*.mcap"
+        )
+        if path:
+            self.open_session(Path(path))
+
+    def take_over(self, path: str) -> None:
+        """What a second start of the program was given: a session, or "" to be seen."""
+        window = self._window
+        window.setWindowState(window.windowState() & ~Qt.WindowState.WindowMinimized)
+        window.raise_()
+        window.activateWindow()
+        if path and self._host.recording.request is not None:
+            text = self.tr("{} waits: a recording is under way.").format(Path(path).name)
+            open_now = (self.tr("Open it now"), lambda: self.open_session(Path(path)))
+            self._messages.say(text, open_now)
+        elif path:
+            self.open_session(Path(path))
+
+    def set_engine(self, name: str) -> None:
+        """Track with another engine, now and after the next start."""
+        self._store.update(engine=name)
+        self._host.set_engine(name)
+
+    def _open(self, title: str, factory: SetupFactory) -> None:
+        self._messages.hide()
+        self._host.open(title, factory)

@@ -82,16 +82,16 @@ def _show(
     from app.window.main_window import MainWindow
 
     window = MainWindow(crashes=crashes)
-    instance.asked.connect(window.take_over)
+    instance.asked.connect(window.sources.take_over)
     # Ctrl+C closes the window as a click does: the file is finished, the devices are freed. The
     # window's own timer gives Python the chance to see the signal.
     signal.signal(signal.SIGINT, lambda *_: window.close())
     window.outputs.use(args.streams)
     window.show()
     if args.demo:
-        window.start_demo(args.fps, camera)
+        window.sources.open_demo(args.fps, camera)
     elif args.session is not None:
-        window.open_session(args.session)
+        window.sources.open_session(args.session)
     return app.exec()
 
 

@@ -3,67 +3,130 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import Protocol
 
+from app.engines.engine_host import EngineHost
+from app.panels.cameras import CamerasPanel
+from app.panels.colours.panel import ColoursPanel
+from app.panels.hand.panel import HandPanel
+from app.panels.library.panel import LibraryPanel
+from app.viewmodels.recording import RecordingPlan
+from app.window.bug_reports import BugReports
 from app.window.commands import Command, Commands
+from app.window.set_up_dialogs import SetUpDialogs
+from app.window.sources import Sources
+from app.window.status_bar import StatusBar
 from tracker.settings import ENGINES
 
-if TYPE_CHECKING:
-    from app.window.main_window import MainWindow
+
+class Window(Protocol):
+    """What commands ask of the window itself."""
+
+    def tr(self, text: str, /) -> str: ...
+
+    def close(self) -> bool: ...
+
+    def show_panel(self, name: str) -> None: ...
+
+    def open_palette(self) -> None: ...
+
+    def reset_layout(self) -> None: ...
+
+    def toggle_full_screen(self) -> None: ...
+
+    def set_theme(self, name: str) -> None: ...
+
+    def ask_note(self) -> None: ...
+
+    def show_about(self) -> None: ...
 
 
-def add_commands(window: MainWindow, commands: Commands) -> None:
+@dataclass(frozen=True, eq=False)
+class Targets:
+    """What the commands act on."""
+
+    window: Window
+    host: EngineHost
+    sources: Sources
+    plan: RecordingPlan
+    set_up: SetUpDialogs
+    reports: BugReports
+    bar: StatusBar
+    library: LibraryPanel
+    cameras: CamerasPanel
+    hand: HandPanel
+    colours: ColoursPanel
+
+
+def add_commands(on: Targets, commands: Commands) -> None:
     """Every command, in menu order."""
     for group in (_file, _set_up, _tracking, _replay, _camera, _view):
-        for command in group(window):
+        for command in group(on):
             commands.add(command)
 
 
-def _file(w: MainWindow) -> list[Command]:
+def _file(on: Targets) -> list[Command]:
+    w = on.window
     menu = w.tr("&File")
+
+    def choose_session() -> None:
+        on.sources.choose_session(on.plan)
+
+    def export_selected() -> None:
+        w.show_panel("library")
+        on.library.ask_export()
+
     return [
-        Command("demo", menu, w.tr("Start the &demo"), w.start_demo, "Ctrl+D"),
-        Command("hardware", menu, w.tr("&Glove and camera"), w.start_hardware, "Ctrl+G"),
-        Command("open", menu, w.tr("&Open a session…"), w.choose_session, "Ctrl+O"),
-        Command("export", menu, w.tr("&Export…"), w.export_session, "Ctrl+E"),
-        Command("close", menu, w.tr("&Close the session"), w.host.shut_down, "Ctrl+W"),
-        Command("quit", menu, w.tr("&Quit"), lambda: w.close(), "Ctrl+Q", separator=True),
+        Command("demo", menu, w.tr("Start the &demo"), on.sources.open_demo, "Ctrl+D"),
+        Command("hardware", menu, w.tr("&Glove and camera"), on.sources.open_devices, "Ctrl+G"),
+        Command("open", menu, w.tr("&Open a session…"), choose_session, "Ctrl+O"),
+        Command("export", menu, w.tr("&Export…"), export_selected, "Ctrl+E"),
+        Command("close", menu, w.tr("&Close the session"), on.host.shut_down, "Ctrl+W"),
+        Command("quit", menu, w.tr("&Quit"), w.close, "Ctrl+Q", separator=True),
     ]
 
 
-def _set_up(w: MainWindow) -> list[Command]:
+def _set_up(on: Targets) -> list[Command]:
+    w = on.window
     menu = w.tr("&Set-up")
     return [
-        Command("glove_setup", menu, w.tr("&Glove…"), w.set_up.open_glove, "Ctrl+Shift+G"),
-        Command("camera_setup", menu, w.tr("&Camera…"), w.set_up.open_camera),
-        Command("stereo", menu, w.tr("&Stereo calibration…"), w.set_up.open_stereo),
-        Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), w.set_up.lock_camera),
+        Command("glove_setup", menu, w.tr("&Glove…"), on.set_up.open_glove, "Ctrl+Shift+G"),
+        Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
+        Command("stereo", menu, w.tr("&Stereo calibration…"), on.set_up.open_stereo),
+        Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), on.set_up.lock_camera),
     ]
 
 
-def _tracking(w: MainWindow) -> list[Command]:
+def _tracking(on: Targets) -> list[Command]:
+    w = on.window
     menu = w.tr("&Tracking")
+    toggle_recording = partial(on.host.toggle_recording, on.plan.request)
     return [
-        Command("start", menu, w.tr("&Start"), w.host.start, "F5"),
-        Command("stop", menu, w.tr("S&top"), w.host.stop, "Shift+F5"),
-        Command("record", menu, w.tr("&Record"), w.toggle_recording, "Space", separator=True),
-        Command("pause", menu, w.tr("&Pause the recording"), w.toggle_pause, "Ctrl+P"),
+        Command("start", menu, w.tr("&Start"), on.host.start, "F5"),
+        Command("stop", menu, w.tr("S&top"), on.host.stop, "Shift+F5"),
+        Command("record", menu, w.tr("&Record"), toggle_recording, "Space", separator=True),
+        Command("pause", menu, w.tr("&Pause the recording"), on.host.toggle_pause, "Ctrl+P"),
         Command("note", menu, w.tr("Add a &note…"), w.ask_note, "N"),
-        *_engines(w, menu),
+        *_engines(on, menu),
     ]
 
 
-def _engines(w: MainWindow, menu: str) -> list[Command]:
+def _engines(on: Targets, menu: str) -> list[Command]:
+    w = on.window
     titles = {name: w.tr("Engine: {}").format(title) for name, title in ENGINES.items()}
     return [
-        Command(f"engine_{n}", menu, title, partial(w.set_engine, n), separator=n == "chain")
+        Command(
+            f"engine_{n}", menu, title, partial(on.sources.set_engine, n), separator=n == "chain"
+        )
         for n, title in titles.items()
     ]
 
 
-def _replay(w: MainWindow) -> list[Command]:
-    menu, bar = w.tr("&Replay"), w.library.transport
+def _replay(on: Targets) -> list[Command]:
+    w, bar = on.window, on.library.transport
+    menu = w.tr("&Replay")
     return [
         Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space"),
         Command("step_back", menu, w.tr("The image &before"), lambda: bar.step(-1), ","),
@@ -72,55 +135,78 @@ def _replay(w: MainWindow) -> list[Command]:
         Command("out_point", menu, w.tr("&Out point here"), bar.set_out, "O"),
         Command("whole", menu, w.tr("&Whole session"), bar.clear_range),
         Command("loop", menu, w.tr("&Loop on or off"), bar.toggle_loop, "L"),
-        Command("again", menu, w.tr("Track &again…"), w.library.ask_track, separator=True),
-        Command("compare", menu, w.tr("&Compare two sessions"), w.library.compare_selected),
+        Command("again", menu, w.tr("Track &again…"), on.library.ask_track, separator=True),
+        Command("compare", menu, w.tr("&Compare two sessions"), on.library.compare_selected),
     ]
 
 
-def _camera(w: MainWindow) -> list[Command]:
+def _camera(on: Targets) -> list[Command]:
+    w = on.window
     menu = w.tr("&Images")
+
+    def fit_images() -> None:
+        on.cameras.left.fit()
+        on.cameras.right.fit()
+
     return [
-        Command("freeze", menu, w.tr("&Freeze the images"), w.cameras.freeze.toggle, "F"),
-        Command("fit", menu, w.tr("&Whole image"), w.fit_images, "Ctrl+0"),
-        Command("view_back", menu, w.tr("Hand from the &back"), _look(w, "back"), "1"),
-        Command("view_palm", menu, w.tr("Hand from the &palm"), _look(w, "palm"), "2"),
-        Command("view_side", menu, w.tr("Hand from the &side"), _look(w, "side"), "3"),
-        Command("view_camera", menu, w.tr("Hand from the &camera"), _look(w, "camera"), "4"),
-        Command("undo", menu, w.tr("&Undo the colour change"), w.colours.undo, "Ctrl+Z"),
-        Command("redo", menu, w.tr("&Redo the colour change"), w.colours.redo, "Ctrl+Y"),
+        Command("freeze", menu, w.tr("&Freeze the images"), on.cameras.freeze.toggle, "F"),
+        Command("fit", menu, w.tr("&Whole image"), fit_images, "Ctrl+0"),
+        Command("view_back", menu, w.tr("Hand from the &back"), _look(on, "back"), "1"),
+        Command("view_palm", menu, w.tr("Hand from the &palm"), _look(on, "palm"), "2"),
+        Command("view_side", menu, w.tr("Hand from the &side"), _look(on, "side"), "3"),
+        Command("view_camera", menu, w.tr("Hand from the &camera"), _look(on, "camera"), "4"),
+        Command("undo", menu, w.tr("&Undo the colour change"), on.colours.undo, "Ctrl+Z"),
+        Command("redo", menu, w.tr("&Redo the colour change"), on.colours.redo, "Ctrl+Y"),
     ]
 
 
-def _view(w: MainWindow) -> list[Command]:
+def _view(on: Targets) -> list[Command]:
+    w = on.window
     menu = w.tr("&View")
     return [
         Command("palette", menu, w.tr("&Command palette…"), w.open_palette, "Ctrl+K"),
-        Command("latencies", menu, w.tr("Latency of &each stage"), w.bar.show_latencies),
+        Command("latencies", menu, w.tr("Latency of &each stage"), on.bar.show_latencies),
         Command("reset_layout", menu, w.tr("&Reset the layout"), w.reset_layout, "Ctrl+Shift+0"),
         Command("fullscreen", menu, w.tr("&Full screen"), w.toggle_full_screen, "F11"),
-        Command("view_auto", menu, w.tr("3D view: &chosen by itself"), _chooser(w, "auto")),
-        Command("view_card", menu, w.tr("3D view: by the &graphics card"), _chooser(w, "card")),
-        Command("view_painted", menu, w.tr("3D view: &painted"), _chooser(w, "painted")),
+        Command("view_auto", menu, w.tr("3D view: &chosen by itself"), _chooser(on, "auto")),
+        Command("view_card", menu, w.tr("3D view: by the &graphics card"), _chooser(on, "card")),
+        Command("view_painted", menu, w.tr("3D view: &painted"), _chooser(on, "painted")),
         Command("theme_light", menu, w.tr("&Light"), lambda: w.set_theme("light"), separator=True),
         Command("theme_dark", menu, w.tr("&Dark"), lambda: w.set_theme("dark")),
         Command("theme_system", menu, w.tr("As the &system"), lambda: w.set_theme("system")),
     ]
 
 
-def add_help(window: MainWindow, commands: Commands) -> None:
+def add_help(on: Targets, commands: Commands) -> None:
     """The last menu; it comes after the docks have been listed under View."""
-    menu = window.tr("&Help")
-    keeper = window.housekeeping
-    for command in (
-        Command("report", menu, window.tr("Save a &bug report…"), keeper.ask_report),
-        Command("about", menu, window.tr("&About Glovetrack"), keeper.show_about),
+    w = on.window
+    menu = w.tr("&Help")
+    commands.add(Command("report", menu, w.tr("Save a &bug report…"), on.reports.ask))
+    commands.add(Command("about", menu, w.tr("&About Glovetrack"), w.show_about))
+
+
+def enable_commands(on: Targets, commands: Commands) -> None:
+    """Those that make sense in the state the engine is in."""
+    host, w = on.host, on.window
+    opened = host.setup is not None
+    recordable = host.setup is not None and host.setup.make_recorder is not None
+    recording = host.recording.request is not None
+    for key, able in (
+        ("start", opened and not host.running),
+        ("stop", host.running),
+        ("close", opened),
+        ("record", host.running and recordable),
+        ("pause", recording),
+        ("note", opened),
     ):
-        commands.add(command)
+        commands.enable(key, able)
+    name = w.tr("Stop &recording") if recording else w.tr("&Record")
+    commands.actions["record"].setText(name)
 
 
-def _chooser(w: MainWindow, setting: str) -> Callable[[], None]:
-    return partial(w.hand.chooser.choose, setting)
+def _chooser(on: Targets, setting: str) -> Callable[[], None]:
+    return partial(on.hand.chooser.choose, setting)
 
 
-def _look(w: MainWindow, name: str) -> Callable[[], None]:
-    return partial(w.hand.look_from, name)
+def _look(on: Targets, name: str) -> Callable[[], None]:
+    return partial(on.hand.look_from, name)

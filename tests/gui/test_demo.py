@@ -16,7 +16,7 @@ from tracker.session.reader import SessionReader
 @pytest.fixture
 def demo(window, qtbot):
     """The window with the demo running and the hand found."""
-    window.start_demo()
+    window.sources.open_demo()
     qtbot.waitUntil(lambda: window.host.running, timeout=100_000)
     qtbot.waitUntil(lambda: _tracked(window), timeout=60_000)
     return window

@@ -52,7 +52,7 @@ def connected(window, qtbot, store, tmp_path, device, film):
     calibration = tmp_path / "mine.yml"
     save_calibration(calibration, rig.left, rig.right, rig.R, rig.T)
     store.update(port=device.path, camera=str(film), calibration=str(calibration))
-    window.start_hardware()
+    window.sources.open_devices()
     qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
     qtbot.waitUntil(lambda: _done(window, "Glove found"), timeout=30_000)
     return window

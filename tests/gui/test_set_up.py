@@ -263,7 +263,7 @@ def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration
     window, qtbot, monkeypatch, tmp_path
 ):
     monkeypatch.setattr("app.engines.hardware.serial_ports", list)
-    window.start_hardware()
+    window.sources.open_devices()
     qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
     assert window.docks["checklist"].isVisible() and window.start_page.isVisible()
     assert window.checklist.summary.text().startswith("0 of")

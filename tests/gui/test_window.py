@@ -196,7 +196,7 @@ def test_errors_stand_in_the_banner_until_dismissed(window):
 
 def test_without_devices_the_window_says_what_is_missing(window, qtbot, monkeypatch):
     monkeypatch.setattr("app.engines.hardware.serial_ports", list)
-    window.start_hardware()
+    window.sources.open_devices()
     qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
     assert window.start_page.isVisible()
 

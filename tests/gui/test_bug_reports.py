@@ -248,7 +248,7 @@ def test_a_report_is_saved_by_clicks_and_told_about(live, qtbot, tmp_path):
 
 
 def test_a_report_that_cannot_be_written_says_so(live, qtbot, tmp_path):
-    live.housekeeping.save_report(tmp_path / "nowhere" / "bug.zip", Choice())
+    live.reports.save(tmp_path / "nowhere" / "bug.zip", Choice())
     qtbot.waitUntil(lambda: "nowhere" in live.banner.text(), timeout=20_000)
     assert not (tmp_path / "nowhere").exists()
 
@@ -276,9 +276,9 @@ def test_every_part_has_a_licence_and_none_is_of_development():
 
 def test_what_a_window_is_given_while_it_records_waits_for_a_word(live, qtbot, tmp_path):
     live.commands.actions["record"].trigger()
-    live.take_over(str(tmp_path / "other.mcap"))
+    live.sources.take_over(str(tmp_path / "other.mcap"))
     assert live.host.recording.request is not None
     assert "other.mcap waits" in live.banner.text()
     live.commands.actions["record"].trigger()
-    live.take_over("")
+    live.sources.take_over("")
     assert live.host.setup is not None

@@ -1,0 +1,69 @@
+"""The window's one timer: it asks for the latest and shows it, in the panels and the status bar."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+
+from PySide6.QtCore import QObject, Qt, QTimer
+
+from app.engines.engine_host import EngineHost
+from app.engines.snapshot import Snapshot
+from app.panels.panel import Panel
+from app.viewmodels.recording import duration_text
+from app.viewmodels.states import BAD, WARN
+from app.window.refresher import Refresher
+from app.window.status_bar import StatusBar
+
+TICK_MS = 16
+STATUS_PERIOD = 0.25  # s
+
+
+class Ticker(QObject):
+    """Runs from `start` to `stop`; ``ticks`` is counted for measuring the window's rate."""
+
+    def __init__(
+        self,
+        host: EngineHost,
+        panels: Sequence[Panel],
+        bar: StatusBar,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._host, self._bar = host, bar
+        self._refresher = Refresher(panels, TICK_MS / 1000, host.error.emit)
+        self._status_due = 0.0
+        self.ticks = 0
+        host.closed.connect(self._clear)
+        self._timer = QTimer(self)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._tick)
+
+    def start(self) -> None:
+        self._timer.start(TICK_MS)
+
+    def stop(self) -> None:
+        self._timer.stop()
+
+    def _clear(self) -> None:
+        """Show that there is no engine."""
+        self._refresher.clear()
+        self._bar.show_status(None, False)
+
+    def _tick(self) -> None:
+        self.ticks += 1
+        now = time.monotonic()
+        view = self._host.snapshot()
+        if view is not None:
+            self._refresher.refresh(view)
+        if now >= self._status_due:
+            self._status_due = now + STATUS_PERIOD
+            self._refresh_status(view)
+
+    def _refresh_status(self, view: Snapshot | None) -> None:
+        self._bar.show_status(view.status if view else None, self._host.running)
+        recording, text = self._host.recording, ""
+        if recording.request is not None:
+            word = self.tr("Paused") if recording.paused else self.tr("Recording")
+            text = f"{word} {duration_text(recording.elapsed)}"
+        self._bar.show_recording(text, WARN.colour if recording.paused else BAD.colour)
