@@ -1,5 +1,6 @@
 # make demo         the application on a simulated glove and camera
-# make test         linters, type checker, import contracts and all tests
+# make test         linters, type checker, import contracts and all tests; those on real recordings
+#                   read data/ or the folder that GLOVETRACK_DATA names, and are skipped without it
 # make lint         the same without the tests
 # make firmware     the glove's firmware and its simulator; prints their sizes
 # make screenshots  images of the window for the documentation
@@ -21,11 +22,6 @@ SCREEN := $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname -s)))
 OFFSCREEN := QT_QPA_PLATFORM=offscreen
 FIRMWARE_BUILD := build/firmware
 PEERS := build/peers
-
-# Recordings that some tests read lie beside the checkout, where they are present at all.
-ifneq ($(wildcard ../shared/data),)
-export GLOVETRACK_DATA ?= $(abspath ../shared/data)
-endif
 
 .PHONY: demo test lint firmware screenshots docs package bench bench-peers kernels lock clean
 .DELETE_ON_ERROR:

@@ -1,4 +1,4 @@
-"""Fixtures that many rooms share."""
+"""Fixtures that many folders share, and where real recordings are."""
 
 import os
 import tempfile
@@ -18,6 +18,8 @@ from tracker.hand.model import HandModel
 
 ROOT = Path(__file__).resolve().parents[1]
 RESOURCES = ROOT / "resources"
+DATA = Path(os.environ.get("GLOVETRACK_DATA", ROOT / "data"))
+"""Real recordings and images, which are not part of the project; few tests need them."""
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -36,10 +38,9 @@ def compare_large(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(scope="session")
 def data_folder() -> Path:
     """Real recordings and images; the test is skipped where they are absent."""
-    folder = Path(os.environ.get("GLOVETRACK_DATA", ROOT.parent / "shared" / "data"))
-    if not folder.is_dir():
-        pytest.skip(f"no recordings at {folder} (set GLOVETRACK_DATA)")
-    return folder
+    if not DATA.is_dir():
+        pytest.skip(f"no recordings at {DATA} (set GLOVETRACK_DATA)")
+    return DATA
 
 
 @pytest.fixture(scope="session")

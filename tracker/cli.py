@@ -1,7 +1,8 @@
 """The commands of ``glovetrack`` that need no window (`app.__main__` adds the two that do).
 
-Exit status: 0 done, 1 the work failed (one message on standard error), 2 wrong usage. Rooms bring
-their own sub-commands; imports happen inside them, so that ``glovetrack info`` starts at once.
+Exit status: 0 done, 1 the work failed (one message on standard error), 2 wrong usage. Packages
+bring their own sub-commands and import what these need inside them, so that ``glovetrack info``
+starts at once.
 """
 
 from __future__ import annotations

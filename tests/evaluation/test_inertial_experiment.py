@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from tests.conftest import DATA
 from tracker import GRAVITY
 from tracker.errors import FileError
 from tracker.evaluation.inertial import broad as inertial_broad
@@ -32,8 +32,6 @@ from tracker.evaluation.inertial.peers import available, peer_angles
 from tracker.inertial.finger import Finger, phalanx_angles
 
 FINGER = Finger()
-_REPOSITORY = Path(__file__).parents[2]
-DATA = Path(os.environ.get("GLOVETRACK_DATA", _REPOSITORY.parent / "shared" / "data"))
 BROAD = DATA / "broad_imu"
 
 

@@ -1,11 +1,11 @@
 """Recorded hands: files are read as written, and a known motion comes back from its points."""
 
-import os
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from tests.conftest import DATA
 from tracker.errors import FileError
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
@@ -18,7 +18,6 @@ from tracker.simulation.recorded.load import read_track
 from tracker.simulation.recorded.spline import SplineMotion
 from tracker.simulation.recorded.track import PointTrack, mirrored
 
-DATA = Path(os.environ.get("GLOVETRACK_DATA", Path(__file__).parents[3] / "shared" / "data"))
 G_FROM_LEAP = np.array([[0.0, 0, -1], [-1, 0, 0], [0, 1, 0]])  # x right, y up, z to the user
 
 

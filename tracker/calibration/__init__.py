@@ -1,1 +1,1 @@
-"""What is found out before tracking: colours, the stereo camera, the glove's sensors."""
+"""What is found out before tracking or apart from it: colours, stereo camera, glove's sensors."""

@@ -99,13 +99,12 @@ class Library:
 def load() -> Library | None:
     """The library, or None where it was not built or does not fit this Python."""
     try:
-        from tracker.kernels import _dispatch  # type: ignore[attr-defined]
-
+        dispatch = importlib.import_module(f"{__package__}._dispatch")
         compiled = [_part(name) for name in parts.built()]
     except (ImportError, OSError) as error:
         _log.debug("kernels are compiled as they are needed: %s", error)
         return None
-    return Library(_dispatch.Kernel, compiled) if compiled else None
+    return Library(dispatch.Kernel, compiled) if compiled else None
 
 
 def _part(name: str) -> tuple[ModuleType, str]:
