@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
 from tracker.session.export.options import ExportOptions
+from tracker.session.mcap.disk import free_path
 
 WAITING = StateLook(IDLE.colour, "◌", "waiting")
 RUNNING = StateLook(SKY, "▶", "under way")
@@ -27,6 +28,11 @@ class ExportRequest:
     target: Path
     part: tuple[float, float] | None = None
     options: ExportOptions = field(default_factory=ExportOptions)
+
+
+def free_target(folder: Path, source: Path, form: str) -> Path:
+    """Named as the session, with a number where that is taken: no file is written over."""
+    return free_path(folder / f"{source.stem}.{form}")
 
 
 def export_job(request: ExportRequest) -> Job:

@@ -25,9 +25,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.panels.panel import Panel
-from app.viewmodels.streams import TITLES, WITHOUT_PORT, StreamRow, stream_row
-from tracker.hand.names import CHAINS
-from tracker.streaming.params import STREAMS
+from app.viewmodels.streams import MOTORS, STREAMS, WITHOUT_PORT, StreamRow, stream_row, title
 
 TEST_MS = 300
 MOST, USUAL = 255, 200  # amplitude
@@ -109,7 +107,7 @@ class StreamsPanel(Panel):
         return grid
 
     def _add_row(self, grid: QGridLayout, i: int, name: str) -> None:
-        box = self.boxes[name] = QCheckBox(TITLES.get(name, name))
+        box = self.boxes[name] = QCheckBox(title(name))
         box.setChecked(self._outputs.is_on(name))
         box.toggled.connect(partial(self._outputs.switch, name))
         grid.addWidget(box, i, 0)
@@ -117,7 +115,7 @@ class StreamsPanel(Panel):
             port = self.ports[name] = QSpinBox()
             port.setRange(1, 65535)
             port.setValue(getattr(self._outputs.params, f"{name}_port"))
-            port.setAccessibleName(self.tr("Port of {}").format(TITLES.get(name, name)))
+            port.setAccessibleName(self.tr("Port of {}").format(title(name)))
             port.setKeyboardTracking(False)
             port.valueChanged.connect(partial(self._outputs.set_port, name))
             grid.addWidget(port, i, 1)
@@ -132,7 +130,7 @@ class StreamsPanel(Panel):
     def _haptics(self) -> QGroupBox:
         group = QGroupBox(self.tr("Vibration motors: press one to feel it"))
         tests = QHBoxLayout()
-        self.motors = [QPushButton(finger.title()) for finger in CHAINS]
+        self.motors = [QPushButton(finger.title()) for finger in MOTORS]
         for channel, button in enumerate(self.motors):
             button.setToolTip(self.tr("Motor {}").format(channel))
             button.setMinimumWidth(20)

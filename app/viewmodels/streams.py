@@ -5,9 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
+from tracker.hand.names import CHAINS
+from tracker.streaming.params import STREAMS as STREAMS
 from tracker.streaming.streams import StreamCounts
 
-TITLES = {
+MOTORS = tuple(CHAINS)
+"""The fingers, in the order of the glove's vibration motors."""
+_TITLES = {
     "udp": "UDP (JSON)",
     "websocket": "WebSocket (JSON)",
     "vmc": "VMC (OSC, avatars)",
@@ -16,6 +20,11 @@ TITLES = {
 }
 WITHOUT_PORT = ("lsl",)
 """Clients find these by name."""
+
+
+def title(name: str) -> str:
+    """What a stream is called on screen."""
+    return _TITLES.get(name, name)
 
 
 @dataclass(frozen=True)

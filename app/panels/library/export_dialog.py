@@ -22,10 +22,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.jobs.export import ExportRequest
+from app.jobs.export import ExportRequest, free_target
 from app.viewmodels.recording import place_text
 from tracker.session.export.options import AXES_NAMES, FORMATS, PERSONAL, UNITS, ExportOptions
-from tracker.session.mcap.disk import free_path
 
 MAX_RATE_HZ = 2000.0
 
@@ -120,7 +119,7 @@ class ExportDialog(QDialog):
     def request(self, source: Path) -> ExportRequest:
         """What is chosen, for one session; an existing file is never written over."""
         form = self.format.currentText()
-        target = free_path(Path(self.folder.text()) / f"{source.stem}.{form}")
+        target = free_target(Path(self.folder.text()), source, form)
         return ExportRequest(
             source,
             form,

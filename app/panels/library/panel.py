@@ -12,6 +12,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.export import ExportQueue, ExportRequest
 from app.jobs.offline_tracking import compare_job, free_name, track_job
+from app.jobs.recovery import recover_job
 from app.panels.library.compare_dialog import CompareDialog
 from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.export_list import ExportList
@@ -272,15 +273,3 @@ class LibraryPanel(Panel):
 
     def refresh(self, view: Snapshot | None) -> None:
         self.transport.refresh()
-
-
-def recover_job(path: Path) -> Job:
-    """A job that copies what can be read to ``…_recovered.mcap``."""
-
-    def run(progress: JobProgress) -> Path:
-        from tracker.session.mcap.recover import recover
-
-        progress(-1.0, path.name)
-        return recover(path).path
-
-    return run
