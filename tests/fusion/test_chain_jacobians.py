@@ -12,7 +12,7 @@ from tracker.fusion.chain.params import ChainParams, ConstraintParams
 from tracker.fusion.chain.propagate import propagate, transition
 from tracker.fusion.chain.state import ChainState, initial_state, inject
 from tracker.fusion.chain.tilt import tilt_rows
-from tracker.fusion.time.imu_buffer import Intervals
+from tracker.fusion.time.imu_buffer import Around, Intervals, Moment
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
@@ -70,7 +70,7 @@ def test_transition(layout: ChainLayout) -> None:
     """Phi to first order in dt: the error of a step of 1 ms is of the order dt²."""
     state, dt = random_state(layout), 1e-3
     _, sample, _ = packets(len(layout.glove.imus), 1.0)
-    Phi = transition(state, layout, sample, dt)
+    Phi = transition(state, layout, Moment.of(sample), dt)
     way = Intervals.single(sample, 0.0, dt)
 
     def moved(s: ChainState) -> ChainState:
@@ -86,7 +86,7 @@ def test_transition(layout: ChainLayout) -> None:
         return np.concatenate([s.p - base.p, s.v - base.v, turn])
 
     expected = numeric(error, state, layout)[:, : layout.scale]
-    driven = layout.theta + 3 * np.flatnonzero(layout.drive[0] >= 0)[:, None] + np.arange(3)
+    driven = layout.theta + 3 * np.flatnonzero(layout.drive.source >= 0)[:, None] + np.arange(3)
     sensed = np.setdiff1d(np.arange(len(Phi)), driven)
     assert np.allclose(Phi[sensed], expected[sensed], atol=3e-5)
     # how a synergy's flexion turns with orientation is neglected: of the size of rate times dt
@@ -113,11 +113,11 @@ def test_relative_tilt(layout: ChainLayout) -> None:
         (0.5, (layout.theta, layout.n_dynamic)),
         (1e-4, (layout.phi, layout.scale)),
     ):
-        three = packets(len(layout.glove.imus), rate)
-        rows = tilt_rows(state, layout, ConstraintParams(), *three)
+        three = Around(*map(Moment.of, packets(len(layout.glove.imus), rate)))
+        rows = tilt_rows(state, layout, ConstraintParams(), three)
         assert rows is not None
         expected = -numeric(
-            lambda s, three=three: tilt_rows(s, layout, ConstraintParams(), *three)[1],  # type: ignore[index,misc]
+            lambda s, three=three: tilt_rows(s, layout, ConstraintParams(), three)[1],  # type: ignore[index,misc]
             state,
             layout,
         )
@@ -130,4 +130,5 @@ def test_tilt_needs_the_dorsum(layout: ChainLayout) -> None:
     valid = np.ones(len(layout.glove.imus), bool)
     valid[layout.imu_of[0]] = False
     deaf = ImuSample(sample.t, sample.t, 0.0, 1, sample.accel.copy(), sample.gyro.copy(), valid)
-    assert tilt_rows(initial_state(layout), layout, ConstraintParams(), before, deaf, after) is None
+    around = Around(*map(Moment.of, (before, deaf, after)))
+    assert tilt_rows(initial_state(layout), layout, ConstraintParams(), around) is None

@@ -3,21 +3,22 @@
 import numpy as np
 import pytest
 
-from tracker.fusion.chain.kinematics import point_jacobians, tip_sd
+from tracker.fusion.chain.kinematics import jacobians, tip_sd
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.pixels_kernel import pixel_jacobians, stack_rows
+from tracker.fusion.chain.params import PixelNoise
+from tracker.fusion.chain.pixel_rows import stack_rows
+from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.chain.prediction import Prediction, View, pixel_jacobians
 from tracker.fusion.chain.reports import _details
 from tracker.fusion.chain.state import initial_state
-from tracker.fusion.kalman import update
-from tracker.fusion.output.output import INFERRED_SD, HandOutput, Sensed
-from tracker.fusion.output.output_kernel import sensed_lately
-from tracker.fusion.sparse import joined, products, times
+from tracker.fusion.kalman import joined, products, times, update
+from tracker.fusion.output.output import INFERRED_SD, HandOutput, Sensed, sensed_lately
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Tracking, Validity
 from tracker.vision.rig import ideal_rig
 
-SD_MARKER, SD_PIXEL, HUBER = 0.002, 0.7, 3.0
+NOISE = PixelNoise(0.002, 0.7, 3.0)
 
 
 def plain_rows(H: Array, HP: Array, A: Array, residual: Array) -> tuple[Array, ...]:
@@ -29,10 +30,10 @@ def plain_rows(H: Array, HP: Array, A: Array, residual: Array) -> tuple[Array, .
             continue
         J = np.concatenate([A[c, k] for c in sides])
         r = np.concatenate([residual[c, k] for c in sides])
-        noise = J @ J.T * SD_MARKER**2 + np.eye(len(J)) * SD_PIXEL**2
+        noise = J @ J.T * NOISE.marker**2 + np.eye(len(J)) * NOISE.pixel_px**2
         S = J @ HP[k] @ H[k].T @ J.T + noise
         distance = np.sqrt(r @ np.linalg.inv(S) @ r / len(r))
-        blocks.append(noise * max(1.0, distance / HUBER) ** 2)
+        blocks.append(noise * max(1.0, distance / NOISE.huber) ** 2)
         out_H.append(J @ H[k])
         out_HP.append(J @ HP[k])
         out_r.append(r)
@@ -55,26 +56,26 @@ def test_pixel_rows_are_the_plain_ones() -> None:
     residual[0, :3], residual[1, 2:5] = np.nan, np.nan
     residual[0, 7] = 300.0
     expected = plain_rows(H, HP, A, residual)
-    got = stack_rows(H, HP, A, residual, SD_MARKER, SD_PIXEL, HUBER)
+    got = stack_rows(H, HP, A, residual, NOISE)
     assert got[0].shape == (2 * (2 * n - 6), size)
     for mine, plain in zip(got, expected, strict=True):
         assert np.abs(mine - plain).max() < 1e-10 * np.abs(plain).max()
     start = 2 * int(np.isfinite(residual[:, :7, 0]).sum())
-    usual = A[0, 7] @ A[0, 7].T * SD_MARKER**2 + np.eye(2) * SD_PIXEL**2
+    usual = A[0, 7] @ A[0, 7].T * NOISE.marker**2 + np.eye(2) * NOISE.pixel_px**2
     assert np.all(np.diag(got[3])[start : start + 2] > np.diag(usual))
 
 
 def test_no_match_gives_no_rows() -> None:
     nothing = stack_rows(
         np.ones((2, 3, 5)), np.ones((2, 3, 5)), np.ones((2, 2, 2, 3)), np.full((2, 2, 2), np.nan),
-        SD_MARKER, SD_PIXEL, HUBER,
+        NOISE,
     )  # fmt: skip
     assert [a.shape for a in nothing] == [(0, 5), (0, 5), (0,), (0, 0)]
 
 
 @pytest.mark.parametrize("tracking", [Tracking.TRACKING, Tracking.COASTING, Tracking.LOST])
 @pytest.mark.parametrize("seed", range(4))
-def test_validity_and_spread_follow_the_tree(
+def test_validity_and_sd_follow_the_tree(
     hand: HandModel, glove: GloveModel, tracking: Tracking, seed: int
 ) -> None:
     """Segment by segment and keypoint by keypoint, as the rules read."""
@@ -125,12 +126,12 @@ def test_rows_of_few_entries_are_multiplied_like_any_others() -> None:
     assert np.allclose(times(H, P), H @ P, atol=1e-12)
 
 
-def test_pixel_jacobians_are_the_projections_slopes() -> None:
+def test_pixel_jacobians_are_the_projections_own() -> None:
     """Against central differences of the rig's own projection, both cameras."""
     rig, rng = ideal_rig(), np.random.default_rng(11)
     p_G, step = rng.normal(0, 0.03, (6, 3)), 1e-7
     R, p = rig.pose.R_GC, rig.pose.p_GC
-    A = pixel_jacobians((p_G - p) @ R, R, rig.fx, rig.fy, rig.baseline)
+    A = pixel_jacobians((p_G - p) @ R, View.of(rig, rig.pose))
     for c in range(2):
         for i in range(3):
             ahead, behind = (
@@ -139,14 +140,13 @@ def test_pixel_jacobians_are_the_projections_slopes() -> None:
             assert np.allclose(A[c, :, :, i], (ahead - behind) / (2 * step), atol=1e-3)
 
 
-def test_spread_of_the_tips_is_the_trace(hand: HandModel, glove: GloveModel) -> None:
+def test_sd_of_the_tips_is_the_trace(hand: HandModel, glove: GloveModel) -> None:
     layout, rng = ChainLayout(hand, glove), np.random.default_rng(12)
     state = initial_state(layout)
     root = rng.normal(size=state.P.shape)
     state.P = root @ root.T
-    rows = np.arange(len(layout.active))
-    none = np.full(len(rows), -1, np.int64)
-    H = point_jacobians(state, layout, rows, layout.tip, np.zeros_like(layout.tip), none)
+    none = np.full(len(layout.active), -1, np.int64)
+    H = jacobians(layout.skeleton, layout.blocks, state.body, layout.tips, none)
     plain = [np.sqrt(np.trace(h @ state.P @ h.T) / 3) for h in H]
     assert np.allclose(tip_sd(state, layout), plain)
 
@@ -174,9 +174,12 @@ def test_details_of_a_image_are_the_plain_ones() -> None:
     match = np.array([[0, -1, 3, 2, -1, 4], [1, 2, -1, 0, -1, 3]])
     seen, source = rng.normal(size=(2, blobs, 2)), rng.permutation(2 * blobs).reshape(2, blobs)
     rows, S = np.array([0, 2, 3, 5]), rng.normal(size=(4, 2, 2))
-    residual, sources, cov, visible, stereo = _details(
-        uv, prior, rows, S, match, seen[0], source[0], seen[1], source[1]
+    none = np.zeros((0, 3, 1))
+    prediction = Prediction(
+        rows, uv, prior, none, none, none, np.zeros((2, m, 2, 3)), np.stack([S, S])
     )
+    blobs_of = [SeenBlobs(seen[c], np.zeros(blobs, np.int64), source[c]) for c in range(2)]
+    residual, sources, cov, visible, stereo = _details(prediction, match, *blobs_of)
     for c in range(2):
         hit = match[c] >= 0
         assert np.array_equal(residual[hit, 2 * c : 2 * c + 2], (seen[c][match[c]] - uv[c])[hit])

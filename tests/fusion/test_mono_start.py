@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tracker.fusion.chain.start.mono_start import best_place
+from tracker.fusion.chain.start.mono_start import best_position
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Tracking
@@ -33,7 +33,7 @@ def test_a_known_pattern_is_placed(depth: float) -> None:
     seen = np.concatenate([seen, rng.uniform(-0.5, 0.5, (4, 2))])  # four are strangers
     hues = np.concatenate([hue[:11], [0, 1, 2, 3]])
     depths = np.geomspace(0.2, 0.75, 8)
-    found, score, support = best_place(seen, hues, markers, hue, np.ones(14), depths, 0.012)
+    found, score, support = best_position(seen, hues, markers, hue, np.ones(14), depths, 0.012)
     assert found == pytest.approx(place, abs=0.02 * depth)
     assert support >= 11 and score > 9
 

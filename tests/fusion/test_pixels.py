@@ -8,15 +8,16 @@ import pytest
 from tracker.fusion.chain.kinematics import marker_jacobians, marker_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import NoiseParams
+from tracker.fusion.chain.pixel_rows import point_rows, stack_rows
 from tracker.fusion.chain.pixels import (
-    MIN_PRIOR,
-    USUAL_SPREAD,
+    USUAL_LN_DET,
     PixelModel,
-    Prediction,
     SeenBlobs,
     Tally,
+    median_ln_det,
+    worn,
 )
-from tracker.fusion.chain.pixels_kernel import point_rows, spread, stack_rows, worn
+from tracker.fusion.chain.prediction import MIN_PRIOR, Prediction
 from tracker.fusion.chain.state import ChainState, initial_state, inject
 from tracker.fusion.kalman import update
 from tracker.glove.model import GloveModel
@@ -42,7 +43,7 @@ def case(hand: HandModel, glove: GloveModel) -> Case:
 
 
 def test_expected_markers_are_the_plain_products(case: Case) -> None:
-    """Where they stand, their slopes, H P, and their spread in the room and in both images."""
+    """Where they stand, their Jacobians, H P, and their covariance in G and in pixels."""
     layout, state, e = case
     p_C = (marker_positions(state, layout) - RIG.pose.p_GC) @ RIG.pose.R_GC
     for c in range(2):
@@ -74,12 +75,12 @@ def blobs(case: Case, seed: int) -> tuple[SeenBlobs, ...]:
 
 
 def test_matches_are_those_of_the_assignment(case: Case) -> None:
-    """Image by image, with a price of no match that grows with the spread."""
+    """Image by image, with a price of no match that grows with the covariance."""
     layout, _, e = case
     seen = blobs(case, 1)
     match = PixelModel(layout, RIG, NOISE).match(e, seen)
     for c in range(2):
-        alone = GateParams().dummy_cost + max(0.0, spread(e.S[c]) - USUAL_SPREAD)
+        alone = GateParams().dummy_cost + max(0.0, median_ln_det(e.S[c]) - USUAL_LN_DET)
         found = assign_gated(
             seen[c].uv, seen[c].hue, e.uv[c, e.rows], e.S[c], layout.glove.marker_hue[e.rows],
             e.prior[c, e.rows], GateParams(dummy_cost=alone),
@@ -104,13 +105,12 @@ def test_three_rows_of_a_marker_say_what_its_four_pixels_say(case: Case) -> None
     n = int(match.max()) + 1
     uv = e.uv[:, e.rows[:n]] + rng.normal(0, 2.0, (2, n, 2))
     uv[1, 7] += 200.0
-    numbers = NOISE.marker, NOISE.pixel_px, NOISE.huber
-    H, HP, r, R = point_rows(e.H, e.HP, e.cov, e.A, e.rows, e.uv, match, *uv, *numbers)
+    H, HP, r, R = point_rows(e, match, *uv, NOISE.pixel)
     residual = np.full((2, len(e.rows), 2), np.nan)
     for c in range(2):
         hit = match[c, e.rows] >= 0
         residual[c, hit] = (uv[c] - e.uv[c, e.rows[:n]])[hit[:n]]
-    whole = stack_rows(e.H, e.HP, e.A[:, e.rows], residual, *numbers)
+    whole = stack_rows(e.H, e.HP, np.ascontiguousarray(e.A[:, e.rows]), residual, NOISE.pixel)
     both = np.all(match >= 0, axis=0).sum()
     assert len(r) == len(whole[2]) - both and both > 5
     assert np.allclose(HP, H @ state.P, atol=1e-12)
@@ -123,9 +123,7 @@ def test_three_rows_of_a_marker_say_what_its_four_pixels_say(case: Case) -> None
 def test_nothing_matched_gives_no_rows(case: Case) -> None:
     _, _, e = case
     none, nothing = np.full((2, e.uv.shape[1]), -1), np.zeros((0, 2))
-    got = point_rows(
-        e.H, e.HP, e.cov, e.A, e.rows, e.uv, none, nothing, nothing, 1e-3, 1.0, 3.0
-    )  # fmt: skip
+    got = point_rows(e, none, nothing, nothing, NOISE.pixel)
     assert [len(a) for a in got] == [0, 0, 0, 0]
 
 

@@ -3,13 +3,20 @@
 import numpy as np
 import pytest
 
-from tracker.fusion.chain import propagate_kernel as kernel
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.prior import initial_covariance
-from tracker.fusion.chain.propagate import carry, propagate, transition
-from tracker.fusion.chain.state import ChainState, initial_state, inject
-from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
+from tracker.fusion.chain.propagate import (
+    Coasting,
+    Motion,
+    carry,
+    move_nominal,
+    propagate,
+    transition,
+)
+from tracker.fusion.chain.state import ChainState, Dynamic, initial_state, inject
+from tracker.fusion.engine import COAST_DAMPING
+from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals, Moment
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, ImuSample
@@ -57,7 +64,7 @@ def test_covariance_moves_as_the_dense_product(
     A = rng.normal(size=(n, n))
     state.P = A @ A.T
     F, R_GB, P = np.eye(n), state.R_GB, state.P.copy()
-    F[: layout.n_dynamic, : layout.scale] = transition(state, layout, sample, dt)
+    F[: layout.n_dynamic, : layout.scale] = transition(state, layout, Moment.of(sample), dt)
     expected = F @ P @ F.T
     noise = ChainParams().noise
     q = kernel_noise(layout, bool(sample.valid[0]), dt)
@@ -108,9 +115,9 @@ def test_a_way_in_parts_is_the_whole_way(layout: ChainLayout) -> None:
         buffer.add(packet(layout, 1.0 + 0.01 * k, k, (k % 3,)))
     way = buffer.intervals(1.004, 1.055)
     whole, parts, free = a_state(layout), a_state(layout), a_state(layout)
-    propagate(whole, layout, ChainParams(), way, coasting=(1.0, 0.025))
-    for part in (slice(0, 2), slice(2, 3), slice(3, 6)):
-        propagate(parts, layout, ChainParams(), way, part, (1.0, 0.025))
+    propagate(whole, layout, ChainParams(), way, Coasting(1.0, 0.025))
+    for part in ((0, 2), (2, 3), (3, 6)):
+        propagate(parts, layout, ChainParams(), way.part(*part), Coasting(1.0, 0.025))
     for name in ("p", "v", "R_GB", "P"):
         assert np.array_equal(getattr(whole, name), getattr(parts, name)), name
     propagate(free, layout, ChainParams(), way)
@@ -148,6 +155,6 @@ def test_a_full_table_makes_room(layout: ChainLayout) -> None:
 def test_a_root_without_imu_slows_down(layout: ChainLayout) -> None:
     """Its velocity dies away; it does not fall."""
     v = np.array([1.0, 0.0, 0.0])
-    w, R = np.zeros((1, 3)), np.eye(3)[None]
-    _, slower, _ = kernel.move_nominal(np.zeros(3), v, R, w, np.zeros(3), False, 0.5, False)
-    assert np.allclose(slower, [np.exp(-kernel.COAST_DAMPING * 0.5), 0, 0])
+    hand, nothing = Dynamic(np.zeros(3), v, np.eye(3)[None]), np.zeros((1, 3))
+    _, slower, _ = move_nominal(hand, Motion(nothing, np.zeros(3), False), 0.5, False)
+    assert np.allclose(slower, [np.exp(-COAST_DAMPING * 0.5), 0, 0])

@@ -1,4 +1,4 @@
-"""The Kalman update shared by all engines."""
+"""The Kalman update shared by all engines, and products with rows that are mostly zero."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from scipy.linalg.blas import dsyrk, dtrsm
 from scipy.linalg.lapack import dpotrf
 
 from tracker.kernels import kernel
+from tracker.kernels.arrays import Matrix, Vector
 from tracker.messages import Array
 
 
@@ -38,7 +39,7 @@ def correct(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> Array:
 
 
 @kernel
-def _mirror(P):  # type: ignore[no-untyped-def]
+def _mirror(P: Matrix) -> None:
     """Copy the lower triangle to the upper one, in tiles that stay in the cache."""
     n, tile = len(P), 32
     for top in range(0, n, tile):
@@ -58,3 +59,48 @@ def _factor(S: Array) -> Array:
     if info != 0:
         raise np.linalg.LinAlgError("the innovation covariance is not positive definite")
     return np.asarray(U)
+
+
+@kernel
+def times(H: Matrix, P: Matrix) -> Matrix:
+    """H P of H (m, N), few entries a row, and P (N, k)."""
+    out = np.zeros((len(H), P.shape[1]))
+    for i in range(len(H)):
+        for j in range(H.shape[1]):
+            factor = H[i, j]
+            if factor != 0.0:
+                for k in range(P.shape[1]):
+                    out[i, k] += factor * P[j, k]
+    return out
+
+
+@kernel
+def products(H: Matrix, P: Matrix) -> tuple[Matrix, Matrix]:
+    """H P (m, N) and H P Hᵀ (m, m)."""
+    HP = times(H, P)
+    return HP, times(H, HP.T.copy())
+
+
+@kernel
+def joined(
+    H_1: Matrix,
+    HP_1: Matrix,
+    r_1: Vector,
+    R_1: Matrix,
+    H_2: Matrix,
+    r_2: Vector,
+    variance: Vector,
+    P: Matrix,
+) -> tuple[Matrix, Matrix, Matrix, Vector, Matrix]:
+    """H, H P, H P Hᵀ, r and R of two independent measurements.
+
+    H P of the first is known; R_1 (m, m), the second's noise ``variance`` (k,) on the diagonal.
+    """
+    m, k = len(r_1), len(r_2)
+    H, HP = np.empty((m + k, len(P))), np.empty((m + k, len(P)))
+    r, R = np.empty(m + k), np.zeros((m + k, m + k))
+    H[:m], HP[:m], r[:m], R[:m, :m] = H_1, HP_1, r_1, R_1
+    H[m:], HP[m:], r[m:] = H_2, times(H_2, P), r_2
+    for i in range(k):
+        R[m + i, m + i] = variance[i]
+    return H, HP, times(H, HP.T.copy()), r, R

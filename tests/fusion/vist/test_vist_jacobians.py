@@ -6,7 +6,7 @@ import pytest
 from tracker.fusion.vist.anatomy import Anatomy
 from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.params import VistConstraint, VistNoise
-from tracker.fusion.vist.points import jacobians, positions, spread
+from tracker.fusion.vist.points import in_joint_rows, jacobians, positions
 from tracker.fusion.vist.propagate import propagate, transition
 from tracker.fusion.vist.state import VistState, inject
 from tracker.geometry import so3
@@ -54,7 +54,7 @@ def differences(f, state: VistState, size: int) -> np.ndarray:
 @pytest.mark.parametrize("seed", [0, 1])
 def test_marker_jacobian(layout, seed):
     state, segment = random_state(layout, seed), layout.chain.marker_segment
-    H = spread(jacobians(state, segment, layout.marker_lever), segment, layout.size)
+    H = in_joint_rows(jacobians(state, segment, layout.marker_lever), segment, layout.size)
     f = lambda s: positions(s, segment, layout.marker_lever)  # noqa: E731
     np.testing.assert_allclose(H, differences(f, state, layout.size), atol=1e-7)
 

@@ -8,14 +8,16 @@ angles themselves. (A joint free to twist has no such linear form and is left fr
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import Blocks, ChainLayout
 from tracker.fusion.chain.params import ConstraintParams
 from tracker.fusion.chain.state import ChainState
 from tracker.geometry.kernels import cross3, rotate, rotate_back, tmul3, zyx3
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
 from tracker.messages import Array
 
 E_X, E_Y, E_Z = np.eye(3)
@@ -43,106 +45,121 @@ class Flexion:
     offset: float
 
 
+class Joints(NamedTuple):
+    """Of the A active segments: parent (A,), R_rest (A, 3, 3)."""
+
+    parent: IntVector
+    R_rest: Stack
+
+
+class AxisRows(NamedTuple):
+    """`Axis` of all axes: child (k,), e and f (k, 3), variance (k,)."""
+
+    child: IntVector
+    e: Matrix
+    f: Matrix
+    variance: Vector
+
+
+class FlexionRows(NamedTuple):
+    """`Flexion` of all joints: child, source (k,), numbers (k, 4) low, high, ratio, offset; and
+    the variances of a limit and of a synergy."""
+
+    child: IntVector
+    source: IntVector
+    numbers: Matrix
+    limit: float
+    synergy: float
+
+
 class Constraints:
     """The rows that one hand with one glove has."""
 
     def __init__(self, layout: ChainLayout, params: ConstraintParams) -> None:
-        self._layout, self._params = layout, params
+        self._blocks, self._joints = layout.blocks, Joints(layout.parent, layout.R_rest)
         axes, flexions = _axes(layout, params), _flexions(layout)
         self.axes, self.flexions = tuple(axes), tuple(flexions)
-        self._axis_child = np.array([a.child for a in axes], np.int64)
-        self._axis_e = np.array([a.e for a in axes]).reshape(-1, 3)
-        self._axis_f = np.array([a.f for a in axes]).reshape(-1, 3)
-        self._axis_var = np.array([a.sd**2 for a in axes])
-        self._flexion_child = np.array([f.child for f in flexions], np.int64)
-        self._flexion_source = np.array([f.source for f in flexions], np.int64)
-        self._flexion_numbers = np.array(
-            [[f.low, f.high, f.ratio, f.offset] for f in flexions]
-        ).reshape(-1, 4)
+        self._axis_rows = AxisRows(
+            np.array([a.child for a in axes], np.int64),
+            np.array([a.e for a in axes]).reshape(-1, 3),
+            np.array([a.f for a in axes]).reshape(-1, 3),
+            np.array([a.sd**2 for a in axes], float),
+        )
+        self._flexion_rows = FlexionRows(
+            np.array([f.child for f in flexions], np.int64),
+            np.array([f.source for f in flexions], np.int64),
+            np.array([[f.low, f.high, f.ratio, f.offset] for f in flexions]).reshape(-1, 4),
+            params.limit**2,
+            params.synergy**2,
+        )
 
     def rows(self, state: ChainState) -> tuple[Array, Array, Array]:
         """Stacked H (m, N), innovation r (m,), variances (m,).
 
         A limit gives a row only where it is passed.
         """
-        lay = self._layout
-        return _rows(
-            lay.parent,
-            lay.R_rest,
-            state.R_GB,
-            self._axis_child,
-            self._axis_e,
-            self._axis_f,
-            self._axis_var,
-            self._flexion_child,
-            self._flexion_source,
-            self._flexion_numbers,
-            self._params.limit**2,
-            self._params.synergy**2,
-            lay.theta,
-            lay.size,
-        )
+        return _rows(self._blocks, self._joints, state.R_GB, self._axis_rows, self._flexion_rows)
 
 
 @kernel
-def _relative(parent, R_rest, R_GB, child):  # type: ignore[no-untyped-def]
-    return tmul3(R_rest[child], tmul3(R_GB[parent[child]], R_GB[child]))
+def _relative(joints: Joints, R_GB: Stack, child: int) -> Matrix:
+    """R_rel (3, 3) of the joint at ``child``."""
+    return tmul3(joints.R_rest[child], tmul3(R_GB[joints.parent[child]], R_GB[child]))
 
 
 @kernel
-def _put(h, parent, theta, child, J_a, J_c, gain):  # type: ignore[no-untyped-def]
+def _put(
+    h: Vector, at: Blocks, joints: Joints, child: int, J_a: Vector, J_c: Vector, gain: float
+) -> None:
     """Add a row's derivatives by the parent's and the child's orientation."""
     for r in range(3):
-        h[theta + 3 * parent[child] + r] += gain * J_a[r]
-        h[theta + 3 * child + r] += gain * J_c[r]
+        h[at.theta + 3 * joints.parent[child] + r] += gain * J_a[r]
+        h[at.theta + 3 * child + r] += gain * J_c[r]
 
 
 @kernel
-def _put_flexion(h, parent, R_rest, R_GB, theta, child, gain):  # type: ignore[no-untyped-def]
+def _put_flexion(
+    h: Vector, at: Blocks, joints: Joints, R_GB: Stack, child: int, gain: float
+) -> None:
     """Flexion turns about the child's own y (its twist being small)."""
     y = np.array([0.0, 1.0, 0.0])
-    R = _relative(parent, R_rest, R_GB, child)
-    _put(h, parent, theta, child, -rotate(R_rest[child], rotate(R, y)), y, gain)
+    R = _relative(joints, R_GB, child)
+    _put(h, at, joints, child, -rotate(joints.R_rest[child], rotate(R, y)), y, gain)
 
 
 @kernel
-def _rows(  # type: ignore[no-untyped-def]
-    parent, R_rest, R_GB, axis_child, axis_e, axis_f, axis_var,
-    flexion_child, flexion_source, flexion_numbers, limit_var, synergy_var, theta, size,
-):  # fmt: skip
-    n = len(axis_child)
-    most = n + 2 * len(flexion_child)
-    H, r, var = np.zeros((most, size)), np.zeros(most), np.zeros(most)
+def _rows(
+    at: Blocks, joints: Joints, R_GB: Stack, axes: AxisRows, flexions: FlexionRows
+) -> tuple[Matrix, Vector, Vector]:
+    """`Constraints.rows`."""
+    n = len(axes.child)
+    most = n + 2 * len(flexions.child)
+    H, r, var = np.zeros((most, at.size)), np.zeros(most), np.zeros(most)
+    # 1. fixed axes: e^T R_rest^T Exp(-beta_a) R_a^T R_c Exp(beta_c) f
     for k in range(n):
-        c, e, f = axis_child[k], axis_e[k], axis_f[k]
-        R = _relative(parent, R_rest, R_GB, c)
-        # e^T R_rest^T Exp(-beta_a) R_a^T R_c Exp(beta_c) f
-        _put(
-            H[k],
-            parent,
-            theta,
-            c,
-            rotate(R_rest[c], cross3(e, rotate(R, f))),
-            cross3(f, rotate_back(R, e)),
-            1.0,
-        )
+        c, e, f = axes.child[k], axes.e[k], axes.f[k]
+        R = _relative(joints, R_GB, c)
+        J_a = rotate(joints.R_rest[c], cross3(e, rotate(R, f)))
+        _put(H[k], at, joints, c, J_a, cross3(f, rotate_back(R, e)), 1.0)
         r[k] = -np.dot(e, rotate(R, f))
-        var[k] = axis_var[k]
+        var[k] = axes.variance[k]
     m = n
-    for k in range(len(flexion_child)):
-        c, s = flexion_child[k], flexion_source[k]
-        low, high, ratio, offset = flexion_numbers[k]
-        value = zyx3(_relative(parent, R_rest, R_GB, c))[1]
+    for k in range(len(flexions.child)):
+        c, s = flexions.child[k], flexions.source[k]
+        low, high, ratio, offset = flexions.numbers[k]
+        value = zyx3(_relative(joints, R_GB, c))[1]
+        # 2. limits, where they are passed
         bound = min(max(value, low), high)
         if bound != value:
-            _put_flexion(H[m], parent, R_rest, R_GB, theta, c, 1.0)
-            r[m], var[m] = bound - value, limit_var
+            _put_flexion(H[m], at, joints, R_GB, c, 1.0)
+            r[m], var[m] = bound - value, flexions.limit
             m += 1
+        # 3. synergies
         if s >= 0:
-            source = zyx3(_relative(parent, R_rest, R_GB, s))[1]
-            _put_flexion(H[m], parent, R_rest, R_GB, theta, c, 1.0)
-            _put_flexion(H[m], parent, R_rest, R_GB, theta, s, -ratio)
-            r[m], var[m] = ratio * source + offset - value, synergy_var
+            source = zyx3(_relative(joints, R_GB, s))[1]
+            _put_flexion(H[m], at, joints, R_GB, c, 1.0)
+            _put_flexion(H[m], at, joints, R_GB, s, -ratio)
+            r[m], var[m] = ratio * source + offset - value, flexions.synergy
             m += 1
     return H[:m], r[:m], var[:m]
 
@@ -168,7 +185,7 @@ def _axes(layout: ChainLayout, params: ConstraintParams) -> list[Axis]:
 
 def _flexions(layout: ChainLayout) -> list[Flexion]:
     hand = layout.hand
-    source, gain = layout.drive
+    source, gain = layout.drive.source, layout.drive.gain
     out: list[Flexion] = []
     for child, name in enumerate(layout.names):
         joint = hand.joint_of.get(name)

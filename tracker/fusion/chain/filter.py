@@ -14,13 +14,12 @@ from tracker.fusion.chain.constraints import Constraints
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.prior import initial_covariance, reset_pose
-from tracker.fusion.chain.propagate import carry, propagate
+from tracker.fusion.chain.propagate import Coasting, carry, propagate
 from tracker.fusion.chain.start.search import Pose
 from tracker.fusion.chain.state import ChainState, initial_state, inject
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tilt import tilt_rows
-from tracker.fusion.kalman import correct
-from tracker.fusion.sparse import joined, products
+from tracker.fusion.kalman import correct, joined, products
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import Array, IntArray
 
@@ -69,8 +68,8 @@ class ChainFilter:
         if self._tape is not None:
             dt = float(way.stop[first] - way.start[first])
             self._tape.step(self.state, way.mean(first), dt)
-        coasting = last_good, params.match.lost_after
-        propagate(self.state, self._layout, params, way, slice(first, end), coasting)
+        coasting = Coasting(last_good, params.match.lost_after)
+        propagate(self.state, self._layout, params, way.part(first, end), coasting)
         self._tilt()
         return end
 
@@ -128,7 +127,7 @@ class ChainFilter:
         around = self._buffer.around(t) if self._tilt_is_due(t) else None
         if around is None:
             return
-        rows = tilt_rows(self.state, self._layout, self._params.constraint, *around)
+        rows = tilt_rows(self.state, self._layout, self._params.constraint, around)
         if rows is not None:
             self.kept.last_tilt = t
             self._use(*rows)

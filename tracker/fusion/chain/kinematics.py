@@ -7,101 +7,60 @@ Arrays are those of `ChainLayout` and `ChainState`; A active segments, n points.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
-from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.state import ChainState
+from tracker.fusion.chain.layout import Blocks, ChainLayout, Points, Skeleton
+from tracker.fusion.chain.state import Body, ChainState
 from tracker.geometry.kernels import rotate
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, IntArray
+
+MOST_COLUMNS = 8  # that a segment adds: its orientation, its scales, an offset
+
+
+class OriginJacobians(NamedTuple):
+    """What each segment's origin depends on, but for the lever of p in the root.
+
+    Its first ``used`` (A,) columns are not zero: their numbers column (A, K), values (A, 3, K).
+    """
+
+    used: IntVector
+    column: IntMatrix
+    value: Stack
+
+
+def marker_points(state: ChainState, layout: ChainLayout) -> Points:
+    """All markers as points of the chain."""
+    return Points(layout.marker_segment, layout.glove.marker_position, state.marker)
 
 
 def segment_positions(state: ChainState, layout: ChainLayout) -> Array:
     """(A, 3) origins p_GB of the active segments."""
-    return segment_origins(
-        layout.parent,
-        layout.origin,
-        layout.base_of,
-        layout.root_lever,
-        state.joint,
-        state.scale,
-        state.R_GB,
-        state.p,
-    )
+    return segment_origins(layout.skeleton, state.body, state.p)
 
 
 def marker_positions(state: ChainState, layout: ChainLayout) -> Array:
     """(M, 3) in G of all markers."""
-    return points_of(
-        segment_positions(state, layout),
-        state.R_GB,
-        state.scale,
-        layout.marker_segment,
-        layout.glove.marker_position,
-        state.marker,
-    )
-
-
-def point_jacobians(
-    state: ChainState,
-    layout: ChainLayout,
-    segment: IntArray,
-    nominal: Array,
-    offset: Array,
-    offset_column: IntArray,
-) -> Array:
-    """J_point_error (n, 3, N). ``offset_column`` is where a point's own offset stands, or -1."""
-    return _jacobians(
-        layout.parent,
-        layout.origin,
-        layout.base_of,
-        layout.root_lever,
-        state.joint,
-        state.scale,
-        state.R_GB,
-        segment,
-        nominal,
-        offset,
-        offset_column,
-        layout.theta,
-        layout.scale,
-        layout.joint,
-        layout.size,
-    )
+    return positions(layout.skeleton, state.body, state.p, marker_points(state, layout))
 
 
 def marker_jacobians(state: ChainState, layout: ChainLayout, rows: IntArray) -> Array:
     """J_marker_error (n, 3, N) of the markers ``rows``."""
-    return point_jacobians(
-        state,
-        layout,
-        layout.marker_segment[rows],
-        layout.glove.marker_position[rows],
-        state.marker[rows],
-        layout.marker + 3 * rows,
-    )
+    segment, nominal, offset = marker_points(state, layout)
+    markers = Points(segment[rows], nominal[rows], offset[rows])
+    return jacobians(layout.skeleton, layout.blocks, state.body, markers, layout.marker + 3 * rows)
 
 
 def tip_sd(state: ChainState, layout: ChainLayout) -> Array:
     """(A,) m: root of the mean variance of each active segment's end."""
-    return _tip_spread(
-        layout.parent,
-        layout.origin,
-        layout.base_of,
-        layout.root_lever,
-        state.joint,
-        state.scale,
-        state.R_GB,
-        layout.tip,
-        layout.theta,
-        layout.scale,
-        layout.joint,
-        state.P,
-    )
+    return sd_of_ends(layout.skeleton, layout.blocks, state.body, layout.tips, state.P)
 
 
 @kernel
-def turned(R, segment, v):  # type: ignore[no-untyped-def]
+def rotated(R: Stack, segment: IntVector, v: Matrix) -> Matrix:
     """(n, 3) v in G, of v (n, 3) given in the B of ``segment`` (n,), with R_GB (A, 3, 3)."""
     out = np.empty((len(v), 3))
     for k in range(len(v)):
@@ -112,50 +71,61 @@ def turned(R, segment, v):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def stretched(scale, x):  # type: ignore[no-untyped-def]
+def stretched(scale: Vector, x: Vector) -> Vector:
     """(3,) x (3,) grown by the factors (2,) of length and girth."""
     return np.array([scale[0] * x[0], scale[1] * x[1], scale[1] * x[2]])
 
 
 @kernel
-def joint_lever(scale, origin, joint, base_of, child, a):  # type: ignore[no-untyped-def]
+def joint_lever(skeleton: Skeleton, body: Body, child: int, a: int) -> Vector:
     """(3,) m where the joint of the segment ``child`` stands in the B of its parent ``a``."""
-    x = stretched(scale[a], origin[child])
-    return x + joint[base_of[child]] if base_of[child] >= 0 else x
+    x, base = stretched(body.scale[a], skeleton.origin[child]), skeleton.base_of[child]
+    return x + body.joint[base] if base >= 0 else x
 
 
 @kernel
-def points_of(p_GB, R, scale, segment, nominal, offset):  # type: ignore[no-untyped-def]
-    """(n, 3) in G of points given in the B of their active ``segment`` (n,), m.
+def positions(skeleton: Skeleton, body: Body, p: Vector, points: Points) -> Matrix:
+    """(n, 3) m in G; p (3,) as in `segment_origins`."""
+    return points_of(segment_origins(skeleton, body, p), body, points)
 
-    ``nominal`` (n, 3) grows with the scale (A, 2), ``offset`` (n, 3) does not.
-    """
-    out = np.empty((len(segment), 3))
-    for k in range(len(segment)):
-        a = segment[k]
-        out[k] = p_GB[a] + rotate(R[a], stretched(scale[a], nominal[k]) + offset[k])
+
+@kernel
+def points_of(p_GB: Matrix, body: Body, points: Points) -> Matrix:
+    """(n, 3) m in G, of segments that stand at p_GB (A, 3)."""
+    out = np.empty((len(points.segment), 3))
+    for k in range(len(points.segment)):
+        a = points.segment[k]
+        x = stretched(body.scale[a], points.nominal[k]) + points.offset[k]
+        out[k] = p_GB[a] + rotate(body.R_GB[a], x)
     return out
 
 
 @kernel
-def segment_origins(parent, origin, base_of, lever, joint, scale, R, p):  # type: ignore[no-untyped-def]
-    """(A, 3) p_GB; ``lever`` (3,) m is of the point that p is of, in the root's B."""
+def segment_origins(skeleton: Skeleton, body: Body, p: Vector) -> Matrix:
+    """(A, 3) p_GB; p (3,) m in G is of the point at the skeleton's lever."""
+    parent, R = skeleton.parent, body.R_GB
     out = np.empty((len(parent), 3))
     for i in range(len(parent)):
         a = parent[i]
         if a < 0:
-            out[i] = p - rotate(R[i], stretched(scale[i], lever))
+            out[i] = p - rotate(R[i], stretched(body.scale[i], skeleton.lever))
         else:
-            out[i] = out[a] + rotate(R[a], joint_lever(scale, origin, joint, base_of, i, a))
+            out[i] = out[a] + rotate(R[a], joint_lever(skeleton, body, i, a))
     return out
 
 
-MOST_COLUMNS = 8  # that a segment adds: its orientation, its scales, an offset
-
-
 @kernel
-def put_link(value, column, R, x, nominal, first, scale, offset):  # type: ignore[no-untyped-def]
-    """Slopes of R_GB x by the error states of one segment, and where these states stand.
+def put_link(
+    value: Matrix,
+    column: IntVector,
+    R: Matrix,
+    x: Vector,
+    nominal: Vector,
+    first: int,
+    scale: int,
+    offset: int,
+) -> int:
+    """Jacobian of R_GB x by the error states of one segment, and where these states stand.
 
     x (3,) m is what ``nominal`` (3,) has grown to, with an offset that is a state too where its
     first column ``offset`` >= 0; ``first`` and ``scale`` are those of the orientation and of the
@@ -176,90 +146,89 @@ def put_link(value, column, R, x, nominal, first, scale, offset):  # type: ignor
 
 
 @kernel
-def from_point(a, x, lever, scale):  # type: ignore[no-untyped-def]
+def from_point(a: int, x: Vector, lever: Vector, scale: Vector) -> Vector:
     """x (3,) m in the B of segment ``a``, in the root's counted from the point that p is of."""
     return x - stretched(scale, lever) if a == 0 else x
 
 
 @kernel
-def origin_slopes(  # type: ignore[no-untyped-def]
-    parent, origin, base_of, lever, joint, scale, R, theta, scale_at, joint_at
-):  # fmt: skip
-    """What each segment's origin depends on, but for the lever of p in the root.
-
-    count (A,), column (A, K) and value (A, 3, K) of the columns that are not zero; of the root, p.
-    """
+def origin_jacobians(skeleton: Skeleton, at: Blocks, body: Body) -> OriginJacobians:
+    """Each segment's is its parent's with the link between them added; the root's is by p."""
+    parent, lever, base_of = skeleton.parent, skeleton.lever, skeleton.base_of
     n, ones = len(parent), np.ones(2)
     most = 3 + MOST_COLUMNS * n
-    count = np.zeros(n, np.int64)
+    used = np.zeros(n, np.int64)
     column, value = np.zeros((n, most), np.int64), np.zeros((n, 3, most))
     for c in range(n):
         a = parent[c]
         if a < 0:
-            count[c] = 3
+            used[c] = 3
             for r in range(3):
                 column[c, r], value[c, r, r] = r, 1.0
             continue
-        k = count[a]
+        k = used[a]
         column[c, :k], value[c, :, :k] = column[a, :k], value[a, :, :k]
-        x = from_point(a, joint_lever(scale, origin, joint, base_of, c, a), lever, scale[a])
-        offset = joint_at + 3 * base_of[c] if base_of[c] >= 0 else -1
-        count[c] = k + put_link(
-            value[c, :, k:], column[c, k:], R[a], x, from_point(a, origin[c], lever, ones),
-            theta + 3 * a, scale_at + 2 * a, offset,
+        x = from_point(a, joint_lever(skeleton, body, c, a), lever, body.scale[a])
+        offset = at.joint + 3 * base_of[c] if base_of[c] >= 0 else -1
+        used[c] = k + put_link(
+            value[c, :, k:], column[c, k:], body.R_GB[a], x,
+            from_point(a, skeleton.origin[c], lever, ones),
+            at.theta + 3 * a, at.scale + 2 * a, offset,
         )  # fmt: skip
-    return count, column, value
+    return OriginJacobians(used, column, value)
 
 
 @kernel
-def put_own(  # type: ignore[no-untyped-def]
-    value, column, a, nominal, offset, lever, scale, R, theta, scale_at, offset_at
-):  # fmt: skip
-    """`put_link` of a point of segment ``a`` at ``nominal`` and ``offset`` (3,) m in its B."""
-    x = from_point(a, stretched(scale[a], nominal) + offset, lever, scale[a])
+def put_own(
+    value: Matrix,
+    column: IntVector,
+    skeleton: Skeleton,
+    at: Blocks,
+    body: Body,
+    points: Points,
+    k: int,
+    offset_at: int,
+) -> int:
+    """`put_link` of the point ``k``, whose offset stands at ``offset_at``, -1 where it is none."""
+    a, lever, nominal = points.segment[k], skeleton.lever, points.nominal[k]
+    x = stretched(body.scale[a], nominal) + points.offset[k]
+    x = from_point(a, x, lever, body.scale[a])
     unit = from_point(a, nominal, lever, np.ones(2))
-    first, second = theta + 3 * a, scale_at + 2 * a
-    return put_link(value, column, R[a], x, unit, first, second, offset_at)
+    first, second = at.theta + 3 * a, at.scale + 2 * a
+    return put_link(value, column, body.R_GB[a], x, unit, first, second, offset_at)
 
 
 @kernel
-def _jacobians(  # type: ignore[no-untyped-def]
-    parent, origin, base_of, lever, joint, scale, R, segment, nominal, offset, offset_column,
-    theta, scale_at, joint_at, size,
-):  # fmt: skip
-    count, column, value = origin_slopes(
-        parent, origin, base_of, lever, joint, scale, R, theta, scale_at, joint_at
-    )
-    H = np.zeros((len(segment), 3, size))
-    own, at = np.empty((3, MOST_COLUMNS)), np.empty(MOST_COLUMNS, np.int64)
-    for k in range(len(segment)):
-        a = segment[k]
-        n = put_own(own, at, a, nominal[k], offset[k], lever, scale, R, theta, scale_at,
-                    offset_column[k])  # fmt: skip
+def jacobians(
+    skeleton: Skeleton, at: Blocks, body: Body, points: Points, offset_at: IntVector
+) -> Stack:
+    """J_point_error (n, 3, N). ``offset_at`` (n,) is where a point's own offset stands, or -1."""
+    used, column, value = origin_jacobians(skeleton, at, body)
+    H = np.zeros((len(points.segment), 3, at.size))
+    own, own_column = np.empty((3, MOST_COLUMNS)), np.empty(MOST_COLUMNS, np.int64)
+    for k in range(len(points.segment)):
+        a = points.segment[k]
+        n = put_own(own, own_column, skeleton, at, body, points, k, offset_at[k])
         for r in range(3):
-            for i in range(count[a]):
+            for i in range(used[a]):
                 H[k, r, column[a, i]] = value[a, r, i]
             for i in range(n):
-                H[k, r, at[i]] = own[r, i]
+                H[k, r, own_column[i]] = own[r, i]
     return H
 
 
 @kernel
-def _tip_spread(  # type: ignore[no-untyped-def]
-    parent, origin, base_of, lever, joint, scale, R, tip, theta, scale_at, joint_at, P
-):  # fmt: skip
-    """(A,) root of a third of the trace of H P H^T of the segments' ends ``tip`` (A, 3) m in B."""
-    count, column, value = origin_slopes(
-        parent, origin, base_of, lever, joint, scale, R, theta, scale_at, joint_at
-    )
-    out, none = np.empty(len(parent)), np.zeros(3)
-    for a in range(len(parent)):
-        k, h, at = count[a], value[a], column[a]
-        k += put_own(h[:, k:], at[k:], a, tip[a], none, lever, scale, R, theta, scale_at, -1)
+def sd_of_ends(skeleton: Skeleton, at: Blocks, body: Body, ends: Points, P: Matrix) -> Vector:
+    """(A,) m: root of a third of the trace of H P H^T of the ``ends`` of all segments."""
+    used, column, value = origin_jacobians(skeleton, at, body)
+    out = np.empty(len(used))
+    for a in range(len(used)):
+        k, h, own = used[a], value[a], column[a]
+        k += put_own(h[:, k:], own[k:], skeleton, at, body, ends, a, -1)
         total = 0.0
         for i in range(k):
             for j in range(i + 1):
                 product = h[0, i] * h[0, j] + h[1, i] * h[1, j] + h[2, i] * h[2, j]
-                total += (1.0 if i == j else 2.0) * product * P[at[i], at[j]]
+                total += (1.0 if i == j else 2.0) * product * P[own[i], own[j]]
         out[a] = np.sqrt(max(total / 3.0, 0.0))
     return out

@@ -6,19 +6,78 @@ state, in this order (blocks of 3 unless said):
     p, v | theta per active segment | bg, phi, ba per IMU | scale (length, girth) per active segment
     | joint offset per finger base | offset per marker
 
-The first ``n_dynamic`` rows move with the IMU data, the rest only by slow walks.
+The first ``n_dynamic`` rows move with the IMU data, the rest only by slow random walks.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, IntArray
+
+
+class Blocks(NamedTuple):
+    """First row of each block of the error state but p (0) and v (3); ``size`` is all rows."""
+
+    theta: int
+    bg: int
+    phi: int
+    ba: int
+    scale: int
+    joint: int
+    marker: int
+    size: int
+
+
+class Drive(NamedTuple):
+    """What turns each of the A active segments: its IMU, else its parent and a synergy.
+
+    parent (A,) active row, -1 for the root; imu_of (A,) the IMU on it, -1 for none; source (A,)
+    active segment whose flexion drives its own by synergy, -1 for none (always with an IMU); gain
+    (A, 2) ratio and offset (rad) of that.
+    """
+
+    parent: IntVector
+    imu_of: IntVector
+    source: IntVector
+    gain: Matrix
+
+
+class Skeleton(NamedTuple):
+    """Where the joints of the A active segments stand.
+
+    parent (A,) active row, -1 for the root; origin (A, 3) m joint in the parent's B; base_of (A,)
+    number among the joint offsets, -1 for none; lever (3,) m in the root's B, of the point whose
+    position is the state.
+    """
+
+    parent: IntVector
+    origin: Matrix
+    base_of: IntVector
+    lever: Vector
+
+
+class ImuPlaces(NamedTuple):
+    """segment (n,) active row of each IMU, position (n, 3) m of I in its B."""
+
+    segment: IntVector
+    position: Matrix
+
+
+class Points(NamedTuple):
+    """Points fixed to active segments (n,), m in their B: nominal (n, 3), which grows with the
+    segment's scale, and offset (n, 3), which does not."""
+
+    segment: IntVector
+    nominal: Matrix
+    offset: Matrix
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,13 +117,6 @@ class ChainLayout:
     def origin(self) -> Array:
         """(A, 3) joint in the parent's B, m."""
         return np.array([self.hand.segments[h].origin for h in self.active])
-
-    @cached_property
-    def tip(self) -> Array:
-        """(A, 3) nominal far end of each active segment in its B, m."""
-        out = np.zeros((len(self.active), 3))
-        out[:, 0] = [self.hand.segments[h].length for h in self.active]
-        return out
 
     @cached_property
     def R_rest(self) -> Array:
@@ -114,9 +166,8 @@ class ChainLayout:
         return out
 
     @cached_property
-    def drive(self) -> tuple[IntArray, Array]:
-        """(A,) active segment whose flexion drives each segment by synergy, -1 for none (always
-        for a segment with an IMU), and (A, 2) ratio and offset (rad)."""
+    def drive(self) -> Drive:
+        """What turns each active segment."""
         hand = self.hand
         source = np.full(len(self.active), -1, np.int64)
         gain = np.zeros((len(self.active), 2))
@@ -125,7 +176,24 @@ class ChainLayout:
             child, of = self.row_of.get(child_of.get(s.angle, -1)), child_of.get(s.of, -1)
             if child is not None and of in self.row_of and self.imu_of[child] < 0:
                 source[child], gain[child] = self.row_of[of], (s.ratio, s.offset)
-        return source, gain
+        return Drive(self.parent, self.imu_of, source, gain)
+
+    @cached_property
+    def skeleton(self) -> Skeleton:
+        """Where the joints of the active segments stand."""
+        return Skeleton(self.parent, self.origin, self.base_of, self.root_lever)
+
+    @cached_property
+    def imus(self) -> ImuPlaces:
+        """Where the IMUs stand."""
+        return ImuPlaces(self.imu_segment, self.imu_position)
+
+    @cached_property
+    def tips(self) -> Points:
+        """The nominal far ends of the active segments."""
+        end = np.zeros((len(self.active), 3))
+        end[:, 0] = [self.hand.segments[h].length for h in self.active]
+        return Points(np.arange(len(self.active)), end, np.zeros_like(end))
 
     # Where each block starts.
     p = 0
@@ -137,30 +205,42 @@ class ChainLayout:
         return 6 + 3 * len(self.active)
 
     @cached_property
+    def blocks(self) -> Blocks:
+        """Where the blocks of the error state start, for kernels."""
+        bg = self.n_dynamic
+        phi = bg + 3 * len(self.glove.imus)
+        ba = phi + 3 * len(self.glove.imus)
+        scale = ba + 3 * len(self.glove.imus)
+        joint = scale + 2 * len(self.active)
+        marker = joint + 3 * int(np.sum(self.base_of >= 0))
+        size = marker + 3 * len(self.glove.markers)
+        return Blocks(self.theta, bg, phi, ba, scale, joint, marker, size)
+
+    @property
     def bg(self) -> int:
-        return self.n_dynamic
+        return self.blocks.bg
 
-    @cached_property
+    @property
     def phi(self) -> int:
-        return self.bg + 3 * len(self.glove.imus)
+        return self.blocks.phi
 
-    @cached_property
+    @property
     def ba(self) -> int:
-        return self.phi + 3 * len(self.glove.imus)
+        return self.blocks.ba
 
-    @cached_property
+    @property
     def scale(self) -> int:
-        return self.ba + 3 * len(self.glove.imus)
+        return self.blocks.scale
 
-    @cached_property
+    @property
     def joint(self) -> int:
-        return self.scale + 2 * len(self.active)
+        return self.blocks.joint
 
-    @cached_property
+    @property
     def marker(self) -> int:
-        return self.joint + 3 * int(np.sum(self.base_of >= 0))
+        return self.blocks.marker
 
-    @cached_property
+    @property
     def size(self) -> int:
         """Number of error states."""
-        return self.marker + 3 * len(self.glove.markers)
+        return self.blocks.size

@@ -9,7 +9,8 @@ from tracker.fusion.ablations.segment_pose import by_segment, fit_pose, softened
 from tracker.fusion.chain.kinematics import marker_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import NoiseParams
-from tracker.fusion.chain.pixels import Prediction, SeenBlobs
+from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.chain.prediction import Prediction
 from tracker.fusion.chain.state import ChainState
 from tracker.geometry import so3
 from tracker.messages import Array, CameraPose, IntArray
@@ -46,8 +47,8 @@ class LooseRows:
             H_s = np.zeros((6, N))
             H_s[:3] = prediction.H[both[rows]].mean(axis=0)
             H_s[3:, lay.theta + 3 * segment : lay.theta + 3 * segment + 3] = np.eye(3)
-            turn = so3.log(state.R_GB[segment].T @ there.R_GB)
-            r_s = np.concatenate([there.centre_G - model_G[rows].mean(axis=0), turn])
+            rotation = so3.log(state.R_GB[segment].T @ there.R_GB)
+            r_s = np.concatenate([there.centre_G - model_G[rows].mean(axis=0), rotation])
             HP_s = H_s @ state.P
             H.append(H_s)
             HP.append(HP_s)
@@ -63,5 +64,5 @@ class LooseRows:
         good = np.isfinite(p_C[:, 2])
         p_C[~good] = (0.0, 0.0, 1.0)
         cov = stereo_covariance(self._rig, p_C, pose.R_GC, self._noise.pixel_px, self._noise.marker)
-        cov[~good] = np.eye(3)  # behind the lens: a metre of doubt
+        cov[~good] = np.eye(3)  # behind the camera: a metre of doubt
         return p_C @ pose.R_GC.T + pose.p_GC, cov

@@ -1,6 +1,33 @@
 """What a user may tune in the chain filter; values tuned on simulated people."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+
+class RandomWalks(NamedTuple):
+    """Densities per √s of what moves the state by itself, each as `NoiseParams` has it."""
+
+    accel: float
+    free_accel: float
+    gyro: float
+    free_rotation: float
+    free_root_rotation: float
+    gyro_bias: float
+    mounting: float
+    accel_bias: float
+    scale: float
+    offset: float
+
+
+class PixelNoise(NamedTuple):
+    """Standard deviations of a marker in an image, each as `NoiseParams` has it."""
+
+    marker: float
+    pixel_px: float
+    huber: float
 
 
 @dataclass(frozen=True)
@@ -20,6 +47,14 @@ class NoiseParams:
     marker: float = 0.0025  # m, placement and cloth that the offset states do not hold
     pixel_px: float = 1.0
     huber: float = 3.0
+
+    @cached_property
+    def random_walks(self) -> RandomWalks:
+        return RandomWalks(*(float(getattr(self, name)) for name in RandomWalks._fields))
+
+    @cached_property
+    def pixel(self) -> PixelNoise:
+        return PixelNoise(self.marker, self.pixel_px, self.huber)
 
 
 @dataclass(frozen=True)

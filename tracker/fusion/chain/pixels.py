@@ -1,50 +1,44 @@
 """Markers in the two images: prediction, correspondence, and the stacked pixel update.
 
-A marker's placement error is common to both images: the noise of a stereo pair is
-A A^T s_m² + I s_px² with A = [Pi_L; Pi_R] R_CG. Treating it as independent pixel noise would throw
-the depth away. A marker that one camera sees gives two rows, one that both see gives four.
+A marker that one camera sees gives two rows, one that both see gives three (`pixel_rows`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
+from tracker.fusion.chain.kinematics import marker_points
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import NoiseParams
-from tracker.fusion.chain.pixels_kernel import (
-    counted,
-    expected,
-    marker_places,
-    matched,
-    pixel_jacobians,
-    point_rows,
-    worn,
-)
+from tracker.fusion.chain.pixel_rows import point_rows
+from tracker.fusion.chain.prediction import Prediction, View, expected, pixel_jacobians, viewed
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.completion import Completion
+from tracker.kernels import kernel
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.vision.colours import hue_rows
-from tracker.vision.correspondence import GateParams
+from tracker.vision.correspondence import ExpectedPixels, GateParams, assigned
+from tracker.vision.cpd import HuedPixels
 from tracker.vision.rig import StereoRig
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility_at
 
 SIDES = ("left", "right")
-MIN_PRIOR = 0.01
 GATE = GateParams()
-USUAL_SPREAD = 10.0  # ln det of an innovation covariance in px⁴ that the default gate is made for
+GATE_SQUARED, GATE_PX = GATE.gate, GATE.gate_px
+ALONE, LEAST_PRIOR = GATE.dummy_cost, GATE.min_prior
+USUAL_LN_DET = 10.0  # of an innovation covariance in px⁴ that the default gate is made for
 
 
-@dataclass(frozen=True, eq=False)
-class SeenBlobs:
+class SeenBlobs(NamedTuple):
     """Blobs of one image in rectified pixels uv (n, 2), hue (n,) numbered as the glove's."""
 
-    uv: Array
-    hue: IntArray
-    source: IntArray  # (n,) row in the original message
+    uv: Matrix
+    hue: IntVector
+    source: IntVector  # (n,) row in the original message
 
     @staticmethod
     def of(
@@ -56,7 +50,8 @@ class SeenBlobs:
         """Those of hues that the glove wears."""
         if blobs is None or len(blobs) == 0:
             return SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))
-        uv, hue, keep = worn(blobs.uv, blobs.hue, hue_rows(hue_names, hues))
+        number = hue_rows(hue_names, hues).copy()
+        uv, hue, keep = worn(np.array(blobs.uv), np.array(blobs.hue), number)
         return SeenBlobs(rectify(uv), hue, keep)
 
 
@@ -68,27 +63,8 @@ def seen_blobs(frame: BlobFrame, rig: StereoRig, hues: tuple[str, ...]) -> tuple
     )
 
 
-@dataclass(frozen=True, eq=False)
-class Prediction:
-    """Markers as the filter expects them; n of them may be seen.
-
-    rows (n,) marker ids; uv (2, M, 2) rectified; prior (2, M); A (2, M, 2, 3) = d uv / d p_G; and
-    of the n rows H, HP (n, 3, N), cov (n, 3, 3) m² in G with the placement's, and the innovation
-    covariance S (2, n, 2, 2) px².
-    """
-
-    rows: IntArray
-    uv: Array
-    prior: Array
-    H: Array
-    HP: Array
-    cov: Array
-    A: Array
-    S: Array
-
-
 class Tally(NamedTuple):
-    """How many markers are ``matched`` in at least one lens; ``expected`` is the priors' sum."""
+    """How many markers are ``matched`` in at least one camera; ``expected`` is the priors' sum."""
 
     matched: int
     expected: float
@@ -109,40 +85,87 @@ class PixelModel:
 
     def predict(self, state: ChainState, pose: CameraPose) -> Prediction:
         """Where markers should be."""
-        lay, glove, rig, noise = self._layout, self._layout.glove, self._rig, self._noise
-        tree = lay.parent, lay.origin, lay.base_of, lay.root_lever
-        body = *tree, state.joint, state.scale, state.R_GB
-        marker = lay.marker_segment, glove.marker_position
-        p_GB, p_G, normal_G, p_C, uv = marker_places(
-            *body, state.p, *marker, glove.marker_normal, state.marker,
-            pose.R_GC, pose.p_GC, rig.fx, rig.fy, rig.cx, rig.cy, rig.baseline,
-        )  # fmt: skip
+        lay, rig, noise = self._layout, self._rig, self._noise.pixel
+        view, markers, body = View.of(rig, pose), marker_points(state, lay), state.body
+        p_GB, p_G, normal_G, p_C, uv = viewed(
+            lay.skeleton, body, state.p, markers, lay.glove.marker_normal, view
+        )
         R_all, p_all, *_ = self._complete(state.R_GB, p_GB, state.scale3())
-        markers = MarkerRows(p_G, normal_G, self._segment)
-        prior = visibility_at(uv, PosedHand(self._shape, R_all, p_all), markers, rig, pose)
-        A = pixel_jacobians(p_C, pose.R_GC, rig.fx, rig.fy, rig.baseline)
+        seen = MarkerRows(p_G, normal_G, self._segment)
+        prior = visibility_at(uv, PosedHand(self._shape, R_all, p_all), seen, rig, pose)
+        A = pixel_jacobians(p_C, view)
         rows, H, HP, cov, S = expected(
-            *body, *marker, state.marker, lay.theta, lay.scale, lay.joint, lay.marker,
-            state.P, prior, MIN_PRIOR, A, noise.marker, noise.pixel_px,
-        )  # fmt: skip
+            lay.skeleton, lay.blocks, body, markers, state.P, prior, A, noise
+        )
         return Prediction(rows, uv, prior, H, HP, cov, A, S)
 
     def match(self, prediction: Prediction, seen: tuple[SeenBlobs, ...]) -> IntArray:
         """(2, M) row of `seen` for each marker, -1 for none."""
         left, right = seen
-        return matched(
-            left.uv, left.hue, right.uv, right.hue,
-            prediction.uv, prediction.rows, prediction.S, self._layout.glove.marker_hue,
-            prediction.prior, GATE.gate, GATE.gate_px, GATE.dummy_cost, GATE.min_prior,
-            USUAL_SPREAD,
-        )  # fmt: skip
+        return matched(prediction, left, right, self._layout.glove.marker_hue)
 
     def rows(
         self, prediction: Prediction, seen: tuple[SeenBlobs, ...], match: IntArray
     ) -> tuple[Array, Array, Array, Array]:
         """Stacked H (m, N), HP (m, N), innovation (m,), noise (m, m) of all matched markers."""
-        p, noise = prediction, self._noise
-        return point_rows(
-            p.H, p.HP, p.cov, p.A, p.rows, p.uv, match, seen[0].uv, seen[1].uv,
-            noise.marker, noise.pixel_px, noise.huber,
-        )  # fmt: skip
+        left, right = seen
+        return point_rows(prediction, match, left.uv, right.uv, self._noise.pixel)
+
+
+@kernel
+def worn(uv: Matrix, hue: IntVector, number: IntVector) -> tuple[Matrix, IntVector, IntVector]:
+    """uv, hue and row of the blobs uv (n, 2) px, hue (n,) that are finite and have a number >= 0.
+
+    ``number`` (k,) is what the glove calls each hue.
+    """
+    keep, count = np.empty(len(uv), np.int64), 0
+    for i in range(len(uv)):
+        known = 0 <= hue[i] < len(number) and number[hue[i]] >= 0
+        if known and np.isfinite(uv[i, 0] + uv[i, 1]):
+            keep[count] = i
+            count += 1
+    rows = keep[:count].copy()
+    return uv[rows], number[hue[rows]], rows
+
+
+@kernel
+def counted(match: IntMatrix, prior: Matrix) -> tuple[int, float]:
+    """Markers of match (2, M) that any camera shows; the sum of the larger of its priors (2, M)."""
+    either, expected = 0, 0.0
+    for j in range(match.shape[1]):
+        either += match[0, j] >= 0 or match[1, j] >= 0
+        expected += max(prior[0, j], prior[1, j])
+    return either, expected
+
+
+@kernel
+def matched(
+    prediction: Prediction, left: SeenBlobs, right: SeenBlobs, marker_hue: IntVector
+) -> IntMatrix:
+    """(2, M) row of the blobs of left and right for each marker, -1 for none.
+
+    Limits as in `tracker.vision.correspondence.GateParams`. The cost of no match grows with the
+    innovation covariance, or an unsure filter would match nothing.
+    """
+    rows, S = prediction.rows, prediction.S
+    out = np.full((2, prediction.uv.shape[1]), -1)
+    for c in range(2):
+        blobs = HuedPixels(right.uv, right.hue) if c else HuedPixels(left.uv, left.hue)
+        if len(blobs.uv) == 0 or len(rows) == 0:
+            continue
+        prior = np.maximum(prediction.prior[c][rows], LEAST_PRIOR)
+        markers = ExpectedPixels(prediction.uv[c][rows], S[c], marker_hue[rows], prior)
+        alone = ALONE + max(0.0, median_ln_det(S[c]) - USUAL_LN_DET)
+        found = assigned(blobs, markers, GATE_SQUARED, GATE_PX, alone)
+        for i in range(len(rows)):
+            out[c, rows[i]] = found[i]
+    return out
+
+
+@kernel
+def median_ln_det(S: Stack) -> float:
+    """Median of ln det of S (n, 2, 2) px²."""
+    out = np.empty(len(S))
+    for k in range(len(S)):
+        out[k] = np.log(S[k, 0, 0] * S[k, 1, 1] - S[k, 0, 1] * S[k, 1, 0])
+    return float(np.median(out))

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.fusion.chain.pixels import Prediction
+from tracker.fusion.chain.prediction import Prediction
 
 
 @dataclass(frozen=True, eq=False)
-class Previous:
+class PreviousPrediction:
     """Markers after the image at ``t`` (s) as the filter then had them."""
 
     t: float
     markers: Prediction
 
     def at(self, t: float, speed: float) -> Prediction:
-        """The same places, less certain by what a hand of ``speed`` m/s (SD) goes meanwhile."""
+        """The same positions, less certain by what a hand of ``speed`` m/s (sd) goes meanwhile."""
         gone = (speed * (t - self.t)) ** 2
         A = self.markers.A[:, self.markers.rows]
-        return replace(self.markers, S=self.markers.S + gone * A @ np.swapaxes(A, -1, -2))
+        S = self.markers.S + gone * A @ np.swapaxes(A, -1, -2)
+        return self.markers._replace(S=np.ascontiguousarray(S))

@@ -1,61 +1,53 @@
-"""Moving the chain's state with IMU data, nominal state and covariance."""
+"""Moving the chain's state with IMU data, nominal state and covariance.
+
+A segment with an IMU turns as its gyroscope says; one without turns with its parent and bends as
+its synergy says. The root's accelerometer moves the hand as a whole. Phi differs from the identity
+in a handful of columns a row, so products with it go through a list of those columns. Shapes are
+those of `ChainState`.
+"""
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
-from tracker.fusion.chain import propagate_kernel as kernel
-from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.state import ChainState
-from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals, Readings
-from tracker.messages import Array
+from tracker import GRAVITY
+from tracker.fusion.chain.layout import Blocks, ChainLayout, Drive
+from tracker.fusion.chain.params import ChainParams, RandomWalks
+from tracker.fusion.chain.state import ChainState, Dynamic, ImuErrors
+from tracker.fusion.engine import COAST_DAMPING
+from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals, Moment, Packets, cut
+from tracker.geometry.kernels import exp3, mul3, rotate, rotate_all, rotate_back, skew3, tmul3
+from tracker.kernels import kernel
+from tracker.kernels.arrays import (
+    BoolVector,
+    IntMatrix,
+    IntVector,
+    Matrix,
+    Stack,
+    Vector,
+)
 
 
-def body_rates(state: ChainState, layout: ChainLayout, sample: Readings) -> Array:
-    """(A, 3) rad/s of each active segment in its own B.
+class Coasting(NamedTuple):
+    """Velocity is damped from ``patience`` s after ``last_good`` (s) on: without images a double
+    integral flies away."""
 
-    A segment without a (valid) IMU turns with its parent, and bends as its synergy says.
-    """
-    source, gain = layout.drive
-    return kernel.body_rates(
-        layout.imu_of,
-        layout.parent,
-        source,
-        gain,
-        state.R_GB,
-        state.R_IB,
-        state.bg,
-        sample.gyro,
-        sample.valid,
-    )
+    last_good: float
+    patience: float
 
 
-def root_force(state: ChainState, layout: ChainLayout, sample: Readings) -> Array | None:
-    """(3,) specific force of the root's IMU in its B, m/s²; None where it does not answer."""
-    f, felt = kernel.root_force(layout.imu_of, state.R_IB, state.ba, sample.accel, sample.valid)
-    return f if felt else None
+NEVER_COASTING = Coasting(float("inf"), 0.0)
 
 
-def transition(state: ChainState, layout: ChainLayout, sample: Readings, dt: float) -> Array:
-    """(D, scale) Phi: the dynamic rows against all columns before the scales."""
-    f = root_force(state, layout, sample)
-    return kernel.transition(
-        layout.imu_of,
-        layout.parent,
-        state.R_GB,
-        state.R_IB,
-        sample.valid,
-        body_rates(state, layout, sample),
-        np.zeros(3) if f is None else f,
-        f is not None,
-        dt,
-        layout.theta,
-        layout.bg,
-        layout.phi,
-        layout.ba,
-        layout.scale,
-    )
+class Motion(NamedTuple):
+    """What the IMUs say of the motion: w (A, 3) rad/s of each active segment in its own B, f (3,)
+    m/s² specific force of the root's IMU in its B, and whether it is ``felt``."""
+
+    w: Matrix
+    f: Vector
+    felt: bool
 
 
 def propagate(
@@ -63,25 +55,14 @@ def propagate(
     layout: ChainLayout,
     params: ChainParams,
     way: Intervals,
-    part: slice = slice(None),
-    coasting: tuple[float, float] = (np.inf, 0.0),
+    coasting: Coasting = NEVER_COASTING,
 ) -> None:
-    """Move ``state`` in place through a ``part`` of the intervals of ``way``.
-
-    ``coasting`` is an instant (s) and how long after it (s) velocity begins to be damped: without
-    images a double integral flies away.
-    """
-    noise = params.noise
-    source, gain = layout.drive
-    state.p, state.v, state.R_GB = kernel.steps(
-        layout.imu_of, layout.parent, source, gain,
-        state.p, state.v, state.R_GB, state.bg, state.R_IB, state.ba, state.P,
-        way.start[part], way.stop[part], way.accel[part], way.gyro[part], way.valid[part],
-        *coasting, layout.theta, layout.bg, layout.phi, layout.ba, layout.scale, layout.joint,
-        noise.accel, noise.free_accel, noise.gyro, noise.free_rotation, noise.free_root_rotation,
-        noise.gyro_bias, noise.mounting, noise.accel_bias, noise.scale, noise.offset,
-    )  # fmt: skip
-    state.t = float(way.stop[part][-1])
+    """Move ``state`` in place through the intervals of ``way``."""
+    walks = params.noise.random_walks
+    state.p, state.v, state.R_GB = steps(
+        layout.drive, layout.blocks, walks, way, coasting, state.dynamic, state.imus, state.P
+    )
+    state.t = float(way.stop[-1])
 
 
 def carry(
@@ -90,9 +71,291 @@ def carry(
     """Move the nominal state, its covariance left behind, to ``t`` with the packets on the way."""
     if t <= state.t:
         return
-    source, gain = layout.drive
-    state.p, state.v, state.R_GB, state.t = kernel.carry(
-        layout.imu_of, layout.parent, source, gain,
-        state.p, state.v, state.R_GB, state.bg, state.R_IB, state.ba,
-        *buffer.table, state.t, t, coasting,
-    )  # fmt: skip
+    state.p, state.v, state.R_GB, state.t = carried(
+        layout.drive, state.dynamic, state.imus, buffer.table, state.t, t, coasting
+    )
+
+
+def transition(state: ChainState, layout: ChainLayout, readings: Moment, dt: float) -> Matrix:
+    """(D, scale) Phi: the dynamic rows against all columns before the scales."""
+    return transition_by(layout.drive, layout.blocks, state.R_GB, state.imus, readings, dt)
+
+
+@kernel
+def steps(
+    drive: Drive,
+    at: Blocks,
+    walks: RandomWalks,
+    way: Intervals,
+    coasting: Coasting,
+    dynamic: Dynamic,
+    imus: ImuErrors,
+    P: Matrix,
+) -> tuple[Vector, Vector, Stack]:
+    """Through all intervals of ``way``: P in place, and p, v, R_GB at the end."""
+    p, v, R_GB = dynamic
+    for k in range(len(way.stop)):
+        dt, valid = way.stop[k] - way.start[k], way.valid[k]
+        # 1. rates and force by the mean readings
+        motion = motion_by(drive, R_GB, imus, way.accel[k], way.gyro[k], valid)
+        # 2. P <- Phi P Phi^T + Q, linearised where the interval begins
+        move_covariance(P, phi_of(drive, at, R_GB, imus.R_IB, valid, motion, dt))
+        add_random_walks(P, at, walks, motion.felt, dt)
+        add_rotation_noise(P, at, drive, R_GB, valid, walks, dt)
+        # 3. the nominal state
+        damped = way.start[k] - coasting.last_good > coasting.patience
+        p, v, R_GB = move_nominal(Dynamic(p, v, R_GB), motion, dt, damped)
+    return p, v, R_GB
+
+
+@kernel
+def carried(
+    drive: Drive,
+    dynamic: Dynamic,
+    imus: ImuErrors,
+    packets: Packets,
+    start: float,
+    end: float,
+    coasting: bool,
+) -> tuple[Vector, Vector, Stack, float]:
+    """p, v, R_GB after the way from ``start`` to ``end`` past the packets, and when that is."""
+    p, v, R_GB = dynamic
+    starts, stops, accel, gyro, valid = cut(packets, start, end)
+    for k in range(len(stops)):
+        motion = motion_by(drive, R_GB, imus, accel[k], gyro[k], valid[k])
+        dt = stops[k] - starts[k]
+        p, v, R_GB = move_nominal(Dynamic(p, v, R_GB), motion, dt, coasting)
+        start = stops[k]
+    return p, v, R_GB, start
+
+
+@kernel
+def motion_by(
+    drive: Drive, R_GB: Stack, imus: ImuErrors, accel: Matrix, gyro: Matrix, valid: BoolVector
+) -> Motion:
+    """`Motion` by readings accel, gyro (n, 3)."""
+    w = body_rates(drive, R_GB, imus, gyro, valid)
+    f, felt = root_force(drive, imus, accel, valid)
+    return Motion(w, f, felt)
+
+
+@kernel
+def body_rates(
+    drive: Drive, R_GB: Stack, imus: ImuErrors, gyro: Matrix, valid: BoolVector
+) -> Matrix:
+    """(A, 3) rad/s of each active segment in its own B."""
+    parent = drive.parent
+    w = np.zeros((len(parent), 3))
+    for i in range(len(parent)):
+        j = drive.imu_of[i]
+        if j >= 0 and valid[j]:
+            w[i] = rotate_back(imus.R_IB[j], gyro[j] - imus.bg[j])
+        elif parent[i] >= 0:
+            w[i] = rotate_back(R_GB[i], rotate(R_GB[parent[i]], w[parent[i]]))
+            s = drive.source[i]
+            if 0 <= s < i:
+                relative = w[s] - rotate_back(R_GB[s], rotate(R_GB[parent[s]], w[parent[s]]))
+                w[i, 1] += drive.gain[i, 0] * relative[1]
+    return w
+
+
+@kernel
+def root_force(
+    drive: Drive, imus: ImuErrors, accel: Matrix, valid: BoolVector
+) -> tuple[Vector, bool]:
+    """(3,) m/s² specific force of the root's IMU in its B, and whether it answers."""
+    j = drive.imu_of[0]
+    if j < 0 or not valid[j]:
+        return np.zeros(3), False
+    return rotate_back(imus.R_IB[j], accel[j] - imus.ba[j]), True
+
+
+@kernel
+def move_nominal(
+    dynamic: Dynamic, motion: Motion, dt: float, coasting: bool
+) -> tuple[Vector, Vector, Stack]:
+    """p, v and R_GB after ``dt``, in new arrays."""
+    p, v, R_GB = dynamic
+    w, f, felt = motion
+    p_new, v_new = np.empty(3), np.empty(3)
+    a_G = np.zeros(3)
+    damping = 1.0
+    if felt:
+        a_G = rotate(R_GB[0], rotate(exp3(w[0] * (dt / 2)), f))
+        a_G[2] -= GRAVITY
+    else:
+        damping = np.exp(-COAST_DAMPING * dt)
+    if coasting:
+        damping *= np.exp(-COAST_DAMPING * dt)
+    for k in range(3):
+        p_new[k] = p[k] + v[k] * dt + a_G[k] * dt * dt / 2
+        v_new[k] = (v[k] + a_G[k] * dt) * damping
+    return p_new, v_new, rotate_all(R_GB, w * dt)
+
+
+@kernel
+def transition_by(
+    drive: Drive, at: Blocks, R_GB: Stack, imus: ImuErrors, readings: Moment, dt: float
+) -> Matrix:
+    """`phi_of` for mean readings."""
+    valid = readings.valid
+    motion = motion_by(drive, R_GB, imus, readings.accel, readings.gyro, valid)
+    return phi_of(drive, at, R_GB, imus.R_IB, valid, motion, dt)
+
+
+@kernel
+def phi_of(
+    drive: Drive,
+    at: Blocks,
+    R_GB: Stack,
+    R_IB: Stack,
+    valid: BoolVector,
+    motion: Motion,
+    dt: float,
+) -> Matrix:
+    """(D, scale) Phi: the dynamic rows against all columns before the scales."""
+    parent, w = drive.parent, motion.w
+    Phi = np.eye(at.theta + 3 * len(parent), at.scale)
+    # 1. position by velocity
+    for r in range(3):
+        Phi[r, 3 + r] = dt
+    # 2. orientations
+    for i in range(len(parent)):
+        k = at.theta + 3 * i
+        j = drive.imu_of[i]
+        if j >= 0 and valid[j]:
+            Phi[k : k + 3, k : k + 3] = exp3(w[i] * dt).T
+            Phi[k : k + 3, at.phi + 3 * j : at.phi + 3 * j + 3] = skew3(w[i]) * dt
+            Phi[k : k + 3, at.bg + 3 * j : at.bg + 3 * j + 3] = -R_IB[j].T * dt
+        elif parent[i] >= 0:
+            # R_rel stays: theta_c moves by R_rel^T times what theta_parent moved by
+            a = at.theta + 3 * parent[i]
+            R_ca = tmul3(R_GB[i], R_GB[parent[i]])
+            moved = Phi[a : a + 3].copy()
+            for r in range(3):
+                moved[r, a + r] -= 1.0
+            Phi[k : k + 3] += R_ca @ moved
+    # 3. velocity and position by what the specific force depends on
+    if motion.felt:
+        j = drive.imu_of[0]
+        _put_root_rows(Phi, at, j, R_GB[0], R_IB[j], motion.f, dt)
+    return Phi
+
+
+@kernel
+def _put_root_rows(
+    Phi: Matrix, at: Blocks, imu: int, R: Matrix, R_IB: Matrix, f: Vector, dt: float
+) -> None:
+    """p and v against the root's orientation, and its IMU's mounting and accelerometer bias."""
+    J_a_theta = -mul3(R, skew3(f))
+    J_a_ba = -mul3(R, R_IB.T)
+    theta, phi, ba = at.theta, at.phi + 3 * imu, at.ba + 3 * imu
+    for first, gain in ((3, dt), (0, dt * dt / 2)):
+        for r in range(3):
+            for c in range(3):
+                Phi[first + r, theta + c] = J_a_theta[r, c] * gain
+                # a turn of the mounting turns f the other way
+                Phi[first + r, phi + c] = -J_a_theta[r, c] * gain
+                Phi[first + r, ba + c] = J_a_ba[r, c] * gain
+
+
+@kernel
+def move_covariance(P: Matrix, Phi: Matrix) -> None:
+    """P <- Phi P Phi^T in place, touching only the dynamic rows and columns."""
+    D, n = len(Phi), len(P)
+    count, column = _columns(Phi)
+    # 1. rows (D, N) = Phi P
+    rows = np.zeros((D, n))
+    for r in range(D):
+        out = rows[r]
+        for k in range(count[r]):
+            factor, row = Phi[r, column[r, k]], P[column[r, k]]
+            for i in range(n):
+                out[i] += factor * row[i]
+    # 2. the dynamic corner: rows Phi^T, of which one triangle is computed
+    for r in range(D):
+        for s in range(r + 1):
+            total = 0.0
+            for k in range(count[s]):
+                total += rows[r, column[s, k]] * Phi[s, column[s, k]]
+            P[r, s] = total
+            P[s, r] = total
+        P[r, D:] = rows[r, D:]
+    # 3. the other columns, mirrored
+    for i in range(D, n):
+        for r in range(D):
+            P[i, r] = rows[r, i]
+
+
+@kernel
+def _columns(Phi: Matrix) -> tuple[IntVector, IntMatrix]:
+    """How many entries of each row are not zero, and their columns (D, most)."""
+    D, width = Phi.shape
+    count, column = np.zeros(D, np.int64), np.empty((D, width), np.int64)
+    for r in range(D):
+        for c in range(width):
+            if Phi[r, c] != 0.0:
+                column[r, count[r]] = c
+                count[r] += 1
+    return count, column
+
+
+@kernel
+def add_random_walks(P: Matrix, at: Blocks, walks: RandomWalks, felt: bool, dt: float) -> None:
+    """The noise of all but the orientations over ``dt``, on the diagonal."""
+    accel = walks.accel if felt else walks.free_accel
+    for r in range(3):
+        P[r, r] += accel**2 * dt**3 / 3
+        P[3 + r, 3 + r] += accel**2 * dt
+    for i in range(at.bg, len(P)):
+        sd = walks.gyro_bias
+        if i >= at.joint:
+            sd = walks.offset
+        elif i >= at.scale:
+            sd = walks.scale
+        elif i >= at.ba:
+            sd = walks.accel_bias
+        elif i >= at.phi:
+            sd = walks.mounting
+        P[i, i] += sd**2 * dt
+
+
+@kernel
+def add_rotation_noise(
+    P: Matrix,
+    at: Blocks,
+    drive: Drive,
+    R_GB: Stack,
+    valid: BoolVector,
+    walks: RandomWalks,
+    dt: float,
+) -> None:
+    """Noise of the orientations, in place: a segment without an IMU takes its parent's along.
+
+    A rotation that is felt, one against the parent that is not, and the root's that is not have
+    variances of their own.
+    """
+    felt, free = walks.gyro**2 * dt, walks.free_rotation**2 * dt
+    free_root = walks.free_root_rotation**2 * dt
+    parent, imu_of = drive.parent, drive.imu_of
+    n = len(parent)
+    # 1. covariances (3, 3) of the pairs of segments
+    C = np.zeros((n, n, 3, 3))
+    for i in range(n):
+        a, own = parent[i], felt
+        if imu_of[i] < 0 or not valid[imu_of[i]]:
+            own = free if a >= 0 else free_root
+            if a >= 0:
+                R_ca = tmul3(R_GB[i], R_GB[a])
+                for k in range(i):
+                    C[i, k] = mul3(R_ca, C[a, k])
+                    C[k, i] = C[i, k].T
+                C[i, i] = mul3(mul3(R_ca, C[a, a]), R_ca.T)
+        for r in range(3):
+            C[i, i, r, r] += own
+    # 2. into P
+    for i in range(n):
+        for k in range(n):
+            for r in range(3):
+                for c in range(3):
+                    P[at.theta + 3 * i + r, at.theta + 3 * k + c] += C[i, k, r, c]

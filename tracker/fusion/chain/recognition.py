@@ -14,8 +14,9 @@ from tracker.fusion.chain.filter import Rows
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.loose import LooseRows
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.pixels import PixelModel, Prediction, SeenBlobs, Tally, seen_blobs
-from tracker.fusion.chain.previous import Previous
+from tracker.fusion.chain.pixels import PixelModel, SeenBlobs, Tally, seen_blobs
+from tracker.fusion.chain.prediction import Prediction
+from tracker.fusion.chain.previous import PreviousPrediction
 from tracker.fusion.chain.reports import frame_result
 from tracker.fusion.chain.state import ChainState
 from tracker.messages import BlobFrame, CameraPose, FrameResult, IntArray, Tracking
@@ -61,7 +62,7 @@ class Recognised(NamedTuple):
 class RecognitionKept:
     """All of the recognition that changes."""
 
-    previous: Previous | None = None  # only where correspondence is made from it
+    previous: PreviousPrediction | None = None  # only where correspondence is made from it
 
 
 class Recognition:
@@ -103,5 +104,7 @@ class Recognition:
         """After the image has corrected ``state``: remember it if need be, and report it."""
         frame = image.frame
         if self._params.guide == "previous":
-            self.kept.previous = Previous(frame.t, self._pixels.predict(state, image.pose))
+            self.kept.previous = PreviousPrediction(
+                frame.t, self._pixels.predict(state, image.pose)
+            )
         return frame_result(frame, self._rig, tracking, found.prediction, image.blobs, found.match)

@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.pixels import Prediction, SeenBlobs
+from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.chain.prediction import Prediction
 from tracker.fusion.chain.state import ChainState
 from tracker.geometry import so3
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntMatrix, Matrix, Stack, Vector
 from tracker.messages import Array, BlobFrame, Calibration, FrameResult, IntArray, Tracking
 from tracker.vision.rig import Camera, StereoRig
 
@@ -68,10 +70,7 @@ def frame_result(
     match: IntArray,
 ) -> FrameResult:
     """What was made of an image, in raw pixels."""
-    residual, source, cov, visible, stereo_points = _details(
-        prediction.uv, prediction.prior, prediction.rows, prediction.S[0], match,
-        seen[0].uv, seen[0].source, seen[1].uv, seen[1].source,
-    )  # fmt: skip
+    residual, source, cov, visible, stereo_points = _details(prediction, match, *seen)
     return FrameResult(
         t=frame.t,
         tracking=tracking,
@@ -87,14 +86,12 @@ def frame_result(
 
 
 @kernel
-def _details(  # type: ignore[no-untyped-def]
-    uv, prior, rows, S_left, match, left_uv, left_source, right_uv, right_source
-):  # fmt: skip
-    """residual (M, 4), source (2, M), cov (M, 2, 2), visible (M,), markers matched in both.
-
-    uv (2, M, 2) px and prior (2, M) expected, S_left (n, 2, 2) of the markers ``rows``, match
-    (2, M) rows of the blobs that each side's uv (k, 2) and source (k,) are of.
-    """
+def _details(
+    prediction: Prediction, match: IntMatrix, left: SeenBlobs, right: SeenBlobs
+) -> tuple[Matrix, IntMatrix, Stack, Vector, int]:
+    """residual (M, 4) px, source (2, M) rows of the message, cov (M, 2, 2) px² of the left image,
+    visible (M,), and how many markers are matched (2, M) in both."""
+    uv, prior = prediction.uv, prediction.prior
     m = uv.shape[1]
     residual, source = np.full((m, 4), np.nan), np.full((2, m), -1, np.int64)
     cov, visible, stereo_points = np.full((m, 2, 2), np.nan), np.empty(m), 0
@@ -104,12 +101,12 @@ def _details(  # type: ignore[no-untyped-def]
         for c in range(2):
             k = match[c, j]
             if k >= 0:
-                blob = left_uv[k] if c == 0 else right_uv[k]
+                blob = left.uv[k] if c == 0 else right.uv[k]
                 residual[j, 2 * c] = blob[0] - uv[c, j, 0]
                 residual[j, 2 * c + 1] = blob[1] - uv[c, j, 1]
-                source[c, j] = left_source[k] if c == 0 else right_source[k]
-    for k in range(len(rows)):
-        cov[rows[k]] = S_left[k]
+                source[c, j] = left.source[k] if c == 0 else right.source[k]
+    for k in range(len(prediction.rows)):
+        cov[prediction.rows[k]] = prediction.S[0, k]
     return residual, source, cov, visible, stereo_points
 
 

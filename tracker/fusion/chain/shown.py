@@ -10,8 +10,7 @@ from tracker.fusion.chain.kinematics import marker_positions, segment_positions,
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_unsure_distance
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.output.output import HandOutput, Sensed
-from tracker.fusion.output.output_kernel import sensed_lately
+from tracker.fusion.output.output import HandOutput, Sensed, sensed_lately
 from tracker.messages import SEEN_LATELY, Array, CameraPose, Estimate, ImuSample, IntArray, Tracking
 
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted

@@ -3,16 +3,43 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import Blocks, ChainLayout
 from tracker.geometry.kernels import rotate_all
 from tracker.kernels import kernel
+from tracker.kernels.arrays import Matrix, Stack, Vector
 from tracker.messages import Array
 
 SCALE_LIMITS = (0.6, 1.5)
 LENGTH_GIRTH_GIRTH = np.array([0, 1, 1])
+
+
+class Dynamic(NamedTuple):
+    """What moves: p, v (3,) m, m/s of the root's IMU in G, R_GB (A, 3, 3)."""
+
+    p: Vector
+    v: Vector
+    R_GB: Stack
+
+
+class ImuErrors(NamedTuple):
+    """Of n IMUs: gyro bias bg (n, 3) rad/s, mounting R_IB (n, 3, 3), accel bias ba (n, 3) m/s²."""
+
+    bg: Matrix
+    R_IB: Stack
+    ba: Matrix
+
+
+class Body(NamedTuple):
+    """What the place of a point against p depends on: R_GB (A, 3, 3), scale (A, 2) length and
+    girth, joint (B, 3) m."""
+
+    R_GB: Stack
+    scale: Matrix
+    joint: Matrix
 
 
 @dataclass(eq=False)
@@ -35,6 +62,18 @@ class ChainState:
     joint: Array
     marker: Array
     P: Array
+
+    @property
+    def dynamic(self) -> Dynamic:
+        return Dynamic(self.p, self.v, self.R_GB)
+
+    @property
+    def imus(self) -> ImuErrors:
+        return ImuErrors(self.bg, self.R_IB, self.ba)
+
+    @property
+    def body(self) -> Body:
+        return Body(self.R_GB, self.scale, self.joint)
 
     def copy(self) -> ChainState:
         """An independent copy."""
@@ -77,29 +116,38 @@ def initial_state(layout: ChainLayout) -> ChainState:
 
 def inject(state: ChainState, layout: ChainLayout, dx: Array) -> None:
     """Add an error vector (N,) to the nominal state in place; rotations by local perturbation."""
+    fitting = Fitting(state.scale, state.joint, state.marker)
     state.R_GB, state.R_IB, state.scale = _inject(
-        state.p, state.v, state.R_GB, state.bg, state.R_IB, state.ba, state.scale, state.joint,
-        state.marker, np.ascontiguousarray(dx), layout.theta, layout.bg, layout.phi, layout.ba,
-        layout.scale, layout.joint, layout.marker,
-    )  # fmt: skip
+        layout.blocks, state.dynamic, state.imus, fitting, np.ascontiguousarray(dx)
+    )
+
+
+class Fitting(NamedTuple):
+    """The wearer and the glove: scale (A, 2), joint (B, 3) m, marker (M, 3) m."""
+
+    scale: Matrix
+    joint: Matrix
+    marker: Matrix
 
 
 @kernel
-def _inject(  # type: ignore[no-untyped-def]
-    p, v, R_GB, bg, R_IB, ba, scale, joint, marker, dx,
-    theta_at, bg_at, phi_at, ba_at, scale_at, joint_at, marker_at,
-):  # fmt: skip
-    """Adds to the vectors in place; what other states share comes back anew."""
+def _inject(
+    at: Blocks, dynamic: Dynamic, imus: ImuErrors, fitting: Fitting, dx: Vector
+) -> tuple[Stack, Stack, Matrix]:
+    """Adds to the vectors in place; R_GB, R_IB and scale, which other states share, come anew."""
+    p, v, bg, ba, joint, marker = (
+        dynamic.p, dynamic.v, imus.bg, imus.ba, fitting.joint, fitting.marker
+    )  # fmt: skip
     p += dx[0:3]
     v += dx[3:6]
-    bg += dx[bg_at:phi_at].reshape(bg.shape)
-    ba += dx[ba_at:scale_at].reshape(ba.shape)
-    joint += dx[joint_at:marker_at].reshape(joint.shape)
-    marker += dx[marker_at:].reshape(marker.shape)
-    scale = scale + dx[scale_at:joint_at].reshape(scale.shape)
+    bg += dx[at.bg : at.phi].reshape(bg.shape)
+    ba += dx[at.ba : at.scale].reshape(ba.shape)
+    joint += dx[at.joint : at.marker].reshape(joint.shape)
+    marker += dx[at.marker :].reshape(marker.shape)
+    scale = fitting.scale + dx[at.scale : at.joint].reshape(fitting.scale.shape)
     low, high = SCALE_LIMITS
     for i in range(scale.shape[0]):
         for k in range(scale.shape[1]):
             scale[i, k] = min(max(scale[i, k], low), high)
-    turned = rotate_all(R_GB, dx[theta_at:bg_at].reshape(-1, 3))
-    return turned, rotate_all(R_IB, dx[phi_at:ba_at].reshape(-1, 3)), scale
+    R_GB = rotate_all(dynamic.R_GB, dx[at.theta : at.bg].reshape(-1, 3))
+    return R_GB, rotate_all(imus.R_IB, dx[at.phi : at.ba].reshape(-1, 3)), scale

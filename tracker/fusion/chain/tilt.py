@@ -9,33 +9,136 @@ is the compensation of Lemak et al. 2020 (eq. 4) carried to three dimensions.
 
 from __future__ import annotations
 
-from tracker.fusion.chain.layout import ChainLayout
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.fusion.chain.kinematics import from_point, joint_lever, stretched
+from tracker.fusion.chain.layout import Blocks, ChainLayout, Drive, ImuPlaces, Skeleton
 from tracker.fusion.chain.params import ConstraintParams
-from tracker.fusion.chain.state import ChainState
-from tracker.fusion.chain.tilt_kernel import stacked_rows
-from tracker.fusion.time.imu_buffer import Readings
+from tracker.fusion.chain.propagate import body_rates, root_force
+from tracker.fusion.chain.state import Body, ChainState, ImuErrors
+from tracker.fusion.time.imu_buffer import Around
+from tracker.geometry.kernels import cross3, mul3, rotate, rotate_back, skew3
+from tracker.kernels import kernel
+from tracker.kernels.arrays import Matrix, Vector
 from tracker.messages import Array
 
 
+class _Noise(NamedTuple):
+    """sd m/s², and the share of the kinematic part that is added to it."""
+
+    sd: float
+    kinematic: float
+
+
+class _Rigid(NamedTuple):
+    """w (A, 3) rad/s, alpha (A, 3) rad/s² of the active segments, f_0 (3,) m/s² of the root, each
+    in its B; the IMU that felt f_0."""
+
+    w: Matrix
+    alpha: Matrix
+    f_0: Vector
+    root_imu: int
+
+
 def tilt_rows(
-    state: ChainState,
-    layout: ChainLayout,
-    params: ConstraintParams,
-    before: Readings,
-    sample: Readings,
-    after: Readings,
+    state: ChainState, layout: ChainLayout, params: ConstraintParams, around: Around
 ) -> tuple[Array, Array, Array] | None:
-    """Rows at ``sample``'s instant; the neighbours give the angular acceleration.
+    """Rows at the instant of ``around.now``.
 
     Returns H (3k, N), innovation (3k,), variances (3k,) for the k finger IMUs that answer; None
     where the root's IMU does not.
     """
-    source, gain = layout.drive
+    noise = _Noise(params.tilt, params.tilt_kinematic)
     H, r, var = stacked_rows(
-        layout.imu_segment, layout.imu_position, layout.imu_of, source, gain, layout.parent,
-        layout.origin, layout.base_of, layout.root_lever, state.joint, state.scale, state.R_GB,
-        state.R_IB, state.bg, state.ba, before.gyro, before.valid, sample.accel, sample.gyro,
-        sample.valid, after.gyro, after.valid, after.t - before.t,
-        layout.theta, layout.phi, layout.ba, layout.size, params.tilt, params.tilt_kinematic,
+        layout.imus, layout.drive, layout.skeleton, layout.blocks, state.body, state.imus, around,
+        noise,
     )  # fmt: skip
     return (H, r, var) if len(r) else None
+
+
+@kernel
+def stacked_rows(
+    places: ImuPlaces,
+    drive: Drive,
+    skeleton: Skeleton,
+    at: Blocks,
+    body: Body,
+    imus: ImuErrors,
+    around: Around,
+    noise: _Noise,
+) -> tuple[Matrix, Vector, Vector]:
+    """H (3k, N), innovation (3k,) and variances (3k,) of the k finger IMUs that answer; nothing
+    where the root's IMU does not."""
+    n = len(places.segment)
+    H, r, var = np.zeros((3 * n, at.size)), np.empty(3 * n), np.empty(3 * n)
+    before, now, after = around
+    # 1. how the hand moves
+    f_0, felt = root_force(drive, imus, now.accel, now.valid)
+    w = body_rates(drive, body.R_GB, imus, now.gyro, now.valid)
+    w_1 = body_rates(drive, body.R_GB, imus, after.gyro, after.valid)
+    w_0 = body_rates(drive, body.R_GB, imus, before.gyro, before.valid)
+    rigid = _Rigid(w, (w_1 - w_0) / (after.t - before.t), f_0, drive.imu_of[0])
+    # 2. what each finger's IMU reads, beside what it should by that
+    end = 0
+    for j in range(n):
+        if not felt or places.segment[j] == 0 or not now.valid[j]:
+            continue
+        predicted, kinematic = _put_row(
+            H[end : end + 3], j, places, skeleton, at, body, imus, rigid
+        )
+        for i in range(3):
+            r[end + i] = now.accel[j, i] - predicted[i]
+            var[end + i] = noise.sd**2 + (noise.kinematic * kinematic) ** 2
+        end += 3
+    return H[:end], r[:end], var[:end]
+
+
+@kernel
+def _put_row(
+    h: Matrix,
+    j: int,
+    places: ImuPlaces,
+    skeleton: Skeleton,
+    at: Blocks,
+    body: Body,
+    imus: ImuErrors,
+    rigid: _Rigid,
+) -> tuple[Vector, float]:
+    """Fills h = J_f_error (3, N) of IMU ``j``; its predicted reading (3,) and the kinematic part
+    of that (m/s²)."""
+    segment, R_GB, R_IB = places.segment[j], body.R_GB, imus.R_IB
+    w, alpha, f_0, root_imu = rigid
+    kinematic_G = np.zeros(3)
+    M = mul3(R_IB[j], R_GB[segment].T)
+    # 1. down the chain: what each link adds, and how it depends on the link's orientation
+    a, lever = segment, stretched(body.scale[segment], places.position[j])
+    while True:
+        c = cross3(alpha[a], lever) + cross3(w[a], cross3(w[a], lever))
+        kinematic_G += rotate(R_GB[a], c)
+        total = c + f_0 if a == 0 else c
+        _add(h, at.theta + 3 * a, mul3(mul3(M, R_GB[a]), skew3(total)), -1.0)
+        child, a = a, skeleton.parent[a]
+        if a < 0:
+            break
+        x = joint_lever(skeleton, body, child, a)
+        lever = from_point(a, x, skeleton.lever, body.scale[a])
+    # 2. by the segment's own orientation, mounting and bias
+    s = rotate_back(R_GB[segment], kinematic_G + rotate(R_GB[0], f_0))
+    J_f_theta, R_0 = mul3(R_IB[j], skew3(s)), mul3(M, R_GB[0])
+    _add(h, at.theta + 3 * segment, J_f_theta, 1.0)
+    _add(h, at.phi + 3 * j, J_f_theta, -1.0)
+    _add(h, at.ba + 3 * j, np.eye(3), 1.0)
+    # 3. by the root's mounting and bias, through f_0
+    _add(h, at.phi + 3 * root_imu, mul3(R_0, skew3(f_0)), 1.0)
+    _add(h, at.ba + 3 * root_imu, mul3(R_0, R_IB[root_imu].T), -1.0)
+    return rotate(R_IB[j], s) + imus.ba[j], np.sqrt(np.sum(kinematic_G**2))
+
+
+@kernel
+def _add(h: Matrix, column: int, block: Matrix, sign: float) -> None:
+    """h[:, column : column + 3] += sign * block."""
+    for r in range(3):
+        for c in range(3):
+            h[r, column + c] += sign * block[r, c]

@@ -5,12 +5,39 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.geometry.kernels import joint_angles3, mul3, rotate, tmul3
 from tracker.kernels import kernel
+from tracker.kernels.arrays import BoolVector, IntMatrix, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array
+
+
+class HandTables(NamedTuple):
+    """Of the S segments of a hand: parent (S,), origin (S, 3) m, R_rest (S, 3, 3), columns (S, 3)
+    of a joint's abduction, flexion and twist among the angles, -1 for none; limits (J, 2) rad of
+    the angles; of the synergies links (k, 2), an angle and the one that drives it, and gains (k, 2)
+    ratio and offset (rad); row (S,) among the active segments, -1 for none."""
+
+    parent: IntVector
+    origin: Matrix
+    R_rest: Stack
+    columns: IntMatrix
+    limits: Matrix
+    links: IntMatrix
+    gains: Matrix
+    row: IntVector
+
+
+class ActiveSegments(NamedTuple):
+    """What a filter estimates: R_GB (A, 3, 3), p_GB (A, 3) m, scale (A, 3) along B."""
+
+    R: Stack
+    p: Matrix
+    scale: Matrix
 
 
 class Completion:
@@ -21,31 +48,30 @@ class Completion:
         row = np.full(len(hand.segments), -1, np.int64)
         row[layout.active] = np.arange(len(layout.active))
         links = [[hand.angle_index[s.angle], hand.angle_index[s.of]] for s in hand.synergies]
-        self.tables = (
+        self.tables = HandTables(
             np.array(hand.parent, np.int64),
             np.array([s.origin for s in hand.segments]),
             np.array([s.R_rest for s in hand.segments]),
             np.array(hand.axis_columns, np.int64),
-            hand.angle_limits,
+            np.array(hand.angle_limits),
             np.array(links, np.int64).reshape(-1, 2),
             np.array([[s.ratio, s.offset] for s in hand.synergies]).reshape(-1, 2),
             row,
         )
-        """Of `complete`: its first arguments."""
 
     def __call__(
         self, R: Array, p: Array, scale3: Array
-    ) -> tuple[Array, Array, Array, Array, Array]:
+    ) -> tuple[Array, Array, Array, Array, BoolVector]:
         """From active R_GB (A, 3, 3), p_GB (A, 3), scale3 (A, 3).
 
         Returns R_GB (S, 3, 3), p_GB (S, 3), scale (S, 3), angles (J,) rad, known (J,) bool: the
         angle comes from estimated segments or by synergy from them.
         """
-        return complete(*self.tables, np.ascontiguousarray(R), p, scale3)
+        return complete(self.tables, ActiveSegments(np.ascontiguousarray(R), p, scale3))
 
 
 @kernel
-def _rotation(a, b, c):  # type: ignore[no-untyped-def]
+def _rotation(a: float, b: float, c: float) -> Matrix:
     """Rz(a) Ry(b) Rx(c)."""
     ca, sa, cb, sb, cc, sc = np.cos(a), np.sin(a), np.cos(b), np.sin(b), np.cos(c), np.sin(c)
     return np.array(
@@ -58,10 +84,12 @@ def _rotation(a, b, c):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def complete(  # type: ignore[no-untyped-def]
-    parent, origin, R_rest, columns, limits, links, gains, row, R, p, scale3
-):  # fmt: skip
-    """`Completion` of active segments; ``row`` (S,) is each segment's among them, -1 for none."""
+def complete(
+    hand: HandTables, active: ActiveSegments
+) -> tuple[Stack, Matrix, Matrix, Vector, BoolVector]:
+    """`Completion` of active segments."""
+    parent, origin, R_rest, columns, limits, links, gains, row = hand
+    R, p, scale3 = active
     n, n_angles = len(parent), len(limits)
     R_all, p_all, scale = np.empty((n, 3, 3)), np.empty((n, 3)), np.empty((n, 3))
     angles, known = np.zeros(n_angles), np.zeros(n_angles, np.bool_)

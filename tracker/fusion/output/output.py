@@ -3,15 +3,39 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.output import output_kernel as kernel
-from tracker.fusion.output.completion import Completion
+from tracker.fusion.output.completion import ActiveSegments, Completion, HandTables, complete
+from tracker.geometry.kernels import quats
+from tracker.kernels import kernel
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
 INFERRED_SD = 0.0037  # m that each segment beyond the last estimated one adds
+LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Validity.MEASURED)
+
+
+class Keypoints(NamedTuple):
+    """K keypoints of a hand with S segments: segment (K,) the row each moves with, offset (K, 3) m
+    in its nominal B, end_of (K,) the segment that it is the far end of, -1 for none. Per segment
+    (S,): the active row of itself or of its nearest active ancestor, and the steps to it."""
+
+    segment: IntVector
+    offset: Matrix
+    end_of: IntVector
+    ancestor: IntVector
+    steps: IntVector
+
+
+class Angles(NamedTuple):
+    """(k,) joint axes: child and parent segment of the joint, column among the hand's angles."""
+
+    child: IntVector
+    parent: IntVector
+    column: IntVector
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,17 +53,19 @@ class HandOutput:
         self._layout = layout
         hand = layout.hand
         self.complete = Completion(layout)
-        self._keypoint_segments = layout.glove.keypoint_segments(hand)
         self._keypoint_count = len(layout.glove.keypoint_names(hand))
-        columns, parent = np.array(hand.axis_columns), np.array(hand.parent)
-        self._angle_segment, axis = np.nonzero(columns >= 0)
-        self._angle_column = columns[self._angle_segment, axis]
-        self._angle_parent = np.maximum(parent[self._angle_segment], 0)
-        self._keypoint_offset = np.concatenate(
-            [hand.keypoint_offset, *(k.position[None] for k in layout.glove.keypoints)]
+        self._keypoints = Keypoints(
+            layout.glove.keypoint_segments(hand),
+            np.concatenate(
+                [hand.keypoint_offset, *(k.position[None] for k in layout.glove.keypoints)]
+            ),
+            self._far_ends(),
+            *self._ancestors(),
         )
-        self._end_of = self._far_ends()
-        self._sensed_ancestor, self._steps = self._ancestors()
+        columns, parent = np.array(hand.axis_columns), np.array(hand.parent, np.int64)
+        child, axis = np.nonzero(columns >= 0)
+        column = np.ascontiguousarray(columns[child, axis], np.int64)
+        self._angles = Angles(np.ascontiguousarray(child), np.maximum(parent[child], 0), column)
 
     def estimate(
         self, t: float, R: Array, p: Array, scale3: Array, sensed: Sensed, active_sd: Array
@@ -52,11 +78,9 @@ class HandOutput:
             return self._nothing(t)
         coasting = sensed.tracking == Tracking.COASTING
         lost = sensed.tracking == Tracking.LOST
-        points, q, state, sd, angles, angle_state, R_all, p_all = kernel.whole_hand(
-            *self.complete.tables, self._keypoint_segments, self._keypoint_offset, self._end_of,
-            self._sensed_ancestor, self._steps, self._angle_segment, self._angle_parent,
-            self._angle_column, R, p, scale3, sensed.segments, active_sd, INFERRED_SD, coasting,
-            lost,
+        points, q, state, sd, angles, angle_state, R_all, p_all = whole_hand(
+            self.complete.tables, self._keypoints, self._angles, ActiveSegments(R, p, scale3),
+            sensed.segments, active_sd, coasting, lost,
         )  # fmt: skip
         return Estimate(t, sensed.tracking, points, q, state, sd, angles, angle_state, R_all, p_all)
 
@@ -95,3 +119,119 @@ class HandOutput:
             segment_R=np.full((n, 3, 3), np.nan),
             segment_p=np.full((n, 3), np.nan),
         )
+
+
+@kernel
+def whole_hand(
+    hand: HandTables,
+    keypoints: Keypoints,
+    angles_of: Angles,
+    active: ActiveSegments,
+    sensed: IntVector,
+    active_sd: Vector,
+    coasting: bool,
+    lost: bool,
+) -> tuple[Matrix, Matrix, IntVector, Vector, Vector, IntVector, Stack, Matrix]:
+    """The fields of an `Estimate` but for its time and tracking, in their order.
+
+    sensed (A,) as in `sensed_lately`, active_sd (A,) m. While the hand is ``lost`` no keypoint has
+    a position.
+    """
+    R, p, scale, angles, known = complete(hand, active)
+    points, q = keypoint_positions(keypoints, R, p, scale)
+    of_segment = segment_states(hand.row, sensed)
+    state = keypoint_states(of_segment, keypoints, coasting)
+    if lost:
+        state[:], points[:], q[:] = LOST, np.nan, np.nan
+    sd = keypoint_sds(keypoints, active_sd)
+    return points, q, state, sd, angles, angle_states(of_segment, angles_of, known), R, p
+
+
+@kernel
+def sensed_lately(
+    felt: Vector,
+    imu_segment: IntVector,
+    seen: Vector,
+    marker_segment: IntVector,
+    segments: int,
+    t: float,
+    lately: float,
+) -> IntVector:
+    """(A,) 1 for each of the active ``segments`` with an IMU that answered, or a marker that was
+    seen, less than ``lately`` s before ``t``; felt (n,) and seen (M,) s say when each was last."""
+    out = np.zeros(segments, np.int64)
+    for j in range(len(felt)):
+        if t - felt[j] < lately:
+            out[imu_segment[j]] = 1
+    for j in range(len(seen)):
+        if t - seen[j] < lately:
+            out[marker_segment[j]] = 1
+    return out
+
+
+@kernel
+def keypoint_positions(
+    keypoints: Keypoints, R: Stack, p: Matrix, scale: Matrix
+) -> tuple[Matrix, Matrix]:
+    """Keypoints (K, 3) m in G and their quaternions (K, 4), from R (S, 3, 3), p (S, 3) and scale
+    (S, 3) of all segments."""
+    segment, offset = keypoints.segment, keypoints.offset
+    q_all = quats(R)
+    points, q = np.empty((len(segment), 3)), np.empty((len(segment), 4))
+    for k in range(len(segment)):
+        s = segment[k]
+        q[k] = q_all[s]
+        for i in range(3):
+            points[k, i] = p[s, i]
+            for j in range(3):
+                points[k, i] += R[s, i, j] * scale[s, j] * offset[k, j]
+    return points, q
+
+
+@kernel
+def segment_states(row: IntVector, sensed: IntVector) -> IntVector:
+    """(S,) measured where the active segment of ``row`` (S,), -1 for none, is sensed (A,)."""
+    out = np.full(len(row), INFERRED)
+    for s in range(len(row)):
+        if row[s] >= 0 and sensed[row[s]] != 0:
+            out[s] = MEASURED
+    return out
+
+
+@kernel
+def angle_states(segment_state: IntVector, angles: Angles, known: BoolVector) -> IntVector:
+    """(J,) measured where an angle is known and both its segments are."""
+    out = np.full(len(known), INFERRED)
+    child, parent, column = angles
+    for k in range(len(column)):
+        both = segment_state[child[k]] == MEASURED and segment_state[parent[k]] == MEASURED
+        if both and known[column[k]]:
+            out[column[k]] = MEASURED
+    return out
+
+
+@kernel
+def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bool) -> IntVector:
+    """(K,) as the segment it moves with, or the one it is the far end of.
+
+    While coasting nothing of a hand's place is measured.
+    """
+    segment, end_of = keypoints.segment, keypoints.end_of
+    out = np.empty(len(segment), np.int64)
+    for k in range(len(segment)):
+        state = segment_state[segment[k]]
+        if end_of[k] >= 0:
+            state = max(state, segment_state[end_of[k]])
+        out[k] = min(state, INFERRED) if coasting else state
+    return out
+
+
+@kernel
+def keypoint_sds(keypoints: Keypoints, active_sd: Vector) -> Vector:
+    """(K,) m: by the sd (A,) of the nearest estimated ancestor, and by the steps from it."""
+    segment, ancestor, steps = keypoints.segment, keypoints.ancestor, keypoints.steps
+    out = np.empty(len(segment))
+    for k in range(len(segment)):
+        s = segment[k]
+        out[k] = np.sqrt(active_sd[ancestor[s]] ** 2 + steps[s] * INFERRED_SD**2)
+    return out

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tracker.kernels import kernel
-from tracker.messages import Array, ImuSample
+from tracker.kernels.arrays import BoolMatrix, BoolVector, Matrix, Stack, Vector
+from tracker.messages import ImuSample
 
 LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
 SHORTEST_STEP = 1e-9  # s
@@ -19,48 +18,73 @@ AROUND = 0.01  # s: neighbours that give an angular acceleration
 
 
 class Moment(NamedTuple):
-    """What all IMUs read at one instant, or on average about it, as in an `ImuSample`."""
+    """What all n IMUs read at one instant, or on average about it, as in an `ImuSample`.
+
+    t s; accel (n, 3) m/s²; gyro (n, 3) rad/s; valid (n,).
+    """
 
     t: float
-    accel: Array
-    gyro: Array
-    valid: NDArray[np.bool_]
+    accel: Matrix
+    gyro: Matrix
+    valid: BoolVector
+
+    @staticmethod
+    def of(sample: ImuSample) -> Moment:
+        """The same in arrays that kernels take."""
+        return Moment(
+            sample.t, sample.accel.copy(), sample.gyro.copy(), np.array(sample.valid, np.bool_)
+        )
+
+
+class Around(NamedTuple):
+    """Three moments in a row; the outer two give the angular acceleration ``now``."""
+
+    before: Moment
+    now: Moment
+    after: Moment
 
 
 Readings = ImuSample | Moment
-Around = tuple[Readings, Readings, Readings]
-"""Before, at and after an instant."""
 
 
-@dataclass(frozen=True, eq=False)
-class Intervals:
+class Packets(NamedTuple):
+    """Packets in order: t (m,) s; accel (m, n, 3) m/s²; gyro (m, n, 3) rad/s; valid (m, n)."""
+
+    t: Vector
+    accel: Stack
+    gyro: Stack
+    valid: BoolMatrix
+
+
+class Intervals(NamedTuple):
     """A way from one instant to another, cut at every packet: mean readings of each piece.
 
     start, stop (k,) s; accel (k, n, 3) m/s², gyro (k, n, 3) rad/s, valid (k, n). While the glove is
     silent no IMU is valid.
     """
 
-    start: Array
-    stop: Array
-    accel: Array
-    gyro: Array
-    valid: NDArray[np.bool_]
+    start: Vector
+    stop: Vector
+    accel: Stack
+    gyro: Stack
+    valid: BoolMatrix
 
     @staticmethod
-    def single(readings: Readings, start: float, stop: float) -> Intervals:
+    def single(readings: ImuSample | Moment, start: float, stop: float) -> Intervals:
         """One interval with these mean readings."""
-        mean = readings.accel[None], readings.gyro[None], readings.valid[None]
+        mean = readings.accel[None].copy(), readings.gyro[None].copy(), readings.valid[None].copy()
         return Intervals(np.array([start]), np.array([stop]), *mean)
+
+    def part(self, first: int, end: int) -> Intervals:
+        """The intervals from ``first`` to before ``end``."""
+        start, stop, accel, gyro, valid = self
+        k = slice(first, end)
+        return Intervals(start[k], stop[k], accel[k], gyro[k], valid[k])
 
     def mean(self, k: int) -> Moment:
         """The mean readings of the interval ``k``, at its middle."""
         t = float(self.start[k] + self.stop[k]) / 2
         return Moment(t, self.accel[k], self.gyro[k], self.valid[k])
-
-    def __iter__(self) -> Iterator[tuple[Moment, float]]:
-        """The mean readings of each interval, and where it ends."""
-        for k in range(len(self.stop)):
-            yield self.mean(k), float(self.stop[k])
 
 
 class ImuBuffer:
@@ -72,10 +96,10 @@ class ImuBuffer:
         self._first = self._end = 0  # rows of the table that are in use
         self._table = self._rows(256)
 
-    def _rows(self, count: int) -> tuple[Array, Array, Array, NDArray[Any]]:
-        """t, accel, gyro, valid of ``count`` packets, for compiled loops."""
+    def _rows(self, count: int) -> Packets:
+        """Room for ``count`` packets, for compiled loops."""
         n = self._imus
-        return (
+        return Packets(
             np.empty(count),
             np.empty((count, n, 3)),
             np.empty((count, n, 3)),
@@ -101,12 +125,11 @@ class ImuBuffer:
         """Keep a packet; False (and nothing kept) where it is not later than the newest."""
         if self._samples and sample.t <= self._samples[-1].t:
             return False
-        if self._end == len(self._table[0]):
+        if self._end == len(self._table.t):
             self._make_room()
-        for column, value in zip(
-            self._table, (sample.t, sample.accel, sample.gyro, sample.valid), strict=True
-        ):
-            column[self._end] = value
+        table, k = self._table, self._end
+        table.t[k], table.accel[k], table.gyro[k] = sample.t, sample.accel, sample.gyro
+        table.valid[k] = sample.valid
         self._end += 1
         self._samples.append(sample)
         while sample.t - self._samples[0].t > self._span:
@@ -117,18 +140,17 @@ class ImuBuffer:
     def _make_room(self) -> None:
         """Move the rows in use to the front of a table with at least as many to spare."""
         live = self.table
-        count = len(live[0])
-        self._table = self._rows(max(len(self._table[0]), 2 * count))
+        count = len(live.t)
+        self._table = self._rows(max(len(self._table.t), 2 * count))
         for column, rows in zip(self._table, live, strict=True):
             column[:count] = rows
         self._first, self._end = 0, count
 
     @property
-    def table(self) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
-        """t (m,), accel, gyro (m, n, 3), valid (m, n) of the packets that are kept."""
-        t, accel, gyro, valid = self._table
-        used = slice(self._first, self._end)
-        return t[used], accel[used], gyro[used], valid[used]
+    def table(self) -> Packets:
+        """The packets that are kept."""
+        table, used = self._table, slice(self._first, self._end)
+        return Packets(table.t[used], table.accel[used], table.gyro[used], table.valid[used])
 
     def covers(self, t: float) -> bool:
         """Whether a packet at or after ``t`` has come."""
@@ -136,30 +158,32 @@ class ImuBuffer:
 
     def intervals(self, start: float, end: float) -> Intervals:
         """The way from ``start`` to ``end``; nothing where they are the same."""
-        return Intervals(*cut(*self.table, start, end))
+        return Intervals(*cut(self.table, start, end))
 
-    def at(self, t: float) -> Readings | None:
+    def at(self, t: float) -> Moment | None:
         """What was read at ``t``, between packets; the nearest one outside the memory; None if
         empty.
 
         An IMU is valid where both neighbours are.
         """
-        if not self._samples or t <= self._samples[0].t:
-            return self._samples[0] if self._samples else None
+        if not self._samples:
+            return None
+        if t <= self._samples[0].t:
+            return Moment.of(self._samples[0])
         if t > self._samples[-1].t:
-            return self._samples[-1]
-        return Moment(t, *_between(*self.table, t))
+            return Moment.of(self._samples[-1])
+        return Moment(t, *_between(self.table, t))
 
     def around(self, t: float) -> Around | None:
         """What was read at ``t`` and `AROUND` s before and after; None without packets there."""
         before, now, after = self.at(t - AROUND), self.at(t), self.at(t + AROUND)
         if before is None or now is None or after is None or not before.t < now.t < after.t:
             return None
-        return before, now, after
+        return Around(before, now, after)
 
     def is_packet(self, t: float) -> bool:
         """Whether a packet of just this instant is kept."""
-        times = self.table[0]
+        times = self.table.t
         k = int(np.searchsorted(times, t))
         return k < len(times) and bool(times[k] == t)
 
@@ -172,8 +196,9 @@ class ImuBuffer:
 
 
 @kernel
-def _between(t, accel, gyro, valid, at):  # type: ignore[no-untyped-def]
+def _between(packets: Packets, at: float) -> tuple[Matrix, Matrix, BoolVector]:
     """accel, gyro (n, 3) and valid (n,) at an instant between two of the packets, linearly."""
+    t, accel, gyro, valid = packets
     k = np.searchsorted(t, at)
     w = (at - t[k - 1]) / (t[k] - t[k - 1])
     between = (1 - w) * accel[k - 1] + w * accel[k], (1 - w) * gyro[k - 1] + w * gyro[k]
@@ -181,18 +206,24 @@ def _between(t, accel, gyro, valid, at):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def cut(t, accel, gyro, valid, start, end):  # type: ignore[no-untyped-def]
-    """The fields of `Intervals` from the packets t (m,), accel, gyro (m, n, 3), valid (m, n)."""
+def cut(
+    packets: Packets, start: float, end: float
+) -> tuple[Vector, Vector, Stack, Stack, BoolMatrix]:
+    """The fields of `Intervals` on the way from ``start`` to ``end`` (s) past the packets."""
+    t, accel, gyro, valid = packets
     m, n = valid.shape
-    k = np.searchsorted(t, start, side="right")
+    # 1. how many intervals there may be
+    k = int(np.searchsorted(t, start, side="right"))
     most = np.searchsorted(t, end) - k + 1 if end > start else 0
     starts, stops = np.empty(most), np.empty(most)
     mean_accel, mean_gyro = np.zeros((most, n, 3)), np.zeros((most, n, 3))
     both = np.zeros((most, n), np.bool_)
     at, count = start, 0
     while end - at > SHORTEST_STEP:
+        # 2. the next one ends at a packet, or at the end of the way
         stop = min(t[k], end) if k < m else end
         starts[count], stops[count] = at, stop
+        # 3. mean readings: those at its middle, between the packets before and after
         if k < m and t[k] - at <= LONGEST_STEP:
             a, w = max(k - 1, 0), 1.0
             if k > 0:

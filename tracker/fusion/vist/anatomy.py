@@ -13,7 +13,7 @@ from tracker.fusion.chain.constraints import Axis, Constraints
 from tracker.fusion.chain.params import ConstraintParams
 from tracker.fusion.vist.layout import ERRORS, PHI, TH, VistLayout
 from tracker.fusion.vist.params import VistConstraint
-from tracker.fusion.vist.points import jacobians, positions, spread
+from tracker.fusion.vist.points import in_joint_rows, jacobians, positions
 from tracker.fusion.vist.state import VistState
 from tracker.geometry.kernels import cross3
 from tracker.messages import Array
@@ -53,8 +53,8 @@ class Anatomy:
         size = self._layout.size
         there = positions(state, self._parents, self._in_parent)
         here = positions(state, self.children, self._in_child)
-        H = spread(jacobians(state, self._parents, self._in_parent), self._parents, size)
-        H -= spread(jacobians(state, self.children, self._in_child), self.children, size)
+        H = in_joint_rows(jacobians(state, self._parents, self._in_parent), self._parents, size)
+        H -= in_joint_rows(jacobians(state, self.children, self._in_child), self.children, size)
         return H.reshape(-1, size), -(there - here).ravel()
 
     def rotation_rows(self, state: VistState) -> tuple[Array, Array]:

@@ -10,7 +10,7 @@ from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.loose import loose_rows
 from tracker.fusion.vist.markers import Expected, Matched
 from tracker.fusion.vist.params import VistParams
-from tracker.fusion.vist.points import jacobians, own_covariance, spread
+from tracker.fusion.vist.points import in_joint_rows, jacobians, own_covariance
 from tracker.fusion.vist.rest import rest_rows
 from tracker.fusion.vist.state import VistState, inject
 from tracker.messages import Array
@@ -65,7 +65,7 @@ class VistFilter:
         """H (3 k, 21 n), innovation (3 k,) m and noise (3 k, 3 k) m² of k matched markers."""
         lay, k = self._layout, len(matched)
         segment = lay.chain.marker_segment[matched.marker]
-        H = spread(expected.H[matched.marker], segment, lay.size).reshape(-1, lay.size)
+        H = in_joint_rows(expected.H[matched.marker], segment, lay.size).reshape(-1, lay.size)
         r = matched.p_G - expected.p_G[matched.marker]
         S = expected.cov[matched.marker] + matched.cov
         distance = np.sqrt(np.einsum("ki,ki->k", r, np.linalg.solve(S, r[..., None])[..., 0]) / 3)

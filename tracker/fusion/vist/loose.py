@@ -12,7 +12,7 @@ from scipy.linalg import block_diag
 from tracker.fusion.ablations.segment_pose import by_segment, fit_pose, softened
 from tracker.fusion.vist.layout import ERRORS, PHI, TH, VistLayout
 from tracker.fusion.vist.markers import Matched
-from tracker.fusion.vist.points import jacobians, positions, spread
+from tracker.fusion.vist.points import in_joint_rows, jacobians, positions
 from tracker.fusion.vist.state import VistState
 from tracker.geometry import so3
 from tracker.messages import Array
@@ -44,7 +44,7 @@ def pose_rows(
     """H (6, 21 n), place (3,) m in G of a point at the nominal lever (3,), and R_GB (3, 3)."""
     one = np.array([segment])
     H = np.zeros((6, layout.size))
-    H[:3] = spread(jacobians(state, one, lever[None]), one, layout.size)[0]
+    H[:3] = in_joint_rows(jacobians(state, one, lever[None]), one, layout.size)[0]
     at = ERRORS * segment
     H[3:, at + TH : at + TH + 3] = state.R_IB[segment].T
     H[3:, at + PHI : at + PHI + 3] = np.eye(3)

@@ -35,7 +35,7 @@ class Expected:
 
 
 @dataclass(frozen=True, eq=False)
-class Previous:
+class PreviousMarkers:
     """Markers after the image at ``t`` (s) as the filter then had them."""
 
     t: float
@@ -132,7 +132,7 @@ class MarkerModel:
         return np.flatnonzero(near.any(axis=1))
 
     def _depth(self, guide: Expected, pose: CameraPose) -> float | None:
-        """Where on the optical axis the hand is expected, m; None where it is behind the lens."""
+        """Where on the optical axis the hand is expected, m; None where it is behind the camera."""
         z = (guide.p_G - pose.p_GC) @ pose.R_GC[:, 2]
         z_mean = float(np.median(z))
         return z_mean if z_mean > 0.05 else None

@@ -35,7 +35,7 @@ def jacobians(state: VistState, segment: IntArray, lever: Array) -> Array:
     return out
 
 
-def spread(blocks: Array, segment: IntArray, size: int) -> Array:
+def in_joint_rows(blocks: Array, segment: IntArray, size: int) -> Array:
     """Rows (k, 3, size) of the joint error vector from blocks (k, 3, 21)."""
     out = np.zeros((len(blocks), 3, size))
     for k, s in enumerate(segment):

@@ -12,7 +12,6 @@ so nine rows and columns of each segment move and Phi P Phi^T needs no dense pro
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tracker import GRAVITY
 from tracker.fusion.engine import COAST_DAMPING
@@ -22,9 +21,8 @@ from tracker.fusion.vist.params import VistNoise
 from tracker.fusion.vist.state import VistState
 from tracker.geometry.kernels import exp3
 from tracker.kernels import kernel
-from tracker.messages import Array, IntArray
-
-Bools = NDArray[np.bool_]
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack
+from tracker.messages import Array
 
 
 def propagate(
@@ -55,9 +53,16 @@ def propagate(
 
 
 @kernel
-def _move_nominal(  # type: ignore[no-untyped-def]
-    parent: IntArray, p, v, R, w, f, valid, dt
-):
+def _move_nominal(
+    parent: IntVector,
+    p: Matrix,
+    v: Matrix,
+    R: Stack,
+    w: Matrix,
+    f: Matrix,
+    valid: BoolVector,
+    dt: float,
+) -> tuple[Matrix, Matrix, Stack]:
     """A silent segment turns and accelerates with its parent; a silent root slows down."""
     n = len(parent)
     p_new, v_new, R_new = np.empty_like(p), np.empty_like(v), np.empty_like(R)
@@ -78,7 +83,9 @@ def _move_nominal(  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _error_blocks(R, w, f, valid, dt):  # type: ignore[no-untyped-def]
+def _error_blocks(
+    R: Stack, w: Matrix, f: Matrix, valid: BoolVector, dt: float
+) -> tuple[Stack, Stack, Stack]:
     """A_th (n, 3, 3), E = Exp(w dt)^T (n, 3, 3), and A_ba (n, 3, 3); zeros where silent."""
     n = len(R)
     A_th, A_ba, E = np.zeros((n, 3, 3)), np.zeros((n, 3, 3)), np.empty((n, 3, 3))
@@ -97,12 +104,15 @@ def _error_blocks(R, w, f, valid, dt):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def move_covariance(P_, R, w, f, valid, dt):  # type: ignore[no-untyped-def]
+def move_covariance(
+    P_: Matrix, R: Stack, w: Matrix, f: Matrix, valid: BoolVector, dt: float
+) -> None:
     """P <- Phi P Phi^T in place; P (21 n, 21 n), R (n, 3, 3), w, f (n, 3), valid (n,) bool."""
     A_th, A_ba, E = _error_blocks(R, w, f, valid, dt)
     size = P_.shape[0]
     new = np.empty((9, size))
-    for i in range(len(R)):  # rows: M = Phi P
+    # 1. rows: M = Phi P
+    for i in range(len(R)):
         k = i * ERRORS
         turn = -dt if valid[i] else 0.0
         for r in range(3):
@@ -115,8 +125,9 @@ def move_covariance(P_, R, w, f, valid, dt):  # type: ignore[no-untyped-def]
                 new[3 + r, c] = P_[k + V + r, c] + dv
                 new[6 + r, c] = dth
         P_[k : k + 9] = new
+    # 2. columns: M Phi^T, a row at a time
     move = np.empty(9)
-    for row in range(size):  # columns: M Phi^T, a row at a time
+    for row in range(size):
         for i in range(len(R)):
             k = i * ERRORS
             turn = -dt if valid[i] else 0.0
@@ -149,7 +160,9 @@ def transition(state: VistState, sample: Readings, layout: VistLayout, dt: float
     return Phi
 
 
-def _add_noise(P_: Array, layout: VistLayout, noise: VistNoise, valid: Bools, dt: float) -> None:
+def _add_noise(
+    P_: Array, layout: VistLayout, noise: VistNoise, valid: BoolVector, dt: float
+) -> None:
     """Q on the diagonal; a silent IMU leaves its segment free to move."""
     accel = np.where(valid, noise.accel, noise.silent_accel)[:, None]
     q = np.empty((layout.n, ERRORS))

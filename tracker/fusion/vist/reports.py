@@ -106,7 +106,7 @@ def _pixel_covariance(rig: StereoRig, pose: CameraPose, p_C: Array, cov_G: Array
 
 
 def _raw(camera: Camera, uv: Array, kept: IntArray, m: int) -> Array:
-    """(m, 2) raw pixels; NaN where a point is not in front of the lens or has no state."""
+    """(m, 2) raw pixels; NaN where a point is not in front of the camera or has no state."""
     out = np.full((m, 2), np.nan)
     ok = np.isfinite(uv[:, 0])
     out[kept[ok]] = camera.unrectify(uv[ok])

@@ -56,11 +56,11 @@ def inject(state: VistState, dx: Array) -> None:
     e = dx.reshape(-1, ERRORS)
     state.p_GI = state.p_GI + e[:, P : P + 3]
     state.v_GI = state.v_GI + e[:, V : V + 3]
-    state.R_GI = rotate_all(state.R_GI, e[:, TH : TH + 3])
+    state.R_GI = rotate_all(state.R_GI, np.ascontiguousarray(e[:, TH : TH + 3]))
     state.bg = state.bg + e[:, BG : BG + 3]
     state.ba = state.ba + e[:, BA : BA + 3]
     state.scale = np.clip(state.scale + e[:, LAM : LAM + 3], *SCALE_LIMITS)
-    state.R_IB = rotate_all(state.R_IB, e[:, PHI : PHI + 3])
+    state.R_IB = rotate_all(state.R_IB, np.ascontiguousarray(e[:, PHI : PHI + 3]))
 
 
 def initial_covariance(layout: VistLayout, prior: VistPrior) -> Array:

@@ -13,7 +13,7 @@ from tracker.fusion.output.output import Sensed
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals, Readings
 from tracker.fusion.vist.filter import VistFilter
 from tracker.fusion.vist.layout import VistLayout
-from tracker.fusion.vist.markers import Expected, MarkerModel, Matched, Previous
+from tracker.fusion.vist.markers import Expected, MarkerModel, Matched, PreviousMarkers
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.propagate import propagate
 from tracker.fusion.vist.reports import frame_result
@@ -47,7 +47,7 @@ class VistTrackerKept:
 
     state: VistState
     track: Track
-    previous: Previous | None = None  # only where correspondence is made from it
+    previous: PreviousMarkers | None = None  # only where correspondence is made from it
 
 
 class VistTracker:
@@ -91,8 +91,10 @@ class VistTracker:
         return first + 1
 
     def carry(self, state: VistState, t: float) -> None:
-        for sample, stop in self._buffer.intervals(state.t, t):
-            self._move(state, sample, stop - state.t, covariance=False)
+        way = self._buffer.intervals(state.t, t)
+        for k in range(len(way.stop)):
+            stop = float(way.stop[k])
+            self._move(state, way.mean(k), stop - state.t, covariance=False)
             state.t = stop
 
     def _move(self, state: VistState, sample: Readings, dt: float, covariance: bool) -> None:
@@ -200,7 +202,7 @@ class VistTracker:
         self._track.seen[matched.marker] = frame.t
         self._track.tip_sd = self._filter.tip_sd(self.state)
         if self._params.match.guide == "previous":
-            self.kept.previous = Previous(frame.t, self._markers.expect(self.state, pose))
+            self.kept.previous = PreviousMarkers(frame.t, self._markers.expect(self.state, pose))
         tracking = self._track.tracking
         return frame_result(frame, self._layout, self._rig, pose, tracking, expected, matched, seen)
 

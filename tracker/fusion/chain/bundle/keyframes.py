@@ -69,8 +69,7 @@ def keyframe_of(
     params: BundleParams,
 ) -> Keyframe | None:
     """The posture of ``state``, or None where too little is seen or it moves too fast."""
-    now = packets[1]
-    if int(np.sum(match >= 0)) < params.least_blobs or np.abs(now.gyro).max() > MAX_RATE:
+    if int(np.sum(match >= 0)) < params.least_blobs or np.abs(packets.now.gyro).max() > MAX_RATE:
         return None
     uv = np.full((2, match.shape[1], 2), np.nan)
     for c in range(2):

@@ -11,7 +11,8 @@ from tracker.fusion.chain.constraints import Constraints
 from tracker.fusion.chain.kinematics import marker_jacobians, marker_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.pixels_kernel import pixel_jacobians, stack_rows
+from tracker.fusion.chain.pixel_rows import stack_rows
+from tracker.fusion.chain.prediction import View, pixel_jacobians
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tilt import tilt_rows
 from tracker.messages import Array
@@ -34,7 +35,7 @@ class KeyframeRows:
         H_px, r_px = self._pixels(state, frame)
         H_c, r_c, variance = self._constraints.rows(state)
         parts = [(H_px, r_px), _scaled(H_c, r_c, variance)]
-        tilt = tilt_rows(state, self._layout, self._params.constraint, *frame.packets)
+        tilt = tilt_rows(state, self._layout, self._params.constraint, frame.packets)
         if tilt is not None:
             parts.append(_scaled(*tilt))
         return np.concatenate([H for H, _ in parts]), np.concatenate([r for _, r in parts])
@@ -46,11 +47,10 @@ class KeyframeRows:
         p_C = (p_G - frame.pose.p_GC) @ frame.pose.R_GC
         uv = np.stack([rig.project(p_C), rig.project(p_C, right=True)])
         H = marker_jacobians(state, lay, rows)
-        A = pixel_jacobians(p_C, frame.pose.R_GC, rig.fx, rig.fy, rig.baseline)
-        slip = self._params.bundle.slip
-        H_px, _, r, R = stack_rows(
-            H, np.zeros_like(H), A, frame.uv[:, rows] - uv, slip, noise.pixel_px, noise.huber
-        )
+        A = pixel_jacobians(p_C, View.of(rig, frame.pose))
+        slip = noise.pixel._replace(marker=self._params.bundle.slip)
+        residual = np.ascontiguousarray(frame.uv[:, rows] - uv)
+        H_px, _, r, R = stack_rows(H, np.zeros_like(H), A, residual, slip)
         L = np.linalg.cholesky(R)
         return np.linalg.solve(L, H_px), np.linalg.solve(L, r)
 

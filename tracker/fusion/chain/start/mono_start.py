@@ -1,8 +1,8 @@
 """Finding the hand in one image: IMUs give the posture, the size of the hand its distance.
 
-`search` votes for a translation among stereo points. With one lens there are only rays: for each
+`search` votes for a translation among stereo points. With one camera there are only rays: for each
 posture, heading and distance on a grid, every pair (blob seen, marker expected) of one hue proposes
-a place, and the place whose markers meet most blobs wins. The best ones are then fitted in all
+a position, and the one whose markers meet most blobs wins. The best ones are then fitted in all
 three directions: perspective makes near markers spread wider, which tells the distance as well as
 the size of the hand is known.
 """
@@ -21,9 +21,10 @@ from tracker.fusion.chain.start.search import Pose
 from tracker.fusion.chain.state import ChainState
 from tracker.geometry import so3
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, CameraPose, IntArray
 
-SIZE_KEPT = 0.1  # of the size's standard deviation at a start with one lens
+SIZE_KEPT = 0.1  # of the size's standard deviation at a start with one camera
 SIZE_SD = 0.05  # share, among people: what the distance is unsure by after such a start
 KNOWN_SIZE_SD = 0.015  # the same with a wearer's profile
 
@@ -44,7 +45,7 @@ class MonoParams:
 
 @dataclass(frozen=True, eq=False)
 class Rays:
-    """Blobs of one lens: direction (n, 2) at depth 1 in C, hue (n,); lens (3,) m in C."""
+    """Blobs of one camera: direction (n, 2) at depth 1 in C, hue (n,); camera_C (3,) m it is at."""
 
     direction: Array
     hue: IntArray
@@ -85,20 +86,20 @@ def along_the_ray(P: Array, p: Array, pose: CameraPose, share: float) -> None:
 
 
 def keep_size(P: Array, layout: ChainLayout) -> None:
-    """One lens cannot tell a small hand that is near from a large one farther away."""
+    """One camera cannot tell a small hand that is near from a large one farther away."""
     rows = slice(layout.scale, layout.joint)
     P[rows, :] *= SIZE_KEPT
     P[:, rows] *= SIZE_KEPT
 
 
 def release_size(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
-    """The second lens is there: the size may be learned."""
+    """The second camera is there: the size may be learned."""
     rows = slice(layout.scale, layout.joint)
     P[rows, rows] += initial_covariance(layout, prior)[rows, rows]
 
 
 def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) -> Array:
-    """SD (n,) m of points near p (3,) m in G, whose distance is as unsure as the hand's size.
+    """sd (n,) m of points near p (3,) m in G, whose distance is as unsure as the hand's size.
 
     As `Estimate.keypoint_sd` the root of the mean variance over three axes: the ray's is one.
     """
@@ -130,7 +131,7 @@ def _vote_one(
     if len(rows) < params.min_support:
         return None
     depths = np.geomspace(params.nearest, params.farthest, params.distances)
-    place, score, support = best_place(
+    position, score, support = best_position(
         rays.direction,
         rays.hue,
         np.ascontiguousarray(m_C[rows]),
@@ -139,27 +140,28 @@ def _vote_one(
         depths,
         params.radius,
     )
-    p_G = pose.R_GC @ (place + rays.camera_C) + pose.p_GC
+    p_G = pose.R_GC @ (position + rays.camera_C) + pose.p_GC
     return Pose(R, p_G, score / float(weight.sum()), support)
 
 
 @kernel
-def best_place(
-    seen: Array,
-    hue: IntArray,
-    markers: Array,
-    marker_hue: IntArray,
-    weight: Array,
-    depths: Array,
+def best_position(
+    seen: Matrix,
+    hue: IntVector,
+    markers: Matrix,
+    marker_hue: IntVector,
+    weight: Vector,
+    depths: Vector,
     radius: float,
-) -> tuple[Array, float, int]:
-    """The translation (3,) m in the lens's axes with the largest weighted support.
+) -> tuple[Vector, float, int]:
+    """The translation (3,) m in the camera's axes with the largest weighted support.
 
-    seen (n, 2) at depth 1; markers (m, 3) m about the place looked for. Returns it fitted, its
+    seen (n, 2) at depth 1; markers (m, 3) m about the position looked for. Returns it fitted, its
     weighted support and how many markers are supported.
     """
-    best, place = -1.0, np.zeros(3)
+    best, position = -1.0, np.zeros(3)
     t = np.zeros(3)
+    # 1. every pair of one hue proposes a position at each distance of the grid; all markers vote
     for z in depths:
         t[2] = z
         for i in range(len(seen)):
@@ -173,12 +175,15 @@ def best_place(
                     d2, _ = _nearest(seen, hue, markers[k], marker_hue[k], t)
                     total += weight[k] * max(0.0, 1.0 - d2 / radius**2)
                 if total > best:
-                    best, place = total, t.copy()
-    return _fit(seen, hue, markers, marker_hue, weight, radius, place)
+                    best, position = total, t.copy()
+    # 2. the winner is fitted in all three directions
+    return _fit(seen, hue, markers, marker_hue, weight, radius, position)
 
 
 @kernel
-def _nearest(seen, hue, marker, marker_hue, t):  # type: ignore[no-untyped-def]
+def _nearest(
+    seen: Matrix, hue: IntVector, marker: Vector, marker_hue: int, t: Vector
+) -> tuple[float, int]:
     """Squared distance (m²) across the ray of the nearest blob of the marker's hue, and its row."""
     z = max(marker[2] + t[2], 0.02)
     best, row = np.inf, -1
@@ -192,9 +197,17 @@ def _nearest(seen, hue, marker, marker_hue, t):  # type: ignore[no-untyped-def]
 
 
 @kernel
-def _fit(seen, hue, markers, marker_hue, weight, radius, place):  # type: ignore[no-untyped-def]
-    """Rounds of least squares over supported markers, in the place's three directions."""
-    t, score, support = place.copy(), 0.0, 0
+def _fit(
+    seen: Matrix,
+    hue: IntVector,
+    markers: Matrix,
+    marker_hue: IntVector,
+    weight: Vector,
+    radius: float,
+    position: Vector,
+) -> tuple[Vector, float, int]:
+    """Rounds of least squares over supported markers, in the position's three directions."""
+    t, score, support = position.copy(), 0.0, 0
     for _ in range(4):
         A, b = np.zeros((3, 3)), np.zeros(3)
         score, support = 0.0, 0
@@ -214,5 +227,5 @@ def _fit(seen, hue, markers, marker_hue, weight, radius, place):  # type: ignore
             break
         A[2, 2] += 1e-3 * A[0, 0]  # flat patterns tell no distance: stay near the grid's
         b[2] += 1e-3 * A[0, 0] * t[2]
-        t = np.linalg.solve(A, b)
+        t[:] = np.linalg.solve(A, b)
     return t, score, support

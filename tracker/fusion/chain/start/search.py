@@ -19,6 +19,7 @@ from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.state import ChainState
 from tracker.geometry import so3
 from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, IntArray
 
 TILT_SD = 0.15  # rad: bias, mounting and motion in one accelerometer direction
@@ -49,7 +50,7 @@ class Pose:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class StereoPoints:
     """Stereo points of one image: p_G (n, 3), hue (n,); camera centre p_GC (3,)."""
 
     p_G: Array
@@ -138,7 +139,7 @@ def vote(
     layout: ChainLayout,
     postures: list[Array],
     headings: Array,
-    seen: Seen,
+    seen: StereoPoints,
     params: SearchParams,
     most: int = 6,
 ) -> list[Pose]:
@@ -159,7 +160,7 @@ def vote(
 
 
 def _vote_one(
-    state: ChainState, layout: ChainLayout, R: Array, seen: Seen, params: SearchParams
+    state: ChainState, layout: ChainLayout, R: Array, seen: StereoPoints, params: SearchParams
 ) -> Pose | None:
     trial = state.copy_nominal()
     trial.R_GB, trial.p = R, np.zeros(3)
@@ -184,15 +185,25 @@ def _vote_one(
 
 
 @kernel
-def _best_shift(points, hue, markers, marker_hue, weight, radius, most):  # type: ignore[no-untyped-def]
+def _best_shift(
+    points: Matrix,
+    hue: IntVector,
+    markers: Matrix,
+    marker_hue: IntVector,
+    weight: Vector,
+    radius: float,
+    most: int,
+) -> tuple[Vector, float, int]:
     """The translation with the largest weighted support, refined to the mean of its supporters."""
     n, m = len(points), len(markers)
+    # 1. how many pairs of one hue to pass over, so that at most ``most`` propose a translation
     pairs = 0
     for i in range(n):
         for j in range(m):
             if hue[i] == marker_hue[j]:
                 pairs += 1
     stride = max(1, (pairs + most - 1) // most)
+    # 2. all markers vote on each
     best, best_shift, count = -1.0, np.zeros(3), 0
     for i in range(n):
         for j in range(m):
@@ -207,11 +218,14 @@ def _best_shift(points, hue, markers, marker_hue, weight, radius, most):  # type
                 s += weight[k] * _support(points, hue, markers[k], marker_hue[k], t, radius)
             if s > best:
                 best, best_shift = s, t
+    # 3. the winner is moved to where its supporters want it
     return _refine(points, hue, markers, marker_hue, weight, radius, best_shift)
 
 
 @kernel
-def _support(points, hue, marker, marker_hue, t, radius):  # type: ignore[no-untyped-def]
+def _support(
+    points: Matrix, hue: IntVector, marker: Vector, marker_hue: int, t: Vector, radius: float
+) -> float:
     """1 at the marker, 0 at ``radius`` and beyond, for the nearest point of the marker's hue."""
     best = radius * radius
     for i in range(len(points)):
@@ -226,7 +240,15 @@ def _support(points, hue, marker, marker_hue, t, radius):  # type: ignore[no-unt
 
 
 @kernel
-def _refine(points, hue, markers, marker_hue, weight, radius, shift):  # type: ignore[no-untyped-def]
+def _refine(
+    points: Matrix,
+    hue: IntVector,
+    markers: Matrix,
+    marker_hue: IntVector,
+    weight: Vector,
+    radius: float,
+    shift: Vector,
+) -> tuple[Vector, float, int]:
     """Two rounds of weighted mean over supported markers. Returns shift, score, support."""
     score, support = 0.0, 0
     for _ in range(3):

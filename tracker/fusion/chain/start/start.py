@@ -18,7 +18,13 @@ from tracker.fusion.chain.start.mono_start import (
     keep_size,
     vote_mono,
 )
-from tracker.fusion.chain.start.search import Pose, SearchParams, Seen, postures_from_gravity, vote
+from tracker.fusion.chain.start.search import (
+    Pose,
+    SearchParams,
+    StereoPoints,
+    postures_from_gravity,
+    vote,
+)
 from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.messages import Array, CameraPose
@@ -26,7 +32,7 @@ from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import all_pairs
 
 LOOK_BACK = 0.3  # s of packets that are averaged for tilt
-STILL_GYRO = 0.05  # rad/s: spread below which the mean gyro reading is a bias
+STILL_GYRO = 0.05  # rad/s: sd below which the mean gyro reading is a bias
 REST_PACKETS = 20
 STILL_BIAS_SD = 0.015  # rad/s, what a wearer at rest still turns
 MAX_BIAS = 0.2  # rad/s: more than this is motion (turn-on bias is at most 0.09)
@@ -104,7 +110,9 @@ class Starter:
         pairs = all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
         if len(pairs.p_C) < params.min_points:
             return None
-        points = Seen(pairs.p_C @ pose.R_GC.T + pose.p_GC, left.hue[pairs.left_index], pose.p_GC)
+        points = StereoPoints(
+            pairs.p_C @ pose.R_GC.T + pose.p_GC, left.hue[pairs.left_index], pose.p_GC
+        )
         poses = vote(state, self._layout, postures, headings, points, params)
         return poses[0] if poses else None
 
@@ -116,7 +124,7 @@ class Starter:
         seen: tuple[SeenBlobs, ...],
         pose: CameraPose,
     ) -> Pose | None:
-        """With the one lens that sees something."""
+        """With the one camera that sees something."""
         camera = 1 if len(seen[0].uv) == 0 else 0
         rig = self._rig
         rays = Rays(
@@ -130,9 +138,9 @@ class Starter:
         """A still hand shows the gyro biases: take them, with what a person at rest still turns."""
         if len(gyro) < REST_PACKETS:
             return  # tremor does not average out in a few packets
-        spread, mean = gyro.std(axis=0), gyro.mean(axis=0)
+        sd, mean = gyro.std(axis=0), gyro.mean(axis=0)
         for j in np.flatnonzero(valid):
-            if spread[j].max() < STILL_GYRO and np.abs(mean[j]).max() < MAX_BIAS:
+            if sd[j].max() < STILL_GYRO and np.abs(mean[j]).max() < MAX_BIAS:
                 state.bg[j] = mean[j]
                 rows = self._layout.bg + 3 * j + np.arange(3)
                 state.P[rows, rows] = STILL_BIAS_SD**2
