@@ -32,7 +32,7 @@ from tracker.streaming.foxglove_protocol import (
     message_data,
     server_info,
 )
-from tracker.streaming.foxglove_scene import Scene, estimate_schema, scene_schema
+from tracker.streaming.foxglove_scene import FoxgloveScene, estimate_schema, scene_schema
 from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import LOOPBACK, Names, StreamError
 from tracker.streaming.server_thread import ServerThread
@@ -56,7 +56,7 @@ class FoxglovePublisher:
         """``wall_offset``: s since 1970 at the monotonic clock's zero; by default as of now."""
         self._wall = time.time() - time.monotonic() if wall_offset is None else wall_offset
         self._greeting = _greeting(names, session_id=str(time.time_ns()))
-        scene = Scene(names)
+        scene = FoxgloveScene(names)
         self._encoders: dict[int, Callable[[Estimate, int], str]] = {
             ESTIMATE: lambda e, _: to_json(e, names),
             SCENE: lambda e, stamp_ns: json.dumps(scene.update(e, stamp_ns), allow_nan=False),

@@ -30,7 +30,7 @@ COLOURS = {
 }
 
 
-class Scene:
+class FoxgloveScene:
     """Scenes of one hand: a sphere per keypoint, a line per bone.
 
     What is lost is left out, what is inferred is small and pale, and the entity's metadata tells
@@ -123,7 +123,7 @@ def estimate_schema(names: Names) -> Json:
 
 
 def scene_schema() -> Json:
-    """JSON schema of what `Scene.update` says of foxglove.SceneUpdate."""
+    """JSON schema of what `FoxgloveScene.update` says of foxglove.SceneUpdate."""
     stamp = {"sec": INTEGER, "nsec": INTEGER}
     xyz = dict.fromkeys("xyz", NUMBER)
     vector, colour = _object("foxglove.Vector3", **xyz), dict.fromkeys("rgba", NUMBER)
