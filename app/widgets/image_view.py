@@ -27,12 +27,9 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.widgets.image_shapes import Shape
+from app.widgets.image_zoom import ImageZoom
 from app.widgets.shape_painter import paint_shape
 
-MAX_ZOOM = 16.0
-MAX_FOLLOW_ZOOM = 4.0
-FILL = 0.6  # share of the view that a followed box takes
-CALM = 0.2  # share of the way at each image
 KEY_ZOOM = 1.25
 ARROWS = {
     Qt.Key.Key_Left: (-1, 0),
@@ -56,8 +53,7 @@ class ImageView(QWidget):
         self._array: NDArray[np.uint8] | None = None
         self._image: QImage | None = None
         self._shapes: Sequence[Shape] = ()
-        self._zoom = 1.0
-        self._centre = QPointF(0.5, 0.5)  # of the view, in fractions of the image
+        self.zoom = ImageZoom(self)
         self._drag: QPointF | None = None
         self._picking = False
         self.setMinimumSize(160, 90)
@@ -76,6 +72,8 @@ class ImageView(QWidget):
         self._array = None if image is None else np.ascontiguousarray(image)
         self._image = None if self._array is None else _image(self._array)
         self._shapes = shapes
+        if self._array is not None:
+            self.zoom.height, self.zoom.width = self._array.shape[:2]
         self.update()
 
     def set_placeholder(self, text: str) -> None:
@@ -89,86 +87,45 @@ class ImageView(QWidget):
 
     def fit(self) -> None:
         """Show the whole image."""
-        self._zoom, self._centre = 1.0, QPointF(0.5, 0.5)
+        self.zoom.fit()
         self.update()
 
     def follow(self, u: float, v: float, width: float, height: float) -> None:
         """Go some of the way to a view in which a box of image pixels fills the middle."""
         if self._image is None or self._drag is not None:
             return
-        w, h = self._image.width(), self._image.height()
-        fit = min(self.width() / w, self.height() / h)
-        wanted = FILL * min(self.width() / max(width, 1), self.height() / max(height, 1)) / fit
-        wanted = min(max(wanted, 1.0), MAX_FOLLOW_ZOOM)
-        self._zoom += CALM * (wanted - self._zoom)
-        self._centre += (QPointF(u / w, v / h) - self._centre) * CALM
-        self._clamp()
-
-    # --- geometry
-
-    def _scale(self) -> float:
-        """Screen pixels per image pixel."""
-        assert self._image is not None
-        fit = min(self.width() / self._image.width(), self.height() / self._image.height())
-        return fit * self._zoom
-
-    def _origin(self) -> QPointF:
-        """Where the image's top-left corner is on the widget."""
-        assert self._image is not None
-        s = self._scale()
-        u = self.width() / 2 - self._centre.x() * self._image.width() * s
-        v = self.height() / 2 - self._centre.y() * self._image.height() * s
-        return QPointF(u, v)
-
-    def to_image(self, position: QPointF) -> tuple[float, float]:
-        """A point of the widget in image pixels; pixel centres are whole numbers."""
-        offset, s = position - self._origin(), self._scale()
-        return offset.x() / s - 0.5, offset.y() / s - 0.5
-
-    def _clamp(self) -> None:
-        """Keep the image in the view."""
-        margin = 0.5 / self._zoom
-        x = min(max(self._centre.x(), margin), 1 - margin)
-        y = min(max(self._centre.y(), margin), 1 - margin)
-        self._centre = QPointF(x, y)
+        self.zoom.follow(u, v, width, height)
 
     # --- events
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self._image is None:
             return
-        self._zoom_at(event.position(), math.pow(1.0015, event.angleDelta().y()))
+        self.zoom.zoom_at(event.position(), math.pow(1.0015, event.angleDelta().y()))
+        self._handled()
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         middle, step = QPointF(self.rect().center()), self.width() / 8
         if self._image is None:
             super().keyPressEvent(event)
-        elif event.key() in (Qt.Key.Key_Plus, Qt.Key.Key_Equal):
-            self._zoom_at(middle, KEY_ZOOM)
+            return
+        if event.key() in (Qt.Key.Key_Plus, Qt.Key.Key_Equal):
+            self.zoom.zoom_at(middle, KEY_ZOOM)
         elif event.key() == Qt.Key.Key_Minus:
-            self._zoom_at(middle, 1 / KEY_ZOOM)
+            self.zoom.zoom_at(middle, 1 / KEY_ZOOM)
         elif event.key() == Qt.Key.Key_0:
-            self.handled.emit()
-            self.fit()
+            self.zoom.fit()
         elif Qt.Key(event.key()) in ARROWS:
             right, down = ARROWS[Qt.Key(event.key())]
-            self._move(right * step / self._scale(), down * step / self._scale())
+            self.zoom.move(right * step / self.zoom.scale, down * step / self.zoom.scale)
         else:
             super().keyPressEvent(event)
+            return
+        self._handled()
 
-    def _zoom_at(self, place: QPointF, factor: float) -> None:
-        """Zoom, the pixel at ``place`` of the widget staying there."""
-        before = self.to_image(place)
-        self._zoom = min(max(self._zoom * factor, 1.0), MAX_ZOOM)
-        after = self.to_image(place)
-        self._move((before[0] - after[0]), (before[1] - after[1]))
-
-    def _move(self, du: float, dv: float) -> None:
-        """Move the view by image pixels."""
-        assert self._image is not None
-        self._centre += QPointF(du / self._image.width(), dv / self._image.height())
-        self._clamp()
+    def _handled(self) -> None:
+        """The user has chosen another part of the image."""
         self.update()
         self.handled.emit()
 
@@ -176,7 +133,7 @@ class ImageView(QWidget):
         if self._image is None:
             return
         if self._picking and event.button() == Qt.MouseButton.LeftButton:
-            u, v = self.to_image(event.position())
+            u, v = self.zoom.to_image(event.position())
             if 0 <= round(u) < self._image.width() and 0 <= round(v) < self._image.height():
                 self.picked.emit(u, v, event.modifiers())
             return
@@ -185,9 +142,10 @@ class ImageView(QWidget):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._drag is None or self._image is None:
             return
-        step, s = self._drag - event.position(), self._scale()
+        step, s = self._drag - event.position(), self.zoom.scale
         self._drag = event.position()
-        self._move(step.x() / s, step.y() / s)
+        self.zoom.move(step.x() / s, step.y() / s)
+        self._handled()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._drag = None
@@ -198,7 +156,7 @@ class ImageView(QWidget):
             self.fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        self._clamp()
+        self.zoom.clamp()
 
     # --- painting
 
@@ -222,7 +180,7 @@ class ImageView(QWidget):
 
     def _paint_image(self, painter: QPainter) -> None:
         assert self._image is not None
-        s, origin = self._scale(), self._origin()
+        s, origin = self.zoom.scale, self.zoom.origin
         size = QRectF(0, 0, self._image.width(), self._image.height())
         target = QRectF(origin.x(), origin.y(), size.width() * s, size.height() * s)
         painter.drawImage(target, self._image, size)

@@ -73,17 +73,17 @@ def test_keys_zoom_and_move_and_the_image_is_no_longer_followed(cameras, qtbot):
     assert cameras.follow.isChecked()
     image.fit()
     middle = QPointF(image.rect().center())
-    before = image.to_image(middle)
+    before = image.zoom.to_image(middle)
     qtbot.keyClick(image, Qt.Key.Key_Plus)
     assert not cameras.follow.isChecked()
-    assert image.to_image(middle) == pytest.approx(before, abs=1e-6)
-    scale = image._scale()
+    assert image.zoom.to_image(middle) == pytest.approx(before, abs=1e-6)
+    scale = image.zoom.scale
     qtbot.keyClick(image, Qt.Key.Key_Right)
-    assert image.to_image(middle)[0] > before[0]
+    assert image.zoom.to_image(middle)[0] > before[0]
     qtbot.keyClick(image, Qt.Key.Key_Minus)
-    assert image._scale() < scale
+    assert image.zoom.scale < scale
     qtbot.keyClick(image, Qt.Key.Key_0)
-    assert image._zoom == 1.0
+    assert image.zoom.zoom == 1.0
 
 
 def test_one_camera_takes_the_whole_width(cameras):

@@ -47,7 +47,7 @@ def idle(colours, qtbot):
 
 def widget_point(view, u: float, v: float) -> QPoint:
     """Where a pixel of the camera's image is on the mask view."""
-    at = view._origin() + QPointF(u / MASK_STEP + 0.5, v / MASK_STEP + 0.5) * view._scale()
+    at = view.zoom.origin + QPointF(u / MASK_STEP + 0.5, v / MASK_STEP + 0.5) * view.zoom.scale
     return at.toPoint()
 
 

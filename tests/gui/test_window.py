@@ -51,7 +51,7 @@ def test_the_camera_panel_paints_the_image_it_is_given(live, engine):
     live.cameras.refresh(live.host.snapshot())
     shown, image = pixels(view), frame_and_blobs(engine.frame)[0].left
     for u, v in ((640, 360), (400, 500), (900, 200)):
-        at = view._origin() + QPointF(u + 0.5, v + 0.5) * view._scale()
+        at = view.zoom.origin + QPointF(u + 0.5, v + 0.5) * view.zoom.scale
         colour = shown[int(at.y()), int(at.x())].astype(int)
         assert np.abs(colour - image[v, u, ::-1].astype(int)).max() < 60
 
@@ -60,9 +60,9 @@ def test_a_pixel_of_the_view_maps_back_to_itself_at_any_zoom(live, qtbot):
     view = live.cameras.left
     live.cameras.follow.setChecked(False)
     for zoom, centre in ((1.0, (0.5, 0.5)), (3.7, (0.3, 0.6))):
-        view._zoom, view._centre = zoom, QPointF(*centre)
-        at = view._origin() + QPointF(200.5, 300.5) * view._scale()
-        assert view.to_image(at) == pytest.approx((200.0, 300.0), abs=1e-6)
+        view.zoom.zoom, view.zoom.centre = zoom, QPointF(*centre)
+        at = view.zoom.origin + QPointF(200.5, 300.5) * view.zoom.scale
+        assert view.zoom.to_image(at) == pytest.approx((200.0, 300.0), abs=1e-6)
 
 
 def test_the_skeleton_is_projected_onto_the_hand(live):
