@@ -10,14 +10,14 @@ import numpy as np
 
 from tracker.inertial.geometry3d import to_body
 from tracker.kernels import kernel
-from tracker.messages import Array
+from tracker.kernels.arrays import Matrix, Vector, Written
 
 NORMAL_B = np.array([0.0, 1.0, 0.0])  # a phalanx's flexion axis
 UP_G = np.array([0.0, 0.0, 1.0])
 
 
 @kernel
-def integrate_rates(q: Array, w: Array, dt: float) -> None:
+def integrate_rates(q: Written[Matrix], w: Matrix, dt: float) -> None:
     """q ← q ⊗ exp(ω dt / 2) for rows of q_GB (n, 4) xyzw and ``w`` (n, 3) rad/s in B."""
     for i in range(len(q)):
         half = 0.5 * dt * w[i]
@@ -27,7 +27,9 @@ def integrate_rates(q: Array, w: Array, dt: float) -> None:
 
 
 @kernel
-def descend(q: Array, force_G: Array, f_B: Array, normal_G: Array, step: Array) -> None:
+def descend(
+    q: Written[Matrix], force_G: Matrix, f_B: Matrix, normal_G: Vector, step: Vector
+) -> None:
     """Turn each q by ``step`` (n,) rad down the gradient of its misfit to two vectors.
 
     force_G (n, 3) is the specific force expected, f_B (n, 3) the one read, normal_G (3,) the
@@ -37,12 +39,12 @@ def descend(q: Array, force_G: Array, f_B: Array, normal_G: Array, step: Array) 
         g = gradient(q[i], force_G[i], f_B[i]) + gradient(q[i], normal_G, NORMAL_B)
         size = np.sqrt(np.sum(g**2))
         if size > 1e-12:
-            turn = min(step[i], size)  # near the minimum the gradient is the error itself
-            _multiply(q[i], -0.5 * turn / size * g, np.sqrt(1 - 0.25 * turn**2))
+            angle = min(step[i], size)  # near the minimum the gradient is the error itself
+            _multiply(q[i], -0.5 * angle / size * g, np.sqrt(1 - 0.25 * angle**2))
 
 
 @kernel
-def gradient(q: Array, a_G: Array, b_B: Array) -> Array:
+def gradient(q: Vector, a_G: Vector, b_B: Vector) -> Vector:
     """Gradient (3,) of ½|a - b|² by a small turn δ of B, for unit vectors a = Rᵀ a_G and b.
 
     The turn changes a by a × δ, so that the gradient is a × b. Madgwick's gradient by the
@@ -55,7 +57,7 @@ def gradient(q: Array, a_G: Array, b_B: Array) -> Array:
 
 
 @kernel
-def plain_madgwick(gyro: Array, accel: Array, dt: float, beta: float) -> Array:
+def plain_madgwick(gyro: Matrix, accel: Matrix, dt: float, beta: float) -> Matrix:
     """q_GB (n, 4) xyzw of one IMU by the filter of 2011 without magnetometer, level at first."""
     out = np.empty((len(gyro), 4))
     q = np.array([[0.0, 0.0, 0.0, 1.0]])
@@ -71,7 +73,7 @@ def plain_madgwick(gyro: Array, accel: Array, dt: float, beta: float) -> Array:
 
 
 @kernel
-def _multiply(q: Array, v: Array, w: float) -> None:
+def _multiply(q: Vector, v: Vector, w: float) -> None:
     """q ← q ⊗ (v, w), normalised."""
     vector = q[3] * v + w * q[:3] + np.cross(q[:3], v)
     scalar = q[3] * w - np.sum(q[:3] * v)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.kernels import kernel
+from tracker.kernels.arrays import Matrix, Vector
 from tracker.messages import Array
 
 
@@ -44,15 +45,15 @@ def force_at(dorsum: DorsumMotion, alpha_B: Array, place: Array) -> Array:
 
 
 @kernel
-def lever_acceleration(w: Array, alpha: Array, lever: Array) -> Array:
+def lever_acceleration(w: Vector, alpha: Vector, lever: Vector) -> Vector:
     """Acceleration (3,) of the end of a lever fixed to a body, from that of its start, in B."""
     return np.cross(alpha, lever) + np.cross(w, np.cross(w, lever))
 
 
 @kernel
 def chain_accelerations(
-    q_GB: Array, w: Array, alpha: Array, sensor_0: Array, joint_1: Array, sensor_1: Array
-) -> Array:
+    q_GB: Matrix, w: Matrix, alpha: Matrix, sensor_0: Vector, joint_1: Vector, sensor_1: Vector
+) -> Matrix:
     """μ_k (2, 3) m/s² in G of both sensors, relative to joint 0 (eq. 2 in three dimensions).
 
     q_GB (2, 4) xyzw; w, alpha (2, 3) in each phalanx's B; the levers in theirs.
@@ -65,14 +66,14 @@ def chain_accelerations(
 
 
 @kernel
-def to_global(q_GB: Array, v_B: Array) -> Array:
+def to_global(q_GB: Vector, v_B: Vector) -> Vector:
     """R v of the unit quaternion xyzw."""
     t = 2 * np.cross(q_GB[:3], v_B)
     return v_B + q_GB[3] * t + np.cross(q_GB[:3], t)
 
 
 @kernel
-def to_body(q_GB: Array, v_G: Array) -> Array:
+def to_body(q_GB: Vector, v_G: Vector) -> Vector:
     """Rᵀ v of the unit quaternion xyzw."""
     t = 2 * np.cross(v_G, q_GB[:3])
     return v_G + q_GB[3] * t + np.cross(t, q_GB[:3])

@@ -9,13 +9,14 @@ import numpy as np
 from tracker.inertial.planar import PlanarReadings, copied
 from tracker.inertial.plane import SENSORS, ComplexArray, gravity_angle
 from tracker.kernels import kernel
+from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Vector, Written
 from tracker.messages import Array
 
 
 class GravityState(NamedTuple):
     """theta (2,) rad."""
 
-    theta: Array
+    theta: Written[Vector]
 
 
 class Gravity:
@@ -43,13 +44,15 @@ class Gravity:
 
 
 @kernel
-def _step(state: GravityState, accel: ComplexArray, root: complex) -> None:
+def _step(state: GravityState, accel: ComplexVector, root: complex) -> None:
     for k in range(SENSORS):
         state.theta[k] = gravity_angle(root, accel[k])
 
 
 @kernel
-def _run(state: GravityState, accel: ComplexArray, root: ComplexArray, out: Array) -> None:
+def _run(
+    state: GravityState, accel: ComplexMatrix, root: ComplexVector, out: Written[Matrix]
+) -> None:
     for i in range(len(root)):
         _step(state, accel[i], root[i])
         out[i] = state.theta

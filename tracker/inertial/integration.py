@@ -9,15 +9,16 @@ import numpy as np
 from tracker.inertial.planar import PlanarReadings, copied, start_angles
 from tracker.inertial.plane import SENSORS, ComplexArray, runge_kutta
 from tracker.kernels import kernel
+from tracker.kernels.arrays import Matrix, Vector, Written
 from tracker.messages import Array
 
 
 class IntegrationState(NamedTuple):
     """theta (2,) rad; rate (2, 2) rad/s of the last and the last but one; samples (1,) so far."""
 
-    theta: Array
-    rate: Array
-    samples: Array
+    theta: Written[Vector]
+    rate: Written[Matrix]
+    samples: Written[Vector]
 
     @staticmethod
     def start(theta: Array | tuple[float, float]) -> IntegrationState:
@@ -50,7 +51,7 @@ class Integration:
 
 
 @kernel
-def integrate(state: IntegrationState, gyro: Array, dt: float) -> None:
+def integrate(state: IntegrationState, gyro: Vector, dt: float) -> None:
     """Advance θ by one sample. The first sample stands at the known start and moves nothing."""
     last, older = state.rate[0], state.rate[1]
     for k in range(SENSORS):
@@ -63,7 +64,7 @@ def integrate(state: IntegrationState, gyro: Array, dt: float) -> None:
 
 
 @kernel
-def _run(state: IntegrationState, gyro: Array, dt: float, out: Array) -> None:
+def _run(state: IntegrationState, gyro: Matrix, dt: float, out: Written[Matrix]) -> None:
     for i in range(len(gyro)):
         integrate(state, gyro[i], dt)
         out[i] = state.theta

@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.inertial.plane import SENSORS, ComplexArray, Levers, kinematic, runge_kutta
+from tracker.inertial.plane import SENSORS, Levers, kinematic, runge_kutta
 from tracker.kernels import kernel
+from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
 
 SIZE = 4  # θ, b_g, b_x (along), b_z (palmar)
@@ -18,15 +19,15 @@ class LearnedState(NamedTuple):
     root (1,) of the last; mean of accel since it came to rest (2,); samples (1,) so far and of them
     at rest (1,); static (1,) 1 while the known start lasts."""
 
-    x: Array
-    P: Array
-    gyro: Array
-    accel: ComplexArray
-    root: ComplexArray
-    rest_accel: ComplexArray
-    samples: Array
-    rest_count: Array
-    static: Array
+    x: Written[Matrix]
+    P: Written[Stack]
+    gyro: Written[Matrix]
+    accel: Written[ComplexVector]
+    root: Written[ComplexVector]
+    rest_accel: Written[ComplexVector]
+    samples: Written[Vector]
+    rest_count: Written[Vector]
+    static: Written[Vector]
 
 
 class Model(NamedTuple):
@@ -60,7 +61,7 @@ def start(theta: Array, variances: tuple[float, ...]) -> LearnedState:
 
 @kernel
 def step(
-    state: LearnedState, model: Model, gyro: Array, accel: ComplexArray, root: complex
+    state: LearnedState, model: Model, gyro: Vector, accel: ComplexVector, root: complex
 ) -> None:
     """Correct at the last sample, whose neighbours are known now; then go on to this one."""
     _watch_rest(state, model, gyro, accel)
@@ -86,7 +87,7 @@ def correct_angle(state: LearnedState, k: int, theta: float, variance: float) ->
 
 
 @kernel
-def _watch_rest(state: LearnedState, model: Model, gyro: Array, accel: ComplexArray) -> None:
+def _watch_rest(state: LearnedState, model: Model, gyro: Vector, accel: ComplexVector) -> None:
     """Count samples since both sensors began to stand still; end the static start in time."""
     still = True
     known = state.static[0] == 0.0 or state.samples[0] > 0  # the first sample meets no offset yet
@@ -107,7 +108,7 @@ def _watch_rest(state: LearnedState, model: Model, gyro: Array, accel: ComplexAr
 
 @kernel
 def _learn_static(
-    state: LearnedState, model: Model, gyro: Array, accel: ComplexArray, root: complex
+    state: LearnedState, model: Model, gyro: Vector, accel: ComplexVector, root: complex
 ) -> None:
     """The pose is known and nothing moves: all that the sensors add is offset and noise."""
     for k in range(SENSORS):
@@ -116,7 +117,7 @@ def _learn_static(
 
 
 @kernel
-def _correct_accel(state: LearnedState, model: Model, gyro: Array) -> None:
+def _correct_accel(state: LearnedState, model: Model, gyro: Vector) -> None:
     """Compare the last sample's accelerometers with the chain at that instant."""
     omega = state.gyro[0] - state.x[:, 1]
     alpha = (gyro - state.gyro[1]) / (2 * model.dt)
@@ -128,7 +129,7 @@ def _correct_accel(state: LearnedState, model: Model, gyro: Array) -> None:
 
 
 @kernel
-def _propagate(state: LearnedState, model: Model, gyro: Array) -> None:
+def _propagate(state: LearnedState, model: Model, gyro: Vector) -> None:
     """From the last sample to this one."""
     dt = model.dt
     for k in range(SENSORS):
@@ -149,11 +150,11 @@ def _update_accel(state: LearnedState, k: int, f: complex, force: complex, varia
     """Both components of a reading f = exp(-iθ) force + b, one after the other."""
     x, P = state.x[k], state.P[k]
     expected = np.exp(-1j * x[0]) * force
-    slope = -1j * expected  # J_f_θ
+    jacobian = -1j * expected  # J_f_θ
     innovation = f - expected - (x[2] + 1j * x[3])
     before = x.copy()
     for axis in range(2):
-        h = slope.real if axis == 0 else slope.imag
+        h = jacobian.real if axis == 0 else jacobian.imag
         r = innovation.real if axis == 0 else innovation.imag
         # the linearisation point stays while the first component moves the state
         r -= h * (x[0] - before[0]) + x[2 + axis] - before[2 + axis]
@@ -182,10 +183,10 @@ def _update(state: LearnedState, k: int, i: int, innovation: float, variance: fl
 def run(
     state: LearnedState,
     model: Model,
-    gyro: Array,
-    accel: ComplexArray,
-    root: ComplexArray,
-    out: Array,
+    gyro: Matrix,
+    accel: ComplexMatrix,
+    root: ComplexVector,
+    out: Written[Matrix],
 ) -> None:
     """`step` over n samples; θ (n, 2) into ``out``."""
     for i in range(len(root)):

@@ -16,6 +16,7 @@ from tracker.inertial.integration import IntegrationState, integrate
 from tracker.inertial.planar import PlanarReadings, copied
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers, kinematic
 from tracker.kernels import kernel
+from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Vector, Written
 from tracker.messages import Array
 
 
@@ -38,8 +39,8 @@ class MadgwickState(NamedTuple):
     """Integrator; accel (2,) and root (1,) of the last sample, for central differences."""
 
     integrator: IntegrationState
-    accel: ComplexArray
-    root: ComplexArray
+    accel: Written[ComplexVector]
+    root: Written[ComplexVector]
 
 
 class _Gains(NamedTuple):
@@ -97,8 +98,8 @@ def _step(
     state: MadgwickState,
     gains: _Gains,
     levers: Levers,
-    gyro: Array,
-    accel: ComplexArray,
+    gyro: Vector,
+    accel: ComplexVector,
     root: complex,
 ) -> None:
     """Central: correct at the last sample, then integrate to this one. Else the other way."""
@@ -120,12 +121,12 @@ def _step(
 
 @kernel
 def _descend(
-    theta: Array,
+    theta: Vector,
     gains: _Gains,
     levers: Levers,
-    omega: Array,
-    alpha: Array,
-    accel: ComplexArray,
+    omega: Vector,
+    alpha: Vector,
+    accel: ComplexVector,
     root: complex,
 ) -> None:
     """One normalised gradient step of both angles (eqs. 16-18)."""
@@ -145,10 +146,10 @@ def _run(
     state: MadgwickState,
     gains: _Gains,
     levers: Levers,
-    gyro: Array,
-    accel: ComplexArray,
-    root: ComplexArray,
-    out: Array,
+    gyro: Matrix,
+    accel: ComplexMatrix,
+    root: ComplexVector,
+    out: Written[Matrix],
 ) -> None:
     for i in range(len(gyro)):
         _step(state, gains, levers, gyro[i], accel[i], root[i])

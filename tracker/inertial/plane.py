@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.kernels import kernel
+from tracker.kernels.arrays import Vector
 from tracker.messages import Array
 
 ComplexArray = NDArray[np.complex128]
@@ -42,7 +43,7 @@ class Levers(NamedTuple):
 
 
 @kernel
-def arm_factors(theta: Array, omega: Array, alpha: Array) -> tuple[complex, complex]:
+def arm_factors(theta: Vector, omega: Vector, alpha: Vector) -> tuple[complex, complex]:
     """Acceleration per metre of lever on each phalanx, in P: (iα - ω²) exp(iθ)."""
     c_0 = (1j * alpha[0] - omega[0] ** 2) * np.exp(1j * theta[0])
     c_1 = (1j * alpha[1] - omega[1] ** 2) * np.exp(1j * theta[1])
@@ -51,7 +52,7 @@ def arm_factors(theta: Array, omega: Array, alpha: Array) -> tuple[complex, comp
 
 @kernel
 def kinematic(
-    levers: Levers, theta: Array, omega: Array, alpha: Array
+    levers: Levers, theta: Vector, omega: Vector, alpha: Vector
 ) -> tuple[complex, complex]:  # eq. 2 without a_0
     """Accelerations μ_k of both sensors relative to joint 0, in P, m/s²."""
     c_0, c_1 = arm_factors(theta, omega, alpha)

@@ -79,7 +79,7 @@ class SegmentFilters:
     def run(self, gyro: Array, accel: Array) -> Array:
         """q_GB (m, n, 4) of m samples (m, n, 3): the same as m calls of `update`."""
         out = np.empty((*gyro.shape[:2], 4))
-        kernel.run(self._memory, gyro, accel, out)
+        kernel.run(self._memory, np.ascontiguousarray(gyro), np.ascontiguousarray(accel), out)
         return out
 
 

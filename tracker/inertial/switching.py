@@ -14,6 +14,7 @@ from tracker.inertial.integration import IntegrationState, integrate
 from tracker.inertial.planar import PlanarReadings, copied
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers, gravity_angle
 from tracker.kernels import kernel
+from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Vector, Written
 from tracker.messages import Array
 
 
@@ -36,8 +37,8 @@ class SwitchingState(NamedTuple):
     """Integrator, bound (2,) rad of each angle's error, fast (2,) 1 while integrating."""
 
     integrator: IntegrationState
-    bound: Array
-    fast: Array
+    bound: Written[Vector]
+    fast: Written[Vector]
 
 
 class _Bounds(NamedTuple):
@@ -93,7 +94,7 @@ def _copied(state: SwitchingState) -> SwitchingState:
 
 @kernel
 def _acceleration_bounds(
-    state: SwitchingState, bounds: _Bounds, gyro: Array
+    state: SwitchingState, bounds: _Bounds, gyro: Vector
 ) -> tuple[float, float]:
     """Largest |μ_k| of both sensors at the measured rates, m/s²."""
     jump = np.zeros(SENSORS)
@@ -109,7 +110,7 @@ def _acceleration_bounds(
 
 @kernel
 def _step(
-    state: SwitchingState, bounds: _Bounds, gyro: Array, accel: ComplexArray, root: complex
+    state: SwitchingState, bounds: _Bounds, gyro: Vector, accel: ComplexVector, root: complex
 ) -> None:
     """One sample for both sensors: integrate, and take gravity's angle where that errs less."""
     started = state.integrator.samples[0] > 0
@@ -130,10 +131,10 @@ def _step(
 def _run(
     state: SwitchingState,
     bounds: _Bounds,
-    gyro: Array,
-    accel: ComplexArray,
-    root: ComplexArray,
-    out: Array,
+    gyro: Matrix,
+    accel: ComplexMatrix,
+    root: ComplexVector,
+    out: Written[Matrix],
 ) -> None:
     for i in range(len(gyro)):
         _step(state, bounds, gyro[i], accel[i], root[i])

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import BoolVector, IntVector, Matrix
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Written
 from tracker.messages import Array, ImuSample, IntArray
 
 STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
@@ -57,7 +57,12 @@ class ImuHealth:
 
 @kernel
 def _judge(
-    accel: Matrix, gyro: Matrix, valid: BoolVector, last: Matrix, same: IntVector, stuck_after: int
+    accel: Matrix,
+    gyro: Matrix,
+    valid: BoolVector,
+    last: Written[Matrix],
+    same: Written[IntVector],
+    stuck_after: int,
 ) -> tuple[BoolVector, bool]:
     """Which IMUs (n,) can be believed, and whether these are all that say so and are finite.
 

@@ -16,6 +16,7 @@ from tracker.kernels.arrays import (
     Matrix,
     Stack,
     Vector,
+    Written,
 )
 from tracker.messages import Array
 from tracker.simulation.solids import Solids
@@ -36,8 +37,8 @@ class Rays(NamedTuple):
 class Buffer(NamedTuple):
     """What a region (h, w) shows: depth m, and the solid's row, capsules first, -1: nothing."""
 
-    depth: Float32Matrix
-    solid: Int16Matrix
+    depth: Written[Float32Matrix]
+    solid: Written[Int16Matrix]
 
 
 def bounds(solids: Solids, eye: Array, K: Array) -> Array:

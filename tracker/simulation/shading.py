@@ -7,7 +7,15 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import ByteStack, Float32Stack, IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import (
+    ByteStack,
+    Float32Stack,
+    IntVector,
+    Matrix,
+    Stack,
+    Vector,
+    Written,
+)
 from tracker.simulation.raster import Buffer, Rays
 from tracker.simulation.solids import Instant
 
@@ -51,7 +59,7 @@ def shade(
     patches: SewnPatches,
     lamp: Light,
     ground: ByteStack,
-    total: Float32Stack,
+    total: Written[Float32Stack],
 ) -> None:
     """Add one exposure to ``total`` (h, w, 3) BGR; ``ground`` (h, w, 3) shows where nothing is.
 
@@ -162,7 +170,7 @@ def develop(
     noise: Float32Stack,
     shift: IntVector,
     corner: IntVector,
-    out: ByteStack,
+    out: Written[ByteStack],
 ) -> None:
     """Mean of the exposures plus sensor noise, rounded into the part of ``out`` (H, W, 3) uint8
     that begins at the corner (v0, u0).

@@ -20,6 +20,7 @@ from tracker.kernels.arrays import (
     IntVector,
     UInt16Vector,
     Vector,
+    Written,
 )
 from tracker.vision.hue_table import HueTable, colour_class
 
@@ -40,9 +41,9 @@ class Scan(NamedTuple):
 
     image: ByteStack
     table: HueTable
-    visited: ByteMatrix
+    visited: Written[ByteMatrix]
     mark: int
-    runs: Int32Matrix
+    runs: Written[Int32Matrix]
     extent: int
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from tracker.errors import ConfigError
 from tracker.kernels import kernel
-from tracker.kernels.arrays import ByteStack, Int8Vector, IntMatrix, UInt16Vector
+from tracker.kernels.arrays import ByteStack, Int8Vector, IntMatrix, UInt16Vector, Written
 from tracker.vision.colours import HUES, LEVELS, ColourProfile
 
 MAX_HUES = 30  # bits of a mask
@@ -126,7 +126,9 @@ def is_vivid(b: int, g: int, r: int) -> np.bool_:
 
 
 @kernel
-def _fill_table(masks: IntMatrix, hues: int, cells: UInt16Vector, patterns: Int8Vector) -> int:
+def _fill_table(
+    masks: IntMatrix, hues: int, cells: Written[UInt16Vector], patterns: Written[Int8Vector]
+) -> int:
     """Fill both arrays; returns how many patterns there are. Those of one class come first."""
     for k in range(hues + 1):
         patterns[k * CELL_COLOURS : (k + 1) * CELL_COLOURS] = k

@@ -17,6 +17,7 @@ from tracker.kernels.arrays import (
     Matrix,
     UInt32Matrix,
     Vector,
+    Written,
 )
 
 FIRST_PAIRS = 4096
@@ -33,8 +34,8 @@ def draw(
     strokes: Strokes,
     camera: Pinhole,
     background: Vector,
-    image: UInt32Matrix,
-    numbers: Int32Matrix,
+    image: Written[UInt32Matrix],
+    numbers: Written[Int32Matrix],
 ) -> None:
     """Fill ``image`` (H, W) with 0xFFRRGGBB; numbers (H, W) is for what the pixels show.
 
