@@ -15,7 +15,7 @@ from tracker import GRAVITY
 from tracker.errors import FileError
 from tracker.evaluation.inertial import broad as inertial_broad
 from tracker.evaluation.inertial import goals as inertial_goals
-from tracker.evaluation.inertial.broad import Trial, score
+from tracker.evaluation.inertial.broad import BroadTrial, score
 from tracker.evaluation.inertial.commands import add_evaluate_inertial
 from tracker.evaluation.inertial.errors import MPU9250, draw
 from tracker.evaluation.inertial.experiment import Plan, Row, crossover, run
@@ -135,7 +135,7 @@ def test_scores_split_a_known_error_into_heading_and_inclination() -> None:
     late = Rotation.concatenate([Rotation.identity()] + [heading * tilt] * (n - 1))
     estimate = free * late * truth
     scored = np.ones(n, bool)
-    trial = Trial("t", 0.01, np.zeros((n, 3)), np.zeros((n, 3)), truth.as_quat(), scored)
+    trial = BroadTrial("t", 0.01, np.zeros((n, 3)), np.zeros((n, 3)), truth.as_quat(), scored)
     row = score(trial, "x", estimate.as_quat())
     share = np.sqrt((n - 1) / n)
     assert row.inclination_deg == pytest.approx(3.0 * share, rel=1e-6)

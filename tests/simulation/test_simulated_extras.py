@@ -10,16 +10,16 @@ from tracker.hand.model import HandModel
 from tracker.simulation.extras import OBJECTS, Distractors, FingertipDevices, HeldObject
 from tracker.simulation.motion import Still
 from tracker.simulation.render import Renderer
-from tracker.simulation.scene import BlobParams, Extra, Scene
+from tracker.simulation.scene import BlobParams, Extra, SimulatedScene
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import ideal_rig
 
 NOISELESS = BlobParams(noise_px=0, dropout=0, size_noise=0)
 
 
-def _scene(hand: HandModel, glove: GloveModel, turn: float, *extras: Extra) -> Scene:
+def _scene(hand: HandModel, glove: GloveModel, turn: float, *extras: Extra) -> SimulatedScene:
     at = Still(np.zeros(len(hand.joint_names)), so3.rx(turn), np.array([0.08, 0.0, 0.1]))
-    return Scene(Wearer.exact(hand, glove), at, ideal_rig(), 1, NOISELESS, extras)
+    return SimulatedScene(Wearer.exact(hand, glove), at, ideal_rig(), 1, NOISELESS, extras)
 
 
 @pytest.mark.parametrize("kind", OBJECTS)

@@ -14,7 +14,7 @@ from tracker.simulation.backgrounds import FABRIC_HSV, BackgroundParams, fabric_
 from tracker.simulation.motion import Still
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.render import Renderer, RenderParams
-from tracker.simulation.scene import BlobParams, Scene
+from tracker.simulation.scene import BlobParams, SimulatedScene
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -23,11 +23,11 @@ NOISELESS = BlobParams(noise_px=0, dropout=0, size_noise=0)
 
 
 @pytest.fixture(scope="module")
-def flat(hand: HandModel, glove: GloveModel) -> Scene:
+def flat(hand: HandModel, glove: GloveModel) -> SimulatedScene:
     """The exact hand, flat under the camera."""
     place = np.array([0.08, 0.0, 0.10])
     still = Still(np.zeros(len(hand.joint_names)), np.eye(3), place)
-    return Scene(Wearer.exact(hand, glove), still, ideal_rig(), 1, NOISELESS)
+    return SimulatedScene(Wearer.exact(hand, glove), still, ideal_rig(), 1, NOISELESS)
 
 
 def _hue_of(image: np.ndarray, uv: np.ndarray) -> int:
@@ -36,7 +36,7 @@ def _hue_of(image: np.ndarray, uv: np.ndarray) -> int:
     return int(cv2.cvtColor(patch.astype(np.uint8)[None, None], cv2.COLOR_BGR2HSV)[0, 0, 0])
 
 
-def test_every_visible_marker_has_its_hue_in_both_images(flat: Scene) -> None:
+def test_every_visible_marker_has_its_hue_in_both_images(flat: SimulatedScene) -> None:
     images = Renderer(flat).pair(1.0)
     now = flat.instant(1.0)
     checked = 0
@@ -52,7 +52,7 @@ def test_every_visible_marker_has_its_hue_in_both_images(flat: Scene) -> None:
     assert checked > 20
 
 
-def test_centroids_of_images_are_those_of_blobs(flat: Scene) -> None:
+def test_centroids_of_images_are_those_of_blobs(flat: SimulatedScene) -> None:
     """An independent search (OpenCV contours) finds the blobs at their predicted centroids."""
     image = Renderer(flat, RenderParams(noise=0.0)).pair(1.0)[0]
     seen = flat.markers_seen(flat.instant(1.0), False)
@@ -70,7 +70,7 @@ def test_centroids_of_images_are_those_of_blobs(flat: Scene) -> None:
     assert np.median(errors) < 0.35 and np.max(errors) < 1.2
 
 
-def test_flat_hand_shows_its_back_and_hides_its_palm(flat: Scene) -> None:
+def test_flat_hand_shows_its_back_and_hides_its_palm(flat: SimulatedScene) -> None:
     left, right = flat.visible(1.0)
     markers = flat.wearer.glove.markers
     for m in markers:
@@ -80,7 +80,7 @@ def test_flat_hand_shows_its_back_and_hides_its_palm(flat: Scene) -> None:
             assert not left[m.id]
 
 
-def test_blobs_lie_where_the_markers_project(flat: Scene) -> None:
+def test_blobs_lie_where_the_markers_project(flat: SimulatedScene) -> None:
     """On the flat back of the hand the seen centroid is the projected centre."""
     now, rig, glove = flat.instant(0.0), flat.rig, flat.wearer.glove
     seen = flat.markers_seen(now, True)
@@ -93,7 +93,7 @@ def test_blobs_lie_where_the_markers_project(flat: Scene) -> None:
 def test_turned_over_the_other_side_shows(hand: HandModel, glove: GloveModel) -> None:
     place = np.array([0.08, 0.0, 0.10])
     still = Still(np.zeros(len(hand.joint_names)), so3.rx(np.pi), place)
-    scene = Scene(Wearer.exact(hand, glove), still, ideal_rig(), 1, NOISELESS)
+    scene = SimulatedScene(Wearer.exact(hand, glove), still, ideal_rig(), 1, NOISELESS)
     left, _ = scene.visible(0.0)
     back = [m.id for m in glove.markers if m.segment == "dorsum" and m.normal[2] > 0]
     palm = [m.id for m in glove.markers if m.segment == "dorsum" and m.normal[2] < 0]
@@ -103,7 +103,7 @@ def test_turned_over_the_other_side_shows(hand: HandModel, glove: GloveModel) ->
 def test_blob_noise_and_dropouts_are_those_asked_for(hand: HandModel, glove: GloveModel) -> None:
     still = Still(np.zeros(len(hand.joint_names)), np.eye(3), np.array([0.08, 0.0, 0.10]))
     params = BlobParams(noise_px=0.3, dropout=0.1)
-    scene = Scene(Wearer.exact(hand, glove), still, ideal_rig(), 1, params)
+    scene = SimulatedScene(Wearer.exact(hand, glove), still, ideal_rig(), 1, params)
     seen = scene.markers_seen(scene.instant(0.0), False)
     truth = seen.uv[seen.visible]
     errors, counts = [], []
@@ -123,7 +123,7 @@ def test_mean_of_markers_seen_twice_is_the_papers(hand: HandModel, glove: GloveM
     counts = []
     for seed in range(5):
         motion = RandomPostures(hand, seed, duration=60)
-        scene = Scene(Wearer(hand, glove, seed), motion, ideal_rig(), seed)
+        scene = SimulatedScene(Wearer(hand, glove, seed), motion, ideal_rig(), seed)
         for t in np.arange(0.1, 59, 1.0):
             left, right = scene.visible(t)
             counts.append(int((left & right).sum()))
@@ -132,7 +132,7 @@ def test_mean_of_markers_seen_twice_is_the_papers(hand: HandModel, glove: GloveM
 
 def test_images_are_reproducible_and_differ_in_time(hand: HandModel, glove: GloveModel) -> None:
     def pair(t: float) -> np.ndarray:
-        scene = Scene(Wearer(hand, glove, 2), RandomPostures(hand, 2), ideal_rig(), 2)
+        scene = SimulatedScene(Wearer(hand, glove, 2), RandomPostures(hand, 2), ideal_rig(), 2)
         return Renderer(scene, RenderParams(background=BackgroundParams("painted"))).pair(t)[0]
 
     np.testing.assert_array_equal(pair(2.0), pair(2.0))
@@ -154,7 +154,7 @@ def test_motion_blurs(hand: HandModel, glove: GloveModel) -> None:
             return poses._replace(p_GB=poses.p_GB + np.outer(t - 1.0, [0, self.speed, 0]))
 
     def sharpness(speed: float) -> float:
-        scene = Scene(Wearer.exact(hand, glove), Slide(speed), ideal_rig(), 0)
+        scene = SimulatedScene(Wearer.exact(hand, glove), Slide(speed), ideal_rig(), 0)
         image = Renderer(scene, RenderParams(noise=0)).pair(1.0)[0].astype(float)
         return float(np.abs(np.diff(image, axis=1)).max())
 
@@ -173,7 +173,7 @@ def test_unknown_fabric_and_image_are_told() -> None:
         fabric_bgr("plaid")
 
 
-def test_missing_photograph_is_told(flat: Scene) -> None:
+def test_missing_photograph_is_told(flat: SimulatedScene) -> None:
     params = RenderParams(background=BackgroundParams("photograph", "nowhere.jpg"))
     with pytest.raises(FileError, match=r"nowhere\.jpg is not an image"):
         Renderer(flat, params)
@@ -186,8 +186,8 @@ def test_a_lens_with_distortion_bends_images_and_blobs_alike(
     bent = StereoRig(replace(ideal.left, D=D), replace(ideal.right, D=D), ideal.pose)
     place = np.array([0.06, 0.12, 0.10])  # to the side, where the lens bends most
     still = Still(np.zeros(len(hand.joint_names)), np.eye(3), place)
-    scene = Scene(Wearer.exact(hand, glove), still, bent, 1, NOISELESS)
-    straight = Scene(Wearer.exact(hand, glove), still, ideal, 1, NOISELESS)
+    scene = SimulatedScene(Wearer.exact(hand, glove), still, bent, 1, NOISELESS)
+    straight = SimulatedScene(Wearer.exact(hand, glove), still, ideal, 1, NOISELESS)
     seen = scene.markers_seen(scene.instant(0.0), False)
     unbent = straight.markers_seen(straight.instant(0.0), False)
     image = Renderer(scene, RenderParams(noise=0.0)).pair(0.0)[0]

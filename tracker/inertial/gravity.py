@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.inertial.planar import PlanarReadings, copied
+from tracker.inertial.planar import PlanarReadings, WithState
 from tracker.inertial.plane import SENSORS, ComplexArray, gravity_angle
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Vector, Written
@@ -19,19 +19,11 @@ class GravityState(NamedTuple):
     theta: Written[Vector]
 
 
-class Gravity:
+class Gravity(WithState[GravityState]):
     """θ_k = atan2 of the reading against joint 0's specific force; right while motion is slow."""
 
     def __init__(self) -> None:
-        self._state = GravityState(np.zeros(SENSORS))
-
-    @property
-    def state(self) -> GravityState:
-        return copied(self._state)
-
-    @state.setter
-    def state(self, value: GravityState) -> None:
-        self._state = copied(value)
+        super().__init__(GravityState(np.zeros(SENSORS)))
 
     def update(self, gyro: Array, accel: ComplexArray, root: complex) -> Array:
         _step(self._state, accel, root)

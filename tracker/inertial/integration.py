@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.inertial.planar import PlanarReadings, copied, start_angles
+from tracker.inertial.planar import PlanarReadings, WithState, start_angles
 from tracker.inertial.plane import SENSORS, ComplexArray, runge_kutta
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Vector, Written
@@ -25,20 +25,12 @@ class IntegrationState(NamedTuple):
         return IntegrationState(start_angles(theta), np.zeros((2, SENSORS)), np.zeros(1))
 
 
-class Integration:
+class Integration(WithState[IntegrationState]):
     """Runge-Kutta from a known start; drifts by the gyroscopes' offset."""
 
     def __init__(self, dt: float, theta: Array | tuple[float, float] = (0.0, 0.0)) -> None:
         self._dt = dt
-        self._state = IntegrationState.start(theta)
-
-    @property
-    def state(self) -> IntegrationState:
-        return copied(self._state)
-
-    @state.setter
-    def state(self, value: IntegrationState) -> None:
-        self._state = copied(value)
+        super().__init__(IntegrationState.start(theta))
 
     def update(self, gyro: Array, accel: ComplexArray, root: complex) -> Array:
         integrate(self._state, gyro, self._dt)

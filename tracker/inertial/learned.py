@@ -16,7 +16,7 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.inertial import learned_kernel as kernel
-from tracker.inertial.planar import PlanarReadings, copied, start_angles
+from tracker.inertial.planar import PlanarReadings, WithState, start_angles
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers
 from tracker.messages import Array
 
@@ -40,7 +40,7 @@ class LearnedParams:
     rest_rate_sd: float = np.deg2rad(1.0)  # rad/s that an unnoticed slow motion may have
 
 
-class Learned:
+class Learned(WithState[kernel.LearnedState]):
     """Angles and offsets of the two sensors of one finger."""
 
     def __init__(
@@ -66,15 +66,7 @@ class Learned:
             rest_accel=p.rest_accel,
             rest_sd=p.rest_rate_sd / float(np.sqrt(dt)),
         )
-        self._state = kernel.start(start_angles(theta), _start_covariance(p))
-
-    @property
-    def state(self) -> kernel.LearnedState:
-        return copied(self._state)
-
-    @state.setter
-    def state(self, value: kernel.LearnedState) -> None:
-        self._state = copied(value)
+        super().__init__(kernel.start(start_angles(theta), _start_covariance(p)))
 
     @property
     def gyro_offset(self) -> Array:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.inertial.integration import IntegrationState, integrate
-from tracker.inertial.planar import PlanarReadings, copied
+from tracker.inertial.planar import PlanarReadings, WithState
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers, kinematic
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Vector, Written
@@ -52,7 +52,7 @@ class _Gains(NamedTuple):
     central: bool
 
 
-class Madgwick:
+class Madgwick(WithState[MadgwickState]):
     """Gyroscopes integrated, and at each sample a step of fixed size down the gradient."""
 
     def __init__(
@@ -66,17 +66,11 @@ class Madgwick:
         self.params = p
         self._levers = levers
         self._gains = _Gains(dt, p.beta, p.spurious, p.least, p.compensate, p.central)
-        self._state = MadgwickState(
-            IntegrationState.start(theta), np.zeros(SENSORS, complex), np.zeros(1, complex)
+        super().__init__(
+            MadgwickState(
+                IntegrationState.start(theta), np.zeros(SENSORS, complex), np.zeros(1, complex)
+            )
         )
-
-    @property
-    def state(self) -> MadgwickState:
-        return _copied(self._state)
-
-    @state.setter
-    def state(self, value: MadgwickState) -> None:
-        self._state = _copied(value)
 
     def update(self, gyro: Array, accel: ComplexArray, root: complex) -> Array:
         _step(self._state, self._gains, self._levers, gyro, accel, root)
@@ -87,10 +81,6 @@ class Madgwick:
         gyro, accel, root = readings
         _run(self._state, self._gains, self._levers, gyro, accel, root, out)
         return out
-
-
-def _copied(state: MadgwickState) -> MadgwickState:
-    return MadgwickState(copied(state.integrator), state.accel.copy(), state.root.copy())
 
 
 @kernel

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
@@ -29,9 +29,27 @@ class PlanarEstimator(Protocol):
         """θ (n, 2) of n samples: the same as n calls of `update`."""
 
 
-def copied(state: Any) -> Any:
-    """A copy of a named tuple of arrays that shares nothing with it."""
-    return type(state)(*(np.array(a) for a in state))
+S = TypeVar("S", bound=tuple[Any, ...])
+
+
+class WithState(Generic[S]):
+    """What changes of an estimator is one named tuple of arrays, or of such tuples."""
+
+    def __init__(self, state: S) -> None:
+        self._state = state
+
+    @property
+    def state(self) -> S:
+        """A copy that shares nothing with the estimator."""
+        return _copied(self._state)
+
+    @state.setter
+    def state(self, value: S) -> None:
+        self._state = _copied(value)
+
+
+def _copied(state: S) -> S:
+    return type(state)(*(_copied(a) if isinstance(a, tuple) else np.array(a) for a in state))
 
 
 def start_angles(theta: Array | tuple[float, float]) -> Array:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.inertial.integration import IntegrationState, integrate
-from tracker.inertial.planar import PlanarReadings, copied
+from tracker.inertial.planar import PlanarReadings, WithState
 from tracker.inertial.plane import SENSORS, ComplexArray, Levers, gravity_angle
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Vector, Written
@@ -50,7 +50,7 @@ class _Bounds(NamedTuple):
     levers: Levers
 
 
-class Switching:
+class Switching(WithState[SwitchingState]):
     """For each sensor, of two estimates always the one whose error bound is smaller."""
 
     def __init__(
@@ -64,15 +64,7 @@ class Switching:
         self.params = p
         self._bounds = _Bounds(dt, p.gyro_error, p.longest, p.accel_offset, p.own_levers, levers)
         start = IntegrationState.start(theta)
-        self._state = SwitchingState(start, np.zeros(SENSORS), np.ones(SENSORS))
-
-    @property
-    def state(self) -> SwitchingState:
-        return _copied(self._state)
-
-    @state.setter
-    def state(self, value: SwitchingState) -> None:
-        self._state = _copied(value)
+        super().__init__(SwitchingState(start, np.zeros(SENSORS), np.ones(SENSORS)))
 
     def turn(self, angle: float) -> None:
         """P's own axes have turned by ``angle`` rad in the plane since the last sample."""
@@ -86,10 +78,6 @@ class Switching:
         out = np.empty(readings.gyro.shape)
         _run(self._state, self._bounds, readings.gyro, readings.accel, readings.root, out)
         return out
-
-
-def _copied(state: SwitchingState) -> SwitchingState:
-    return SwitchingState(copied(state.integrator), state.bound.copy(), state.fast.copy())
 
 
 @kernel

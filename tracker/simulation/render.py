@@ -12,7 +12,7 @@ from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.backgrounds import BackgroundParams, fabric_bgr, make_background
 from tracker.simulation.patches import SQUARE
 from tracker.simulation.raster import Buffer, Rays, bounds, draw
-from tracker.simulation.scene import Scene
+from tracker.simulation.scene import SimulatedScene
 from tracker.simulation.shading import Cloth, Light, SewnPatches, develop, shade
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import Instant
@@ -47,7 +47,7 @@ _SLOW_PX = 0.5
 class Renderer:
     """Draws a scene. One renderer holds one rig's ray maps and backgrounds."""
 
-    def __init__(self, scene: Scene, params: RenderParams | None = None) -> None:
+    def __init__(self, scene: SimulatedScene, params: RenderParams | None = None) -> None:
         self.scene, self.params = scene, params or RenderParams()
         rig, p = scene.rig, self.params
         self._rays = (_ray_map(rig.left), _ray_map(rig.right))

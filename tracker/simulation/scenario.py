@@ -19,7 +19,7 @@ from tracker.simulation.head import Head, HeadParams
 from tracker.simulation.imu import ImuParams, ImuSimulator
 from tracker.simulation.motion import Motion
 from tracker.simulation.render import Renderer, RenderParams
-from tracker.simulation.scene import BlobParams, Extra, Scene
+from tracker.simulation.scene import BlobParams, Extra, SimulatedScene
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.wearer import Wearer, WearerParams
 from tracker.vision.rig import StereoRig, ideal_rig
@@ -72,7 +72,9 @@ class Simulation:
         self.wearer = Wearer.random(hand, glove, seed, self.params.wearer)
         self.imus = ImuSimulator(self.wearer, motion, seed, self.params.imu)
         head = Head(self.rig.pose, seed, self.params.head)
-        self.scene = Scene(self.wearer, motion, self.rig, seed, self.params.blobs, extras, head)
+        self.scene = SimulatedScene(
+            self.wearer, motion, self.rig, seed, self.params.blobs, extras, head
+        )
 
     @property
     def duration(self) -> float:

@@ -64,7 +64,7 @@ class SeenMarkers(NamedTuple):
     whole: Array
 
 
-class Scene:
+class SimulatedScene:
     """A wearer moving before a rig."""
 
     def __init__(

@@ -13,7 +13,7 @@ from tracker.errors import DeviceError
 from tracker.messages import Blobs
 from tracker.sensors.image_input import Image, Pair
 from tracker.simulation.backgrounds import fabric_bgr
-from tracker.simulation.scene import Scene
+from tracker.simulation.scene import SimulatedScene
 
 FAULTS = (
     "drop images", "torn", "unplug camera", "stall camera", "frozen", "black", "black left",
@@ -30,7 +30,7 @@ class VirtualCamera:
 
     name, live = "virtual camera", True
 
-    def __init__(self, scene: Scene, fps: float, seed: int = 0) -> None:
+    def __init__(self, scene: SimulatedScene, fps: float, seed: int = 0) -> None:
         self._scene, self.fps = scene, fps
         self._rng = np.random.default_rng(seed)
         rig = scene.rig

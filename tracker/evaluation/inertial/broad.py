@@ -31,7 +31,7 @@ MADGWICK_BETA = 0.033  # rad/s, the filter's paper for a sensor without magnetom
 
 
 @dataclass(frozen=True, eq=False)
-class Trial:
+class BroadTrial:
     """One recording: gyro (n, 3) rad/s, accel (n, 3) m/s², truth q_GB (n, 4) xyzw, NaN where the
     cameras lost it, scored (n,) where the benchmark counts errors."""
 
@@ -54,13 +54,13 @@ class BroadRow:
     inclination_deg: float
 
 
-def read_trial(path: Path) -> Trial:
+def read_trial(path: Path) -> BroadTrial:
     """A trial's MATLAB file. Raises FileError where it is none."""
     try:
         data = scipy.io.loadmat(path)
         q_wxyz = np.asarray(data["opt_quat"], float)
         moving = np.asarray(data["movement"], bool).ravel()
-        return Trial(
+        return BroadTrial(
             path.stem,
             1 / float(data["sampling_rate"].item()),
             np.ascontiguousarray(data["imu_gyr"], float),
@@ -108,7 +108,7 @@ def evaluate(paths: Iterable[Path], chosen: dict[str, OrientationFilter]) -> lis
     return rows
 
 
-def score(trial: Trial, name: str, q_GB: Array) -> BroadRow:
+def score(trial: BroadTrial, name: str, q_GB: Array) -> BroadRow:
     """RMS of total, heading and inclination error over the scored samples."""
     q_error = earth_error(q_GB[trial.scored], trial.q_GB[trial.scored])
     q_error = without_heading(q_error, q_error[0])

@@ -16,7 +16,7 @@ from tracker.evaluation.inertial.motion import (
     MOVING,
     VERTICAL,
     Condition,
-    Motion,
+    FingerMotion,
     grasp,
 )
 from tracker.inertial.finger import Finger
@@ -60,7 +60,7 @@ class Row:
 
 
 @dataclass(frozen=True, eq=False)
-class Case:
+class FingerCase:
     """One duration at one rate under one kind of errors."""
 
     condition: Condition
@@ -82,19 +82,19 @@ def run(plan: Plan, finger: Finger, progress: Progress = lambda share, what: Non
     return rows
 
 
-def _cases(plan: Plan) -> Iterator[Case]:
+def _cases(plan: Plan) -> Iterator[FingerCase]:
     own = tuple(ESTIMATORS)
     side = (*VARIANTS, *(peers.available() if plan.with_peers else ()))
     for rate_hz in plan.rates_hz:
         for series in plan.series:
             for t_m in plan.durations:
-                yield Case(VERTICAL, series, rate_hz, t_m, own, side)
+                yield FingerCase(VERTICAL, series, rate_hz, t_m, own, side)
     for condition in (HORIZONTAL, MOVING):
         for t_m in plan.durations:
-            yield Case(condition, "both", plan.rates_hz[0], t_m, own, ())
+            yield FingerCase(condition, "both", plan.rates_hz[0], t_m, own, ())
 
 
-def run_case(case: Case, plan: Plan, finger: Finger) -> list[Row]:
+def run_case(case: FingerCase, plan: Plan, finger: Finger) -> list[Row]:
     """One row per estimator; each sees the same readings of the same seeds."""
     motion = grasp(finger, case.t_m, case.rate_hz, case.condition)
     errors: dict[str, list[float]] = {}
@@ -106,7 +106,7 @@ def run_case(case: Case, plan: Plan, finger: Finger) -> list[Row]:
     return [_row(case, name, values) for name, values in errors.items()]
 
 
-def _angles(name: str, finger: Finger, motion: Motion, errors: Errors, dt: float) -> Array:
+def _angles(name: str, finger: Finger, motion: FingerMotion, errors: Errors, dt: float) -> Array:
     """θ (n, 2) rad by one estimator or peer."""
     maker = ESTIMATORS.get(name) or VARIANTS.get(name)
     if maker is None:
@@ -114,17 +114,17 @@ def _angles(name: str, finger: Finger, motion: Motion, errors: Errors, dt: float
     return maker(finger, dt).run(errors.planar(motion.ideal))
 
 
-def rms_deg(motion: Motion, theta: Array) -> float:
+def rms_deg(motion: FingerMotion, theta: Array) -> float:
     """Root of the mean square error of θ (n, 2) over samples and sensors."""
     return float(np.rad2deg(np.sqrt(np.mean((theta - motion.theta[:, :2]) ** 2))))
 
 
-def _seed(case: Case, seed: int) -> tuple[int, ...]:
+def _seed(case: FingerCase, seed: int) -> tuple[int, ...]:
     """A generator of its own for every case and seed."""
     return seed, SERIES.index(case.series), round(case.rate_hz), round(1e3 * case.t_m)
 
 
-def _row(case: Case, name: str, values: list[float]) -> Row:
+def _row(case: FingerCase, name: str, values: list[float]) -> Row:
     pooled = float(np.sqrt(np.mean(np.square(values))))
     where = (case.condition.name, case.series, case.rate_hz, case.t_m)
     return Row(*where, name, pooled, min(values), max(values), len(values))

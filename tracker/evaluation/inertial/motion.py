@@ -43,7 +43,7 @@ CONDITIONS = (VERTICAL, HORIZONTAL, MOVING)
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class FingerMotion:
     """Truth at n samples: t (n,) s, theta, omega, alpha (n, 3) of the phalanges in P; metacarpus
     (n,) rad its angle in P; ideal readings; normal_gravity m/s² across the plane (to +y)."""
 
@@ -56,7 +56,9 @@ class Motion:
     normal_gravity: float
 
 
-def grasp(finger: Finger, t_m: float, rate_hz: float, condition: Condition = VERTICAL) -> Motion:
+def grasp(
+    finger: Finger, t_m: float, rate_hz: float, condition: Condition = VERTICAL
+) -> FingerMotion:
     """Static, straight finger extended, then grasp; sampled at ``rate_hz``."""
     n = round((STATIC + t_m) * rate_hz) + 1
     t = np.arange(n) / rate_hz
@@ -69,7 +71,7 @@ def grasp(finger: Finger, t_m: float, rate_hz: float, condition: Condition = VER
     root = _root(sway, condition)
     ideal = PlanarReadings(omega[:, :2].copy(), readings(finger, theta, omega, alpha, root), root)
     across = GRAVITY * np.sqrt(1 - condition.in_plane**2)
-    return Motion(t, theta, omega, alpha, turn[0], ideal, float(across))
+    return FingerMotion(t, theta, omega, alpha, turn[0], ideal, float(across))
 
 
 def _root(sway: Array, condition: Condition) -> ComplexArray:

@@ -16,7 +16,7 @@ import numpy as np
 
 from tracker import GRAVITY
 from tracker.evaluation.inertial.errors import Errors
-from tracker.evaluation.inertial.motion import STATIC, Motion
+from tracker.evaluation.inertial.motion import STATIC, FingerMotion
 from tracker.inertial.plane import MIDDLE, in_plane, out_of_plane
 from tracker.messages import Array
 
@@ -36,7 +36,7 @@ def available() -> tuple[str, ...]:
     return tuple(name for n in installed for name in (n, f"{n}_zeroed"))
 
 
-def peer_angles(name: str, motion: Motion, errors: Errors, dt: float) -> Array:
+def peer_angles(name: str, motion: FingerMotion, errors: Errors, dt: float) -> Array:
     """θ (n, 2) rad of both sensors by one of `available`; the plane must hold gravity."""
     gyro, accel = readings_3d(motion, errors)
     if name.endswith("_zeroed"):
@@ -49,7 +49,7 @@ def peer_angles(name: str, motion: Motion, errors: Errors, dt: float) -> Array:
     return np.column_stack(theta)
 
 
-def readings_3d(motion: Motion, errors: Errors) -> tuple[Array, Array]:
+def readings_3d(motion: FingerMotion, errors: Errors) -> tuple[Array, Array]:
     """gyro, accel (n, 2, 3) in each phalanx's B, errors included."""
     gyro, accel = errors.gyro.copy(), errors.accel + out_of_plane(motion.ideal.accel)
     gyro[..., 1] += motion.ideal.gyro
