@@ -7,7 +7,7 @@ from scipy.linalg.blas import dsyrk, dtrsm
 from scipy.linalg.lapack import dpotrf
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import Matrix, Vector
+from tracker.kernels.arrays import Matrix, Vector, Written
 from tracker.messages import Array
 
 
@@ -39,7 +39,7 @@ def correct(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> Array:
 
 
 @kernel
-def _mirror(P: Matrix) -> None:
+def _mirror(P: Written[Matrix]) -> None:
     """Copy the lower triangle to the upper one, in tiles that stay in the cache."""
     n, tile = len(P), 32
     for top in range(0, n, tile):

@@ -4,7 +4,7 @@ import numpy as np
 
 from tracker.geometry.so3 import NEAREST_ROUNDS
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector, Written
 
 
 @kernel
@@ -95,7 +95,7 @@ def nearest_rotation(M: Matrix) -> Matrix:
 
 
 @kernel
-def _rotate_away(A: Matrix, V: Matrix, i: int, j: int) -> None:
+def _rotate_away(A: Written[Matrix], V: Written[Matrix], i: int, j: int) -> None:
     """Jacobi's rotation that makes A[i, j] of a symmetric A (3, 3) zero; V (3, 3) turns along."""
     if A[i, j] == 0.0:
         return

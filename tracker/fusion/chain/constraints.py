@@ -17,7 +17,7 @@ from tracker.fusion.chain.params import ConstraintParams
 from tracker.fusion.chain.state import ChainState
 from tracker.geometry.kernels import cross3, rotate, rotate_back, tmul3, zyx3
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
 
 E_X, E_Y, E_Z = np.eye(3)
@@ -109,7 +109,13 @@ def _relative(joints: Joints, R_GB: Stack, child: int) -> Matrix:
 
 @kernel
 def _put(
-    h: Vector, at: Blocks, joints: Joints, child: int, J_a: Vector, J_c: Vector, gain: float
+    h: Written[Vector],
+    at: Blocks,
+    joints: Joints,
+    child: int,
+    J_a: Vector,
+    J_c: Vector,
+    gain: float,
 ) -> None:
     """Add a row's derivatives by the parent's and the child's orientation."""
     for r in range(3):
@@ -119,7 +125,7 @@ def _put(
 
 @kernel
 def _put_flexion(
-    h: Vector, at: Blocks, joints: Joints, R_GB: Stack, child: int, gain: float
+    h: Written[Vector], at: Blocks, joints: Joints, R_GB: Stack, child: int, gain: float
 ) -> None:
     """Flexion turns about the child's own y (its twist being small)."""
     y = np.array([0.0, 1.0, 0.0])

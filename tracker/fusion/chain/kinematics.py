@@ -15,7 +15,7 @@ from tracker.fusion.chain.layout import Blocks, ChainLayout, Points, Skeleton
 from tracker.fusion.chain.state import Body, ChainState
 from tracker.geometry.kernels import rotate
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array, IntArray
 
 MOST_COLUMNS = 8  # that a segment adds: its orientation, its scales, an offset
@@ -116,8 +116,8 @@ def segment_origins(skeleton: Skeleton, body: Body, p: Vector) -> Matrix:
 
 @kernel
 def put_link(
-    value: Matrix,
-    column: IntVector,
+    value: Written[Matrix],
+    column: Written[IntVector],
     R: Matrix,
     x: Vector,
     nominal: Vector,
@@ -180,8 +180,8 @@ def origin_jacobians(skeleton: Skeleton, at: Blocks, body: Body) -> OriginJacobi
 
 @kernel
 def put_own(
-    value: Matrix,
-    column: IntVector,
+    value: Written[Matrix],
+    column: Written[IntVector],
     skeleton: Skeleton,
     at: Blocks,
     body: Body,

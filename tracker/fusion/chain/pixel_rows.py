@@ -13,7 +13,7 @@ from tracker.fusion.chain.params import PixelNoise
 from tracker.fusion.chain.prediction import Prediction, seen_covariance
 from tracker.geometry.kernels import inverse3, rotate
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntMatrix, Matrix, Stack, Stack4, Vector
+from tracker.kernels.arrays import IntMatrix, Matrix, Stack, Stack4, Vector, Written
 
 
 @kernel
@@ -64,8 +64,8 @@ def point_rows(
 
 @kernel
 def _put_pixels(
-    J: Matrix,
-    r: Vector,
+    J: Written[Matrix],
+    r: Written[Vector],
     marker: int,
     prediction: Prediction,
     match: IntMatrix,
@@ -87,7 +87,7 @@ def _put_pixels(
 
 
 @kernel
-def _put_product(out: Matrix, J: Matrix, H: Matrix) -> None:
+def _put_product(out: Written[Matrix], J: Matrix, H: Matrix) -> None:
     """out (k, N) = J H of the first k rows of J, for H (3, N)."""
     for a in range(len(out)):
         x, y, z = J[a]

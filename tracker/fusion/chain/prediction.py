@@ -19,7 +19,7 @@ from tracker.fusion.chain.params import PixelNoise
 from tracker.fusion.chain.state import Body
 from tracker.geometry.kernels import rotate, rotate_back
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntVector, Matrix, Stack, Stack4, Vector
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Stack4, Vector, Written
 from tracker.messages import CameraPose
 from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig, projected
 
@@ -166,7 +166,7 @@ def origin_products(parent: IntVector, origins: OriginJacobians, P: Matrix) -> S
 
 
 @kernel
-def add_product(out: Matrix, value: Matrix, column: IntVector, P: Matrix) -> None:
+def add_product(out: Written[Matrix], value: Matrix, column: IntVector, P: Matrix) -> None:
     """out (3, N) += H P of an H with the entries value (3, k) in the columns (k,)."""
     x, y, z = out[0], out[1], out[2]
     for c in range(len(column)):

@@ -27,6 +27,7 @@ from tracker.kernels.arrays import (
     Matrix,
     Stack,
     Vector,
+    Written,
 )
 
 
@@ -90,7 +91,7 @@ def steps(
     coasting: Coasting,
     dynamic: Dynamic,
     imus: ImuErrors,
-    P: Matrix,
+    P: Written[Matrix],
 ) -> tuple[Vector, Vector, Stack]:
     """Through all intervals of ``way``: P in place, and p, v, R_GB at the end."""
     p, v, R_GB = dynamic
@@ -244,7 +245,7 @@ def phi_of(
 
 @kernel
 def _put_root_rows(
-    Phi: Matrix, at: Blocks, imu: int, R: Matrix, R_IB: Matrix, f: Vector, dt: float
+    Phi: Written[Matrix], at: Blocks, imu: int, R: Matrix, R_IB: Matrix, f: Vector, dt: float
 ) -> None:
     """p and v against the root's orientation, and its IMU's mounting and accelerometer bias."""
     J_a_theta = -mul3(R, skew3(f))
@@ -260,7 +261,7 @@ def _put_root_rows(
 
 
 @kernel
-def move_covariance(P: Matrix, Phi: Matrix) -> None:
+def move_covariance(P: Written[Matrix], Phi: Matrix) -> None:
     """P <- Phi P Phi^T in place, touching only the dynamic rows and columns."""
     D, n = len(Phi), len(P)
     count, column = _columns(Phi)
@@ -301,7 +302,9 @@ def _columns(Phi: Matrix) -> tuple[IntVector, IntMatrix]:
 
 
 @kernel
-def add_random_walks(P: Matrix, at: Blocks, walks: RandomWalks, felt: bool, dt: float) -> None:
+def add_random_walks(
+    P: Written[Matrix], at: Blocks, walks: RandomWalks, felt: bool, dt: float
+) -> None:
     """The noise of all but the orientations over ``dt``, on the diagonal."""
     accel = walks.accel if felt else walks.free_accel
     for r in range(3):
@@ -322,7 +325,7 @@ def add_random_walks(P: Matrix, at: Blocks, walks: RandomWalks, felt: bool, dt: 
 
 @kernel
 def add_rotation_noise(
-    P: Matrix,
+    P: Written[Matrix],
     at: Blocks,
     drive: Drive,
     R_GB: Stack,

@@ -10,7 +10,7 @@ import numpy as np
 from tracker.fusion.chain.layout import Blocks, ChainLayout
 from tracker.geometry.kernels import rotate_all
 from tracker.kernels import kernel
-from tracker.kernels.arrays import Matrix, Stack, Vector
+from tracker.kernels.arrays import Matrix, Stack, Vector, Written
 from tracker.messages import Array
 
 SCALE_LIMITS = (0.6, 1.5)
@@ -132,7 +132,11 @@ class Fitting(NamedTuple):
 
 @kernel
 def _inject(
-    at: Blocks, dynamic: Dynamic, imus: ImuErrors, fitting: Fitting, dx: Vector
+    at: Blocks,
+    dynamic: Written[Dynamic],
+    imus: Written[ImuErrors],
+    fitting: Written[Fitting],
+    dx: Vector,
 ) -> tuple[Stack, Stack, Matrix]:
     """Adds to the vectors in place; R_GB, R_IB and scale, which other states share, come anew."""
     p, v, bg, ba, joint, marker = (

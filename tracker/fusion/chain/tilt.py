@@ -21,7 +21,7 @@ from tracker.fusion.chain.state import Body, ChainState, ImuErrors
 from tracker.fusion.time.imu_buffer import Around
 from tracker.geometry.kernels import cross3, mul3, rotate, rotate_back, skew3
 from tracker.kernels import kernel
-from tracker.kernels.arrays import Matrix, Vector
+from tracker.kernels.arrays import Matrix, Vector, Written
 from tracker.messages import Array
 
 
@@ -97,7 +97,7 @@ def stacked_rows(
 
 @kernel
 def _put_row(
-    h: Matrix,
+    h: Written[Matrix],
     j: int,
     places: ImuPlaces,
     skeleton: Skeleton,
@@ -137,7 +137,7 @@ def _put_row(
 
 
 @kernel
-def _add(h: Matrix, column: int, block: Matrix, sign: float) -> None:
+def _add(h: Written[Matrix], column: int, block: Matrix, sign: float) -> None:
     """h[:, column : column + 3] += sign * block."""
     for r in range(3):
         for c in range(3):

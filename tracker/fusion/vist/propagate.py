@@ -21,7 +21,7 @@ from tracker.fusion.vist.params import VistNoise
 from tracker.fusion.vist.state import VistState
 from tracker.geometry.kernels import exp3
 from tracker.kernels import kernel
-from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Written
 from tracker.messages import Array
 
 
@@ -105,7 +105,7 @@ def _error_blocks(
 
 @kernel
 def move_covariance(
-    P_: Matrix, R: Stack, w: Matrix, f: Matrix, valid: BoolVector, dt: float
+    P_: Written[Matrix], R: Stack, w: Matrix, f: Matrix, valid: BoolVector, dt: float
 ) -> None:
     """P <- Phi P Phi^T in place; P (21 n, 21 n), R (n, 3, 3), w, f (n, 3), valid (n,) bool."""
     A_th, A_ba, E = _error_blocks(R, w, f, valid, dt)
