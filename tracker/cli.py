@@ -13,21 +13,26 @@ from collections.abc import Sequence
 
 from tracker import __version__
 from tracker.errors import GlovetrackError
+from tracker.files import disk_error
+from tracker.terminal import printable, stopped_by_signals, words_on_standard_output
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
     args = _parser().parse_args(argv)
     try:
-        return int(args.func(args) or 0)
+        with stopped_by_signals(), words_on_standard_output():
+            return int(args.func(args) or 0)
     except GlovetrackError as error:
-        print(f"glovetrack: {error}", file=sys.stderr)
-        return 1
+        print(f"glovetrack: {printable(str(error))}", file=sys.stderr)
     except KeyboardInterrupt:
         print("glovetrack: stopped", file=sys.stderr)
-        return 1
     except BrokenPipeError:
         return 0
+    except OSError as error:
+        what = error.filename or "what is printed"
+        print(f"glovetrack: {disk_error(what, error)}", file=sys.stderr)
+    return 1
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -18,7 +18,7 @@ from typing import Any, Protocol
 
 from tracker.errors import ConfigError, DeviceError, GlovetrackError
 
-TELL_EVERY = 0.25  # s between two words of one task about how far it is
+TELL_EVERY = 0.25  # s between two reports of one task
 LOOK_EVERY = 0.2  # s
 DASK_PATIENCE = 10  # s
 
@@ -41,11 +41,19 @@ class Outcome:
 
 
 class Board(Protocol):
-    """Where tasks write (number, share) for the one who waits; travels to the workers."""
+    """The progress queue: (number of the task, share done); travels to the workers."""
 
     def put(self, note: tuple[int, float]) -> None: ...
 
     def get(self, timeout: float) -> tuple[int, float]: ...
+
+
+class StopFlag(Protocol):
+    """Set when nobody waits for the results any more; travels to the workers."""
+
+    def set(self) -> None: ...
+
+    def is_set(self) -> bool: ...
 
 
 class Workers(Protocol):
@@ -53,6 +61,9 @@ class Workers(Protocol):
 
     @property
     def board(self) -> Board: ...
+
+    @property
+    def stop(self) -> StopFlag: ...
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]: ...
 
@@ -69,7 +80,7 @@ def local_workers(count: int) -> Iterator[Workers]:
     with context.Manager() as manager:
         pool = ProcessPoolExecutor(count, mp_context=context)
         try:
-            yield _Local(pool, manager.Queue())
+            yield _Local(pool, manager.Queue(), manager.Event())
         finally:
             pool.shutdown(cancel_futures=True)
 
@@ -78,6 +89,7 @@ def local_workers(count: int) -> Iterator[Workers]:
 class _Local:
     pool: ProcessPoolExecutor
     board: Any
+    stop: Any
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         return self.pool.submit(function, *arguments)
@@ -98,13 +110,14 @@ def dask_workers(address: str) -> Iterator[Workers]:
     except (OSError, ValueError) as error:  # TimeoutError is an OSError
         raise DeviceError(f"No Dask scheduler answers at {address}.") from error
     with client, client.get_executor(pure=False) as executor:
-        yield _Dask(executor, distributed.Queue(client=client))
+        yield _Dask(executor, distributed.Queue(client=client), distributed.Event(client=client))
 
 
 @dataclass(frozen=True)
 class _Dask:
     executor: Any
     board: Any
+    stop: Any
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         future: Future[Any] = self.executor.submit(function, *arguments)
@@ -120,18 +133,22 @@ def run_all(
     tasks: Sequence[WorkItem], workers: Workers, progress: Callable[[float], None]
 ) -> list[Outcome]:
     """Outcomes in the order of ``tasks``; ``progress`` hears the share of all work that is done."""
-    futures = {workers.submit(_work, task, i, workers.board): i for i, task in enumerate(tasks)}
+    board, stop = workers.board, workers.stop
+    futures = {workers.submit(_work, task, i, board, stop): i for i, task in enumerate(tasks)}
     shares = [0.0] * len(tasks)
     total = sum(t.weight for t in tasks) or 1.0
     pending = set(futures)
     try:
         while pending:
             done, pending = wait(pending, LOOK_EVERY, FIRST_COMPLETED)
-            for i, share in _notes(workers.board):
+            for i, share in _notes(board):
                 shares[i] = max(shares[i], share)
             for future in done:
                 shares[futures[future]] = 1.0
             progress(sum(t.weight * s for t, s in zip(tasks, shares, strict=True)) / total)
+    except BaseException:
+        stop.set()  # what is under way ends at its next word
+        raise
     finally:
         for future in pending:
             future.cancel()
@@ -156,15 +173,17 @@ def _outcome(future: Future[Any]) -> Outcome:
     return Outcome(error=f"The work on it broke off: {type(error).__name__}: {error}.")
 
 
-def _work(task: WorkItem, number: int, board: Board) -> Outcome:
+def _work(task: WorkItem, number: int, board: Board, stop: StopFlag) -> Outcome:
     """Runs in the worker."""
-    told = [-TELL_EVERY]
+    reported = [-TELL_EVERY]
 
     def tell(share: float) -> None:
         now = time.monotonic()
-        if now - told[0] >= TELL_EVERY:
-            told[0] = now
+        if now - reported[0] >= TELL_EVERY:
+            reported[0] = now
             board.put((number, share))
+            if stop.is_set():
+                raise GlovetrackError("The work was stopped.")
 
     try:
         return Outcome(task.function(*task.arguments, tell))

@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 
 from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
+from tracker.files import free_path
 from tracker.session.export.options import ExportOptions
-from tracker.session.mcap.disk import free_path
 
 WAITING = StateLook(IDLE.colour, "◌", "waiting")
 RUNNING = StateLook(SKY, "▶", "under way")

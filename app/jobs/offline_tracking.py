@@ -72,7 +72,7 @@ def free_name(source: Path, engine: str) -> Path:
 
     Raises FileError where nothing can be written there.
     """
-    from tracker.session.mcap.disk import free_path
+    from tracker.files import free_path
 
     if not source.parent.is_dir():
         raise FileError(f"The folder {source.parent} is not there any more.")

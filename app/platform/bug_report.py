@@ -22,8 +22,8 @@ from app.storage.settings import AppSettings
 from tracker import __version__
 from tracker.clock import NS, ClockAnchor, nanoseconds, seconds
 from tracker.errors import GlovetrackError
+from tracker.files import disk_error
 from tracker.messages import Event, StereoFrame
-from tracker.session.mcap.disk import disk_error
 
 EXCERPT_S = 10.0
 PERSONAL_SETTINGS = ("participant", "task", "sessions_folder")

@@ -19,7 +19,7 @@ from typing import Any
 import platformdirs
 
 from tracker.config import UNKNOWN, from_dict
-from tracker.session.mcap.disk import free_path
+from tracker.files import free_path
 
 VERSION = 2
 _log = logging.getLogger(__name__)

@@ -8,7 +8,7 @@ import pytest
 from tracker.cli import main
 from tracker.errors import ConfigError, DeviceError, FileError
 from tracker.messages import Estimate
-from tracker.offline.batch import Job, plan, table, track_all
+from tracker.offline.batch import Job, WorkersAsked, plan, table, track_all
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
@@ -84,7 +84,7 @@ def test_nothing_is_overwritten(folder: Path, tmp_path: Path) -> None:
     precious = tmp_path / "a.mcap"
     precious.write_text("precious")
     jobs = [Job(folder / "a.mcap", precious)]
-    (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, processes=1)
+    (outcome,) = track_all(jobs, TrackOptions(), lambda share: None, WorkersAsked(1))
     assert "exists already" in outcome.error
     assert "exists already" in table(jobs, [outcome])
     assert precious.read_text() == "precious"
@@ -97,7 +97,8 @@ def test_a_cluster_does_the_same_work(folder: Path, tmp_path: Path) -> None:
     with distributed.LocalCluster(
         n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
     ) as cluster:
-        outcomes = track_all(jobs, TrackOptions(), shares.append, dask=cluster.scheduler_address)
+        asked = WorkersAsked(dask=cluster.scheduler_address)
+        outcomes = track_all(jobs, TrackOptions(), shares.append, asked)
     assert [bool(o.error) for o in outcomes] == [False, True, False]
     assert shares[-1] == 1.0 and shares == sorted(shares)
     with SessionReader(jobs[0].out) as reader:

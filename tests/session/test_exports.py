@@ -247,7 +247,7 @@ def test_options_cut_pick_and_anonymise(tracked, tmp_path: Path) -> None:
     assert "participant" not in beside["metadata"]
     assert "P 07" not in (tmp_path / "o.csv.json").read_text()
     with pytest.raises(ConfigError, match="no keypoint or joint 'nose'"):
-        export(path, "csv", tmp_path / "o.csv", ExportOptions(joints=("nose",)))
+        export(path, "csv", tmp_path / "no.csv", ExportOptions(joints=("nose",)))
 
 
 def test_a_session_without_estimates_is_told(tmp_path: Path, record, maker) -> None:

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from tracker.errors import ConfigError
+from tracker.files import disk_error
 from tracker.offline.options import TrackOptions
 from tracker.offline.report import TrackReport
 from tracker.offline.track import track
 from tracker.session.glance import sessions_in
-from tracker.session.mcap.disk import disk_error
 from tracker.workers import (
     Outcome,
     WorkItem,
@@ -30,6 +30,14 @@ class Job:
 
     source: Path
     out: Path
+
+
+@dataclass(frozen=True)
+class WorkersAsked:
+    """``processes``: one per core if None. ``dask``: address of a cluster that does it instead."""
+
+    processes: int | None = None
+    dask: str = ""
 
 
 def plan(sources: Sequence[Path], out: Path) -> list[Job]:
@@ -58,17 +66,22 @@ def track_all(
     jobs: Sequence[Job],
     options: TrackOptions,
     progress: Callable[[float], None],
-    processes: int | None = None,
-    dask: str = "",
+    asked: WorkersAsked = WorkersAsked(),
+    force: bool = False,
 ) -> list[Outcome]:
-    """Track every job, each in a process of its own; an outcome's value is a `TrackReport`."""
+    """Track every job, each in a process of its own; an outcome's value is a `TrackReport`.
+
+    A file that exists already is an outcome's error unless ``force``.
+    """
     for job in jobs:
         _make_folder(job.out.parent)
     tasks = [
-        WorkItem(_track_one, (j.source.absolute(), j.out.absolute(), options), _size(j.source))
+        WorkItem(
+            _track_one, (j.source.absolute(), j.out.absolute(), options, force), _size(j.source)
+        )
         for j in jobs
     ]
-    with some_workers(min(processes or usable_cores(), len(jobs)), dask) as workers:
+    with some_workers(min(asked.processes or usable_cores(), len(jobs)), asked.dask) as workers:
         return run_all(tasks, workers, progress)
 
 
@@ -84,10 +97,14 @@ def _size(path: Path) -> float:
 
 
 def _track_one(
-    source: Path, out: Path, options: TrackOptions, progress: Callable[[float], None]
+    source: Path,
+    out: Path,
+    options: TrackOptions,
+    force: bool,
+    progress: Callable[[float], None],
 ) -> TrackReport:
     # processes share the cores already, so each detects in one thread
-    return track(source, out, options, progress, threads=1)
+    return track(source, out, options, progress, threads=1, force=force)
 
 
 def table(jobs: Sequence[Job], outcomes: Sequence[Outcome]) -> str:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import json
-import sys
-import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tracker.errors import GlovetrackError
+from tracker.terminal import add_force, add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
     from tracker.offline.batch import Job
@@ -38,6 +36,7 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
         default="stand",
         help="on the wearer's head it moves and tells its pose, or only what its own IMU measures",
     )
+    add_force(parser)
     parser.set_defaults(func=_simulate)
 
 
@@ -55,7 +54,7 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--smooth", action="store_true", help="use what comes later, too")
     parser.add_argument("--with-sensors", action="store_true", help="copy the sensor topics too")
-    parser.add_argument("--json", default="", metavar="FILE", help="report; - is standard output")
+    add_json(parser)
     parser.add_argument("--jobs", type=int, metavar="N", help="processes; one per core if not told")
     parser.add_argument("--dask", default="", metavar="ADDRESS", help="work on this Dask cluster")
     parser.set_defaults(func=_track)
@@ -74,7 +73,7 @@ def _simulate(args: argparse.Namespace) -> int:
         images=not args.blobs_only,
         camera=args.camera,
     )
-    simulate(args.out, options, progress_line("simulating"))
+    simulate(args.out, options, progress_line("simulating"), args.force)
     return 0
 
 
@@ -95,23 +94,23 @@ def _track(args: argparse.Namespace) -> int:
     jobs = plan(args.sources, args.out)
     if len(jobs) > 1 or args.dask or args.out.is_dir():
         return _track_many(args, jobs, options)
-    report = track(jobs[0].source, jobs[0].out, options, progress_line("tracking")).to_json()
-    if args.json:
-        write_json(report, args.json)
-    else:
-        print(_summary(report))
+    (job,) = jobs
+    check_json(args, [job.source])
+    progress = progress_line("tracking")
+    report = track(job.source, job.out, options, progress, force=args.force).to_json()
+    finish(args, report, [_summary(report)], [job.source, job.out])
     return 0
 
 
 def _track_many(args: argparse.Namespace, jobs: Sequence[Job], options: TrackOptions) -> int:
-    from tracker.offline.batch import table, to_json, track_all
+    from tracker.offline.batch import WorkersAsked, table, to_json, track_all
 
     progress = progress_line(f"tracking {len(jobs)} sessions")
-    outcomes = track_all(jobs, options, progress, args.jobs, args.dask)
-    if args.json:
-        write_json(to_json(jobs, outcomes), args.json)
-    if args.json != "-":
-        print(table(jobs, outcomes))
+    files = [path for job in jobs for path in (job.source, job.out)]
+    check_json(args, files)
+    workers = WorkersAsked(args.jobs, args.dask)
+    outcomes = track_all(jobs, options, progress, workers, args.force)
+    finish(args, to_json(jobs, outcomes), table(jobs, outcomes).splitlines(), files)
     failed = sum(bool(o.error) for o in outcomes)
     if failed:
         raise GlovetrackError(f"{failed} of {len(jobs)} sessions could not be tracked.")
@@ -126,31 +125,3 @@ def _summary(report: dict[str, Any]) -> str:
     if "error_mm" in report:
         text += f", mean error {report['error_mm']['mean']:.1f} mm"
     return text + "."
-
-
-def write_json(value: object, target: str) -> None:
-    """To a file, or to standard output for ``-``."""
-    text = json.dumps(value, indent=1, sort_keys=True)
-    if target == "-":
-        print(text)
-        return
-    try:
-        Path(target).write_text(text + "\n", "utf-8")
-    except OSError as error:
-        raise GlovetrackError(f"{target} cannot be written: {error.strerror}.") from error
-
-
-def progress_line(what: str) -> Callable[[float], None]:
-    """Shows the share that is done on standard error, four times a second, on a terminal only."""
-    if not sys.stderr.isatty():
-        return lambda share: None
-    shown = [0.0]
-
-    def show(share: float) -> None:
-        now = time.monotonic()
-        if share >= 1.0 or now - shown[0] > 0.25:
-            shown[0] = now
-            end = "\n" if share >= 1.0 else ""
-            print(f"\r{what} {100 * share:3.0f} %", end=end, file=sys.stderr, flush=True)
-
-    return show

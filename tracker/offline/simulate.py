@@ -11,10 +11,11 @@ import numpy as np
 from tracker import library
 from tracker.clock import ClockAnchor
 from tracker.errors import ConfigError
+from tracker.files import check_target
 from tracker.geometry import so3
 from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validity
 from tracker.session.description import SessionInfo, describe
-from tracker.session.writer import RecorderParams, SessionRecorder
+from tracker.session.writer import RecorderParams, new_session
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
@@ -79,14 +80,21 @@ def _motion(options: SimulateOptions, info: SessionInfo) -> Motion:
 
 
 def simulate(
-    out: Path, options: SimulateOptions, progress: Callable[[float], None] = lambda share: None
+    out: Path,
+    options: SimulateOptions,
+    progress: Callable[[float], None] = lambda share: None,
+    force: bool = False,
 ) -> SessionInfo:
-    """Write a simulated session with its truth; ``progress`` hears the share that is done."""
+    """Write a simulated session with its truth; ``progress`` hears the share that is done.
+
+    The file is there whole or not at all; ``force`` replaces one.
+    """
+    check_target(out, force)
     sim, info = build(options)
     images = "jpeg" if options.images else "none"
-    params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality, sync=False)
+    params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality)
     end = min(sim.duration, options.duration)
-    with SessionRecorder(out, info, params) as recorder:
+    with new_session(out, info, force, params=params) as recorder:
         for message in sim.messages(images=options.images):
             if message.t > end:
                 break

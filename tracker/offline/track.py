@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ import numpy as np
 from tracker import __version__, library
 from tracker.config import from_toml, to_toml
 from tracker.errors import ConfigError, FileError
+from tracker.files import check_target
 from tracker.messages import (
     BlobFrame,
     CameraImuSample,
@@ -33,7 +33,7 @@ from tracker.session.decode_sensors import Sensed
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
-from tracker.session.writer import RecorderParams, SessionRecorder
+from tracker.session.writer import new_session
 from tracker.settings import ENGINES, Settings
 from tracker.toml_reader import read_text
 from tracker.vision.colours import ColourProfile, parse_profile
@@ -48,19 +48,23 @@ def track(
     options: TrackOptions | None = None,
     progress: Callable[[float], None] = lambda share: None,
     threads: int | None = None,
+    force: bool = False,
 ) -> TrackReport:
-    """Track ``source`` again into the new file ``out``.
+    """Track ``source`` again into the new file ``out``, which is there whole or not at all.
 
     ``threads`` search images, as many as there are cores unless told; the result is the same.
-    Raises FileError for a session that lacks what tracking needs.
+    ``force`` replaces a file that is there, but never ``source``. Raises FileError for a session
+    that lacks what tracking needs.
     """
     options = options or TrackOptions()
+    check_target(out, force, [source])
     started = time.perf_counter()
     with SessionReader(source, _replacements(options)) as reader:
         info, settings = replace(reader.info, rig=reader.rig()), _settings(reader, options)
         messages = _messages(reader, info, options, threads or usable_cores())
         check = _truth_check(reader, info)
-        with new_session(out, _output_info(info, settings, source, options)) as recorder:
+        described = _output_info(info, settings, source, options)
+        with new_session(out, described, force, [source]) as recorder:
             output = Output(recorder, options.with_sensors, check)
             run = _run(reader, info, settings, output, options)
             forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
@@ -106,19 +110,6 @@ def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:
     """None where the session does not know the truth."""
     known = topics.truth(info.side, "keypoints") in reader.topic_names
     return TruthCheck(info.keypoint_names) if known else None
-
-
-@contextmanager
-def new_session(path: Path, info: SessionInfo) -> Iterator[SessionRecorder]:
-    """A recorder for a new file that is taken away again if the work on it fails."""
-    recorder = SessionRecorder(path, info, RecorderParams(sync=False))
-    try:
-        yield recorder
-    except BaseException:
-        recorder.close()
-        path.unlink(missing_ok=True)
-        raise
-    recorder.close()
 
 
 def _replacements(options: TrackOptions) -> dict[str, str]:

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import json
-import math
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tracker.session.mcap.disk import disk_error
+from tracker.terminal import add_json, check_json, finish
 
 if TYPE_CHECKING:
     from tracker.session.verify import Finding
@@ -28,7 +25,7 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
             command.add_argument("files", type=Path, nargs="+", metavar="FILE")
         else:
             command.add_argument("file", type=Path, metavar="FILE")
-        _add_json(command)
+        add_json(command)
         command.set_defaults(func=func)
         if name == "recover":
             command.add_argument("-o", "--output", type=Path, metavar="OUT")
@@ -36,12 +33,8 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
     command.add_argument("first", type=Path, metavar="A")
     command.add_argument("second", type=Path, metavar="B")
     command.add_argument("--figure", type=Path, metavar="PNG", help="draw the differences")
-    _add_json(command)
+    add_json(command)
     command.set_defaults(func=_compare)
-
-
-def _add_json(command: argparse.ArgumentParser) -> None:
-    command.add_argument("--json", metavar="FILE", help="write results as JSON (- for the screen)")
 
 
 def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -65,7 +58,7 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
         metavar="FIELD",
         help=f"leave out {' and '.join(PERSONAL)}, or the named ones of {', '.join(HIDEABLE)}",
     )
-    _add_json(command)
+    add_json(command)
     command.set_defaults(func=_export)
 
 
@@ -84,13 +77,16 @@ def _export(args: argparse.Namespace) -> int:
         anonymous=anonymous,
         every=args.every,
     )
-    _finish(args, export(args.file, args.format, args.output, options), [f"{args.output}"])
+    check_json(args, [args.file])
+    report = export(args.file, args.format, args.output, options, force=args.force)
+    finish(args, report, [f"{args.output}"], [args.file, args.output])
     return 0
 
 
 def _info(args: argparse.Namespace) -> int:
     from tracker.session.glance import session_summary
 
+    check_json(args, [args.file])
     found = session_summary(args.file)
     lines = [f"{args.file}: {found['duration_s']:.2f} s, {found['integrity']}"]
     if found["version"]:
@@ -99,7 +95,7 @@ def _info(args: argparse.Namespace) -> int:
         f"  {name}  {t['count']}  {t['rate_hz']:g} Hz  {t['type']}"
         for name, t in found["topics"].items()
     ]
-    _finish(args, found, lines)
+    finish(args, found, lines, [args.file])
     return 0
 
 
@@ -108,11 +104,12 @@ def _verify(args: argparse.Namespace) -> int:
     from tracker.session.verify import verify
 
     paths = [path for path, _ in sessions_in(args.files)]
+    check_json(args, paths)
     if len(paths) == 1:
         result, lines = _verdict(paths[0], verify(paths[0]))
     else:
         result, lines = _verify_many(paths)
-    _finish(args, result, lines)
+    finish(args, result, lines, paths)
     return 0 if result["ok"] else 1
 
 
@@ -147,7 +144,8 @@ def _verify_many(paths: list[Path]) -> tuple[dict[str, Any], list[str]]:
 def _recover(args: argparse.Namespace) -> int:
     from tracker.session.mcap.recover import recover
 
-    saved = recover(args.file, args.output)
+    check_json(args, [args.file])
+    saved = recover(args.file, args.output, args.force)
     lines = [f"byte {d.offset}: {d.what}" for d in saved.damage]
     lines.append(f"{saved.messages} messages of {saved.duration:.2f} s are in {saved.path}.")
     result = {
@@ -156,14 +154,16 @@ def _recover(args: argparse.Namespace) -> int:
         "duration_s": saved.duration,
         "damage": [{"offset": d.offset, "what": d.what} for d in saved.damage],
     }
-    _finish(args, result, lines)
+    finish(args, result, lines, [args.file, saved.path])
     return 0
 
 
 def _compare(args: argparse.Namespace) -> int:
     from tracker.session.compare import compare
 
-    found = compare(args.first, args.second, args.figure)
+    inputs = [args.first, args.second]
+    check_json(args, inputs)
+    found = compare(args.first, args.second, args.figure, args.force)
     lines = [
         f"{found['compared']} instants in common; mean {found['mean_mm']:.3f} mm, "
         f"largest {found['max_mm']:.3f} mm; angles {found['rms_deg']:.3f}° rms",
@@ -171,30 +171,5 @@ def _compare(args: argparse.Namespace) -> int:
     ]
     if found["differing"]:
         lines.append(f"differing: {', '.join(found['differing'])}")
-    _finish(args, found, lines)
+    finish(args, found, lines, inputs)
     return 0
-
-
-def _finish(args: argparse.Namespace, result: dict[str, Any], lines: list[str]) -> None:
-    """Lines for people, or JSON where it was asked for; with ``-`` the JSON alone."""
-    if args.json != "-":
-        print("\n".join(lines))
-    if args.json is None:
-        return
-    text = json.dumps(_plain(result), indent=2, ensure_ascii=False)
-    if args.json == "-":
-        sys.stdout.write(text + "\n")
-        return
-    try:
-        Path(args.json).write_text(text + "\n", "utf-8")
-    except OSError as error:
-        raise disk_error(Path(args.json), error) from error
-
-
-def _plain(value: Any) -> Any:
-    """NaN has no place in JSON: it becomes null."""
-    if isinstance(value, dict):
-        return {k: _plain(v) for k, v in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(v) for v in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

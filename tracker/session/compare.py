@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from tracker.errors import FileError
+from tracker.files import whole_file
 from tracker.messages import Array, IntArray
 from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.reader import SessionReader
@@ -15,10 +16,11 @@ from tracker.session.reader import SessionReader
 _ALIGNED_NS = 1_000_000
 
 
-def compare(a: Path, b: Path, figure: Path | None = None) -> dict[str, Any]:
+def compare(a: Path, b: Path, figure: Path | None = None, force: bool = False) -> dict[str, Any]:
     """Distances of keypoints (mm) and angles (deg) at the instants that both files have.
 
-    ``figure``: a PNG or PDF of both over time. Raises FileError where nothing can be compared.
+    ``figure``: a PNG or PDF of both over time, which replaces one only with ``force``. Raises
+    FileError where nothing can be compared.
     """
     with SessionReader(a) as reader_a, SessionReader(b) as reader_b:
         first, second = (recorded_series(r) for r in (reader_a, reader_b))
@@ -29,7 +31,8 @@ def compare(a: Path, b: Path, figure: Path | None = None) -> dict[str, Any]:
     points, distance = _keypoint_distance(first, second, rows_a, rows_b)
     joints, turn = _angle_difference(first, second, rows_a, rows_b)
     if figure is not None:
-        _draw(figure, first.elapsed[rows_a], distance, turn, (a.name, b.name))
+        with whole_file(figure, force, [a, b]) as part:
+            _draw(part, first.elapsed[rows_a], distance, turn, (a.name, b.name))
     return {
         "estimates": [len(first), len(second)],
         "compared": len(rows_a),

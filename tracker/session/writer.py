@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import TracebackType
 
 from tracker.clock import seconds
 from tracker.errors import ConfigError, FileError
+from tracker.files import DiskError, free_bytes, whole_file
 from tracker.messages import EngineState, Estimate, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.description import METADATA, SessionInfo
 from tracker.session.encode import Encoder, ImageCoding, Out
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.container import COMPRESSION, McapOutput
-from tracker.session.mcap.disk import DiskError, automatic_path, free_bytes
+from tracker.session.mcap.disk import automatic_path
 from tracker.vision.rig import StereoRig
 
 IMAGES = ("jpeg", "png", "none")
@@ -70,11 +72,11 @@ class SessionRecorder:
             path = automatic_path(path, info.anchor.wall_ns, info.participant)
         self.path, self.info, self._measure_free = path, info, free
         self._free = free(path.parent)
+        self._messages = self._frames = self._thinned = 0
         if path.parent.is_dir():
             self._check_room()
         self._out: McapOutput | None = self._open()
         self._encoder = Encoder(info, ImageCoding(self.params.images, self.params.jpeg_quality))
-        self._messages = self._frames = self._thinned = 0
         self._next_check = info.anchor.wall_ns
         self._guarded(self._write_start)
 
@@ -158,9 +160,10 @@ class SessionRecorder:
 
     def _check_room(self) -> None:
         if self._free < self.params.stop_free_gb * GB:
+            so_far = "; what was recorded is safe" if self._messages else ""
             raise FileError(
                 f"The disk of {self.path.parent} is nearly full ({self._free / GB:.1f} GB are "
-                "left), so nothing more is recorded; what was recorded is safe."
+                f"left), so nothing {'more ' if self._messages else ''}is recorded{so_far}."
             )
 
     def _guarded(self, work: Callable[[McapOutput], None]) -> None:
@@ -194,6 +197,24 @@ class SessionRecorder:
         trace: TracebackType | None,
     ) -> None:
         self.close()
+
+
+@contextmanager
+def new_session(
+    path: Path,
+    info: SessionInfo,
+    force: bool = False,
+    inputs: Sequence[Path] = (),
+    params: RecorderParams | None = None,
+) -> Iterator[SessionRecorder]:
+    """A recorder for a file that is made, not recorded: there whole at the end, or not at all.
+
+    Nothing is lost when its disk fills up, so it may be filled to the last byte. Raises FileError
+    as `tracker.files.whole_file` does.
+    """
+    params = replace(params or RecorderParams(), sync=False, stop_free_gb=0.0)
+    with whole_file(path, force, inputs) as part, SessionRecorder(part, info, params) as recorder:
+        yield recorder
 
 
 def _checked(p: RecorderParams) -> RecorderParams:

@@ -35,7 +35,7 @@ from tracker.calibration.stereo.files import ImportForm, load_rig, save_calibrat
 from tracker.calibration.stereo.solve import CalibrationError, Solution, SolveParams, solve
 from tracker.calibration.stereo.views import BoardFinder, StereoView
 from tracker.errors import GlovetrackError
-from tracker.session.mcap.disk import free_path
+from tracker.files import free_path
 from tracker.vision.rig import StereoRig
 
 TICK_MS = 50

@@ -14,11 +14,11 @@ import numpy as np
 
 from tracker.calibration.stereo.checks import require_plausible
 from tracker.errors import ConfigError, FileError
+from tracker.files import disk_error
 from tracker.messages import Array
 from tracker.sensors.opencv_yaml import load_opencv_stereo
 from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.sensors.zed_files import load_zed
-from tracker.session.mcap.disk import disk_error
 from tracker.toml_reader import read_text
 from tracker.vision.rig import StereoRig
 

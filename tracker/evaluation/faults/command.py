@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
+from tracker.terminal import add_json
+
 if TYPE_CHECKING:
     from tracker.evaluation.faults.drill import DrillReport
 
@@ -16,19 +18,17 @@ def add_evaluate_faults(protocols: Any) -> None:
     )
     parser.add_argument("--count", type=int, default=1000, help="faults")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--json", default="", metavar="FILE", help="report; - is standard output")
+    add_json(parser)
     parser.set_defaults(func=_run)
 
 
 def _run(args: argparse.Namespace) -> int:
     from tracker.evaluation.faults.drill import drill
-    from tracker.offline.commands import progress_line, write_json
+    from tracker.terminal import check_json, finish, progress_line
 
+    check_json(args)
     report = drill(max(args.count, 1), args.seed, progress=progress_line("failing"))
-    if args.json:
-        write_json(report.to_json(), args.json)
-    else:
-        print(_table(report))
+    finish(args, report.to_json(), _table(report).splitlines())
     return 0 if not report.silent_wrong else 1
 
 

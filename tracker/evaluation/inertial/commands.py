@@ -5,13 +5,15 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tracker.terminal import add_json
+
 
 def add_evaluate_inertial(
     subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
 ) -> None:
     """Adds the sub-command ``inertial``."""
     p = subparsers.add_parser("inertial", help="finger angles from IMUs: the 2020 paper's protocol")
-    p.add_argument("--json", metavar="FILE", help="machine-readable results; - is standard output")
+    add_json(p)
     p.add_argument("--broad", type=Path, metavar="DIR", help="recordings of the BROAD data set")
     p.add_argument("--seeds", type=_count, metavar="N", help="runs per case (5)")
     p.add_argument("--rates", type=_rate, nargs="+", metavar="HZ", help="sampling rates (100 1000)")

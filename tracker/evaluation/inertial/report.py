@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from tracker.errors import FileError
 from tracker.evaluation.inertial import broad as inertial_broad
 from tracker.evaluation.inertial import cost as inertial_cost
 from tracker.evaluation.inertial.estimators import ESTIMATORS
@@ -17,6 +15,7 @@ from tracker.evaluation.inertial.experiment import Plan, Row, crossover, run
 from tracker.evaluation.inertial.goals import Goal, goals
 from tracker.evaluation.inertial.peers import available
 from tracker.inertial.finger import Finger
+from tracker.terminal import check_json, write_json
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,13 +32,14 @@ class Report:
 
 def evaluate_inertial(args: argparse.Namespace) -> int:
     """Run, print and save what the arguments ask for."""
+    check_json(args)
     plan = _plan(args)
     paths = inertial_broad.trial_paths(args.broad) if args.broad else []
     report = _measure(plan, paths)
     text = sys.stderr if args.json == "-" else sys.stdout
     print(_text(report, plan), file=text)
     if args.json:
-        _write_json(report, args.json)
+        write_json(to_json(report), args.json, args.force)
     if args.out:
         from tracker.evaluation.inertial.figures import save_figures
 
@@ -75,17 +75,6 @@ def to_json(report: Report) -> dict[str, Any]:
     data["rows"] = [r for r in data["rows"] if r["condition"] == "vertical"]
     data["peers"] = list(available())
     return data
-
-
-def _write_json(report: Report, where: str) -> None:
-    text = json.dumps(to_json(report), indent=1) + "\n"
-    if where == "-":
-        sys.stdout.write(text)
-        return
-    try:
-        Path(where).write_text(text, "utf-8")
-    except OSError as error:
-        raise FileError(f"{where} cannot be written: {error.strerror}.") from error
 
 
 def _text(report: Report, plan: Plan) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from tracker.errors import ConfigError
+from tracker.terminal import add_json, check_json, write_json
 
 QUICK_PARTICIPANTS = 2
 QUICK_MINUTES = 0.35
@@ -37,7 +37,7 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
     p.add_argument("--processes", type=_count, default=1, metavar="N")
     p.add_argument("--quick", action="store_true", help="two people, twenty seconds each")
     p.add_argument("--motion", nargs="+", type=Path, default=(), metavar="FILE")
-    p.add_argument("--json", metavar="FILE", help="machine-readable rows; - is standard output")
+    add_json(p)
     p.add_argument("--out", type=Path, metavar="DIR", help="figures and one HTML report")
     p.set_defaults(func=run)
 
@@ -68,6 +68,7 @@ def run(args: argparse.Namespace) -> int:
     from tracker.evaluation.vist.run import run_cases
     from tracker.evaluation.vist.table import row_of
 
+    check_json(args)
     cases = cases_of(args)
     participants = QUICK_PARTICIPANTS if args.quick else args.participants
     results = [
@@ -79,7 +80,7 @@ def run(args: argparse.Namespace) -> int:
     _print_table(results, table)
     rows = [row_of(case, trials) for case, trials in results]
     if args.json:
-        _write_json(args.json, {"rows": rows})
+        write_json({"rows": rows}, args.json, args.force)
     if args.out and results:
         from tracker.evaluation.vist.report import write_report
 
@@ -151,14 +152,3 @@ def _known(names: Sequence[str], known: Sequence[str] | dict[str, Any], what: st
     for name in names:
         if name not in known:
             raise ConfigError(f"There is no {what} {name!r}; there are {', '.join(known)}.")
-
-
-def _write_json(target: str, document: dict[str, Any]) -> None:
-    text = json.dumps(document, indent=2) + "\n"
-    if target == "-":
-        sys.stdout.write(text)
-        return
-    try:
-        Path(target).write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise ConfigError(f"{target} could not be written: {error.strerror}.") from error

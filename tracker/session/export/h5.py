@@ -18,7 +18,8 @@ def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> Esti
     """``/stamp_ns``, ``/keypoints/{position,orientation,state}`` and ``/joints/{angle,state}``."""
     m = load_series(reader, options)
     unit = options.units or "m"
-    with h5py.File(path, "w") as file:
+    # Made in memory: where a disk fills up under it the library ends the program at its exit.
+    with h5py.File(path.name, "w", driver="core", backing_store=False) as file:
         file.create_dataset("stamp_ns", data=m.stamp_ns).attrs["unit"] = "ns since 1970"
         points = file.create_group("keypoints")
         points.attrs["names"] = list(m.keypoint_names)
@@ -29,6 +30,8 @@ def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> Esti
         joints.attrs["names"] = list(m.joint_names)
         _put(joints, "angle", m.angles, "rad")
         _put(joints, "state", m.angle_state.astype(np.int8), _states())
+        file.flush()
+        path.write_bytes(file.id.get_file_image())
     return m
 
 

@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 
 from tracker.clock import NS
 from tracker.errors import FileError
+from tracker.files import DiskError
 from tracker.messages import Array, StereoFrame, Validity
 from tracker.session.export.load import load_series
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.series import EstimateSeries, seconds_text
 from tracker.session.export.skeleton import bone_tree
-from tracker.session.images import PackedFrame
+from tracker.session.images import PackedFrame, encode_image
 from tracker.session.reader import SessionReader
 from tracker.vision.rig import StereoRig
 
@@ -130,8 +131,20 @@ def export_mp4(reader: SessionReader, path: Path, options: ExportOptions) -> Est
     finally:
         if writer is not None:
             writer.release()
+    _check(path, count)
     notes: dict[str, object] = {"pictures": count, "pictures_per_second": round(rate, 3)}
     return replace(overlay.motion, notes=notes)
+
+
+def _check(path: Path, count: int) -> None:
+    """OpenCV tells of no write that failed. Raises DiskError if the last image is not there."""
+    film = cv2.VideoCapture(str(path))
+    found = round(film.get(cv2.CAP_PROP_FRAME_COUNT))
+    film.set(cv2.CAP_PROP_POS_FRAMES, max(count - 1, 0))
+    whole, _ = film.read()
+    film.release()
+    if found != count or not whole:
+        raise DiskError(f"{path.name} could not be written as a whole: the disk may be full.")
 
 
 def _open(path: Path, rate: float, image: Image) -> cv2.VideoWriter:
@@ -153,8 +166,7 @@ def export_png(reader: SessionReader, path: Path, options: ExportOptions) -> Est
     lines = ["file,t"]
     for k, (stamp, image) in enumerate(overlay.images()):
         name = f"{k:06d}.png"
-        if not cv2.imwrite(str(path / name), image):
-            raise FileError(f"{name} cannot be written: the disk may be full.")
+        (path / name).write_bytes(encode_image(image, "png", 0))
         lines.append(f"{name},{seconds_text(stamp - zero)}")
     (path / TABLE).write_text("\n".join(lines) + "\n", "utf-8")
     return replace(overlay.motion, notes={"pictures": len(lines) - 1})

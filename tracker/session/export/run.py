@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 from collections.abc import Callable
 from dataclasses import asdict
 from importlib import import_module
 from pathlib import Path
-from shutil import rmtree
 from typing import Any
 
 from tracker import __version__
-from tracker.errors import ConfigError, FileError
+from tracker.errors import ConfigError
+from tracker.files import check_target, whole_files
 from tracker.session.export.options import FOLDERS, FORMATS, WHOLE_HAND, ExportOptions
 from tracker.session.export.series import EstimateSeries
-from tracker.session.mcap.disk import disk_error
 from tracker.session.reader import SessionReader
 
 _WRITERS = {
@@ -42,46 +42,43 @@ def export(
     path_out: Path,
     options: ExportOptions | None = None,
     watch: Callable[[float], None] = lambda share: None,
+    force: bool = False,
 ) -> dict[str, Any]:
     """Write ``path_in`` as ``format`` to ``path_out``; returns what the JSON beside it says.
 
-    ``watch`` hears which share of the session has been read, once per pass over it, and may raise
-    to end the export. Raises GlovetrackError in words. An unfinished output is removed.
+    Both are there whole or not at all. What exists is replaced only with ``force``, and the
+    session itself never. ``watch`` hears which share of the session has been read, once per pass
+    over it, and may raise to end the export. Raises GlovetrackError in words.
     """
     if format not in FORMATS:
         raise ConfigError(f"There is no format {format!r}; there are {', '.join(FORMATS)}.")
+    if format in WHOLE_HAND and options is not None and options.joints:
+        raise ConfigError(f"{format} holds the whole hand; it cannot leave out joints.")
     options = options or ExportOptions()
     path_in, path_out = Path(path_in), Path(path_out)
-    if path_out.exists() and path_out.samefile(path_in):
-        raise FileError(f"{path_out} is the session itself; choose another name.")
-    _check(format, path_out, options)
+    sidecar = path_out.with_name(path_out.name + ".json")
+    check_target(path_out, force and format not in FOLDERS, [path_in])
+    _forget_orphan(sidecar, path_out)
     module, _, function = _WRITERS[format].partition(":")
-    write = getattr(import_module(f"{__package__}.{module}"), function)
-    folder = path_out.with_name(f".{path_out.name}.part")
-    try:
-        folder.mkdir()
-        partial = folder / path_out.name  # some formats write their own name into the file
+    write = getattr(import_module(f"tracker.session.export.{module}"), function)
+    with whole_files(sidecar, path_out, force=force, inputs=[path_in]) as (beside, partial):
         with SessionReader(path_in, watch=watch) as reader:
             series = write(reader, partial, options)
             report = _report(reader, format, path_out, options, series)
-        partial.replace(path_out)
-        _sidecar(path_out).write_text(json.dumps(report, indent=2) + "\n", "utf-8")
-    except OSError as error:
-        raise disk_error(path_out, error) from error
-    finally:
-        rmtree(folder, ignore_errors=True)
+        beside.write_text(json.dumps(report, indent=2) + "\n", "utf-8")
     return report
 
 
-def _check(format: str, path: Path, options: ExportOptions) -> None:
-    if format in WHOLE_HAND and options.joints:
-        raise ConfigError(f"{format} holds the whole hand; it cannot leave out joints.")
-    if format in FOLDERS and path.exists():
-        raise FileError(f"{path} exists already; the images go into a new folder.")
-
-
-def _sidecar(path: Path) -> Path:
-    return path.with_name(path.name + ".json")
+def _forget_orphan(sidecar: Path, path: Path) -> None:
+    """Take away our JSON where the export beside it never came to be: the process was killed."""
+    if os.path.lexists(path) or not sidecar.is_file():
+        return
+    try:
+        said = json.loads(sidecar.read_text("utf-8"))
+    except (ValueError, OSError, RecursionError):
+        return
+    if isinstance(said, dict) and "glovetrack" in said and said.get("file") == path.name:
+        sidecar.unlink(missing_ok=True)
 
 
 def _report(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import math
 from pathlib import Path
 
@@ -25,7 +26,7 @@ def export_csv(reader: SessionReader, path: Path, options: ExportOptions) -> Est
     m = load_series(reader, options)
     scale = UNITS[options.units or "m"]
     with path.open("w", encoding="utf-8", newline="") as out:
-        out.write(",".join(columns(m)) + "\n")
+        csv.writer(out, lineterminator="\n").writerow(columns(m))
         for i in range(len(m)):
             out.write(",".join(_row(m, i, scale)) + "\n")
     return m

@@ -3,40 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import errno
 import os
-import shutil
 from datetime import UTC, datetime
 from pathlib import Path
 
 from tracker.clock import NS
 from tracker.errors import FileError
-
-_WORDS = {
-    errno.ENOSPC: "the disk is full",
-    errno.EDQUOT: "the disk quota is used up",
-    errno.EFBIG: "the disk allows no file this large",
-    errno.EACCES: "you may not write there",
-    errno.EPERM: "you may not write there",
-    errno.EROFS: "the disk can only be read",
-    errno.EIO: "the disk failed or was taken away",
-    errno.ENODEV: "the disk was taken away",
-    errno.ENXIO: "the disk was taken away",
-    errno.ESTALE: "the network disk is gone",
-    errno.ENOENT: "the folder does not exist",
-    errno.ENOTDIR: "the folder does not exist",
-    errno.ENAMETOOLONG: "the name is too long",
-}
-
-
-class DiskError(FileError):
-    """The disk did not take what was written."""
-
-
-def disk_error(path: Path, error: OSError) -> DiskError:
-    """An operating-system error in the user's words."""
-    why = _WORDS.get(error.errno or 0, error.strerror or str(error))
-    return DiskError(f"{path} cannot be written: {why}.")
+from tracker.files import disk_error, free_path
 
 
 class WholeRecordFile:
@@ -95,25 +68,8 @@ class WholeRecordFile:
                 raise disk_error(self._path, error) from error
 
 
-def free_bytes(folder: Path) -> int:
-    """Room left on the disk of ``folder``; 0 if it is gone."""
-    try:
-        return shutil.disk_usage(folder).free
-    except OSError:
-        return 0
-
-
 def automatic_path(folder: Path, wall_ns: int, label: str = "") -> Path:
     """A name that no file in ``folder`` has: ``2026-11-21_05-17-03[_label].mcap`` (UTC)."""
     stem = datetime.fromtimestamp(wall_ns // NS, UTC).strftime("%Y-%m-%d_%H-%M-%S")
     words = "".join(c if c.isalnum() or c in "-_" else "-" for c in label)[:40]
     return free_path(folder / (f"{stem}_{words}.mcap" if words else f"{stem}.mcap"))
-
-
-def free_path(path: Path) -> Path:
-    """``path``, or with ``_2``, ``_3``… before the suffix if it is taken."""
-    candidate, n = path, 1
-    while candidate.exists():
-        n += 1
-        candidate = path.with_name(f"{path.stem}_{n}{path.suffix}")
-    return candidate

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracker.errors import FileError
+from tracker.files import free_path, whole_file
 from tracker.session.mcap.container import Copier, McapOutput
-from tracker.session.mcap.disk import free_path
 from tracker.session.mcap.input import McapInput
 from tracker.session.mcap.records import Damage
 
@@ -29,10 +29,11 @@ def needs_recovery(path: Path) -> bool:
     return not source.contents.finished
 
 
-def recover(path: Path, out: Path | None = None) -> Recovery:
+def recover(path: Path, out: Path | None = None, force: bool = False) -> Recovery:
     """Copy every whole record of ``path`` to a new file, by default ``<name>_recovered.mcap``.
 
-    The input is left as it is. Raises FileError if nothing in it can be read.
+    The input is left as it is, and the new file is there whole or not at all; ``force`` replaces
+    one. Raises FileError if nothing in it can be read.
     """
     path = Path(path)
     out = out or free_path(path.with_name(f"{path.stem}_recovered{path.suffix}"))
@@ -40,11 +41,12 @@ def recover(path: Path, out: Path | None = None) -> Recovery:
     try:
         if not source.contents.channels and not source.contents.attachments:
             raise FileError(f"{path} holds nothing that can be recovered.")
-        copy = _Copy(source, McapOutput(out, sync=False))
-        try:
-            copy.run()
-        finally:
-            copy.out.finish()
+        with whole_file(out, force, [path]) as part:
+            copy = _Copy(source, McapOutput(part, sync=False))
+            try:
+                copy.run()
+            finally:
+                copy.out.finish()
     finally:
         source.close()
     damage = (*source.contents.damage, *copy.damage)
