@@ -168,7 +168,7 @@ class Pipeline:
         ).after(before)
 
     def get_state(self) -> Any:
-        """Everything that changes; `set_state` goes on identically."""
+        """Everything that changes and that estimates depend on; `set_state` goes on identically."""
         return {
             "engine": self._engine.get_state(),
             "timing": self._timing.get_state(),
