@@ -10,7 +10,17 @@ from pathlib import Path
 import pytest
 
 from tracker.errors import FileError
-from tracker.files import DiskError, free_path, whole_file, whole_files, write_whole
+from tracker.files import (
+    DiskError,
+    free_path,
+    kept_name,
+    name_part,
+    slug,
+    whole_file,
+    whole_files,
+    write_kept,
+    write_whole,
+)
 
 
 def test_a_file_appears_when_it_is_whole(tmp_path: Path) -> None:
@@ -108,3 +118,27 @@ def test_one_at_work_is_not_swept_away(tmp_path: Path) -> None:
         slow.write_text("slow")
         write_whole(out, "quick")
     assert out.read_text() == "slow"
+
+
+def test_what_is_kept_replaces_what_was_there_in_a_folder_made_for_it(tmp_path: Path) -> None:
+    path = tmp_path / "new" / "a.toml"
+    write_kept(path, "Größe = 1")
+    write_kept(path, b"other")
+    assert path.read_bytes() == b"other"
+    assert [p.name for p in path.parent.iterdir()] == ["a.toml"]
+    with pytest.raises(FileError, match="cannot be written"):
+        write_kept(path / "inside", "")
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("ZED 2i (left)", ("zed-2i-left", "ZED-2i-left", "ZED 2i _left")),
+        ("Änne/O'Hara", ("nne-o-hara", "Änne-O-Hara", "Änne_O_Hara")),
+        (" ..", ("unnamed", "", "unnamed")),
+    ],
+)
+def test_any_text_gives_a_name_that_every_file_system_takes(
+    text: str, expected: tuple[str, str, str]
+) -> None:
+    assert (slug(text), name_part(text), kept_name(text)) == expected

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import re
 import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -136,6 +137,30 @@ def write_whole(
     data = text.encode() if isinstance(text, str) else text
     with whole_file(path, force, inputs) as part:
         part.write_bytes(data)
+
+
+def write_kept(path: Path, text: str | bytes) -> None:
+    """`write_whole` in a folder that is made where it is missing. Raises DiskError."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise disk_error(path, error) from error
+    write_whole(path, text)
+
+
+def slug(name: str) -> str:
+    """A file name for any text: small ASCII letters, digits and dashes."""
+    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") or "unnamed"
+
+
+def name_part(text: str) -> str:
+    """A part of a file name that people read: letters of any language, digits, ``_`` and ``-``."""
+    return re.sub(r"[^\w-]+", "-", text.strip()).strip("-")
+
+
+def kept_name(name: str) -> str:
+    """A person's name as every file system takes it, with its spaces."""
+    return re.sub(r"[^\w .-]+", "_", name).strip(" ._")[:60] or "unnamed"
 
 
 def _new_part(path: Path) -> tuple[Path, int]:

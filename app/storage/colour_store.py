@@ -3,30 +3,13 @@
 from __future__ import annotations
 
 import logging
-import re
 from pathlib import Path
 
-from tracker.errors import FileError, GlovetrackError
+from tracker.errors import GlovetrackError
+from tracker.files import slug, write_kept
 from tracker.vision.colours import ColourProfile, load_profile, profile_to_toml
 
 _log = logging.getLogger(__name__)
-
-
-def slug(name: str) -> str:
-    """A file name for any text."""
-    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") or "unnamed"
-
-
-def write_text_safely(path: Path, text: str) -> None:
-    """Replace a file as a whole. Raises FileError in words."""
-    temporary = path.with_name(path.name + ".tmp")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_text(text, "utf-8")
-        temporary.replace(path)
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise FileError(f"{path} was not written: {reason}.") from error
 
 
 class ColourStore:
@@ -59,4 +42,4 @@ class ColourStore:
 
     def save(self, camera: str, profile: ColourProfile) -> None:
         """Raises FileError where the disk refuses."""
-        write_text_safely(self.path(camera), profile_to_toml(profile))
+        write_kept(self.path(camera), profile_to_toml(profile))

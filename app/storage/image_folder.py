@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.errors import FileError
+from tracker.files import write_kept
 
 Image = NDArray[np.uint8]
 MOST = 24
@@ -49,12 +50,7 @@ def write_image(path: Path, shot: KeptImage) -> None:
     ok, data = cv2.imencode(".png", np.hstack(sides), [cv2.IMWRITE_PNG_COMPRESSION, 3])
     if not ok:
         raise FileError(f"{path.name}: the image could not be packed.")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(data.tobytes())
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise FileError(f"The image was not saved to {path}: {reason}.") from error
+    write_kept(path, data.tobytes())
 
 
 class ImageFolder:

@@ -19,7 +19,7 @@ from typing import Any
 import platformdirs
 
 from tracker.config import UNKNOWN, from_dict
-from tracker.files import free_path
+from tracker.files import free_path, write_kept
 
 VERSION = 2
 _log = logging.getLogger(__name__)
@@ -74,12 +74,9 @@ class SettingsStore:
         self.value = self._read()
 
     def update(self, **changes: Any) -> None:
-        """Change some fields and write the file."""
+        """Change some fields and write the file. Raises FileError."""
         self.value = dataclasses.replace(self.value, **changes)
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        temporary = self.path.with_suffix(".tmp")
-        temporary.write_text(json.dumps(dataclasses.asdict(self.value), indent=2), "utf-8")
-        temporary.replace(self.path)
+        write_kept(self.path, json.dumps(dataclasses.asdict(self.value), indent=2))
 
     def _read(self) -> AppSettings:
         if not self.path.exists():

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 from tracker.errors import GlovetrackError
+from tracker.files import kept_name
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.layout import ChainLayout
 
 SUFFIX = ".npz"
-
-
-def kept_name(name: str) -> str:
-    """A person's name as every file system takes it."""
-    return re.sub(r"[^\w .-]+", "_", name).strip(" ._")[:60] or "unnamed"
 
 
 class WearerStore:

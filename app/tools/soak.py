@@ -146,7 +146,7 @@ def _session(folder: Path) -> Path:
 
 
 def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
-    from app.engines.replay import open_replay
+    from app.engines.replay.engine import open_replay
     from app.platform.tasks import JobProgress
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow

@@ -11,7 +11,6 @@ import numpy as np
 
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
-from app.storage.colour_store import write_text_safely
 from app.viewmodels.colour_fits import MarkerWatch
 from app.viewmodels.colour_images import (
     Image,
@@ -25,6 +24,7 @@ from app.viewmodels.colours import HueRow, blob_counts, hue_rows, seen_rows
 from app.widgets.image_shapes import Ring
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.errors import ConfigError
+from tracker.files import write_kept
 from tracker.messages import Array, Blobs
 from tracker.vision.colours import ColourProfile, HueRange, load_profile, profile_to_toml
 from tracker.vision.detector import Detector
@@ -166,7 +166,7 @@ class ColourTuning:
 
     def save(self, path: Path) -> None:
         """Write the profile to a file. Raises FileError."""
-        write_text_safely(path, profile_to_toml(self.profile))
+        write_kept(path, profile_to_toml(self.profile))
         self.last_words = f"Exported to {path.name}"
 
     # --- what images tell

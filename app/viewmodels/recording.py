@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from pathlib import Path
 from app.engines.engine import RecordingRequest
 from app.storage.settings import SettingsStore, sessions_folder
 from tracker.errors import FileError
+from tracker.files import free_path, name_part
 
 LOW_BYTES = 5_000_000_000
 STOP_BYTES = 1_000_000_000
@@ -49,19 +49,8 @@ class RecordingPlan:
 
 def automatic_path(folder: Path, participant: str, task: str, now: datetime) -> Path:
     """A name that says who, what and when, and that no file has yet."""
-    parts = [_slug(participant), _slug(task), now.strftime("%Y-%m-%d_%H-%M-%S")]
-    stem = "_".join(p for p in parts if p)
-    path = folder / f"{stem}.mcap"
-    count = 2
-    while path.exists():
-        path = folder / f"{stem}-{count}.mcap"
-        count += 1
-    return path
-
-
-def _slug(text: str) -> str:
-    """Letters, digits and dashes only: safe on every file system."""
-    return re.sub(r"[^\w-]+", "-", text.strip()).strip("-")
+    parts = [name_part(participant), name_part(task), now.strftime("%Y-%m-%d_%H-%M-%S")]
+    return free_path(folder / f"{'_'.join(p for p in parts if p)}.mcap")
 
 
 def free_bytes(folder: Path) -> int:

@@ -52,7 +52,7 @@ def replay_factory(path: Path) -> SetupFactory:
     """A recorded session."""
 
     def build(progress: JobProgress) -> EngineSetup:
-        from app.engines.replay import open_replay
+        from app.engines.replay.engine import open_replay
 
         return open_replay(path, progress)
 

@@ -69,5 +69,5 @@ def test_a_damaged_profile_is_said(wearer, hand, glove, tmp_path, damage):
 
 def test_a_full_disk_is_told_in_words(wearer, tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(FileError, match="was not saved"):
+    with pytest.raises(FileError, match="cannot be written"):
         write_wearer(tmp_path / "file" / "anna.npz", wearer)

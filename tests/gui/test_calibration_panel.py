@@ -7,10 +7,11 @@ import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
 from PySide6.QtWidgets import QInputDialog
 
-from app.storage.wearers import WearerStore, kept_name
+from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
 from app.window.main_window import MainWindow
 from tracker.errors import GlovetrackError
+from tracker.files import kept_name
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.params import ChainParams
 from tracker.messages import Array, Event

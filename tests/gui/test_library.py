@@ -101,7 +101,7 @@ def test_the_timeline_is_dragged_and_stepped(replayed, window, qtbot):
     qtbot.mousePress(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
     qtbot.mouseRelease(line, Qt.MouseButton.LeftButton, pos=QPoint(int(line.x_of(1.0)), y))
     qtbot.waitUntil(lambda: player.position == pytest.approx(1.0, abs=0.08), timeout=10_000)
-    qtbot.waitUntil(lambda: player._images_due == 0, timeout=10_000)
+    qtbot.waitUntil(lambda: player.images_due == 0, timeout=10_000)
     before = window.host.snapshot().frame.index
     line.setFocus()
     qtbot.keyClick(line, Qt.Key.Key_Right)
@@ -207,7 +207,7 @@ def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
     player = window.host.setup.player
     player.seek(2.0)
-    qtbot.waitUntil(lambda: player.position >= 2.0 and player._images_due == 0, timeout=10_000)
+    qtbot.waitUntil(lambda: player.position >= 2.0 and player.images_due == 0, timeout=10_000)
     view = window.host.snapshot()
     wanted = other[round(view.estimate.t, 6)]
     assert view.reference().p_GB == pytest.approx(wanted.segment_p, abs=1e-6)

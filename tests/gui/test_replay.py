@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.engines.replay import ReplayEngine, open_replay
-from app.engines.replay_reference import ReferenceTrack
+from app.engines.replay.engine import ReplayEngine, open_replay
+from app.engines.replay.references import ReferenceTrack
 from tracker.messages import BlobFrame, Estimate
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
@@ -31,7 +31,7 @@ def sessions(tmp_path_factory) -> dict[str, Path]:
 def replay(sessions, qtbot):
     """A paused replay of the `chain` session, its first image shown."""
     engine = ReplayEngine(sessions["chain"])
-    engine.play(False)
+    engine.player.play(False)
     engine.start()
     qtbot.waitUntil(lambda: engine.latest_frame() is not None, timeout=20_000)
     yield engine
@@ -52,71 +52,71 @@ def shown(engine: ReplayEngine) -> float:
 def test_steps_go_through_every_image_and_back(replay, frames, qtbot):
     assert shown(replay) == frames[0].t
     for i in (1, 2, 3):
-        replay.step(1)
+        replay.player.step(1)
         qtbot.waitUntil(lambda i=i: shown(replay) == frames[i].t, timeout=10_000)
-    replay.step(5)
+    replay.player.step(5)
     qtbot.waitUntil(lambda: shown(replay) == frames[8].t, timeout=10_000)
-    replay.step(-1)
+    replay.player.step(-1)
     qtbot.waitUntil(lambda: shown(replay) == frames[7].t, timeout=10_000)
-    replay.step(-6)
+    replay.player.step(-6)
     qtbot.waitUntil(lambda: shown(replay) == frames[1].t, timeout=10_000)
-    replay.step(-20)
+    replay.player.step(-20)
     qtbot.waitUntil(lambda: shown(replay) == frames[0].t, timeout=10_000)
 
 
 def test_a_paused_replay_shows_the_place_it_is_sent_to(replay, frames, qtbot):
-    replay.seek(2.0)
-    due = next(f for f in frames if f.t_arrival - replay._start_t >= 2.0)
+    replay.player.seek(2.0)
+    due = next(f for f in frames if f.t_arrival - replay.start_t >= 2.0)
     qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=10_000)
     estimate = replay.latest_estimate()
     assert estimate is not None and abs(estimate.t - due.t) < 0.1
-    assert not replay.playing
+    assert not replay.player.playing
 
 
 def test_playing_stops_at_the_out_point_and_begins_again_at_the_in_point(replay, qtbot):
-    replay.set_range(1.6, 1.2)
-    assert replay.range == (1.2, 1.6)
-    replay.play(True)
-    qtbot.waitUntil(lambda: not replay.playing, timeout=10_000)
-    assert replay.position == pytest.approx(1.6, abs=0.02)
-    replay.play(True)
-    qtbot.waitUntil(lambda: replay.position < 1.5, timeout=10_000)
-    assert replay.position >= 1.2 - 1e-9
+    replay.player.set_range(1.6, 1.2)
+    assert replay.player.range == (1.2, 1.6)
+    replay.player.play(True)
+    qtbot.waitUntil(lambda: not replay.player.playing, timeout=10_000)
+    assert replay.player.position == pytest.approx(1.6, abs=0.02)
+    replay.player.play(True)
+    qtbot.waitUntil(lambda: replay.player.position < 1.5, timeout=10_000)
+    assert replay.player.position >= 1.2 - 1e-9
 
 
 def test_a_loop_goes_around(replay, qtbot):
-    replay.set_range(1.0, 1.3)
-    replay.set_loop(True)
-    replay.set_speed(4.0)
+    replay.player.set_range(1.0, 1.3)
+    replay.player.set_loop(True)
+    replay.player.set_speed(4.0)
     places = []
-    replay.play(True)
+    replay.player.play(True)
     qtbot.waitUntil(
-        lambda: places.append(replay.position) or bool((np.diff(places) < -0.1).any()),
+        lambda: places.append(replay.player.position) or bool((np.diff(places) < -0.1).any()),
         timeout=10_000,
     )
-    assert replay.playing
+    assert replay.player.playing
     assert max(places) <= 1.3 + 1e-6
 
 
 def test_speed_is_kept(replay, qtbot):
-    replay.set_speed(0.5)
-    replay.seek(0.5)
-    replay.play(True)
+    replay.player.set_speed(0.5)
+    replay.player.seek(0.5)
+    replay.player.play(True)
     qtbot.wait(600)
-    assert 0.5 < replay.position < 0.5 + 0.5 * 2.0  # half of the wall's time, on a busy machine
+    assert 0.5 < replay.player.position < 0.5 + 0.5 * 2.0
 
 
 def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
     with SessionReader(sessions["vist"]) as reader:
         instants = [m.t for m in reader.messages((Estimate,))]
     engine = ReplayEngine(sessions["vist"])
-    engine.play(False)
+    engine.player.play(False)
     engine.start()
     try:
         qtbot.waitUntil(lambda: engine.latest_estimate() is not None, timeout=10_000)
-        engine.step(1)
+        engine.player.step(1)
         qtbot.waitUntil(lambda: engine.latest_estimate().t == instants[1], timeout=10_000)
-        assert not engine.playing
+        assert not engine.player.playing
     finally:
         engine.close()
 
@@ -124,17 +124,17 @@ def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
 def test_the_other_tracking_stands_beside_this_one(replay, sessions, qtbot):
     with SessionReader(sessions["vist"]) as reader:
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
-    assert replay.reference() is None
-    replay.set_reference(sessions["vist"])
-    replay.seek(2.5)
-    qtbot.waitUntil(lambda: replay.reference() is not None, timeout=10_000)
+    assert replay.player.reference() is None
+    replay.player.set_reference(sessions["vist"])
+    replay.player.seek(2.5)
+    qtbot.waitUntil(lambda: replay.player.reference() is not None, timeout=10_000)
     qtbot.wait(100)
-    reference, mine = replay.reference(), other[round(replay.latest_estimate().t, 6)]
+    reference, mine = replay.player.reference(), other[round(replay.latest_estimate().t, 6)]
     assert reference.keypoints == pytest.approx(mine.keypoints, abs=1e-9)
     assert reference.p_GB == pytest.approx(mine.segment_p, abs=1e-6)
     assert np.allclose(reference.R_GB, mine.segment_R, atol=1e-6)
-    replay.set_reference(None)
-    qtbot.waitUntil(lambda: replay.reference() is None, timeout=10_000)
+    replay.player.set_reference(None)
+    qtbot.waitUntil(lambda: replay.player.reference() is None, timeout=10_000)
 
 
 def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):

@@ -101,12 +101,12 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     dialog, done = wizard(source), []
     dialog.finished_with.connect(lambda path, real: done.append((path, real)))
     collect(dialog, qtbot, 10)
-    before = len(dialog._watched())
+    before = len(dialog.watching.views())
     qtbot.waitUntil(lambda: "off by 0." in dialog.collect.list.item(0).text(), timeout=30_000)
     dialog.collect.list.setCurrentRow(0)
-    first = dialog._watched()[0]
+    first = dialog.watching.views()[0]
     dialog.collect.remove.click()
-    assert all(v is not first for v in dialog._watched()) and before >= 10
+    assert all(v is not first for v in dialog.watching.views()) and before >= 10
     dialog.next.click()
     assert dialog.pages.currentIndex() == RESULT
     qtbot.waitUntil(dialog.next.isEnabled, timeout=30_000)

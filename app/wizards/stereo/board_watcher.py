@@ -7,6 +7,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from app.platform.tasks import TaskOwner
 from tracker.calibration.stereo.collect import Answer, Collector
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
 from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
@@ -120,3 +121,31 @@ class BoardWatcher:
         except CalibrationError:
             return  # the result page says why
         self._errors = dict(zip(views, found.error.max(axis=1).tolist(), strict=True))
+
+
+class Watching:
+    """One `BoardWatcher` at a time, or none.
+
+    A job, called ``closing``, frees the camera: that may take a second.
+    """
+
+    def __init__(self, tasks: TaskOwner, closing: str) -> None:
+        self._tasks, self._closing = tasks, closing
+        self.watcher: BoardWatcher | None = None
+
+    def start(self, make_source: Callable[[], ImageInput], finder: BoardFinder) -> None:
+        self.stop()
+        self.watcher = BoardWatcher(make_source, finder)
+
+    def stop(self) -> None:
+        watcher, self.watcher = self.watcher, None
+        if watcher is not None:
+            self._tasks.run(self._closing, lambda _progress: watcher.stop())
+
+    def views(self) -> tuple[StereoView, ...]:
+        return self.watcher.views() if self.watcher is not None else ()
+
+    def remove(self, index: int) -> None:
+        """Forget a view; a negative ``index`` is none."""
+        if self.watcher is not None and index >= 0:
+            self.watcher.remove(index)

@@ -1,14 +1,16 @@
-"""Asks what a foreign calibration file does not say."""
+"""Asks for files of others, and for what a foreign calibration file does not say."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
     QDoubleSpinBox,
+    QFileDialog,
     QFormLayout,
     QSpinBox,
     QWidget,
@@ -16,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from tracker.calibration.stereo.files import ImportForm
 
+ZED_FOLDER = Path("/usr/local/zed/settings")
 UNITS = (("mm", 1e-3), ("m", 1.0), ("cm", 1e-2), ("squares of the board", 0.0))
 
 
@@ -67,3 +70,26 @@ def _pixels(value: int) -> QSpinBox:
     box.setRange(160, 8192)
     box.setValue(value)
     return box
+
+
+def ask_zed(parent: QWidget) -> tuple[Path, None] | None:
+    """The camera's factory file."""
+    start = str(ZED_FOLDER) if ZED_FOLDER.is_dir() else ""
+    title = QCoreApplication.translate("StereoWizard", "ZED factory file")
+    path, _ = QFileDialog.getOpenFileName(parent, title, start, "*.conf")
+    return (Path(path), None) if path else None
+
+
+def ask_opencv(parent: QWidget) -> tuple[Path, ImportForm] | None:
+    """A file that OpenCV's tools wrote, and what it does not say."""
+    title = QCoreApplication.translate("StereoWizard", "OpenCV calibration")
+    path, _ = QFileDialog.getOpenFileName(parent, title, "", "*.yml *.yaml *.xml *.json")
+    form = ask_import_form(Path(path), parent) if path else None
+    return (Path(path), form) if form is not None else None
+
+
+def ask_folder(parent: QWidget) -> Path | None:
+    """Where the images are."""
+    title = QCoreApplication.translate("StereoWizard", "Folder with left and right images")
+    path = QFileDialog.getExistingDirectory(parent, title)
+    return Path(path) if path else None

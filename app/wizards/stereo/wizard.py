@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
-from datetime import datetime
 from pathlib import Path
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import (
     QDialog,
-    QFileDialog,
     QHBoxLayout,
     QLabel,
     QPushButton,
@@ -19,27 +15,25 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.platform.tasks import JobProgress, RunningJob, TaskOwner
+from app.platform.tasks import TaskOwner
 from app.viewmodels.stereo import split_fresh
 from app.wizards.sizing import fit_to_screen
 from app.wizards.stereo.board import BoardPage, ImageChoice
-from app.wizards.stereo.board_watcher import BoardWatcher
+from app.wizards.stereo.board_watcher import Watching
 from app.wizards.stereo.image_choices import folder_choice
-from app.wizards.stereo.import_form import ask_import_form
+from app.wizards.stereo.import_form import ask_folder, ask_opencv, ask_zed
 from app.wizards.stereo.result import ResultPage
+from app.wizards.stereo.solving import Solving, save_rig
 from app.wizards.stereo.views import CheckPage, CollectPage
 from tracker.calibration.stereo.board import BoardSpec
-from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.coverage import coverage
-from tracker.calibration.stereo.files import ImportForm, load_rig, save_calibration
-from tracker.calibration.stereo.solve import CalibrationError, Solution, SolveParams, solve
+from tracker.calibration.stereo.files import ImportForm, load_rig
+from tracker.calibration.stereo.solve import Solution, SolveParams
 from tracker.calibration.stereo.views import BoardFinder, StereoView
 from tracker.errors import GlovetrackError
-from tracker.files import free_path
 from tracker.vision.rig import StereoRig
 
 TICK_MS = 50
-ZED_FOLDER = Path("/usr/local/zed/settings")
 BOARD, VIEWS, RESULT, CHECK = range(4)
 
 
@@ -60,9 +54,8 @@ class StereoWizard(QDialog):
     ) -> None:
         super().__init__(parent)
         self._tasks, self._folder = tasks, folder
-        self._watcher: BoardWatcher | None = None
-        self._task: RunningJob | None = None
-        self._views: tuple[StereoView, ...] = ()
+        self.watching = Watching(tasks, self.tr("Closing the camera"))
+        self._solving = Solving(tasks, self)
         self._fresh: list[StereoView] | None = None  # of images that do not come anew
         self._rig: StereoRig | None = None
         self._imported = False
@@ -110,12 +103,14 @@ class StereoWizard(QDialog):
         self.back.clicked.connect(self.go_back)
         self.next.clicked.connect(self.go_on)
         self.stop.clicked.connect(self.close)
-        self.folder.clicked.connect(self._ask_folder)
+        self.folder.clicked.connect(lambda: self.use_folder(ask_folder(self)))
         self.board.changed.connect(self._enable)
-        self.board.import_zed.connect(self._ask_zed)
-        self.board.import_opencv.connect(self._ask_opencv)
-        self.collect.removed.connect(self._remove)
+        self.board.import_zed.connect(lambda: self._import(ask_zed(self)))
+        self.board.import_opencv.connect(lambda: self._import(ask_opencv(self)))
+        self.collect.removed.connect(self.watching.remove)
         self.outcome.cancelled.connect(self._cancel)
+        self._solving.progressed.connect(self.outcome.show_working)
+        self._solving.ended.connect(self._enable)
 
     # --- going from page to page
 
@@ -127,7 +122,7 @@ class StereoWizard(QDialog):
     def go_back(self) -> None:
         page = self.pages.currentIndex()
         if page == VIEWS or self._imported:
-            self._stop_watching()
+            self.watching.stop()
             self._imported, self._file = False, None
             self._go(BOARD)
         elif page == CHECK:
@@ -155,9 +150,9 @@ class StereoWizard(QDialog):
         if page == BOARD:
             on = self.board.spec() is not None and self.board.choice() is not None
         elif page == VIEWS:
-            on = len(self._watched()) >= SolveParams().least_views
+            on = len(self.watching.views()) >= SolveParams().least_views
         elif page == RESULT:
-            on = self._usable and self._task is None
+            on = self._usable and not self._solving.running
         else:
             found = self.check.found
             state = found.verdict()[0] if found is not None else "waiting"
@@ -170,10 +165,10 @@ class StereoWizard(QDialog):
         return not self._imported and choice is not None and choice.simulated
 
     def _tick(self) -> None:
-        watcher = self._watcher
+        watcher = self.watching.watcher
         if watcher is None:
             return
-        page, views = self.pages.currentIndex(), self._watched()
+        page, views = self.pages.currentIndex(), self.watching.views()
         if page == VIEWS:
             self.collect.show_seen(watcher.latest(), views, watcher.trouble)
             self.collect.show_list(views, watcher.error_px)
@@ -188,32 +183,16 @@ class StereoWizard(QDialog):
         self._go(VIEWS)
 
     def _start_watching(self) -> None:
-        self._stop_watching()
+        self.watching.stop()
         spec, choice = self.board.spec(), self.board.choice()
         if spec is not None and choice is not None:
             self.board_used.emit(spec)
-            self._watcher = BoardWatcher(lambda: choice.make(spec), BoardFinder(spec))
+            self.watching.start(lambda: choice.make(spec), BoardFinder(spec))
 
-    def _stop_watching(self) -> None:
-        """A camera may take a second to close: not in the window's thread."""
-        watcher, self._watcher = self._watcher, None
-        if watcher is not None:
-            self._tasks.run(self.tr("Closing the camera"), lambda _progress: watcher.stop())
-
-    def _watched(self) -> tuple[StereoView, ...]:
-        return self._watcher.views() if self._watcher is not None else ()
-
-    def _remove(self, index: int) -> None:
-        if self._watcher is not None and index >= 0:
-            self._watcher.remove(index)
-
-    def _ask_folder(self) -> None:
-        path = QFileDialog.getExistingDirectory(self, self.tr("Folder with left and right images"))
-        if path:
-            self.use_folder(Path(path))
-
-    def use_folder(self, folder: Path) -> None:
-        """Take images from files, and go on."""
+    def use_folder(self, folder: Path | None) -> None:
+        """Take images from files, and go on; None where the user thinks better of it."""
+        if folder is None:
+            return
         self.board.set_choices([folder_choice(folder), *self.board.choices])
         self.board.images.setCurrentIndex(0)
         self._enable()
@@ -221,24 +200,21 @@ class StereoWizard(QDialog):
     # --- solving
 
     def _start_solving(self) -> None:
-        views, seen = self._watched(), self._watcher.latest() if self._watcher else None
-        if self._watcher is None or seen is None:
+        views, watcher = self.watching.views(), self.watching.watcher
+        seen = watcher.latest() if watcher is not None else None
+        if watcher is None or seen is None:
             return
         self._fresh = None
-        if not self._watcher.live:
+        if not watcher.live:
             kept, self._fresh = split_fresh(views)
             views = tuple(kept)
         height, width = seen.pair[0].shape[:2]
         self._usable = False
         self._go(RESULT)
         self.outcome.show_working(0.0, "")
-        self._task = self._tasks.run(
-            self.tr("Stereo calibration"),
-            _solving(views, width, height),
-            lambda found: self._solved(found, views, width, height),
-            self._solving_ended,
+        self._solving.start(
+            views, width, height, lambda found: self._solved(found, views, width, height)
         )
-        self._task.progressed.connect(self.outcome.show_working)
 
     def _solved(
         self, found: Solution | str, views: tuple[StereoView, ...], width: int, height: int
@@ -250,13 +226,9 @@ class StereoWizard(QDialog):
         self._usable = self.outcome.show_solution(found, cover, baseline)
         self._rig = found.rig if self._usable else None
 
-    def _solving_ended(self) -> None:
-        self._task = None
-        self._enable()
-
     def _cancel(self) -> None:
-        if self._task is not None:
-            self._task.cancel()
+        if self._solving.running:
+            self._solving.cancel()
             self._go(VIEWS)
 
     # --- check
@@ -268,46 +240,29 @@ class StereoWizard(QDialog):
         if self._fresh is not None:
             self.check.images.wait(self.tr("Checked on every third image of the folder."))
             self.check.show_views(self._fresh)
-        elif self._watcher is not None:
-            self._watcher.begin_anew()
+        elif self.watching.watcher is not None:
+            self.watching.watcher.begin_anew()
         self._go(CHECK)
 
     def _finish(self) -> None:
         if self._rig is None:
             return
-        path = self._file or self._save(self._rig)
-        if path is not None:
-            self.finished_with.emit(path, not self._simulated())
-            self.close()
-
-    def _save(self, rig: StereoRig) -> Path | None:
         choice, found = self.board.choice(), self.check.found
         title = choice.title if choice is not None else "camera"
-        name = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
-        path = free_path(self._folder / f"{name}-{datetime.now():%Y%m%d}.yml")
         note = f"checked: {found.rms_px:.3f} px" if found is not None else ""
-        cameras = extrinsics_of(rig)
         try:
-            save_calibration(path, cameras.left, cameras.right, cameras.R, cameras.T, note)
+            path = self._file or save_rig(self._folder, title, self._rig, note)
         except GlovetrackError as error:
             self.check.words.setText(str(error))
-            return None
-        return path
+            return
+        self.finished_with.emit(path, not self._simulated())
+        self.close()
 
     # --- files of before
 
-    def _ask_zed(self) -> None:
-        start = str(ZED_FOLDER) if ZED_FOLDER.is_dir() else ""
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("ZED factory file"), start, "*.conf")
-        if path:
-            self.take_file(Path(path))
-
-    def _ask_opencv(self) -> None:
-        kinds = "*.yml *.yaml *.xml *.json"
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("OpenCV calibration"), "", kinds)
-        form = ask_import_form(Path(path), self) if path else None
-        if form is not None:
-            self.take_file(Path(path), form)
+    def _import(self, chosen: tuple[Path, ImportForm | None] | None) -> None:
+        if chosen is not None:
+            self.take_file(*chosen)
 
     def take_file(self, path: Path, form: ImportForm | None = None) -> bool:
         """Check a file; where it is good, it can be used at once or tried on the board first."""
@@ -329,21 +284,6 @@ class StereoWizard(QDialog):
     def done(self, result: int) -> None:
         """However it is closed: the camera is freed, a calculation under way ends."""
         self._timer.stop()
-        if self._task is not None:
-            self._task.cancel()
-        self._stop_watching()
+        self._solving.cancel()
+        self.watching.stop()
         super().done(result)
-
-
-def _solving(
-    views: tuple[StereoView, ...], width: int, height: int
-) -> Callable[[JobProgress], Solution | str]:
-    """The job; what cannot be solved is a result too, shown on the page."""
-
-    def job(progress: JobProgress) -> Solution | str:
-        try:
-            return solve(views, width, height, progress=progress)
-        except CalibrationError as error:
-            return str(error)
-
-    return job

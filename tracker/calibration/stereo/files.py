@@ -14,7 +14,7 @@ import numpy as np
 
 from tracker.calibration.stereo.checks import require_plausible
 from tracker.errors import ConfigError, FileError
-from tracker.files import disk_error
+from tracker.files import write_kept
 from tracker.messages import Array
 from tracker.sensors.opencv_yaml import load_opencv_stereo
 from tracker.sensors.stereo_calibration import Intrinsics
@@ -50,14 +50,7 @@ def save_calibration(
     for name, matrix in matrices.items():
         rows = matrix if matrix.ndim == 2 else matrix.reshape(-1, 1)
         storage.write(name, np.ascontiguousarray(rows, float))
-    text = storage.releaseAndGetString()
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        temporary = path.with_suffix(".tmp")
-        temporary.write_text(text, "utf-8")
-        temporary.replace(path)
-    except OSError as error:
-        raise disk_error(path, error) from error
+    write_kept(path, storage.releaseAndGetString())
 
 
 def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tracker.clock import NS
 from tracker.errors import FileError
-from tracker.files import disk_error, free_path
+from tracker.files import disk_error, free_path, name_part
 
 
 class WholeRecordFile:
@@ -71,5 +71,5 @@ class WholeRecordFile:
 def automatic_path(folder: Path, wall_ns: int, label: str = "") -> Path:
     """A name that no file in ``folder`` has: ``2026-11-21_05-17-03[_label].mcap`` (UTC)."""
     stem = datetime.fromtimestamp(wall_ns // NS, UTC).strftime("%Y-%m-%d_%H-%M-%S")
-    words = "".join(c if c.isalnum() or c in "-_" else "-" for c in label)[:40]
+    words = name_part(label)[:40]
     return free_path(folder / (f"{stem}_{words}.mcap" if words else f"{stem}.mcap"))

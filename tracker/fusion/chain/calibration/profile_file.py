@@ -6,6 +6,7 @@ A NumPy archive (.npz) without pickled objects: the arrays of `WearerProfile`, t
 
 from __future__ import annotations
 
+import io
 import zipfile
 from dataclasses import dataclass, fields
 from pathlib import Path
@@ -14,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from tracker.errors import FileError
+from tracker.files import write_kept
 from tracker.fusion.chain.calibration.control import fits
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
@@ -44,15 +46,9 @@ def write_wearer(path: Path, wearer: WearerFile) -> None:
         **{f"profile_{k}": getattr(wearer.profile, k) for k in _PROFILE},
         **{f"calibration_{k}": getattr(wearer.calibration, k) for k in _CALIBRATION},
     }
-    temporary = path.with_name(path.name + ".tmp")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with temporary.open("wb") as file:
-            np.savez_compressed(file, allow_pickle=False, **values)
-        temporary.replace(path)
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise FileError(f"The profile was not saved to {path}: {reason}.") from error
+    packed = io.BytesIO()
+    np.savez_compressed(packed, allow_pickle=False, **values)
+    write_kept(path, packed.getvalue())
 
 
 def read_wearer(path: Path, layout: ChainLayout) -> WearerFile:

@@ -1,4 +1,4 @@
-"""The second hand of a replay: another tracking of the same movement, or the truth."""
+"""The hands beside a replayed one: another tracking of the same movement, and the truth."""
 
 from __future__ import annotations
 
@@ -69,3 +69,53 @@ def origin_rows(hand: HandModel, glove: GloveModel) -> list[int]:
     """(S,) row of the keypoint at which each segment starts: the first one that moves with it."""
     segments = glove.keypoint_segments(hand).tolist()
     return [segments.index(i) for i in range(len(hand.segments))]
+
+
+class References:
+    """Those of one replay; ``with_truth``: the file holds what the hand really did.
+
+    `want` is the window's; the replay's own thread does the rest.
+    """
+
+    def __init__(self, path: Path, with_truth: bool) -> None:
+        self._truth = ReferenceTrack(path, truth=True) if with_truth else None
+        self._other: ReferenceTrack | None = None
+        self._wanted: ReferenceTrack | None = None
+        self.true_hand: ReferenceHand | None = None
+        self.other_hand: ReferenceHand | None = None
+
+    @property
+    def has_truth(self) -> bool:
+        return self._truth is not None
+
+    def want(self, path: Path | None) -> None:
+        """The tracking in ``path``, from the next `seek` on. Raises FileError in words."""
+        self._wanted = None if path is None else ReferenceTrack(path)
+
+    def seek(self, t: float) -> None:
+        """Begin anew at ``t`` s of the monotonic clock."""
+        self._change()
+        for track in (self._truth, self._other):
+            if track is not None:
+                track.seek(t)
+
+    def _change(self) -> None:
+        """Here and nowhere else, so that no track is closed while it is read."""
+        if self._other is not self._wanted:
+            if self._other is not None:
+                self._other.close()
+            self._other, self.other_hand = self._wanted, None
+
+    def advance(self, t: float) -> None:
+        """To the instant of an estimate of the replay."""
+        if self._truth is not None:
+            self._truth.advance(t)
+            self.true_hand = self._truth.pose(t)
+        if self._other is not None:
+            self._other.advance(t)
+            self.other_hand = self._other.pose(t)
+
+    def close(self) -> None:
+        for track in {self._truth, self._other, self._wanted}:
+            if track is not None:
+                track.close()

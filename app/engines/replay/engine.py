@@ -1,0 +1,148 @@
+"""A recorded session as an engine: what the window asks, and how a file is opened for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from app.engines.engine import EngineSetup, ReferenceHand
+from app.engines.replay.moment import Moment
+from app.engines.replay.references import References
+from app.engines.replay.thread import ReplayThread, holds
+from app.engines.replay.transport import ReplayPlayer
+from app.engines.warm_up import warm_up_view
+from app.platform.tasks import JobProgress
+from resources import folder
+from tracker.errors import FileError, GlovetrackError
+from tracker.live.recording import Recorder
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    Status,
+    StereoFrame,
+)
+from tracker.session.reader import SessionReader
+from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.rig import StereoRig
+
+MAX_EVENTS = 5000
+
+
+class ReplayEngine:
+    """A `LiveEngine` of a file; its ``player`` moves through it."""
+
+    def __init__(self, path: Path) -> None:
+        self._reader = SessionReader(path)
+        self.info = self._reader.info
+        self._references = References(path, holds(self._reader, "/truth/"))
+        self._moment = Moment(len(self.info.glove.markers))
+        self.player = ReplayPlayer(path, self._reader.duration, self._references)
+        self._thread = ReplayThread(self._reader, self.player, self._moment, self._references)
+
+    @property
+    def has_truth(self) -> bool:
+        return self._references.has_truth
+
+    @property
+    def start_t(self) -> float:
+        """The file's start, s of the monotonic clock."""
+        return self._thread.start_t
+
+    @property
+    def rig(self) -> StereoRig:
+        """Raises FileError that says what of the camera is missing."""
+        return self._reader.rig()
+
+    def read_events(self) -> None:
+        """Find the notes and events for the timeline; a damaged end has none."""
+        found: list[tuple[float, Event]] = []
+        try:
+            for message in self._reader.messages((Event,)):
+                if isinstance(message, Event):
+                    found.append((self.player.clamped(message.t - self.start_t), message))
+                if len(found) >= MAX_EVENTS:
+                    break
+        except FileError as error:
+            self._moment.take(Event(0.0, "error", str(error)))
+        self.player.events = tuple(found)
+
+    def start(self) -> None:
+        self._thread.start()
+
+    def stop(self) -> None:
+        self._thread.stop()
+
+    def close(self) -> None:
+        self.stop()
+        self._reader.close()
+        self._references.close()
+
+    def latest_estimate(self) -> Estimate | None:
+        return self._moment.estimate
+
+    def latest_frame(self) -> tuple[StereoFrame, BlobFrame, FrameResult] | None:
+        return self._moment.frame
+
+    def recent_imu(self) -> Sequence[ImuSample]:
+        return self._moment.imu()
+
+    def calibration(self) -> Calibration | None:
+        return self._moment.calibration
+
+    def status(self) -> Status:
+        return self._moment.status
+
+    def take_events(self) -> list[Event]:
+        return self._moment.take_events()
+
+    def truth(self, _t: float) -> ReferenceHand | None:
+        """The simulated hand at the instant of the latest estimate."""
+        return self._references.true_hand
+
+    def set_profile(self, profile: ColourProfile) -> None:
+        """A replay shows what was found when it was recorded."""
+
+    def set_engine(self, name: str) -> None:
+        """A replay shows what was tracked when it was recorded."""
+
+    def keep_state(self) -> None:
+        """A replay has no engine whose state could be kept."""
+
+    def set_recorder(self, recorder: Recorder | None) -> None:
+        """A replay is not recorded again."""
+
+    def note(self, text: str) -> None:
+        self._moment.take(Event(self.start_t + self.player.position, "note", text))
+
+
+def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
+    """Open a session file for the window. Raises FileError in words."""
+    progress(-1.0, path.name)
+    warm_up_view()
+    engine = ReplayEngine(path)
+    try:
+        info = engine.info
+        rig = engine.rig
+        engine.read_events()
+    except GlovetrackError:
+        engine.close()
+        raise
+    default = (folder("colours") / "fabric-default.toml").read_text("utf-8")
+    profile = parse_profile(info.colours_text or default, f"{path.name}, colours.toml")
+    return EngineSetup(
+        name=path.name,
+        engine=engine,
+        hand=info.hand,
+        glove=info.glove,
+        rig=rig,
+        profile=profile,
+        anchor=info.anchor,
+        close=engine.close,
+        truth=engine.truth if engine.has_truth else None,
+        simulated=info.simulated,
+        player=engine.player,
+    )

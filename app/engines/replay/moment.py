@@ -1,0 +1,79 @@
+"""What a replay shows at the place where it stands: the latest of every stream."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+
+from tracker.live.imu_history import HISTORY_S
+from tracker.messages import (
+    BlobFrame,
+    Calibration,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    Message,
+    Status,
+    StereoFrame,
+    Tracking,
+)
+
+IMAGES_WAITING = 30
+
+
+class Moment:
+    """Taken by the replay's thread, read by the window's. ``markers``: how many the glove has."""
+
+    def __init__(self, markers: int) -> None:
+        self._markers = markers
+        self.estimate: Estimate | None = None
+        self.frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
+        self.calibration: Calibration | None = None
+        self.status = Status(0.0, Tracking.SEARCHING, {})
+        self._events: deque[Event] = deque(maxlen=1000)
+        self.forget()
+
+    def forget(self) -> None:
+        """What belongs to the place that is left; the hand stands until another one comes."""
+        self._images: dict[float, StereoFrame] = {}
+        self._imu: deque[ImuSample] = deque()
+
+    def take(self, message: Message) -> None:
+        """The next message of the file; an image waits for its blobs."""
+        if isinstance(message, ImuSample):
+            self._imu.append(message)
+            while self._imu[-1].t - self._imu[0].t > HISTORY_S:
+                self._imu.popleft()
+        elif isinstance(message, Estimate):
+            self.estimate = message
+        elif isinstance(message, StereoFrame):
+            self._images[message.t] = message
+            while len(self._images) > IMAGES_WAITING:
+                self._images.pop(next(iter(self._images)))
+        elif isinstance(message, BlobFrame):
+            self._take_blobs(message)
+        elif isinstance(message, Calibration):
+            self.calibration = message
+        elif isinstance(message, Status):
+            self.status = message
+        elif isinstance(message, Event):
+            self._events.append(message)
+
+    def _take_blobs(self, blobs: BlobFrame) -> None:
+        image = self._images.pop(blobs.t, None)
+        if image is None:
+            image = StereoFrame(blobs.t, blobs.t_arrival, None, None, blobs.pose, blobs.index)
+        tracking = self.estimate.tracking if self.estimate else Tracking.SEARCHING
+        self.frame = (image, blobs, FrameResult.nothing(blobs.t, tracking, self._markers))
+
+    def imu(self) -> Sequence[ImuSample]:
+        """The samples of the last seconds."""
+        return tuple(self._imu.copy())
+
+    def take_events(self) -> list[Event]:
+        """Those since the last call."""
+        events = []
+        while self._events:
+            events.append(self._events.popleft())
+        return events

@@ -1,0 +1,90 @@
+"""Where a replay stands and what the user asked of it: play, seek, step, range, loop, speed."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+from pathlib import Path
+
+from app.engines.engine import ReferenceHand
+from app.engines.replay.references import References
+from tracker.messages import Event
+
+
+class Transport:
+    """Asked by the window's thread, obeyed by the replay's own; times are s from the file's start.
+
+    Between the two stand plain attributes, each written as a whole.
+    """
+
+    def __init__(self, duration: float) -> None:
+        self.duration = duration
+        self.playing, self.looping = True, False
+        self.position, self.speed = 0.0, 1.0
+        self.range = (0.0, duration)  # the in and the out point
+        self.seek_to: float | None = 0.0
+        self.images_due = 0  # that a paused replay goes on to show
+        self.steps_back = 0
+        self.stopping = threading.Event()
+
+    def seek(self, position: float) -> None:
+        self.seek_to = self.clamped(position)
+
+    def play(self, on: bool) -> None:
+        start, stop = self.range
+        if on and not start <= self.position < stop - 1e-3:
+            self.seek(start)
+        self.playing = on
+
+    def set_speed(self, speed: float) -> None:
+        self.speed = speed
+
+    def set_loop(self, on: bool) -> None:
+        self.looping = on
+
+    def set_range(self, start: float, stop: float) -> None:
+        """Play from ``start`` to ``stop`` s only."""
+        start, stop = sorted((self.clamped(start), self.clamped(stop)))
+        self.range = (start, stop)
+
+    def clamped(self, position: float) -> float:
+        return min(max(position, 0.0), self.duration)
+
+    def step(self, images: int) -> None:
+        """Stop, and go that many images on, or back where negative."""
+        self.playing = False
+        if images > 0:
+            self.images_due += images
+        else:
+            self.steps_back -= images
+
+    @property
+    def sent_elsewhere(self) -> bool:
+        """Whether what is being played is to be left."""
+        return self.stopping.is_set() or self.steps_back > 0 or self.seek_to is not None
+
+    def end(self, position: float) -> None:
+        """The out point or the file's end: around again, or stop there."""
+        self.position = position
+        if self.looping and self.playing:
+            self.seek(self.range[0])
+        else:
+            self.playing = False
+
+
+class ReplayPlayer(Transport):
+    """The `Player` of a replay: its transport, what happened in the file, and the hand beside."""
+
+    def __init__(self, path: Path, duration: float, references: References) -> None:
+        super().__init__(duration)
+        self.path = path
+        self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its place in s
+        self._references = references
+
+    def set_reference(self, path: Path | None) -> None:
+        """Show the tracking in ``path`` beside this one. Raises FileError in words."""
+        self._references.want(path)
+        self.seek(self.position)
+
+    def reference(self) -> ReferenceHand | None:
+        return self._references.other_hand
