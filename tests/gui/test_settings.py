@@ -7,7 +7,7 @@ import pytest
 from app.storage.settings import (
     MIGRATIONS,
     VERSION,
-    Settings,
+    AppSettings,
     SettingsStore,
     migrated,
     sessions_folder,
@@ -36,7 +36,7 @@ def test_an_unusable_file_is_kept_aside_in_words_and_defaults_serve(tmp_path, te
     path = tmp_path / "w.json"
     path.write_text(text, "latin-1")
     store = SettingsStore(path)
-    assert store.value == Settings()
+    assert store.value == AppSettings()
     assert (tmp_path / "w.unreadable.json").read_text("latin-1") == text
     assert "w.unreadable.json" in store.notice and reason in store.notice
 
@@ -75,5 +75,5 @@ def test_every_earlier_version_has_its_way_to_today():
 
 
 def test_recordings_go_where_the_user_said(tmp_path):
-    assert sessions_folder(Settings(sessions_folder=str(tmp_path))) == tmp_path
-    assert sessions_folder(Settings()).name == "Glovetrack"
+    assert sessions_folder(AppSettings(sessions_folder=str(tmp_path))) == tmp_path
+    assert sessions_folder(AppSettings()).name == "Glovetrack"
