@@ -2,17 +2,17 @@
 
 To be imported before any kernel. The first call of a kernel out of a test's own thread, and with
 arrays of no more than ``most`` numbers, is made twice: compiled, and plain with all kernels that it
-calls plain too. Results and what was written into arguments must agree, and the twin can write only
-to what the kernel's annotations say it writes to. A run of all tests fails where a kernel that
+calls plain too. Results and what was written into arguments must agree, and plain kernels can write
+only to what their annotations say they write to. A run of all tests fails where a kernel that
 Python calls was never compared. Programs that tests start are not concerned.
 """
 
 from __future__ import annotations
 
-import copy
 import functools
 import os
 import threading
+from collections.abc import Callable
 from pathlib import Path
 from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
@@ -64,7 +64,7 @@ class Twins:
     def compare(self, kernel: Any, args: tuple[Any, ...]) -> Any:
         """The kernel's result, if the twin's is the same."""
         name = _name(kernel)
-        theirs = _copies(kernel.py_func, args)
+        theirs = _guarded(kernel.py_func, args, _copy)
         result = kernel(*args)
         with np.errstate(all="ignore"):
             expected = self._twin(kernel)(*theirs)
@@ -88,7 +88,7 @@ class Twins:
     def _uncompiled(self, value: Any) -> Any:
         """What a twin sees in place of a global value."""
         if is_kernel(value):
-            return lambda *args: self._twin(value)(*args)
+            return lambda *args: self._twin(value)(*_guarded(value.py_func, args, _view))
         if isinstance(value, ModuleType) and is_ours(value.__name__):
             inside = {k: v for k, v in vars(value).items() if not isinstance(v, ModuleType)}
             return SimpleNamespace(**{k: self._uncompiled(v) for k, v in inside.items()})
@@ -124,24 +124,32 @@ def _name(kernel: Any) -> str:
     return f"{kernel.py_func.__module__}.{kernel.py_func.__qualname__}"
 
 
-def _copies(function: Any, args: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Copies of arguments, of which only those that the kernel says it writes can be written."""
-    try:
-        annotations = list(signature.parameters(function).values())
-    except signature.SignatureError:
-        return copy.deepcopy(args)
-    return tuple(_copy(v, a, False) for v, a in zip(args, annotations, strict=True))
+def _guarded(function: Any, args: tuple[Any, ...], other: Callable[[Any], Any]) -> tuple[Any, ...]:
+    """``other`` arrays in place of those given, that can be written where the kernel says so."""
+    annotations = signature.parameters(function).values()
+    pairs = zip(args, annotations, strict=False)  # what is not given has its default
+    return tuple(_guard(value, annotation, False, other) for value, annotation in pairs)
 
 
-def _copy(value: Any, annotation: Any, written: bool) -> Any:
+def _guard(value: Any, annotation: Any, written: bool, other: Callable[[Any], Any]) -> Any:
     written = written or signature.is_written(annotation)
     if isinstance(value, np.ndarray):
-        return value.copy()
+        made = other(value)
+        made.setflags(write=written and made.flags.writeable)
+        return made
     if isinstance(value, tuple):
         members = [member for _, member in signature.members(annotation) or ()]
-        copies = [_copy(v, m, written) for v, m in zip(value, members or value, strict=True)]
-        return type(value)(*copies) if hasattr(value, "_fields") else tuple(copies)
+        made = [_guard(v, m, written, other) for v, m in zip(value, members, strict=True)]
+        return type(value)(*made) if hasattr(value, "_fields") else tuple(made)
     return value
+
+
+def _copy(array: np.ndarray) -> np.ndarray:
+    return array.copy()
+
+
+def _view(array: np.ndarray) -> np.ndarray:
+    return array.view()
 
 
 def _numbers(value: Any) -> int:

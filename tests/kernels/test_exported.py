@@ -1,8 +1,12 @@
-"""Kernels that Python calls get an entry."""
+"""Kernels that Python calls get an entry; every kernel of the product says its types."""
 
+import importlib
 import textwrap
 
+import pytest
+
 from tracker.kernels.exported import exported, kernels
+from tracker.kernels.signature import signature
 
 SOURCES = {
     "tracker/small.py": """
@@ -56,3 +60,9 @@ def test_a_kernel_is_exported_if_something_other_than_a_kernel_names_it(tmp_path
     assert exported(tmp_path) == ["tracker.small._door"]  # to import it is not to call it
     write(tmp_path, SOURCES)
     assert exported(tmp_path) == kernels(tmp_path)
+
+
+@pytest.mark.parametrize("name", kernels())
+def test_every_kernel_says_its_types(name):
+    module, _, function = name.rpartition(".")
+    signature(getattr(importlib.import_module(module), function).py_func)

@@ -1,10 +1,11 @@
 """The comparison of kernels with their twins finds what differs."""
 
 from types import SimpleNamespace
+from typing import NamedTuple
 
 import numpy as np
 import pytest
-from kernel_twins import DONE, Compared, Twins, assert_same
+from kernel_twins import DONE, Compared, Twins, _copy, _guard, assert_same
 
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Vector, Written
@@ -22,6 +23,12 @@ def scaled(x: Vector, out: Written[Vector]) -> float:
     return out.sum()
 
 
+def secretly(x: Vector, out: Vector) -> float:
+    """Writes into what it does not say."""
+    out[:] = x
+    return 0.0
+
+
 class Kernel(SimpleNamespace):
     """A function as some compiler made it."""
 
@@ -33,10 +40,10 @@ class Kernel(SimpleNamespace):
 def compare(monkeypatch, tmp_path):
     monkeypatch.setenv(DONE, str(tmp_path / "done.txt"))
 
-    def compare(compiled, most=100):
+    def compare(compiled, most=100, source=scaled):
         twins = Twins()
         twins.most = most
-        made = Kernel(compiled=compiled, py_func=scaled, options={})
+        made = Kernel(compiled=compiled, py_func=source, options={})
         result = Compared(made, twins)(np.array([1.0, 2.0]), np.zeros(2))
         done = tmp_path / "done.txt"
         return result, done.read_text("utf-8") if done.exists() else ""
@@ -63,19 +70,56 @@ def test_something_else_written_is_an_error(compare):
         compare(wrong)
 
 
+def test_writing_into_what_is_not_said_to_be_written_is_an_error(compare):
+    with pytest.raises(ValueError, match="read-only"):
+        compare(secretly, source=secretly)
+
+
+def test_members_of_tuples_are_written_only_where_it_is_said():
+    class State(NamedTuple):
+        x: Vector
+        P: Written[Vector]
+
+    def parts(state, whole, two):
+        return [a.flags.writeable for a in (*state, *whole, *two)]
+
+    hints = {"state": State, "whole": Written[State], "two": tuple[Vector, Vector]}
+    state, two = State(np.zeros(2), np.zeros(2)), (np.zeros(2), np.zeros(2))
+    copies = [
+        _guard(v, hints[k], False, _copy) for k, v in zip(hints, (state, state, two), strict=True)
+    ]
+    assert parts(*copies) == [False, True, True, True, False, False]
+
+
 def test_large_arrays_are_not_compared(compare):
     assert compare(lambda x, out: 7.0, most=3) == (7.0, "")
 
 
-INNER = SimpleNamespace(py_func=lambda x: 3.0 * x, options={})  # cannot be called itself
+def tripled(x: float) -> float:
+    return 3.0 * x
 
 
-def outer(x):
+INNER = SimpleNamespace(py_func=tripled, options={})  # cannot be called itself
+
+
+def outer(x: float) -> float:
     return INNER(x)
 
 
 def test_a_twin_calls_no_compiled_kernel():
     assert Twins()._twin(SimpleNamespace(py_func=outer, options={}))(3.0) == 9.0
+
+
+INNER_SECRET = SimpleNamespace(py_func=secretly, options={})
+
+
+def trusting(x: Vector, out: Written[Vector]) -> float:
+    return INNER_SECRET(x, out)
+
+
+def test_so_it_is_in_the_kernels_that_a_kernel_calls(compare):
+    with pytest.raises(ValueError, match="read-only"):
+        compare(lambda x, out: 0.0, source=trusting)
 
 
 @pytest.mark.parametrize(

@@ -73,7 +73,7 @@ def plain_madgwick(gyro: Matrix, accel: Matrix, dt: float, beta: float) -> Matri
 
 
 @kernel
-def _multiply(q: Vector, v: Vector, w: float) -> None:
+def _multiply(q: Written[Vector], v: Vector, w: float) -> None:
     """q ← q ⊗ (v, w), normalised."""
     vector = q[3] * v + w * q[:3] + np.cross(q[:3], v)
     scalar = q[3] * w - np.sum(q[:3] * v)

@@ -111,7 +111,7 @@ def _step(
 
 @kernel
 def _descend(
-    theta: Vector,
+    theta: Written[Vector],
     gains: _Gains,
     levers: Levers,
     omega: Vector,

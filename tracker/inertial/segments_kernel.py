@@ -60,7 +60,7 @@ def step(state: Written[Matrix], gyro: Matrix, accel: Matrix) -> None:
 
 
 @kernel
-def _start(s: Vector, g: Vector, a: Vector) -> None:
+def _start(s: Written[Vector], g: Vector, a: Vector) -> None:
     """Level on the first sample."""
     s[MEAN_GYRO : MEAN_GYRO + 3] = g
     s[MEAN_ACCEL : MEAN_ACCEL + 3] = a
@@ -70,7 +70,7 @@ def _start(s: Vector, g: Vector, a: Vector) -> None:
 
 
 @kernel(error_model="numpy")
-def _rotate(state: Matrix, i: int, dt: float, g_x: float, g_y: float, g_z: float) -> None:
+def _rotate(state: Written[Matrix], i: int, dt: float, g_x: float, g_y: float, g_z: float) -> None:
     """q ← q ⊗ exp(ω dt / 2), by series: a half angle below 0.3 rad leaves 1e-7."""
     h = 0.5 * dt
     x, y, z = h * (g_x - state[i, 4]), h * (g_y - state[i, 5]), h * (g_z - state[i, 6])
@@ -88,7 +88,7 @@ def _rotate(state: Matrix, i: int, dt: float, g_x: float, g_y: float, g_z: float
 
 
 @kernel(error_model="numpy")
-def _filter(state: Matrix, i: int, k: float, a_x: float, a_y: float, a_z: float) -> None:
+def _filter(state: Written[Matrix], i: int, k: float, a_x: float, a_y: float, a_z: float) -> None:
     """Specific force into G and through both low passes; plain averages while these are young."""
     x, y, z, w = state[i, 0], state[i, 1], state[i, 2], state[i, 3]
     t_x = 2 * (y * a_z - z * a_y)
@@ -108,7 +108,7 @@ def _filter(state: Matrix, i: int, k: float, a_x: float, a_y: float, a_z: float)
 
 
 @kernel
-def _judge_rest(s: Vector, c: Vector, g: Vector, a: Vector) -> None:
+def _judge_rest(s: Written[Vector], c: Vector, g: Vector, a: Vector) -> None:
     """Rest is when the samples at levellings stay close to their slow averages."""
     off_gyro, off_accel = 0.0, 0.0
     for j in range(3):
@@ -130,7 +130,7 @@ def _judge_rest(s: Vector, c: Vector, g: Vector, a: Vector) -> None:
 
 
 @kernel
-def _level(s: Vector, c: Vector) -> None:
+def _level(s: Written[Vector], c: Vector) -> None:
     """Turn G, by the shortest way, until the averaged specific force points up."""
     norm = np.sqrt(s[10] ** 2 + s[11] ** 2 + s[12] ** 2)
     if norm == 0:
@@ -145,7 +145,7 @@ def _level(s: Vector, c: Vector) -> None:
 
 
 @kernel
-def _average_rows(s: Vector, c: Vector) -> None:
+def _average_rows(s: Written[Vector], c: Vector) -> None:
     """The horizontal rows of R_GB through the same low passes as the specific force."""
     x, y, z, w = s[0], s[1], s[2], s[3]
     k = min(1.0, c[EVERY] * c[K_TILT])
@@ -161,7 +161,7 @@ def _average_rows(s: Vector, c: Vector) -> None:
 
 
 @kernel
-def _learn_offset(s: Vector, c: Vector, r_x: float, r_y: float) -> None:
+def _learn_offset(s: Written[Vector], c: Vector, r_x: float, r_y: float) -> None:
     """A levelling (r_x, r_y, 0) rad in G shows what the offset has turned the IMU by.
 
     An offset δ not known turns the estimate by R δ dt. The averaged force follows it through the
@@ -178,7 +178,9 @@ def _learn_offset(s: Vector, c: Vector, r_x: float, r_y: float) -> None:
 
 
 @kernel
-def _turn_to_up(s: Vector, u_x: float, u_y: float, u_z: float) -> tuple[float, float, float]:
+def _turn_to_up(
+    s: Written[Vector], u_x: float, u_y: float, u_z: float
+) -> tuple[float, float, float]:
     """Turn q by the shortest rotation of the unit vector u to z; its quaternion (x, y, 0, w)."""
     w = np.sqrt(max(0.5 * (1 + u_z), 1e-12))
     x, y = 0.5 * u_y / w, -0.5 * u_x / w
@@ -193,7 +195,7 @@ def _turn_to_up(s: Vector, u_x: float, u_y: float, u_z: float) -> tuple[float, f
 
 
 @kernel
-def _rotate_vector(s: Vector, at: int, x: float, y: float, w: float) -> None:
+def _rotate_vector(s: Written[Vector], at: int, x: float, y: float, w: float) -> None:
     """Rotate the vector that starts at column ``at`` by the quaternion (x, y, 0, w)."""
     v_x, v_y, v_z = s[at], s[at + 1], s[at + 2]
     t_x, t_y, t_z = 2 * y * v_z, -2 * x * v_z, 2 * (x * v_y - y * v_x)

@@ -66,19 +66,28 @@ def main(wanted: list[str]) -> None:
 
 
 def _entries() -> dict[str, list[Entry]]:
-    """What each part is to hold."""
+    """What each part is to hold. SystemExit if a kernel does not say its types."""
+    untyped = [str(error) for error in map(_error_of, exported.kernels()) if error is not None]
+    if untyped:
+        raise SystemExit("\n".join(untyped))
     entries: dict[str, list[Entry]] = defaultdict(list)
     for name in exported.exported():
-        module, _, function = name.rpartition(".")
-        kernel = getattr(importlib.import_module(module), function)
-        try:
-            signature(kernel.py_func)
-        except SignatureError as untyped:
-            print(f"Left to numba: {untyped}")
-            continue
         its = entries[parts.part_of(name)]
-        its.append(Entry(f"k{len(its)}", name, kernel))
+        its.append(Entry(f"k{len(its)}", name, _kernel(name)))
     return dict(entries)
+
+
+def _kernel(name: str) -> Any:
+    module, _, function = name.rpartition(".")
+    return getattr(importlib.import_module(module), function)
+
+
+def _error_of(name: str) -> SignatureError | None:
+    try:
+        signature(_kernel(name).py_func)
+    except SignatureError as error:
+        return error
+    return None
 
 
 def _table(entries: list[Entry]) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker.kernels.signature import SignatureError, signature
+from tracker.kernels.signature import signature
 
 INSTALLED_IN = (__package__ or "").removesuffix("tracker.kernels")
 """What stands before the packages' names: nothing in this tree, ``glovetrack.`` in a wheel."""
@@ -34,18 +34,10 @@ def is_ours(name: str) -> bool:
 def fingerprint(function: Function, options: dict[str, Any]) -> str:
     """16 digits for a kernel of `decorator`. SignatureError as `signature` raises it."""
     digest = hashlib.sha256()
-    for part in [*_signature(function), *_parts(function, options, set())]:
+    for part in [signature(function), *_parts(function, options, set())]:
         digest.update(part.encode())
         digest.update(b"\0")
     return digest.hexdigest()[:16]
-
-
-def _signature(function: Function) -> list[str]:
-    """Nothing for a kernel whose annotations do not say its types yet."""
-    try:
-        return [signature(function)]
-    except SignatureError:
-        return []
 
 
 def _parts(function: Function, options: dict[str, Any], seen: set[Function]) -> list[str]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from tracker.geometry import so3
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Stack4, Vector
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Stack4, Vector, Written
 from tracker.messages import Array, IntArray
 
 
@@ -45,7 +45,7 @@ def forward_many(
 
 @kernel
 def _joint_rotation(
-    column: IntVector, twist_per_flexion: float, angles: Vector, out: Matrix
+    column: IntVector, twist_per_flexion: float, angles: Vector, out: Written[Matrix]
 ) -> None:
     """Rz(abduction) Ry(flexion) Rx(twist), the twist with what flexion brings along."""
     a = angles[column[0]] if column[0] >= 0 else 0.0

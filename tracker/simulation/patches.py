@@ -8,7 +8,7 @@ import numpy as np
 
 from tracker.geometry.solids import Vector3, nearest_to_axis, sight_cuts_box
 from tracker.kernels import kernel
-from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
 from tracker.simulation.solids import Instant, Solids
 
@@ -141,14 +141,14 @@ def _axes_of(solids: Solids) -> _Axes:
 
 
 @kernel
-def _rotate(R: Stack, i: int, v: Vector, out: Vector) -> None:
+def _rotate(R: Stack, i: int, v: Vector, out: Written[Vector]) -> None:
     """R[i] v, without a BLAS call for three numbers."""
     for c in range(3):
         out[c] = R[i, c, 0] * v[0] + R[i, c, 1] * v[1] + R[i, c, 2] * v[2]
 
 
 @kernel
-def _carry(R: Stack, p: Matrix, i: int, v: Vector, out: Vector) -> None:
+def _carry(R: Stack, p: Matrix, i: int, v: Vector, out: Written[Vector]) -> None:
     """R[i] v + p[i]."""
     _rotate(R, i, v, out)
     for c in range(3):
@@ -157,7 +157,12 @@ def _carry(R: Stack, p: Matrix, i: int, v: Vector, out: Vector) -> None:
 
 @kernel
 def _on_surface(
-    position: Vector, normal: Vector, s: Vector, flat: bool, point: Vector, n_out: Vector
+    position: Vector,
+    normal: Vector,
+    s: Vector,
+    flat: bool,
+    point: Written[Vector],
+    n_out: Written[Vector],
 ) -> None:
     """The patch's point at ``s`` (along the bone, around it) from its centre, and its normal."""
     if flat or abs(normal[0]) > 0.5:
@@ -172,7 +177,7 @@ def _on_surface(
 
 
 @kernel
-def _on_plane(position: Vector, n: Vector, s: Vector, point: Vector) -> None:
+def _on_plane(position: Vector, n: Vector, s: Vector, point: Written[Vector]) -> None:
     along = np.array([1.0, 0.0, 0.0]) if abs(n[0]) <= 0.9 else np.array([0.0, 0.0, 1.0])
     along -= (along[0] * n[0] + along[1] * n[1] + along[2] * n[2]) * n
     along /= np.sqrt(along[0] ** 2 + along[1] ** 2 + along[2] ** 2)
@@ -182,7 +187,13 @@ def _on_plane(position: Vector, n: Vector, s: Vector, point: Vector) -> None:
 
 @kernel
 def _near_ray(
-    eye: Vector, x: Vector, reach: float, own: int, solids: Solids, axes: _Axes, found: IntVector
+    eye: Vector,
+    x: Vector,
+    reach: float,
+    own: int,
+    solids: Solids,
+    axes: _Axes,
+    found: Written[IntVector],
 ) -> int:
     """How many capsules come within ``reach`` of the ray from ``eye`` to x; rows into ``found``."""
     count = 0

@@ -101,7 +101,9 @@ def shade(
 
 
 @kernel(fastmath=True, inline="always")
-def _capsule_normal(q: Vector, a: Matrix, b: Matrix, radius: Vector, i: int, n: Vector) -> None:
+def _capsule_normal(
+    q: Vector, a: Matrix, b: Matrix, radius: Vector, i: int, n: Written[Vector]
+) -> None:
     """Outward normal at the point q of capsule i."""
     e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
     w0, w1, w2 = q[0] - a[i, 0], q[1] - a[i, 1], q[2] - a[i, 2]
@@ -113,7 +115,9 @@ def _capsule_normal(q: Vector, a: Matrix, b: Matrix, radius: Vector, i: int, n: 
 
 
 @kernel(fastmath=True, inline="always")
-def _box_normal(q: Vector, R: Stack, centre: Matrix, half: Matrix, i: int, n: Vector) -> None:
+def _box_normal(
+    q: Vector, R: Stack, centre: Matrix, half: Matrix, i: int, n: Written[Vector]
+) -> None:
     """Outward normal of the face of box i that the point q lies on."""
     best, face, sign = -1e9, 0, 1.0
     for k in range(3):

@@ -7,22 +7,22 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Vector
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Vector, Written
 
 
 class _Prices(NamedTuple):
     """What reduces the costs: u (n,) of rows, v (m + n,) of columns."""
 
-    u: Vector
-    v: Vector
+    u: Written[Vector]
+    v: Written[Vector]
 
 
 class _Paths(NamedTuple):
     """Shortest ways to all columns (m + n,): their cost, the column before each (-1: none), and
     whether a column is done."""
 
-    distance: Vector
-    previous: IntVector
+    distance: Written[Vector]
+    previous: Written[IntVector]
     done: BoolVector
 
 

@@ -55,7 +55,7 @@ def room(extent: int) -> Int32Matrix:
 @kernel(inline="always")
 def _run(
     image: ByteStack,
-    visited: ByteMatrix,
+    visited: Written[ByteMatrix],
     mark: int,
     y: int,
     x: int,
@@ -199,7 +199,7 @@ def hull(runs: Int32Matrix, top: int, bottom: int) -> tuple[float, float]:
 
 
 @kernel
-def _chain(x: IntVector, sign: int, chain: IntVector) -> int:
+def _chain(x: IntVector, sign: int, chain: Written[IntVector]) -> int:
     """Rows of the hull's vertices along one side, from top to bottom (Andrew's monotone chain)."""
     n = 0
     for r in range(len(x)):

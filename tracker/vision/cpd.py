@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector, Written
 
 
 class HuedPixels(NamedTuple):
@@ -144,7 +144,7 @@ def translation_em(
 
 @kernel
 def _expect(
-    row: Vector,
+    row: Written[Vector],
     point: Vector,
     hue: int,
     markers: ExpectedMarkers,
@@ -171,13 +171,13 @@ def _expect(
 
 @kernel
 def _maximise(
-    row: Vector,
+    row: Written[Vector],
     total: float,
     W: Matrix,
     point: Vector,
     markers: Matrix,
-    information: Matrix,
-    weighted: Vector,
+    information: Written[Matrix],
+    weighted: Written[Vector],
 ) -> None:
     """Divide the row by ``total``; add sum p W and W sum p (o - m) to eta's normal equations."""
     mass, x, y, z = 0.0, 0.0, 0.0, 0.0
@@ -195,7 +195,7 @@ def _maximise(
 
 
 @kernel
-def _inverse3(cov: Matrix, extra: float, out: Matrix) -> float:
+def _inverse3(cov: Matrix, extra: float, out: Written[Matrix]) -> float:
     """out = (cov + extra I)^-1 of a symmetric matrix by cofactors; returns the determinant."""
     a, b, c = cov[0, 0] + extra, cov[0, 1], cov[0, 2]
     d, e, f = cov[1, 1] + extra, cov[1, 2], cov[2, 2] + extra
@@ -208,7 +208,7 @@ def _inverse3(cov: Matrix, extra: float, out: Matrix) -> float:
 
 
 @kernel
-def _solve3(M: Matrix, y: Vector, out: Vector) -> None:
+def _solve3(M: Matrix, y: Vector, out: Written[Vector]) -> None:
     """out = M^-1 y of a symmetric positive definite M."""
     inverse = np.empty((3, 3))
     _inverse3(M, 0.0, inverse)

@@ -148,7 +148,7 @@ def _fill_table(
 
 
 @kernel
-def _fill_pattern(b: int, g: int, r: int, masks: IntMatrix, own: Int8Vector) -> None:
+def _fill_pattern(b: int, g: int, r: int, masks: IntMatrix, own: Written[Int8Vector]) -> None:
     """The classes of the cell with this darkest corner."""
     place = 0
     for i in range(b, b + CELL_SIDE):

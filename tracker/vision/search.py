@@ -14,6 +14,7 @@ from tracker.kernels.arrays import (
     Matrix,
     UInt16Vector,
     Vector,
+    Written,
 )
 from tracker.vision.components import Scan, axes, bounds, cut, fill, hull, moments, waist
 from tracker.vision.hue_table import colour_class, is_vivid
@@ -108,7 +109,7 @@ def _classify(
     stride: int,
     cells: UInt16Vector,
     patterns: Int8Vector,
-    line: IntVector,
+    line: Written[IntVector],
 ) -> int:
     """What `colour_class` gives for every ``stride``-th pixel of a row, a byte each, into ``line``.
 
@@ -133,8 +134,8 @@ def _classify_vivid(
     last: int,
     cells: UInt16Vector,
     patterns: Int8Vector,
-    flags: IntVector,
-    line: IntVector,
+    flags: Written[IntVector],
+    line: Written[IntVector],
 ) -> int:
     """The same for every pixel, where greys are told first: most images hold little else.
 
@@ -160,7 +161,7 @@ def _classify_vivid(
 
 @kernel
 def _measure_parts(
-    runs: Int32Matrix, hue: int, min_area: float, shape: tuple[int, int, int], rows: Matrix
+    runs: Int32Matrix, hue: int, min_area: float, shape: tuple[int, int, int], rows: Written[Matrix]
 ) -> int:
     """Measure a region as one blob, or as two where a waist says so; returns how many."""
     if not _measure(runs, hue, min_area, shape, rows[0]):
@@ -187,7 +188,7 @@ def _measure_parts(
 
 @kernel
 def _measure(
-    runs: Int32Matrix, hue: int, min_area: float, shape: tuple[int, int, int], row: Vector
+    runs: Int32Matrix, hue: int, min_area: float, shape: tuple[int, int, int], row: Written[Vector]
 ) -> bool:
     """Fill one row; False where the region is a speck."""
     area, u, v, uu, uv, vv = moments(runs)

@@ -17,7 +17,7 @@ import numpy as np
 from tracker.geometry.solids import Vector3, sight_cuts_box, sight_cuts_capsule
 from tracker.hand.model import HandModel
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array, CameraPose
 from tracker.vision.rig import Camera, StereoRig
 
@@ -226,7 +226,7 @@ def _inside(uv: Matrix, sd: Matrix, right: float, bottom: float) -> Vector:
 
 @kernel
 def _weaken_hidden(
-    prior: Vector,
+    prior: Written[Vector],
     factor: float,
     centre: Vector,
     p: Matrix,

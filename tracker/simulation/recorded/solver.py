@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector, Written
 from tracker.simulation.kinematics import forward_many
 
 
@@ -120,7 +120,7 @@ def _normal_equations(
 
 @kernel
 def _joint_columns(
-    J: Matrix, base: Matrix, R: Matrix, column: IntVector, angles: Vector, arm: Vector
+    J: Written[Matrix], base: Matrix, R: Matrix, column: IntVector, angles: Vector, arm: Vector
 ) -> None:
     """Axes in G of a joint Rz Ry Rx: base z; base Rz y; the segment's own x."""
     a = angles[column[0]] if column[0] >= 0 else 0.0
@@ -135,7 +135,12 @@ def _joint_columns(
 
 @kernel
 def _priors(
-    H: Matrix, g: Vector, a: Vector, before: Vector, coupling: Matrix, weights: Vector
+    H: Written[Matrix],
+    g: Written[Vector],
+    a: Vector,
+    before: Vector,
+    coupling: Matrix,
+    weights: Vector,
 ) -> None:
     """Rest, steadiness and synergies: what decides where no point does."""
     for j in range(len(a)):

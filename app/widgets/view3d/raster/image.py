@@ -74,7 +74,7 @@ def draw(
 
 @kernel(error_model="numpy")
 def _middle_rays(
-    view: View, image: UInt32Matrix, top: int, left: int, at: IntMatrix, bundle: RayBundle
+    view: View, image: UInt32Matrix, top: int, left: int, at: Written[IntMatrix], bundle: RayBundle
 ) -> int:
     """A ray through the middle of each pixel of a tile, and which pixel; how many."""
     rays, (height, width) = 0, image.shape
@@ -95,7 +95,7 @@ def _edge_rays(
     numbers: Int32Matrix,
     top: int,
     left: int,
-    at: IntMatrix,
+    at: Written[IntMatrix],
     bundle: RayBundle,
 ) -> int:
     """`MORE` rays one after another through each pixel of a tile whose neighbour shows
@@ -128,8 +128,8 @@ def _paint(
     at: IntMatrix,
     colour: Matrix,
     number: IntVector,
-    image: UInt32Matrix,
-    numbers: Int32Matrix,
+    image: Written[UInt32Matrix],
+    numbers: Written[Int32Matrix],
 ) -> None:
     """Each ray's colour to its pixel."""
     for k in range(rays):
@@ -138,7 +138,7 @@ def _paint(
 
 
 @kernel(error_model="numpy")
-def _mix(rays: int, at: IntMatrix, colour: Matrix, image: UInt32Matrix) -> None:
+def _mix(rays: int, at: IntMatrix, colour: Matrix, image: Written[UInt32Matrix]) -> None:
     """The mean of `MORE` rays and the first one to their pixel."""
     share = 1.0 / (len(MORE) + 1)
     for k in range(0, rays, len(MORE)):

@@ -8,7 +8,7 @@ import numpy as np
 
 from app.widgets.view3d.raster.view import LINES
 from tracker.kernels import kernel
-from tracker.kernels.arrays import BoolVector, IntMatrix, IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import BoolVector, IntMatrix, IntVector, Matrix, Stack, Vector, Written
 
 NEAR = 0.01
 """m before the camera within which nothing is drawn."""
@@ -76,7 +76,7 @@ def place(bodies: Bodies, i: int, camera: Pinhole) -> Vector:
 
 
 @kernel(error_model="numpy")
-def project_line(a_G: Vector, b_G: Vector, camera: Pinhole, out: Vector) -> None:
+def project_line(a_G: Vector, b_G: Vector, camera: Pinhole, out: Written[Vector]) -> None:
     """A line's ends into ``out`` (6,): u, v px and 1/z of each; NaN where none of it is ahead."""
     R_GC, p_GC, focal = camera.R_GC, camera.p_GC, camera.focal
     cx, cy = camera.middle_u, camera.middle_v

@@ -9,7 +9,7 @@ from app.widgets.view3d.raster.solids import BLOCK, CAPSULE
 from app.widgets.view3d.raster.strokes import distance_px
 from tracker.geometry.solids import box_span, capsule_depth
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector, Written
 
 TILE = 12
 """px along a tile's side."""
@@ -96,7 +96,7 @@ def tile_range(low: float, high: float, count: int) -> tuple[int, int]:
 @kernel(error_model="numpy")
 def solid_pairs(
     item: int, kind: int, form: Vector, place: Vector, focal: float, size: tuple[int, int],
-    pairs: IntMatrix, found: int,
+    pairs: Written[IntMatrix], found: int,
 ) -> int:  # fmt: skip
     """Append (tile, ``item``) for each tile that may show a solid; how many there are now.
 
@@ -127,7 +127,7 @@ def line_pairs(
     m: int,
     width_px: float,
     size: tuple[int, int],
-    pairs: IntMatrix,
+    pairs: Written[IntMatrix],
     found: int,
 ) -> int:
     """The same as `solid_pairs`, of a line."""

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector, Written
 
 LINES = 3
 """Kind of a body that has no surface; the others are those of `solids`."""
@@ -44,16 +44,16 @@ class RayBundle(NamedTuple):
     and number (R,) are what `blending.blend` makes of all.
     """
 
-    x: Vector
-    y: Vector
-    many: IntVector
-    depth: Matrix
-    cover: Matrix
-    body: IntMatrix
-    found: Vector
-    share: Vector
-    colour: Matrix
-    number: IntVector
+    x: Written[Vector]
+    y: Written[Vector]
+    many: Written[IntVector]
+    depth: Written[Matrix]
+    cover: Written[Matrix]
+    body: Written[IntMatrix]
+    found: Written[Vector]
+    share: Written[Vector]
+    colour: Written[Matrix]
+    number: Written[IntVector]
 
 
 @kernel(error_model="numpy")
