@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.records import record
+
 Array = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
@@ -30,6 +32,7 @@ SEEN_LATELY = 0.5
 """s for which a part or a marker counts as seen after a sensor last saw it."""
 
 
+@record("tracking")
 class Tracking(IntEnum):
     """State of tracking as a whole."""
 
@@ -49,6 +52,7 @@ class _Frozen:
                 value.setflags(write=False)
 
 
+@record("imu_sample")
 @dataclass(frozen=True, eq=False, slots=True)
 class ImuSample(_Frozen):
     """One packet of a glove: all its IMUs at one instant, in the glove file's order.
@@ -66,6 +70,7 @@ class ImuSample(_Frozen):
     valid: NDArray[np.bool_]
 
 
+@record("camera_pose")
 @dataclass(frozen=True, eq=False, slots=True)
 class CameraPose(_Frozen):
     """Pose of the left rectified camera in G: R_GC (3, 3), p_GC (3,)."""
@@ -74,6 +79,7 @@ class CameraPose(_Frozen):
     p_GC: Array
 
 
+@record("camera_imu_sample")
 @dataclass(frozen=True, eq=False, slots=True)
 class CameraImuSample(_Frozen):
     """The stereo camera's own IMU at one instant, in the left camera's frame C.
@@ -99,6 +105,7 @@ class StereoFrame(_Frozen):
     index: int = -1
 
 
+@record("blobs")
 @dataclass(frozen=True, eq=False, slots=True)
 class Blobs(_Frozen):
     """Coloured blobs found in one image, in pixels of the image as recorded.
@@ -120,6 +127,7 @@ class Blobs(_Frozen):
         return len(self.uv)
 
 
+@record("rejected_blobs")
 @dataclass(frozen=True, eq=False, slots=True)
 class RejectedBlobs(_Frozen):
     """Blobs of the right hue and the wrong shape, for display: uv (n, 2), reason per row."""
@@ -133,6 +141,7 @@ class RejectedBlobs(_Frozen):
         return RejectedBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), ())
 
 
+@record("blob_frame")
 @dataclass(frozen=True, eq=False, slots=True)
 class BlobFrame(_Frozen):
     """What the detector found in one stereo exposure. A side without an image is None."""
@@ -148,6 +157,7 @@ class BlobFrame(_Frozen):
     index: int = -1
 
 
+@record("frame_result")
 @dataclass(frozen=True, eq=False, slots=True)
 class FrameResult(_Frozen):
     """What the tracker made of one BlobFrame, for overlays and statistics.

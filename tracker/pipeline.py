@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -24,10 +24,11 @@ from tracker.messages import (
     ImuSample,
     Tracking,
 )
-from tracker.online.camera_tilt import CameraTilt
-from tracker.online.frame_timing import FrameTiming
+from tracker.online.camera_tilt import CameraTilt, CameraTiltKept
+from tracker.online.frame_timing import FrameTiming, FrameTimingKept
 from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
+from tracker.records import record
 from tracker.settings import ENGINES, Settings
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.region_prediction import RegionPrediction
@@ -48,6 +49,16 @@ def build_engine(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: S
         case name:
             raise ConfigError(f"There is no engine {name!r}; there are {', '.join(ENGINES)}.")
     return HybridEngine(hand, glove, rig, settings.chain, settings.hybrid, variant)
+
+
+@record("pipeline")
+@dataclass(eq=False)
+class PipelineKept:
+    """All of a pipeline that changes; ``engine`` is what its engine keeps."""
+
+    engine: Any
+    timing: FrameTimingKept
+    camera: CameraTiltKept
 
 
 class Pipeline:
@@ -167,16 +178,13 @@ class Pipeline:
             hue_names=self.glove.hues,
         ).after(before)
 
-    def get_state(self) -> Any:
+    def get_state(self) -> PipelineKept:
         """Everything that changes and that estimates depend on; `set_state` goes on identically."""
-        return {
-            "engine": self._engine.get_state(),
-            "timing": self._timing.get_state(),
-            "camera": self._camera.get_state(),
-        }
+        timing, camera = self._timing.get_state(), self._camera.get_state()
+        return PipelineKept(self._engine.get_state(), timing, camera)
 
-    def set_state(self, state: Any) -> None:
+    def set_state(self, state: PipelineKept) -> None:
         """Go on from `get_state`."""
-        self._engine.set_state(state["engine"])
-        self._timing.set_state(state["timing"])
-        self._camera.set_state(state["camera"])
+        self._engine.set_state(state.engine)
+        self._timing.set_state(state.timing)
+        self._camera.set_state(state.camera)

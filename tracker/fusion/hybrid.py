@@ -21,7 +21,13 @@ from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.inertial.finger3d import FingerEstimator3D, ImuPair, finger_geometry, finger_pairs
+from tracker.inertial.finger3d import (
+    FingerEstimator3D,
+    FingerKept,
+    ImuPair,
+    finger_geometry,
+    finger_pairs,
+)
 from tracker.inertial.geometry3d import DorsumMotion
 from tracker.messages import (
     SEEN_LATELY,
@@ -35,27 +41,30 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.online.imu_health import ImuHealth, ImuHealthKept
+from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
 
 
+@record("hybrid.fingers")
 @dataclass(eq=False)
 class FingersKept:
-    """What changes of the fingers: estimator and joint rotations of each, and when (s) each IMU
+    """What changes beside the estimators: joint rotations of each finger, and when (s) each IMU
     answered last."""
 
-    estimators: list[FingerEstimator3D]
     joints: list[tuple[Array, Array]]
     felt: Array
     last_t: float = np.nan
 
 
+@record("hybrid")
 @dataclass(eq=False)
 class HybridKept:
     """All of a hybrid engine that changes."""
 
     dorsum: ChainKept
+    estimators: list[FingerKept]
     fingers: FingersKept
     health: ImuHealthKept
 
@@ -89,8 +98,10 @@ class HybridEngine:
         self._rows = [tuple(names.index(s) for s in pair) for pair in self._pairs]
         self._health = ImuHealth(len(names))
         dt = 1.0 / params.rate_hz
+        self._estimators = [
+            FingerEstimator3D(finger_geometry(hand, glove, *p), dt, variant) for p in self._pairs
+        ]
         self._fingers = FingersKept(
-            [FingerEstimator3D(finger_geometry(hand, glove, *p), dt, variant) for p in self._pairs],
             [self._straight(pair) for pair in self._pairs],
             np.full(len(names), -np.inf),
         )
@@ -130,7 +141,7 @@ class HybridEngine:
         for k, rows in enumerate(self._rows):
             pair = self._readings(sample, rows)
             for _ in range(self._packets_since(sample.t)):
-                joints = self._fingers.estimators[k].update(motion, pair)
+                joints = self._estimators[k].update(motion, pair)
             self._fingers.joints[k] = (joints.R_01, joints.R_12)
 
     def _packets_since(self, t: float) -> int:
@@ -212,13 +223,17 @@ class HybridEngine:
 
     def get_state(self) -> HybridKept:
         """A copy of everything that changes."""
-        fingers, health = copy.deepcopy((self._fingers, self._health.kept))
-        return HybridKept(self._dorsum.get_state(), fingers, health)
+        estimators = [e.kept for e in self._estimators]
+        ours = copy.deepcopy((estimators, self._fingers, self._health.kept))
+        return HybridKept(self._dorsum.get_state(), *ours)
 
     def set_state(self, state: HybridKept) -> None:
         """Go on from `get_state`."""
         self._dorsum.set_state(state.dorsum)
-        self._fingers, health = copy.deepcopy((state.fingers, state.health))
+        ours = copy.deepcopy((state.estimators, state.fingers, state.health))
+        estimators, self._fingers, health = ours
+        for estimator, kept in zip(self._estimators, estimators, strict=True):
+            estimator.kept = kept
         self._health.restore(health)
 
 

@@ -7,18 +7,19 @@ the first joint at rest. Abduction is not tracked ("for pointing and grasping it
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
 from tracker.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.inertial.finger3d_plane import PlaneFinger
-from tracker.inertial.finger3d_quaternion import QuaternionFinger
+from tracker.inertial.finger3d_plane import PlaneFinger, PlaneKept
+from tracker.inertial.finger3d_quaternion import QuaternionFinger, QuaternionKept
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry
 from tracker.inertial.madgwick import ADAPTIVE, MadgwickParams
 from tracker.messages import Array
+from tracker.records import record
 
 VARIANTS = ("switching", "switching_offset", "learned", "madgwick", "madgwick_adaptive")
 
@@ -30,6 +31,7 @@ class JointRotations(NamedTuple):
     R_12: Array
 
 
+@record("finger.readings")
 @dataclass(frozen=True, eq=False)
 class ImuPair:
     """Readings of a finger's IMUs in their phalanges' B: gyro (2, 3) rad/s, accel (2, 3) m/s².
@@ -41,15 +43,25 @@ class ImuPair:
     accel: Array
 
 
+@record("finger")
+@dataclass(eq=False)
+class FingerKept:
+    """All of a finger's estimator that changes: the last sample, and what its variant keeps."""
+
+    last: ImuPair | None
+    inner: PlaneKept | QuaternionKept
+
+
 class _Inner(Protocol):
+    kept: Any
+
     def update(self, dorsum: DorsumMotion, gyro: Array, accel: Array) -> tuple[Array, Array]: ...
 
 
 class FingerEstimator3D:
     """Both relative joint rotations of one finger, one sample at a time, every ``dt`` s.
 
-    ``variant`` is one of VARIANTS; ``flexion`` (rad) of both joints is the known start. A deep copy
-    goes on identically, which is how the state is saved.
+    ``variant`` is one of VARIANTS; ``flexion`` (rad) of both joints is the known start.
     """
 
     def __init__(
@@ -76,6 +88,15 @@ class FingerEstimator3D:
         held = _hold(imus, self._last)
         self._last = held
         return JointRotations(*self._inner.update(dorsum, held.gyro, held.accel))
+
+    @property
+    def kept(self) -> FingerKept:
+        """All that changes, as it is: for a copy."""
+        return FingerKept(self._last, self._inner.kept)
+
+    @kept.setter
+    def kept(self, value: FingerKept) -> None:
+        self._last, self._inner.kept = value.last, value.inner
 
 
 def _hold(imus: ImuPair, last: ImuPair | None) -> ImuPair:

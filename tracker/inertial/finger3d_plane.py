@@ -6,17 +6,40 @@ dorsum. What the dorsum turns about the plane's normal, P turns under the finger
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any, Protocol
+
 import numpy as np
 
 from tracker import GRAVITY
 from tracker.geometry import so3
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry, force_at
 from tracker.inertial.learned import Learned
-from tracker.inertial.plane import Levers, in_plane, runge_kutta
-from tracker.inertial.switching import Switching, SwitchingParams
+from tracker.inertial.learned_kernel import LearnedState
+from tracker.inertial.plane import ComplexArray, Levers, in_plane, runge_kutta
+from tracker.inertial.switching import Switching, SwitchingParams, SwitchingState
 from tracker.messages import Array
+from tracker.records import record
 
 OFFSET = 60e-3 * GRAVITY  # m/s², zero-g tolerance of an MPU-9250
+
+
+@record("finger.plane")
+@dataclass(eq=False)
+class PlaneKept:
+    """All of a planar finger that changes: its estimator's state, and the dorsum's last two rates
+    (3,) rad/s, newest last."""
+
+    planar: SwitchingState | LearnedState
+    w: list[Array]
+
+
+class _Planar(Protocol):
+    state: Any
+
+    def turn(self, angle: float) -> None: ...
+
+    def update(self, gyro: Array, accel: ComplexArray, root: complex) -> Array: ...
 
 
 class PlaneFinger:
@@ -33,7 +56,7 @@ class PlaneFinger:
         R = geometry.R_rest_1
         self._rest_1 = float(np.arctan2(R[0, 2], R[0, 0]))  # a bend of the straight finger
         theta = (flexion[0], flexion[0] + self._rest_1 + flexion[1])
-        self._planar = _planar(variant, dt, _levers(geometry), theta)
+        self._planar: _Planar = _planar(variant, dt, _levers(geometry), theta)
         self._w: list[Array] = []  # the dorsum's last two rates, newest last
 
     def update(self, dorsum: DorsumMotion, gyro: Array, accel: Array) -> tuple[Array, Array]:
@@ -47,6 +70,15 @@ class PlaneFinger:
         self._w = [*self._w[-1:], dorsum.w_B.copy()]
         flexion_1 = theta[1] - theta[0] - self._rest_1
         return g.R_rest_0 @ so3.ry(theta[0]), g.R_rest_1 @ so3.ry(flexion_1)
+
+    @property
+    def kept(self) -> PlaneKept:
+        """All that changes, as it is: for a copy."""
+        return PlaneKept(self._planar.state, self._w)
+
+    @kept.setter
+    def kept(self, value: PlaneKept) -> None:
+        self._planar.state, self._w = value.planar, value.w
 
     def _turned(self, w_B: Array) -> float:
         """Angle (rad) by which the dorsum has turned about the plane's normal since last time."""

@@ -7,6 +7,7 @@ pose gives and which takes the place of the magnetic field.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -16,14 +17,26 @@ from tracker.inertial.descent import NORMAL_B, descend, integrate_rates
 from tracker.inertial.geometry3d import DorsumMotion, FingerGeometry, chain_accelerations, force_at
 from tracker.inertial.madgwick import MadgwickParams
 from tracker.messages import Array
+from tracker.records import record
 
 
+@record("finger.moment")
 class _Moment(NamedTuple):
     """What one sample told: gyro, accel (2, 3) in B; w_B (3,) of the dorsum, its R_GB (3, 3)."""
 
     gyro: Array
     accel: Array
     dorsum: DorsumMotion
+
+
+@record("finger.quaternion")
+@dataclass(eq=False)
+class QuaternionKept:
+    """All of it that changes: q_GB (2, 4) xyzw, None before the first sample, and the last two
+    samples, newest last."""
+
+    q_GB: Array | None
+    past: list[_Moment]
 
 
 class QuaternionFinger:
@@ -54,6 +67,15 @@ class QuaternionFinger:
         self._past = [*self._past[-1:], now]
         R_G0, R_G1 = so3.matrix_from_quat(self._q_GB)
         return dorsum.R_GB.T @ R_G0, R_G0.T @ R_G1
+
+    @property
+    def kept(self) -> QuaternionKept:
+        """All that changes, as it is: for a copy."""
+        return QuaternionKept(self._q_GB, self._past)
+
+    @kept.setter
+    def kept(self, value: QuaternionKept) -> None:
+        self._q_GB, self._past = value.q_GB, value.past
 
     def _start_orientations(self, R_GB: Array) -> Array:
         """q_GB (2, 4) of both phalanges in the known start."""

@@ -9,6 +9,7 @@ import numpy as np
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Vector
 from tracker.messages import Array
+from tracker.records import record
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,6 +25,7 @@ class FingerGeometry:
     sensor_1: Array
 
 
+@record("finger.dorsum")
 @dataclass(frozen=True, eq=False)
 class DorsumMotion:
     """The dorsum at one sample.

@@ -11,8 +11,10 @@ from tracker.inertial.plane import SENSORS, ComplexArray, runge_kutta
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Vector, Written
 from tracker.messages import Array
+from tracker.records import record
 
 
+@record("finger.integration")
 class IntegrationState(NamedTuple):
     """theta (2,) rad; rate (2, 2) rad/s of the last and the last but one; samples (1,) so far."""
 

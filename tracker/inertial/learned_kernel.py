@@ -10,10 +10,12 @@ from tracker.inertial.plane import SENSORS, Levers, kinematic, runge_kutta
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
+from tracker.records import record
 
 SIZE = 4  # θ, b_g, b_x (along), b_z (palmar)
 
 
+@record("finger.learned")
 class LearnedState(NamedTuple):
     """x (2, 4), P (2, 4, 4); gyro (2, 2) of the last and the last but one sample; accel (2,) and
     root (1,) of the last; mean of accel since it came to rest (2,); samples (1,) so far and of them

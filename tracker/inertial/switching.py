@@ -16,6 +16,7 @@ from tracker.inertial.plane import SENSORS, ComplexArray, Levers, gravity_angle
 from tracker.kernels import kernel
 from tracker.kernels.arrays import ComplexMatrix, ComplexVector, Matrix, Vector, Written
 from tracker.messages import Array
+from tracker.records import record
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,7 @@ class SwitchingParams:
         return SwitchingParams(accel_offset=accel_offset, own_levers=True)
 
 
+@record("finger.switching")
 class SwitchingState(NamedTuple):
     """Integrator, bound (2,) rad of each angle's error, fast (2,) 1 while integrating."""
 

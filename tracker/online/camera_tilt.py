@@ -11,13 +11,13 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from tracker import GRAVITY
 from tracker.geometry import so3
 from tracker.messages import Array, CameraImuSample, CameraPose
+from tracker.records import record
 
 UP = np.array([0.0, 0.0, 1.0])
 
@@ -34,6 +34,7 @@ class CameraTiltParams:
     ahead: float = 0.1  # s beyond the newest sample, after which the camera is taken to rest
 
 
+@record("camera_tilt.rotation")
 @dataclass(frozen=True, eq=False)
 class _CameraRotation:
     """At ``t`` (s): R_GC (3, 3) and the angular rate (3,) rad/s in C from there on."""
@@ -41,6 +42,16 @@ class _CameraRotation:
     t: float
     R_GC: Array
     rate: Array
+
+
+@record("camera_tilt")
+@dataclass(eq=False)
+class CameraTiltKept:
+    """All of it that changes: the gyroscope's bias (3,) rad/s, the last sample, rotations."""
+
+    bias: Array
+    last: CameraImuSample | None
+    rotations: list[_CameraRotation]
 
 
 class CameraTilt:
@@ -93,14 +104,14 @@ class CameraTilt:
         ahead = min(max(t - turn.t, 0.0), self._params.ahead)
         return CameraPose(turn.R_GC @ so3.exp(turn.rate * ahead), self._nominal.p_GC)
 
-    def get_state(self) -> dict[str, Any]:
+    def get_state(self) -> CameraTiltKept:
         """All that changes."""
-        return {"bias": self._bias, "last": self._last, "turns": list(self._rotations)}
+        return CameraTiltKept(self._bias, self._last, list(self._rotations))
 
-    def set_state(self, state: dict[str, Any]) -> None:
+    def set_state(self, state: CameraTiltKept) -> None:
         """Go on from `get_state`."""
-        self._bias, self._last = state["bias"], state["last"]
-        self._rotations = deque(state["turns"])
+        self._bias, self._last = state.bias, state.last
+        self._rotations = deque(state.rotations)
 
 
 def _levelled(R_GC: Array, accel: Array) -> Array:

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass, replace
-from typing import Any
 
 from tracker.messages import BlobFrame, FrameResult, ImuSample
-from tracker.online.time_offset import Offset, TimeOffset
+from tracker.online.time_offset import Offset, TimeOffset, TimeOffsetKept
+from tracker.records import record
 
 WAITING = 64  # images that may be under way
 
@@ -25,6 +25,18 @@ class TimingParams:
     clear: float = 3.0  # standard deviations from zero, at least
     worth: float = 0.005  # offset from which on it is taken off: below it, it may be noise
     step: float = 0.001  # change from one image to the next
+
+
+@record("frame_timing")
+@dataclass(eq=False)
+class FrameTimingKept:
+    """All of it that changes: what was measured, images under way with the instants (s) that the
+    engine was told, and the offset (s) aimed at and taken off."""
+
+    offset: TimeOffsetKept
+    under_way: list[tuple[float, BlobFrame]]
+    target: float
+    applied: float
 
 
 class FrameTiming:
@@ -73,17 +85,13 @@ class FrameTiming:
         if self._target != 0.0 or abs(measured.value) > max(p.worth, p.clear * measured.sd):
             self._target = measured.value
 
-    def get_state(self) -> dict[str, Any]:
+    def get_state(self) -> FrameTimingKept:
         """Everything that changes."""
-        return {
-            "offset": self._offset.get_state(),
-            "under_way": list(self._under_way),
-            "target": self._target,
-            "applied": self.applied,
-        }
+        offset, under_way = self._offset.get_state(), list(self._under_way)
+        return FrameTimingKept(offset, under_way, self._target, self.applied)
 
-    def set_state(self, state: dict[str, Any]) -> None:
+    def set_state(self, state: FrameTimingKept) -> None:
         """Go on from `get_state`."""
-        self._offset.set_state(state["offset"])
-        self._under_way = deque(state["under_way"], maxlen=WAITING)
-        self._target, self.applied = state["target"], state["applied"]
+        self._offset.set_state(state.offset)
+        self._under_way = deque(state.under_way, maxlen=WAITING)
+        self._target, self.applied = state.target, state.applied

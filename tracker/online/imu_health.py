@@ -9,10 +9,12 @@ import numpy as np
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Written
 from tracker.messages import Array, ImuSample, IntArray
+from tracker.records import record
 
 STUCK_AFTER = 10  # identical packets; noise alone moves a living MPU-9250 by several LSB
 
 
+@record("imu_health")
 @dataclass(eq=False)
 class ImuHealthKept:
     """last (n, 6): accel and gyro of the packet before; same (n,): how often they came again."""

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from tracker.hand.model import HandModel
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, BlobFrame, FrameResult, ImuSample
+from tracker.records import record
 from tracker.vision.rig import StereoIntrinsics, StereoRig, triangulated
 
 FLAT = 1e-6  # m², for markers on one line
@@ -57,6 +58,7 @@ class Offset:
     sd: float = float("inf")
 
 
+@record("time_offset.rotation")
 class _GyroRotation(NamedTuple):
     """Of the root by its gyroscope: R (3, 3) up to a constant on the left, rate (3,) rad/s in B."""
 
@@ -65,6 +67,7 @@ class _GyroRotation(NamedTuple):
     rate: Vector
 
 
+@record("time_offset.view")
 class _RootView(NamedTuple):
     """The root's markers in an image: rows ``marker`` (n,), places p_G (n, 3) m but for the
     camera's own; and R_GB (3, 3) that they say, within the error of their placement."""
@@ -75,8 +78,21 @@ class _RootView(NamedTuple):
     R_GB: Matrix
 
 
-_QUEUES = {"_gyro": _GyroRotation, "_seen": _RootView, "_late": _RootView}
-_NUMBERS = ("_ata", "_atb", "_rss", "_count", "_last", "_last_seen")
+@record("time_offset")
+@dataclass(eq=False)
+class TimeOffsetKept:
+    """All of it that changes: what is remembered of gyroscope and images, sums over pairs of
+    images, and when (s) an image was used and seen last."""
+
+    gyro: list[_GyroRotation]
+    seen: list[_RootView]
+    late: list[_RootView]
+    ata: float
+    atb: float
+    rss: float
+    count: float
+    last: float
+    last_seen: float
 
 
 class TimeOffset:
@@ -142,17 +158,25 @@ class TimeOffset:
             self._late.append(view)
             self._process()
 
-    def get_state(self) -> dict[str, Any]:
-        """Everything that changes, in plain values and arrays."""
-        queues = {name: [tuple(x) for x in getattr(self, name)] for name in _QUEUES}
-        return queues | {name: float(getattr(self, name)) for name in _NUMBERS}
+    def get_state(self) -> TimeOffsetKept:
+        """Everything that changes."""
+        return TimeOffsetKept(
+            gyro=list(self._gyro),
+            seen=list(self._seen),
+            late=list(self._late),
+            ata=float(self._ata),
+            atb=float(self._atb),
+            rss=float(self._rss),
+            count=float(self._count),
+            last=float(self._last),
+            last_seen=float(self._last_seen),
+        )
 
-    def set_state(self, state: dict[str, Any]) -> None:
+    def set_state(self, state: TimeOffsetKept) -> None:
         """Go on from `get_state`."""
-        for name, kind in _QUEUES.items():
-            setattr(self, name, deque(kind(*row) for row in state[name]))
-        for name in _NUMBERS:
-            setattr(self, name, state[name])
+        self._gyro, self._seen, self._late = deque(state.gyro), deque(state.seen), deque(state.late)
+        self._ata, self._atb, self._rss = state.ata, state.atb, state.rss
+        self._count, self._last, self._last_seen = state.count, state.last, state.last_seen
 
     # ---- markers
 

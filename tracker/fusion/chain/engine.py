@@ -32,9 +32,11 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
+from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 
+@record("chain")
 @dataclass(eq=False)
 class ChainKept:
     """All of a chain engine that changes."""

@@ -9,10 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.fusion.chain.calibration.control import without_walks
 from tracker.fusion.chain.constraints import Constraints
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.params import ChainParams, without_walks
 from tracker.fusion.chain.prior import initial_covariance, reset_pose
 from tracker.fusion.chain.propagate import Coasting, carry, propagate
 from tracker.fusion.chain.start.search import Pose
@@ -22,11 +21,13 @@ from tracker.fusion.chain.tilt import tilt_rows
 from tracker.fusion.kalman import correct, joined, products
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import Array, IntArray
+from tracker.records import record
 
 Rows = tuple[Array, Array, Array, Array]
 """Of an update: H (m, N), H P (m, N), innovation r (m,) and its noise R (m, m)."""
 
 
+@record("chain.filter")
 @dataclass(eq=False)
 class FilterKept:
     """All of the filter that changes; when tilt and anatomy were used last, s."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -132,3 +132,11 @@ class ChainParams:
     constraint: ConstraintParams = field(default_factory=ConstraintParams)
     match: MatchParams = field(default_factory=MatchParams)
     bundle: BundleParams = field(default_factory=BundleParams)
+
+
+def without_walks(params: ChainParams) -> ChainParams:
+    """The same filter whose calibration does not drift, so that what is held stays held."""
+    noise = replace(
+        params.noise, gyro_bias=0.0, accel_bias=0.0, scale=0.0, mounting=0.0, offset=0.0
+    )
+    return replace(params, noise=noise)

@@ -21,11 +21,13 @@ from tracker.geometry.kernels import rotate, rotate_back
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Stack, Stack4, Vector, Written
 from tracker.messages import CameraPose
+from tracker.records import record
 from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig, projected
 
 MIN_PRIOR = 0.01  # of being seen, below which a marker is not looked for
 
 
+@record("chain.prediction")
 class Prediction(NamedTuple):
     """Markers as the filter expects them; n of them may be seen.
 

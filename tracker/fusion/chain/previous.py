@@ -7,8 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracker.fusion.chain.prediction import Prediction
+from tracker.records import record
 
 
+@record("chain.previous")
 @dataclass(frozen=True, eq=False)
 class PreviousPrediction:
     """Markers after the image at ``t`` (s) as the filter then had them."""

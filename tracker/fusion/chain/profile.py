@@ -9,8 +9,10 @@ import numpy as np
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.state import ChainState
 from tracker.messages import Array
+from tracker.records import record
 
 
+@record("chain.profile")
 @dataclass(frozen=True, eq=False)
 class WearerProfile:
     """The calibration part of a `ChainState` and its covariance P (C, C), in the same order."""

@@ -20,6 +20,7 @@ from tracker.fusion.chain.previous import PreviousPrediction
 from tracker.fusion.chain.reports import frame_result
 from tracker.fusion.chain.state import ChainState
 from tracker.messages import BlobFrame, CameraPose, FrameResult, IntArray, Tracking
+from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 
@@ -58,6 +59,7 @@ class Recognised(NamedTuple):
         return bool(np.all(self.match >= 0, axis=0).any())
 
 
+@record("chain.recognition")
 @dataclass(eq=False)
 class RecognitionKept:
     """All of the recognition that changes."""

@@ -12,10 +12,12 @@ from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_u
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.output import HandOutput, Sensed, sensed_lately
 from tracker.messages import SEEN_LATELY, Array, CameraPose, Estimate, ImuSample, IntArray, Tracking
+from tracker.records import record
 
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
+@record("chain.shown")
 @dataclass(eq=False)
 class ShownKept:
     """All of it that changes."""

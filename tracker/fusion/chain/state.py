@@ -12,6 +12,7 @@ from tracker.geometry.kernels import rotate_all
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix, Stack, Vector, Written
 from tracker.messages import Array
+from tracker.records import record
 
 SCALE_LIMITS = (0.6, 1.5)
 LENGTH_GIRTH_GIRTH = np.array([0, 1, 1])
@@ -42,6 +43,7 @@ class Body(NamedTuple):
     joint: Matrix
 
 
+@record("chain.state")
 @dataclass(eq=False)
 class ChainState:
     """Nominal state and covariance at time ``t``. Shapes: A active segments, n IMUs, M markers.

@@ -18,9 +18,11 @@ from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracking import TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
+from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 
+@record("chain.tracker")
 @dataclass(eq=False)
 class TrackerKept:
     """All of a tracker that changes, part by part."""

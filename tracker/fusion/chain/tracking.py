@@ -9,6 +9,7 @@ import numpy as np
 from tracker.fusion.chain.params import MatchParams
 from tracker.fusion.chain.pixels import Tally
 from tracker.messages import Tracking
+from tracker.records import record
 
 IN_VAIN = 0.3  # s of images with markers in which a lost hand is not found as it was last
 KEEP_CALIBRATION = 5.0  # s after which a hand that is still lost is looked for without it
@@ -17,6 +18,7 @@ DOUBTFUL_SHARE = 0.35  # of the expected markers
 ENOUGH_SHARE = 0.6  # of the few markers that can be seen of a hand edge-on
 
 
+@record("chain.tracking")
 @dataclass(eq=False)
 class TrackingKept:
     """All of the judgement that changes. Instants in s."""

@@ -11,12 +11,14 @@ import numpy as np
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolMatrix, BoolVector, Matrix, Stack, Vector
 from tracker.messages import ImuSample
+from tracker.records import record
 
 LONGEST_STEP = 0.25  # s between packets, beyond which the glove counts as silent
 SHORTEST_STEP = 1e-9  # s
 AROUND = 0.01  # s: neighbours that give an angular acceleration
 
 
+@record("imu_moment")
 class Moment(NamedTuple):
     """What all n IMUs read at one instant, or on average about it, as in an `ImuSample`.
 
@@ -36,6 +38,7 @@ class Moment(NamedTuple):
         )
 
 
+@record("imu_around")
 class Around(NamedTuple):
     """Three moments in a row; the outer two give the angular acceleration ``now``."""
 

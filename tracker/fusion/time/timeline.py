@@ -16,6 +16,7 @@ import numpy as np
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
 from tracker.online.imu_health import ImuHealth, ImuHealthKept
+from tracker.records import record
 
 LATE_MARGIN = 0.03  # s beyond the latest image so far
 LONGEST_LAG = 0.5  # s
@@ -64,6 +65,7 @@ class Filter(Protocol[S]):
         """The state has moved on and no image has come. True where what is shown has to follow."""
 
 
+@record("timeline")
 @dataclass(eq=False)
 class TimelineKept(Generic[S]):
     """All of a timeline that changes: images that wait, what was made of others, packets."""

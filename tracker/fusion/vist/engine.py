@@ -30,9 +30,11 @@ from tracker.messages import (
     IntArray,
     Tracking,
 )
+from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 
+@record("vist")
 @dataclass(eq=False)
 class VistKept:
     """All of a vist engine that changes."""

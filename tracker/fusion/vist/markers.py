@@ -14,12 +14,14 @@ from tracker.fusion.vist.params import VistMatch, VistNoise
 from tracker.fusion.vist.points import jacobians, own_covariance, positions
 from tracker.fusion.vist.state import VistState
 from tracker.messages import Array, CameraPose, IntArray
+from tracker.records import record
 from tracker.vision.correspondence import match_translation
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import match_stereo
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, both_cameras, visibility
 
 
+@record("vist.prediction")
 @dataclass(frozen=True, eq=False)
 class Expected:
     """Markers (m kept ones) as a state predicts them.
@@ -34,6 +36,7 @@ class Expected:
     cov: Array
 
 
+@record("vist.previous")
 @dataclass(frozen=True, eq=False)
 class PreviousMarkers:
     """Markers after the image at ``t`` (s) as the filter then had them."""

@@ -12,8 +12,10 @@ from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, P, V, VistL
 from tracker.fusion.vist.params import VistPrior
 from tracker.geometry.kernels import rotate_all
 from tracker.messages import Array
+from tracker.records import record
 
 
+@record("vist.state")
 @dataclass(eq=False)
 class VistState:
     """Nominal state and covariance at time ``t``; n segments, rows as in `VistLayout`.

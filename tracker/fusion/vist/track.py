@@ -8,6 +8,7 @@ import numpy as np
 
 from tracker.fusion.chain.params import MatchParams
 from tracker.messages import Array, Tracking
+from tracker.records import record
 
 DOUBTFUL_SHARE = 0.35  # of the expected markers
 MIN_RECOGNISED = 5  # stereo points that place a hand
@@ -15,6 +16,7 @@ RECOGNISED_SHARE = 0.6  # of the expected markers
 LOST_SD = 0.05  # m: an unseen hand whose place is less certain than this is lost
 
 
+@record("vist.tracking")
 @dataclass(eq=False)
 class Track:
     """What changes beside the filter. seen (M,), felt (I,): when each marker and IMU was last."""

@@ -35,12 +35,14 @@ from tracker.messages import (
     ImuSample,
     Tracking,
 )
+from tracker.records import record
 from tracker.vision.rig import StereoRig
 from tracker.vision.visibility import both_cameras
 
 Seen = tuple[SeenBlobs, ...]
 
 
+@record("vist.tracker")
 @dataclass(eq=False)
 class VistTrackerKept:
     """All of a tracker that changes."""

@@ -11,10 +11,12 @@ from tracker.fusion.chain.pixels import SeenBlobs
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.time.imu_buffer import Around
 from tracker.messages import Array, CameraPose, IntArray
+from tracker.records import record
 
 MAX_RATE = 4.0  # rad/s: faster than this an image smears and the accelerometers feel the motion
 
 
+@record("chain.keyframe")
 @dataclass(frozen=True, eq=False)
 class Keyframe:
     """One posture. p (3,), R_GB (A, 3, 3) as the filter had them; uv (2, M, 2) rectified px of the
@@ -28,6 +30,7 @@ class Keyframe:
     relative: Array  # (A - 1, 3) rotation vectors against the parents
 
 
+@record("chain.keyframes")
 @dataclass(eq=False)
 class Keyframes:
     """At most ``BundleParams.keyframes`` of them; a newcomer replaces the one least needed."""

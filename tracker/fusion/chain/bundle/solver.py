@@ -20,6 +20,7 @@ from tracker.fusion.chain.profile import WearerProfile, profile_of
 from tracker.fusion.chain.state import ChainState, initial_state, inject
 from tracker.geometry import so3
 from tracker.messages import Array
+from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 ASK_EVERY = 0.03  # s
@@ -30,6 +31,7 @@ MOST_SHIFT = 0.008  # m of a marker, along each axis
 POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filter had it
 
 
+@record("chain.bundle")
 @dataclass(eq=False)
 class BundleWork:
     """What changes: remembered postures and, while a solution is made, the sums so far."""

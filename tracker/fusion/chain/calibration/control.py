@@ -9,7 +9,7 @@ import numpy as np
 
 from tracker.errors import ConfigError
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.params import ChainParams, PriorParams
+from tracker.fusion.chain.params import PriorParams
 from tracker.fusion.chain.prior import initial_covariance
 from tracker.fusion.chain.profile import WearerProfile, profile_of
 from tracker.fusion.chain.state import ChainState, initial_state
@@ -74,14 +74,6 @@ def hold_calibration(state: ChainState, layout: ChainLayout) -> None:
     n = layout.n_dynamic
     state.P[n:, :] = 0.0
     state.P[:, n:] = 0.0
-
-
-def without_walks(params: ChainParams) -> ChainParams:
-    """The same filter whose calibration does not drift, so that what is held stays held."""
-    noise = replace(
-        params.noise, gyro_bias=0.0, accel_bias=0.0, scale=0.0, mounting=0.0, offset=0.0
-    )
-    return replace(params, noise=noise)
 
 
 def with_held(state: ChainState, layout: ChainLayout, held: WearerProfile) -> ChainState:

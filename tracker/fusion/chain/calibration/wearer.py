@@ -17,9 +17,11 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.geometry.kernels import relative_rotations
 from tracker.messages import Calibration
+from tracker.records import record
 from tracker.vision.rig import StereoRig
 
 
+@record("chain.wearer")
 @dataclass(eq=False)
 class WearerKept:
     """All of it that changes."""

@@ -1,0 +1,124 @@
+"""States of all engines in the middle of tracking, and as they were once recorded (``data``).
+
+The recorded ones are never made anew, for recordings of that day are not either. Where a record
+gains something, a sample is added: put its name into `SAMPLES` and run
+
+    PYTHONPATH=. python tests/session/engine_state_samples.py
+
+which writes the samples that are not there yet, and adds new names to ``engine_state_names.txt``.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from tracker import GRAVITY, library
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.params import BundleParams
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import BlobFrame, CameraImuSample, ImuSample
+from tracker.pipeline import Pipeline
+from tracker.records import RECORDS
+from tracker.session.engine_state import pack
+from tracker.settings import Settings
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
+
+DATA = Path(__file__).parent / "data"
+NAMES = DATA / "engine_state_names.txt"
+LATER = 0.02  # s after the last packet, at which the hand is asked for
+EARLY = BundleParams(first_after=1.0, least_keyframes=4, least_blobs=6, apart=0.05, keyframes=4)
+
+SAMPLES: dict[str, Callable[[Settings], Settings]] = {
+    "chain": lambda s: replace(s, engine="chain", chain=replace(s.chain, bundle=EARLY)),
+    "chain_previous": lambda s: replace(
+        s, engine="chain", chain=replace(s.chain, guide="previous")
+    ),
+    "vist_previous": lambda s: replace(
+        s, engine="vist", vist=replace(s.vist, match=replace(s.vist.match, guide="previous"))
+    ),
+    "switching": lambda s: replace(s, engine="switching"),
+    "madgwick": lambda s: replace(s, engine="madgwick"),
+}
+
+
+def small_glove() -> tuple[HandModel, GloveModel]:
+    """Of the default glove, what is on the back of the hand and on one finger."""
+    hand, glove = library.load()
+    on = ("dorsum", "index_proximal", "index_intermediate")
+    markers = [m for m in glove.markers if m.segment in on]
+    imus = tuple(i for i in glove.imus if i.segment in on)
+    renumbered = tuple(replace(m, id=k) for k, m in enumerate(markers))
+    return hand, replace(glove, imus=imus, markers=renumbered)
+
+
+def simulation() -> Simulation:
+    hand, glove = small_glove()
+    return Simulation(hand, glove, RandomPostures(hand, 1, duration=2.0), 1, fps=30)
+
+
+def untouched(sim: Simulation, sample: str) -> Pipeline:
+    """A pipeline of the sample's engine and settings that has been fed nothing."""
+    return Pipeline(sim.hand, sim.glove, sim.rig, SAMPLES[sample](Settings()))
+
+
+def tracked(sim: Simulation, sample: str) -> tuple[Pipeline, float]:
+    """The same in the middle of tracking, an image waiting, and the last packet's instant."""
+    pipeline, t = untouched(sim, sample), 0.0
+    force_C = sim.rig.pose.R_GC.T @ [0.0, 0.0, GRAVITY]
+    for message in sim.feed():
+        if t > 1.5 and isinstance(message, BlobFrame):
+            pipeline.feed_frame(replace(message, t=t + 0.1))
+            break
+        if isinstance(message, BlobFrame):
+            pipeline.feed_frame(message)
+            pipeline.feed_camera_imu(CameraImuSample(t, message.t_arrival, np.zeros(3), force_C))
+        elif isinstance(message, ImuSample):
+            t = message.t
+            pipeline.feed_imu(message)
+    if sample == "chain_previous":
+        assert isinstance(pipeline.engine, ChainEngine)
+        pipeline.engine.put_on(pipeline.engine.profile())
+        pipeline.engine.freeze_calibration(True)
+    return pipeline, t
+
+
+def registered() -> dict[str, set[str]]:
+    """Each record's name, and the names of its fields."""
+    return {name: set(record.names.values()) for name, record in RECORDS.items()}
+
+
+def listed() -> dict[str, set[str]]:
+    """The same, of all that was ever written."""
+    lines = NAMES.read_text().splitlines() if NAMES.exists() else []
+    pairs = (line.partition(":") for line in lines)
+    return {name: set(fields.split()) for name, _, fields in pairs}
+
+
+def main() -> None:
+    ever = listed()
+    for name, fields in registered().items():
+        ever[name] = ever.get(name, set()) | fields
+    DATA.mkdir(exist_ok=True)
+    lines = [f"{name}: {' '.join(sorted(ever[name]))}".rstrip() for name in sorted(ever)]
+    NAMES.write_text("\n".join(lines) + "\n")
+    sim = simulation()
+    for sample in SAMPLES:
+        path = DATA / f"engine_state_{sample}.bin"
+        if path.exists():
+            continue
+        pipeline, t = tracked(sim, sample)
+        path.write_bytes(pack(pipeline.settings.engine, pipeline.get_state()))
+        shown = pipeline.predict(t + LATER)
+        said = {"t": shown.t, "keypoints_mm": (1000 * shown.keypoints).round(4).tolist()}
+        path.with_suffix(".json").write_text(json.dumps(said) + "\n")
+
+
+if __name__ == "__main__":
+    main()
