@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
+import re
 import sys
 import tomllib
 from collections.abc import Iterable
@@ -13,6 +15,23 @@ import numpy as np
 
 from tracker.errors import FileError
 from tracker.messages import Array
+
+MOST_BYTES = 1_000_000
+"""Of a configuration file; the longest of ours has a hundredth of it."""
+_DEEPEST = 16
+_MOST_TABLES = 1000
+_MOST_DIGITS = 400
+_LARGEST = 2**63 - 1
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,63}")
+_NAME_RULE = "a letter, then at most 63 letters, digits, _ and -"
+_TOKEN = re.compile(
+    r'"""(?:[^"\\]|\\.|"(?!""))*"""'  # texts of several lines
+    r"|'''(?:[^']|'(?!''))*'''"
+    r'|"(?:[^"\\\n]|\\.)*"'  # texts of one
+    r"|'[^'\n]*'"
+    r"|#[^\n]*|[A-Za-z0-9_+-]+|[ \t]+|.",
+    re.DOTALL,
+)
 
 
 class TomlTable:
@@ -25,7 +44,8 @@ class TomlTable:
     def fail(self, key: str, why: str) -> FileError:
         """The error to raise for ``key`` of this table."""
         path = f"{self._where}.{key}" if self._where else key
-        return FileError(f"{self._source.name}{self._source.line(self._where, key)}: {path} {why}.")
+        line = self._source.line(self._where, key)
+        return FileError(f"{self._source.name}{line}: {_short(path)} {_short(why, 400)}.")
 
     def has(self, key: str) -> bool:
         return key in self._data
@@ -46,10 +66,21 @@ class TomlTable:
             raise self.fail(key, f"is {value!r}; it must be one of {', '.join(choices)}")
         return value
 
+    def name(self, key: str) -> str:
+        """A text that may stand in topics, names of columns and of files."""
+        return self._checked_name(key, self.text(key))
+
+    def _checked_name(self, key: str, value: str) -> str:
+        if not _NAME.fullmatch(value):
+            raise self.fail(key, f"has the name {_short(value)!r}; {_NAME_RULE}")
+        return value
+
     def integer(self, key: str, default: Any = ...) -> int:
         value = self._take(key, default)
         if not isinstance(value, int) or isinstance(value, bool):
             raise self.fail(key, "must be a whole number")
+        if abs(value) > _LARGEST:
+            raise self.fail(key, "is too large a number")
         return value
 
     def number(
@@ -97,8 +128,12 @@ class TomlTable:
         return TomlTable(value, where, self._source)
 
     def tables(self, key: str) -> dict[str, TomlTable]:
-        """The sub-tables of ``key`` by name; none if the key is absent."""
+        """The sub-tables of ``key`` by name, each as `name` allows; none if the key is absent."""
         group = self.table(key, {})
+        self._count(key, len(group._data))
+        for name in group._data:
+            if not _NAME.fullmatch(name):
+                raise group.fail(name, f"is no name: {_NAME_RULE}")
         return {name: group.table(name) for name in group._data}
 
     def table_list(self, key: str) -> list[TomlTable]:
@@ -106,7 +141,12 @@ class TomlTable:
         value = self._take(key, [])
         if not isinstance(value, list) or not all(isinstance(v, dict) for v in value):
             raise self.fail(key, f"must be written as [[{key}]] tables")
+        self._count(key, len(value))
         return [TomlTable(v, f"{key}[{i}]", self._source) for i, v in enumerate(value)]
+
+    def _count(self, key: str, n: int) -> None:
+        if n > _MOST_TABLES:
+            raise self.fail(key, f"has {n} tables; there may be {_MOST_TABLES}")
 
     def keys(self) -> list[str]:
         return list(self._data)
@@ -126,6 +166,9 @@ class Source:
 
     def line(self, where: str, key: str) -> str:
         """``', line N'`` of a key where it can be found, else nothing."""
+        header = self._header([*where.split("."), key] if where else [key])
+        if header is not None:
+            return f", line {header + 1}"
         start = self._table_start(where)
         if start is None:
             return ""
@@ -136,6 +179,16 @@ class Source:
             if text.split("=")[0].strip() == key:
                 return f", line {n + 1}"
         return f", line {start + 1}" if where else ""
+
+    def _header(self, path: list[str]) -> int | None:
+        """Number of the line that begins the table of that path, however its name is quoted."""
+        for n, text in enumerate(self._lines):
+            text = text.strip()
+            if text.startswith("[") and not text.startswith("[["):
+                with contextlib.suppress(ValueError):
+                    if _only_path(tomllib.loads(text)) == path:
+                        return n
+        return None
 
     def _table_start(self, where: str) -> int | None:
         if not where:
@@ -158,8 +211,10 @@ def read_toml(text: str, name: str) -> TomlTable:
 def parse_toml(text: str, name: str) -> dict[str, Any]:
     """The tables of a TOML text. Raises FileError if it is none, or nobody could have written it.
 
-    The standard library's parser has no bound of its own on digits and nesting.
+    The standard library's parser has no bound of its own on digits and nesting, and takes a time
+    that grows with the square of the parts of a dotted key.
     """
+    _check_bounds(text, name)
     try:
         return tomllib.loads(text)
     except ValueError as error:  # TOMLDecodeError is one; so are integers of thousands of digits
@@ -168,7 +223,53 @@ def parse_toml(text: str, name: str) -> dict[str, Any]:
         raise FileError(f"{name} is not valid TOML: it is nested too deeply.") from error
 
 
-def read_text(path: Path, limit: int = 4_000_000) -> str:
+def _check_bounds(text: str, name: str) -> None:
+    """Raises FileError, with line and key, for what no person writes into such a file."""
+    if len(text) > MOST_BYTES:
+        raise FileError(f"{name} is larger than {MOST_BYTES} bytes: not a configuration file.")
+    line, key, depth, parts, bare = 1, "", 0, 1, ""
+    for token in _TOKEN.findall(text):
+        first = token[0]
+        why = ""
+        if first in "\"'" or first == "_" or first.isalnum():
+            bare = token
+            if first.isdigit() and len(token) > _MOST_DIGITS:
+                why = f"is a number of {len(token)} digits"
+        elif first == ".":
+            parts += 1
+            if parts > _DEEPEST:
+                key, why = bare, f"has more than {_DEEPEST} parts"
+        elif first in "[{":
+            depth += 1
+            if depth > _DEEPEST:
+                why = f"is nested more than {_DEEPEST} deep"
+        elif first in "]}":
+            depth -= 1
+        elif first == "=":
+            key = bare
+        if why:
+            raise FileError(f"{name}, line {line}: {_short(key or bare) or 'a table'} {why}.")
+        if first not in ". \t\"'_" and not first.isalnum():
+            parts = 1
+        line += token.count("\n")
+
+
+def _only_path(data: dict[str, Any]) -> list[str]:
+    """Keys from the root down to an empty table."""
+    path = []
+    while data:
+        ((key, data),) = data.items()
+        path.append(key)
+    return path
+
+
+def _short(text: str, most: int = 60) -> str:
+    """What a message shows of a text that may be long or hold anything."""
+    text = "".join(c if c.isprintable() else "?" for c in text[: most + 1])
+    return text if len(text) <= most else f"{text[: most - 1]}…"
+
+
+def read_text(path: Path, limit: int = MOST_BYTES) -> str:
     """A small text file whole. Raises FileError where it is missing, huge or not UTF-8."""
     try:
         if path.stat().st_size > limit:

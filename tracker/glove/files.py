@@ -52,7 +52,7 @@ def _distinct(root: TomlTable, key: str, names: list[str], what: str = "twice") 
 
 def _imu(t: TomlTable, hand: HandModel) -> Imu:
     imu = Imu(
-        name=t.text("name"),
+        name=t.name("name"),
         segment=t.text("segment", among=hand.segment_names),
         position=t.vector("position", 3, limit=0.5),
         R_BI=so3.matrix_from_quat(t.unit("orientation_xyzw", 4)),
@@ -64,7 +64,7 @@ def _imu(t: TomlTable, hand: HandModel) -> Imu:
 def _marker(t: TomlTable, hand: HandModel) -> Marker:
     marker = Marker(
         id=t.integer("id"),
-        hue=t.text("hue"),
+        hue=t.name("hue"),
         shape=t.text("shape", among=("circle", "square")),
         size=t.number("size", low=1e-3, high=0.1),
         segment=t.text("segment", among=hand.segment_names),

@@ -22,11 +22,16 @@ from tracker.session.description import SessionInfo
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import FOREVER, McapInput
 from tracker.session.mcap.ordering import last_before, ordered
+from tracker.session.mcap.records import LATEST
 from tracker.session.rigs import first_rig, rig_changes
 from tracker.session.ros import topics
 from tracker.session.ros.cdr import CdrReader, in_words
+from tracker.toml_reader import MOST_BYTES
 from tracker.vision.rig import StereoRig
 
+_LATEST_WALL = 2**31 * NS  # ns since 1970: the stamps of ROS 2 count seconds in 31 bits
+_MOST_ATTACHMENTS = 1000
+_BESIDE_TEXT = 1000  # bytes of an attachment's record beside its data
 _FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late against their IMUs
 _WATCH_EVERY = 200  # messages
 
@@ -78,9 +83,12 @@ class SessionReader:
 
     @cached_property
     def attachments(self) -> dict[str, str]:
-        """Text attachments by file name; names with a path in them are left out."""
+        """Text attachments by file name; names with a path in them are left out, and large ones."""
         out: dict[str, str] = {}
-        for a in self.source.attachments():
+        for place in self.source.contents.attachments[:_MOST_ATTACHMENTS]:
+            if place[1] > MOST_BYTES + _BESIDE_TEXT:
+                continue
+            a = self.source.attachment_at(place)
             if "/" in a.name or "\\" in a.name or a.name == engine_state.NAME:
                 continue
             try:
@@ -104,18 +112,29 @@ class SessionReader:
     def attachment(self, name: str) -> str:
         """An attached text. Raises FileError if there is none of that name."""
         if name not in self.attachments:
-            raise FileError(f"{self.path} has no attachment {name}.")
+            large = any(n > MOST_BYTES + _BESIDE_TEXT for _, n in self.source.contents.attachments)
+            limit = f" of at most {MOST_BYTES} bytes" if large else ""
+            raise FileError(f"{self.path} has no attachment {name}{limit}.")
         return self.attachments[name]
 
     @cached_property
     def anchor(self) -> ClockAnchor:
-        """The session's clock; in a foreign session it starts at one second."""
+        """The session's clock; in a foreign session it starts at one second.
+
+        Raises FileError for an instant that no clock shows.
+        """
         try:
-            return ClockAnchor(
+            anchor = ClockAnchor(
                 int(self.metadata["wall_clock_ns"]), int(self.metadata["monotonic_ns"])
             )
         except (KeyError, ValueError):
-            return ClockAnchor(self.span_ns[0], NS)
+            anchor = ClockAnchor(self.span_ns[0], NS)
+        if not (0 <= anchor.wall_ns < _LATEST_WALL and 0 <= anchor.monotonic_ns < LATEST):
+            raise FileError(
+                f"{self.path} says it began at an instant that no clock shows: its wall_clock_ns, "
+                "its monotonic_ns or its first log time is out of range."
+            )
+        return anchor
 
     @cached_property
     def span_ns(self) -> tuple[int, int]:

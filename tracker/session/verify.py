@@ -10,6 +10,7 @@ from pathlib import Path
 from tracker.errors import GlovetrackError
 from tracker.session import description
 from tracker.session.images import image_size
+from tracker.session.mcap.check import index_damage
 from tracker.session.mcap.input import RawMessage
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
@@ -73,7 +74,10 @@ def is_ok(findings: list[Finding]) -> bool:
 
 def _container(reader: SessionReader) -> list[Finding]:
     contents = reader.source.contents
-    out = [Finding("error", d.what, f"byte {d.offset}") for d in contents.damage]
+    damage = [*contents.damage]
+    if contents.finished and not damage:
+        damage += index_damage(reader.path, contents)
+    out = [Finding("error", d.what, f"byte {d.offset}") for d in damage]
     if not contents.finished:
         text = "the recording was never finished; `glovetrack recover` makes a whole file of it"
         out.append(Finding("error", text, "file"))

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 import lz4.frame
 import zstandard
+from mcap.opcode import Opcode
 
 from tracker.session.mcap.records import BAD_RECORD, LIMIT
 
@@ -15,6 +16,10 @@ INNOCENT = 4 * 2**20  # bytes that a chunk may unpack to whatever its packed siz
 MOST_SWELLING = 250  # times its packed size beyond that; sensors' data swell ten times at most
 _HEAD = struct.Struct("<QQQII")
 _RECORD = struct.Struct("<BQ")
+MESSAGE = struct.Struct("<HIQQ")
+"""Channel, sequence, log time and publish time of a message; its data follow."""
+_IN_CHUNKS = (Opcode.SCHEMA, Opcode.CHANNEL, Opcode.MESSAGE)
+_FEW, _FEWEST_BYTES = 64, 4
 
 
 def decompress(name: str, packed: bytes, size: int) -> bytes:
@@ -50,13 +55,31 @@ def unpacked(chunk: bytes) -> bytes:
 def records(block: bytes) -> Iterator[tuple[int, bytes]]:
     """(opcode, content) of the records in a block. Raises ValueError where one is not whole.
 
-    Opcode 0 is none: a block of zeros would be a record every nine bytes, millions in a chunk.
+    Opcode 0 is none: a block of zeros would be a record every nine bytes.
     """
     at = 0
-    while at + _RECORD.size <= len(block):
+    while at < len(block):
+        if at + _RECORD.size > len(block):
+            raise ValueError("a record in it is not whole")
         opcode, size = _RECORD.unpack_from(block, at)
         at += _RECORD.size
         if opcode == 0 or at + size > len(block):
             raise ValueError("a record in it is not whole")
         yield opcode, block[at : at + size]
         at += size
+
+
+def message_records(block: bytes, length: int) -> Iterator[tuple[int, bytes]]:
+    """`records` of what a span of ``length`` bytes of the file holds.
+
+    Raises ValueError also for one that cannot be in a chunk, and for more of them than can have
+    been written in so few bytes: a message has two times and a number of its own, which no
+    compression brings below four bytes. So the work on a file is bounded by its size.
+    """
+    most = _FEW + length // _FEWEST_BYTES
+    for n, (opcode, body) in enumerate(records(block)):
+        if opcode not in _IN_CHUNKS or (opcode == Opcode.MESSAGE and len(body) < MESSAGE.size):
+            raise ValueError("a record in it is not whole")
+        if n > most:
+            raise ValueError("it unpacks to more messages than anything records")
+        yield opcode, body

@@ -34,6 +34,7 @@ class McapOutput:
             self._file,  # type: ignore[arg-type]
             chunk_size=chunk_bytes,
             compression=COMPRESSION[compression],
+            enable_data_crcs=True,
         )
         self._writer.start("ros2", f"glovetrack {__version__}")
         self._chunk_ns, self._sync = chunk_ns, sync

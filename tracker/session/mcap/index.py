@@ -17,11 +17,10 @@ from mcap.opcode import Opcode
 from mcap.records import Channel, Header, Schema
 
 from tracker.errors import FileError
-from tracker.session.mcap.chunks import records, unpacked
-from tracker.session.mcap.records import BAD_RECORD, LIMIT, MAGIC, Damage, RecordFile
+from tracker.session.mcap.chunks import MESSAGE, message_records, records, unpacked
+from tracker.session.mcap.records import BAD_RECORD, LATEST, LIMIT, MAGIC, SAVED, Damage, RecordFile
 from tracker.session.mcap.spans import LooseMessages, Span, Spans
 
-MESSAGE = struct.Struct("<HIQQ")
 _CHUNK = struct.Struct("<QQQI")
 _FOOTER = 37  # bytes of the footer record and the magic behind it
 
@@ -62,9 +61,14 @@ class Contents:
 def read_contents(file: RecordFile, scan: bool = False) -> Contents:
     """What ``file`` holds; ``scan``: walk over all records even if there is a summary."""
     contents = Contents()
-    if scan or not _read_summary(file, contents):
-        contents = Contents(finished=contents.finished)
-        _Scan(file, contents).walk()
+    damage: list[Damage] = []
+    try:
+        if not scan and _read_summary(file, contents):
+            return contents
+    except BAD_RECORD:
+        damage = [Damage(summary_start(file), "the summary is damaged")]
+    contents = Contents(finished=contents.finished or _footer(file) is not None, damage=damage)
+    _Scan(file, contents).walk()
     return contents
 
 
@@ -75,43 +79,61 @@ def span_records(file: RecordFile, span: Span) -> Iterator[tuple[int, bytes]]:
         raise file.damaged(span.offset, "there is no chunk")
     try:
         if opcode == Opcode.CHUNK:
-            yield from records(unpacked(file.body(span.offset, length)))
+            block = unpacked(file.body(span.offset, length))
         else:
-            yield from records(file.at(span.offset, min(span.length, LIMIT)))
+            block = file.at(span.offset, min(span.length, LIMIT))
+        yield from message_records(block, span.length)
     except ValueError as error:
         where = f"{file.path} is damaged in the chunk at byte {span.offset}"
-        raise FileError(f"{where}: {error}.") from error
+        raise FileError(f"{where}: {error}. {SAVED}") from error
+
+
+def _footer(file: RecordFile) -> bytes | None:
+    """The footer record and the magic behind it; None where the file was never finished."""
+    tail = file.at(max(file.size - _FOOTER, 0), _FOOTER)
+    ends = len(tail) == _FOOTER and tail[-8:] == MAGIC and tail[0] == Opcode.FOOTER
+    return tail if ends else None
+
+
+def summary_start(file: RecordFile) -> int:
+    """Where the footer says that the summary begins; 0 where there is none."""
+    tail = _footer(file)
+    start = 0 if tail is None else struct.unpack("<Q", tail[9:17])[0]
+    return start if start <= file.size - _FOOTER else 0
 
 
 def _read_summary(file: RecordFile, contents: Contents) -> bool:
-    """Fill the contents from the summary; False where there is none that can be trusted."""
-    tail = file.at(max(file.size - _FOOTER, 0), _FOOTER)
-    if len(tail) < _FOOTER or tail[-8:] != MAGIC or tail[0] != Opcode.FOOTER:
+    """Fill the contents from the summary; False where there is none, or it has no index.
+
+    Raises an error of `BAD_RECORD` where it is damaged.
+    """
+    tail, start = _footer(file), summary_start(file)
+    if tail is None:
         return False
-    start, _, crc = struct.unpack("<QQI", tail[9:29])
-    end = file.size - _FOOTER
     contents.finished = True
-    if not 0 < start <= end or end - start > LIMIT:
+    (said, _, crc), end = struct.unpack("<QQI", tail[9:29]), file.size - _FOOTER
+    if said == 0:
         return False
+    if not start or end - start > LIMIT:
+        raise ValueError("it cannot be where it is said to be")
     block = file.at(start, end - start)
     if crc and zlib.crc32(tail[:25], zlib.crc32(block)) != crc:
-        return False
+        raise ValueError("its checksum is wrong")
     opcode, length = file.record(len(MAGIC))
     if opcode != Opcode.HEADER:
-        return False
+        raise ValueError("there is no header")
     contents.take_header(file, len(MAGIC), length)
-    try:
-        for opcode, body in records(block):
-            _take_summary(file, contents, opcode, body)
-    except BAD_RECORD:
-        return False
+    for opcode, body in records(block):
+        _take_summary(file, contents, opcode, body)
+    if not contents.spans.channels <= contents.channels.keys():
+        return False  # the summary need not repeat them
     return len(contents.spans) > 0 or not any((contents.counts or {}).values())
 
 
 def _take_summary(file: RecordFile, contents: Contents, opcode: int, body: bytes) -> None:
     if opcode == Opcode.CHUNK_INDEX:
         start, end, offset, length, n = struct.unpack_from("<QQQQI", body)
-        if offset + length > file.size or 36 + n > len(body):
+        if offset + length > file.size or 36 + n > len(body) or end > LATEST:
             raise EOFError
         ids = frozenset(k for k, _ in struct.iter_unpack("<HQ", body[36 : 36 + n]))
         contents.spans.add(Span(start, end, offset, length, ids or None))
@@ -172,6 +194,9 @@ class _Scan:
             c.damage.append(Damage(at, "a chunk is too short"))
             return
         start, end, _, _ = _CHUNK.unpack(self._file.at(at + 9, _CHUNK.size))
+        if end > LATEST:
+            c.damage.append(Damage(at, "a chunk is said to be of the far future"))
+            return
         ids = self._indexed_channels(at + 9 + length)
         span = Span(start, end, at, 9 + length, ids or None)
         if not ids or not ids <= c.channels.keys():

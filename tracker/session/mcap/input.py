@@ -14,11 +14,13 @@ from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Metadata
 
 from tracker.errors import FileError
-from tracker.session.mcap.index import MESSAGE, read_contents, span_records
-from tracker.session.mcap.records import RecordFile
+from tracker.session.mcap.chunks import MESSAGE
+from tracker.session.mcap.index import read_contents, span_records
+from tracker.session.mcap.records import LATEST, LIMIT, SAVED, RecordFile
 from tracker.session.mcap.spans import Span
 
 FOREVER = 2**64 - 1
+MOST_METADATA = 2**20  # bytes of one record
 
 
 class RawMessage(NamedTuple):
@@ -54,9 +56,11 @@ class McapInput:
         """Messages of a span in file order. Raises FileError if it is damaged."""
         out = []
         for opcode, body in span_records(self._file, span):
-            if opcode != Opcode.MESSAGE or len(body) < MESSAGE.size:
+            if opcode != Opcode.MESSAGE:
                 continue
             channel_id, sequence, log, publish = MESSAGE.unpack_from(body)
+            if log > LATEST or publish > LATEST:
+                raise self._file.damaged(span.offset, "a message is said to be of the far future")
             channel = self.contents.channels.get(channel_id)
             if channel is None or (topics is not None and channel.topic not in topics):
                 continue
@@ -86,27 +90,36 @@ class McapInput:
 
     def attachments(self) -> Iterator[Attachment]:
         """Raises FileError where one is damaged."""
-        for offset, _ in self.contents.attachments:
-            body = self._checked_body(offset, Opcode.ATTACHMENT)
-            with self._file.in_words(offset):
-                (crc,) = struct.unpack("<I", body[-4:])  # 0: there is none
-                record = Attachment.read(ReadDataStream(BytesIO(body)))
-            if crc and zlib.crc32(body[:-4]) != crc:
-                raise FileError(
-                    f"{self.path} is damaged: the attachment at byte {offset} is not whole."
-                )
-            yield record
+        for place in self.contents.attachments:
+            yield self.attachment_at(place)
+
+    def attachment_at(self, place: tuple[int, int]) -> Attachment:
+        """One of ``contents.attachments``. Raises FileError if it is damaged."""
+        offset, _ = place
+        body = self._checked_body(offset, Opcode.ATTACHMENT)
+        with self._file.in_words(offset):
+            (crc,) = struct.unpack("<I", body[-4:])  # 0: there is none
+            record = Attachment.read(ReadDataStream(BytesIO(body)))
+        if crc and zlib.crc32(body[:-4]) != crc:
+            raise FileError(
+                f"{self.path} is damaged: the attachment at byte {offset} is not whole. {SAVED}"
+            )
+        return record
 
     def metadata(self) -> Iterator[Metadata]:
         """Raises FileError where one is damaged."""
-        for offset, _ in self.contents.metadata:
-            body = self._checked_body(offset, Opcode.METADATA)
-            with self._file.in_words(offset):
-                extra = Metadata.read(ReadDataStream(BytesIO(body)))
-            yield extra
+        for place in self.contents.metadata:
+            yield self.metadata_at(place)
 
-    def _checked_body(self, offset: int, opcode: int) -> bytes:
+    def metadata_at(self, place: tuple[int, int]) -> Metadata:
+        """One of ``contents.metadata``. Raises FileError if it is damaged."""
+        offset, _ = place
+        body = self._checked_body(offset, Opcode.METADATA, MOST_METADATA)
+        with self._file.in_words(offset):
+            return Metadata.read(ReadDataStream(BytesIO(body)))
+
+    def _checked_body(self, offset: int, opcode: int, limit: int = LIMIT) -> bytes:
         found, length = self._file.record(offset)
         if found != opcode:
             raise self._file.damaged(offset)
-        return self._file.body(offset, length)
+        return self._file.body(offset, length, limit)

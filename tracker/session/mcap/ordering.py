@@ -9,6 +9,8 @@ from tracker.errors import FileError
 from tracker.session.mcap.input import FOREVER, McapInput, RawMessage
 from tracker.session.mcap.records import LIMIT
 
+_PER_MESSAGE = 400  # bytes that it takes beside its data
+
 
 def ordered(
     source: McapInput,
@@ -27,12 +29,12 @@ def ordered(
     for span in source.spans_with(topics, start, end):
         while heap and heap[0][0] < span.start:
             message = heapq.heappop(heap)[4]
-            held -= len(message.data)
+            held -= len(message.data) + _PER_MESSAGE
             yield message
         for i, m in enumerate(source.messages_in(span, topics)):
             if start <= m.log_time < end:
                 heapq.heappush(heap, (m.log_time, rank(m.topic), span.offset, i, m))
-                held += len(m.data)
+                held += len(m.data) + _PER_MESSAGE
         if held > LIMIT:
             raise FileError(f"{source.path} cannot be read in order: its chunks all overlap.")
     while heap:

@@ -21,6 +21,9 @@ MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20
 BAD_RECORD = (McapError, struct.error, ValueError, EOFError, IndexError, MemoryError)
 """What a record that is not what it says raises when it is taken apart."""
+SAVED = "`glovetrack recover` saves the rest of it."
+LATEST = 2**63 - 1
+"""ns since 1970 (the year 2262): the last instant that anything here can count to."""
 _HEAD = struct.Struct("<BQ")
 
 
@@ -67,7 +70,7 @@ class RecordFile:
     def damaged(self, offset: int, why: str = "") -> FileError:
         """The error to raise for what stands at ``offset``."""
         text = f"{self.path} is damaged at byte {offset}"
-        return FileError(f"{text}: {why}." if why else f"{text}.")
+        return FileError(f"{text}: {why}. {SAVED}" if why else f"{text}. {SAVED}")
 
     @contextmanager
     def in_words(self, offset: int) -> Iterator[None]:

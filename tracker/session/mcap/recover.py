@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from tracker.errors import FileError
-from tracker.files import free_path, whole_file
+from tracker.files import DiskError, free_path, whole_file
 from tracker.session.mcap.container import Copier, McapOutput
 from tracker.session.mcap.input import McapInput
 from tracker.session.mcap.records import Damage
@@ -83,10 +85,22 @@ class _Copy:
                 copier.copy(m)
 
     def _extras(self) -> None:
-        try:
-            for record in self.source.metadata():
+        """Metadata and attachments, but for those that are damaged."""
+        for place in self.source.contents.metadata:
+            with self._noting(place[0]):
+                record = self.source.metadata_at(place)
                 self.out.metadata(record.name, dict(record.metadata))
-            for a in self.source.attachments():
+        for place in self.source.contents.attachments:
+            with self._noting(place[0]):
+                a = self.source.attachment_at(place)
                 self.out.attach_bytes(a.name, a.media_type, a.data, a.log_time)
+
+    @contextmanager
+    def _noting(self, offset: int) -> Iterator[None]:
+        """What cannot be read is damage; what cannot be written ends the work."""
+        try:
+            yield
+        except DiskError:
+            raise
         except FileError as error:
-            self.damage.append(Damage(0, str(error)))
+            self.damage.append(Damage(offset, str(error)))

@@ -45,6 +45,11 @@ class Spans:
         a, b, c, d = self._numbers[4 * i : 4 * i + 4]
         return Span(a, b, c, d, self._sets[i])
 
+    @property
+    def channels(self) -> frozenset[int]:
+        """Ids of all channels that spans are known to hold messages of."""
+        return frozenset().union(*self._known)
+
     def bounds(self) -> tuple[int, int]:
         """First and last log time; (0, 0) if there is none."""
         _, starts, latest = self._sorted()

@@ -17,6 +17,7 @@ from tracker.errors import FileError
 from tracker.messages import Array
 
 LITTLE_ENDIAN = b"\x00\x01\x00\x00"
+_END_OF_TIME = 2**31 * NS
 
 
 class CdrError(ValueError):
@@ -52,8 +53,10 @@ class CdrWriter:
         self._body += struct.pack("<I", value)
 
     def time(self, ns: int) -> None:
-        """builtin_interfaces/Time of nanoseconds since 1970."""
+        """builtin_interfaces/Time of nanoseconds since 1970. Raises FileError out of its range."""
         self._align(4)
+        if not -_END_OF_TIME <= ns < _END_OF_TIME:
+            raise FileError("An instant lies outside the years 1901 to 2038, which ROS 2 can tell.")
         self._body += struct.pack("<iI", *divmod(ns, NS))
 
     def text(self, value: str) -> None:

@@ -1,0 +1,265 @@
+"""Files that were made to hurt: bounded time and memory, and words."""
+
+import json
+import struct
+import time
+import tracemalloc
+from collections.abc import Callable
+from pathlib import Path
+
+import lz4.frame
+import numpy as np
+import pytest
+
+from tracker.cli import main
+from tracker.errors import FileError, GlovetrackError
+from tracker.messages import Event
+from tracker.session.mcap.container import McapOutput
+from tracker.session.mcap.input import McapInput
+from tracker.session.mcap.recover import recover
+from tracker.session.reader import SessionReader
+from tracker.session.verify import is_ok, verify
+from tracker.session.writer import SessionRecorder
+
+Record = Callable[..., Path]
+MAGIC = b"\x89MCAP0\r\n"
+HEADER = b"\x01" + struct.pack("<Q", 8) + bytes(8)
+SECONDS, BYTES = 2.0, 10**9  # what any file of a few megabytes may take
+
+
+@pytest.fixture
+def session(tmp_path: Path, record: Record, maker) -> Path:
+    return record(tmp_path / "a.mcap", list(maker.stream(1500, images=False)))
+
+
+def chunk(content: bytes) -> bytes:
+    """A chunk record of lz4 whose sizes are true and whose checksum is not given."""
+    packed = lz4.frame.compress(content)
+    body = struct.pack("<QQQII", 0, 1, len(content), 0, 3) + b"lz4"
+    body += struct.pack("<Q", len(packed)) + packed
+    return b"\x06" + struct.pack("<Q", len(body)) + body
+
+
+EMPTY_MESSAGE = b"\x05" + struct.pack("<Q", 22) + bytes(22)
+UNKNOWN = b"\x99" + struct.pack("<Q", 0)
+
+
+@pytest.mark.parametrize(
+    ("content", "count"),
+    [
+        (bytes(200 * 2**20), 1),
+        (bytes(4 * 2**20), 200),
+        (UNKNOWN * (20 * 10**6), 1),
+        (EMPTY_MESSAGE * (6 * 10**6), 1),
+        (EMPTY_MESSAGE * 130_000, 200),
+        (EMPTY_MESSAGE * 900, 10_000),
+    ],
+    ids=["one of zeros", "many of zeros", "unknown", "one of messages", "many", "very many"],
+)
+def test_chunks_that_swell_into_records_are_bounded(
+    tmp_path: Path, content: bytes, count: int
+) -> None:
+    path = tmp_path / "bomb.mcap"
+    path.write_bytes(MAGIC + HEADER + chunk(content) * count)
+    content = b""
+    started = time.process_time()
+    for words in (["info"], ["verify"], ["export", "--format", "csv", "-o", str(tmp_path / "o")]):
+        main([words[0], str(path), *words[1:]])
+    assert time.process_time() - started < 3 * SECONDS
+    tracemalloc.start()
+    verify(path)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < BYTES
+
+
+def attached(path: Path, session_info, **texts: str) -> Path:
+    """A session whose attachments are other ones."""
+    out = McapOutput(path, sync=False)
+    out.metadata("glovetrack", session_info.metadata())
+    for name, text in {**session_info.attachments(), **texts}.items():
+        out.attach(name, text, 0)
+    out.finish()
+    return path
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        ".".join("a" * 40_000) + " = 1",
+        "[" + ".".join("a" * 40_000) + "]",
+        "a = " + "[" * 5000,
+        "a = " + "{a=" * 5000,
+        "length = " + "1" * 400,
+        "length = " + "1" * 5000,
+        "name = '''" * 50_000,
+        "x" * 30_000_000,
+        "schema = 1e400",
+    ],
+    ids=lambda text: text[:12],
+)
+def test_every_toml_is_read_or_refused_in_time(tmp_path: Path, session_info, text: str) -> None:
+    started = time.process_time()
+    path = attached(tmp_path / "a.mcap", session_info, **{"hand.toml": text})
+    started = time.process_time()
+    found = verify(path)
+    assert time.process_time() - started < SECONDS
+    assert not is_ok(found)
+    assert any("hand.toml" in f.what and len(f.what) < 600 for f in found)
+
+
+NAMES = ["a,b", "=cmd|' /C calc'!A0,x\\ny", "../../x y", "k" * 300_000, "a\\u001b[2J", ""]
+
+
+@pytest.mark.parametrize("name", NAMES, ids=range(len(NAMES)))
+@pytest.mark.parametrize("where", ["keypoint", "imu"])
+def test_names_that_lead_elsewhere_are_refused_by_line(session_info, name: str, where: str) -> None:
+    from tracker.glove.files import parse_glove
+
+    place = 'segment = "dorsum"\nposition = [0, 0, 0]\n'
+    more = f'\n[keypoints."{name}"]\n{place}'
+    if where == "imu":
+        more = f'\n[[imu]]\nname = "{name}"\n{place}orientation_xyzw = [0, 0, 0, 1]\n'
+    line = session_info.glove_text.count("\n") + (2 if where == "keypoint" else 3)
+    with pytest.raises(FileError) as caught:
+        parse_glove(session_info.glove_text + more, session_info.hand, "g.toml")
+    said = str(caught.value)
+    assert f"g.toml, line {line}: {where}" in said
+    assert len(said) < 600 and said.isprintable()
+
+
+@pytest.mark.parametrize("wall", [str(2**63 - 1), "1" * 30, "-1", str(2**31 * 10**9)])
+def test_an_impossible_clock_is_told_and_leaves_nothing(
+    tmp_path: Path, session_info, maker, wall: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    good = tmp_path / "good.mcap"
+    with SessionRecorder(good, session_info) as recorder:
+        for k in range(50):
+            recorder.write(maker.imu(10.0 * k, k))
+            recorder.write(maker.blob_frame(10.0 * k, k))
+    path = tmp_path / "in.mcap"
+    out = McapOutput(path, sync=False)
+    out.metadata("glovetrack", {**session_info.metadata(), "wall_clock_ns": wall})
+    for name, text in session_info.attachments().items():
+        out.attach(name, text, 0)
+    source = McapInput(good)
+    for i in range(len(source.contents.spans)):
+        for m in source.messages_in(source.contents.spans[i]):
+            channel = out.channel(m.topic, m.type)
+            out.write(channel, m.log_time, m.publish_time, m.data, m.sequence)
+    source.close()
+    out.finish()
+    before = sorted(tmp_path.iterdir())
+    status = main(["track", str(path), "-o", str(tmp_path / "out.mcap")])
+    said = capsys.readouterr().err
+    assert status == 1 and "no clock shows" in said
+    assert sorted(tmp_path.iterdir()) == before
+    assert not is_ok(verify(path))
+
+
+def test_messages_of_the_far_future_are_damage(tmp_path: Path, session_info) -> None:
+    path = tmp_path / "a.mcap"
+    out = McapOutput(path, sync=False)
+    out.metadata("glovetrack", session_info.metadata())
+    for name, text in session_info.attachments().items():
+        out.attach(name, text, 0)
+    channel = out.channel("/events", "std_msgs/msg/String")
+    out.write(channel, 2**64 - 2, 0, b"\0\1\0\0\2\0\0\0x\0", 0)
+    out.finish()
+    assert any("far future" in f.what for f in verify(path))
+    with SessionReader(path) as reader:
+        assert list(reader.messages()) == []
+
+
+def test_events_nested_too_deep_are_notes(tmp_path: Path, session_info) -> None:
+    from tracker.session.ros import motion, topics
+
+    path = tmp_path / "a.mcap"
+    with SessionRecorder(path, session_info) as recorder:
+        recorder.write(Event(recorder.info.anchor.monotonic(session_info.anchor.wall_ns), "x", ""))
+    deep = "[" * 100_000
+    out = McapOutput(tmp_path / "b.mcap", sync=False)
+    for name, text in session_info.attachments().items():
+        out.attach(name, text, 0)
+    out.write(out.channel(topics.EVENTS, motion.STRING), 10**18, 0, motion.pack_string(deep), 0)
+    out.finish()
+    with SessionReader(tmp_path / "b.mcap") as reader:
+        (found,) = reader.messages([Event])
+    assert found.text == deep
+
+
+def test_what_a_file_says_does_not_steer_the_terminal(
+    tmp_path: Path, session_info, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = McapOutput(tmp_path / "a.mcap", sync=False)
+    said = {"engine": "\x1b]0;owned\x07\x1b[2Jchain", "version": "1\r\n2\x9b31m\u202e"}
+    out.metadata("glovetrack", {**session_info.metadata(), **said})
+    out.channel("/evil\x1b[2J\n/topic", "std_msgs/msg/String")
+    out.finish()
+    for words in ("info", "verify"):
+        main([words, str(tmp_path / "a.mcap")])
+    text = "".join(capsys.readouterr())
+    assert "chain" in text and "/evil" in text
+    assert all(c.isprintable() or c == "\n" for c in text)
+    assert "version 12" in text.replace("31m", "")
+
+
+def test_a_flipped_bit_names_what_saves_the_rest(session: Path) -> None:
+    data = bytearray(session.read_bytes())
+    source = McapInput(session)
+    span = source.contents.spans[len(source.contents.spans) // 2]
+    source.close()
+    data[span.offset + span.length // 2] ^= 8
+    bad = session.with_name("bad.mcap")
+    bad.write_bytes(data)
+    with pytest.raises(FileError, match="glovetrack recover"), SessionReader(bad) as reader:
+        list(reader.messages())
+    assert is_ok(verify(recover(bad).path))
+
+
+def test_a_damaged_attachment_costs_no_other(session: Path, session_info) -> None:
+    data = bytearray(session.read_bytes())
+    at = data.index(session_info.hand_text.encode()[:100])
+    data[at + 50] ^= 1
+    bad = session.with_name("bad.mcap")
+    bad.write_bytes(data)
+    saved = recover(bad)
+    with SessionReader(saved.path) as reader:
+        assert "hand.toml" not in reader.attachments
+        assert reader.attachments["glove.toml"] == session_info.glove_text
+    assert any("attachment" in d.what for d in saved.damage)
+
+
+@pytest.mark.parametrize("summed", [True, False], ids=["with a checksum", "without"])
+def test_verify_sees_every_flipped_bit(session: Path, summed: bool) -> None:
+    """Of the whole file in one with a checksum of its data; of records and indexes in others."""
+    data, rng = session.read_bytes(), np.random.default_rng(5)
+    if not summed:
+        (start,) = struct.unpack("<Q", data[-28:-20])
+        data = data[: start - 4] + bytes(4) + data[start:]
+    assert is_ok(verify(written(session, data)))
+    missed = []
+    for at in rng.integers(0, len(data), 150):
+        spoilt = bytearray(data)
+        spoilt[at] ^= 1 << int(rng.integers(8))
+        try:
+            fine = is_ok(verify(written(session, bytes(spoilt))))
+        except GlovetrackError:
+            continue
+        if fine:
+            missed.append(int(at))
+    assert not missed if summed else len(missed) <= 1
+
+
+def written(session: Path, data: bytes) -> Path:
+    path = session.with_name("flipped.mcap")
+    path.write_bytes(data)
+    return path
+
+
+def test_json_of_a_hostile_file_is_json(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = McapOutput(tmp_path / "a.mcap", sync=False)
+    out.metadata("glovetrack", {"engine": '"\x1b]0;\\', "version": "\ud7ff"})
+    out.finish()
+    main(["info", str(tmp_path / "a.mcap"), "--json", "-"])
+    assert json.loads(capsys.readouterr().out)["engine"] == '"\x1b]0;\\'

@@ -1,0 +1,115 @@
+"""What is wrong with a finished file beyond its chunks: sums and indexes that say otherwise."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from collections import defaultdict
+from collections.abc import Mapping
+from pathlib import Path
+
+from mcap.opcode import Opcode
+
+from tracker.errors import FileError
+from tracker.session.mcap.chunks import MESSAGE
+from tracker.session.mcap.index import Contents, read_contents, span_records, summary_start
+from tracker.session.mcap.records import Damage, RecordFile
+from tracker.session.mcap.spans import Span
+
+_DATA_END = 13  # bytes of the record that ends the data section, with the section's CRC-32
+_BLOCK = 2**20
+_Entries = dict[int, list[tuple[int, int]]]
+
+
+def index_damage(path: Path, contents: Contents) -> list[Damage]:
+    """Findings in a file whose ``contents`` were read from its summary.
+
+    With a checksum of the data section that is enough; without one the records are walked over,
+    and the summary and the message indexes compared with what is there.
+    """
+    file = RecordFile(path)
+    try:
+        start = summary_start(file)
+        if start <= _DATA_END:
+            return []
+        at = start - _DATA_END
+        if file.record(at) != (Opcode.DATA_END, 4):
+            return [Damage(at, "the data section does not end where the summary begins")]
+        (crc,) = struct.unpack("<I", file.at(at + 9, 4))
+        if crc:
+            whole = crc == _checksum(file, at)
+            return [] if whole else [Damage(0, "the checksum of the data section is wrong")]
+        return _compared(file, contents)
+    finally:
+        file.close()
+
+
+def _checksum(file: RecordFile, end: int) -> int:
+    crc = 0
+    for at in range(0, end, _BLOCK):
+        crc = zlib.crc32(file.at(at, min(_BLOCK, end - at)), crc)
+    return crc
+
+
+def _compared(file: RecordFile, contents: Contents) -> list[Damage]:
+    found = read_contents(file, scan=True)
+    pairs = (
+        ("chunks", {s[:4] for s in _all(contents)}, {s[:4] for s in _all(found)}),
+        ("attachments", contents.attachments, found.attachments),
+        ("metadata", contents.metadata, found.metadata),
+        ("channels", _said(contents.channels), _said(found.channels)),
+        ("schemas", _said(contents.schemas), _said(found.schemas)),
+    )
+    text = "the summary's {} are not those of the file"
+    out = [Damage(0, text.format(name)) for name, said, there in pairs if said != there]
+    for span in _all(contents):
+        out += _message_index_damage(file, span)
+    return [*found.damage, *out]
+
+
+def _all(contents: Contents) -> list[Span]:
+    return [contents.spans[i] for i in range(len(contents.spans))]
+
+
+def _said(records: Mapping[int, object]) -> dict[int, dict[str, object]]:
+    return {i: vars(r) for i, r in records.items()}
+
+
+def _message_index_damage(file: RecordFile, span: Span) -> list[Damage]:
+    """Where the indexes behind a chunk do not name just its messages."""
+    if file.record(span.offset)[0] != Opcode.CHUNK:
+        return []
+    try:
+        named, there = _named(file, span.offset + span.length), _there(file, span)
+    except (FileError, struct.error):
+        return []  # a damaged chunk is spoken of already
+    if named and named != there:
+        return [Damage(span.offset, "the index of its messages is not that of the chunk")]
+    return []
+
+
+def _named(file: RecordFile, at: int) -> _Entries:
+    """(log time, place in the chunk) by channel, as the records at ``at`` tell."""
+    out: _Entries = {}
+    while True:
+        opcode, length = file.record(at)
+        if opcode != Opcode.MESSAGE_INDEX:
+            return out
+        body = file.body(at, length)
+        channel, size = struct.unpack_from("<HI", body)
+        entries = list(struct.iter_unpack("<QQ", body[6 : 6 + size]))
+        if entries:
+            out[channel] = sorted(entries)
+        at += 9 + length
+
+
+def _there(file: RecordFile, span: Span) -> _Entries:
+    """The same, as the chunk itself tells."""
+    out: defaultdict[int, list[tuple[int, int]]] = defaultdict(list)
+    at = 0
+    for opcode, body in span_records(file, span):
+        if opcode == Opcode.MESSAGE:
+            channel, _, log_time, _ = MESSAGE.unpack_from(body)
+            out[channel].append((log_time, at))
+        at += 9 + len(body)
+    return {channel: sorted(entries) for channel, entries in out.items()}
