@@ -24,6 +24,7 @@ _MOST_DIGITS = 400
 _LARGEST = 2**63 - 1
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,63}")
 _NAME_RULE = "a letter, then at most 63 letters, digits, _ and -"
+_LABEL_RULE = "at most 64 characters that can be printed, and no comma"
 _TOKEN = re.compile(
     r'"""(?:[^"\\]|\\.|"(?!""))*"""'  # texts of several lines
     r"|'''(?:[^']|'(?!''))*'''"
@@ -127,12 +128,24 @@ class TomlTable:
         where = f"{self._where}.{key}" if self._where else key
         return TomlTable(value, where, self._source)
 
-    def tables(self, key: str) -> dict[str, TomlTable]:
-        """The sub-tables of ``key`` by name, each as `name` allows; none if the key is absent."""
+    def label(self, key: str) -> str:
+        """A text that people choose and see, such as a hue."""
+        value = self.text(key)
+        if not _is_label(value):
+            raise self.fail(key, f"is {_short(value)!r}; {_LABEL_RULE}")
+        return value
+
+    def tables(self, key: str, labels: bool = False) -> dict[str, TomlTable]:
+        """The sub-tables of ``key`` by name; none if the key is absent.
+
+        Names are as `name` allows, or with ``labels`` as `label` does.
+        """
         group = self.table(key, {})
         self._count(key, len(group._data))
         for name in group._data:
-            if not _NAME.fullmatch(name):
+            if labels and not _is_label(name):
+                raise group.fail(name, f"is no name: {_LABEL_RULE}")
+            if not labels and not _NAME.fullmatch(name):
                 raise group.fail(name, f"is no name: {_NAME_RULE}")
         return {name: group.table(name) for name in group._data}
 
@@ -252,6 +265,10 @@ def _check_bounds(text: str, name: str) -> None:
         if first not in ". \t\"'_" and not first.isalnum():
             parts = 1
         line += token.count("\n")
+
+
+def _is_label(text: str) -> bool:
+    return 0 < len(text) <= 64 and text.isprintable() and "," not in text
 
 
 def _only_path(data: dict[str, Any]) -> list[str]:

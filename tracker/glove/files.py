@@ -64,7 +64,7 @@ def _imu(t: TomlTable, hand: HandModel) -> Imu:
 def _marker(t: TomlTable, hand: HandModel) -> Marker:
     marker = Marker(
         id=t.integer("id"),
-        hue=t.name("hue"),
+        hue=t.label("hue"),
         shape=t.text("shape", among=("circle", "square")),
         size=t.number("size", low=1e-3, high=0.1),
         segment=t.text("segment", among=hand.segment_names),

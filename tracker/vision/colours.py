@@ -101,7 +101,7 @@ def parse_profile(text: str, name: str = "colours.toml") -> ColourProfile:
     if (schema := root.integer("schema")) != SCHEMA:
         raise root.fail("schema", f"is {schema}; this version reads {SCHEMA}")
     title = root.text("name")
-    hues = tuple(_hue_range(key, table) for key, table in root.tables("hues").items())
+    hues = tuple(_hue_range(key, table) for key, table in root.tables("hues", labels=True).items())
     if not hues:
         raise root.fail("hues", "must hold at least one hue")
     shape = _shape(root.table("shape", {}))
