@@ -75,23 +75,22 @@ def _run(
     if not window.host.running:
         print(f"The demo did not start: {' '.join(problems) or 'it took too long.'}")
         return 1
-    path = _free(out / "session.mcap")
+    path, table = _free(out / "session.mcap"), _free(out / "session.csv")
     window.host.record(RecordingRequest(path, "demo", "random postures"))
     figures, began, ticks = Figures(), time.monotonic(), window.ticker.ticks
     _gather(window, figures, duration, out / "window.png")
     rate = (window.ticker.ticks - ticks) / (time.monotonic() - began)
     view = window.host.snapshot()
     window.host.stop()
-    export_job(ExportRequest(path, "csv", path.with_suffix(".csv")))(
-        JobProgress(lambda _f, _t: None)
-    )
+    export_job(ExportRequest(path, "csv", table))(JobProgress(lambda _f, _t: None))
     print(_report(figures, view, rate, path))
     return 0
 
 
 def _free(path: Path) -> Path:
-    """The demo's own file of an earlier run is replaced."""
-    path.unlink(missing_ok=True)
+    """The demo's own file of an earlier run, and what tells of it, give way."""
+    for old in (path, path.with_name(path.name + ".json")):
+        old.unlink(missing_ok=True)
     return path
 
 

@@ -149,7 +149,7 @@ def test_a_wearer_is_put_on_again_when_the_engine_changes(panel, engine, store, 
     panel.save("Anna")
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
     engine.inner = chain()  # as a change of the engine makes it
-    panel.window().set_engine("chain")
+    panel.window().sources.set_engine("chain")
     assert engine.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
 
 
