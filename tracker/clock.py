@@ -4,6 +4,8 @@ A session stores wall-clock nanoseconds; the engine works in seconds of a monoto
 ``t`` is made by `seconds` from an integer, so that a value read back from a file is the same float.
 """
 
+from __future__ import annotations
+
 import time
 from dataclasses import dataclass
 
@@ -42,3 +44,7 @@ class ClockAnchor:
     def monotonic(self, wall_ns: int) -> float:
         """The monotonic time (s) of a stamp in nanoseconds since 1970."""
         return seconds(wall_ns - self.wall_ns + self.monotonic_ns)
+
+    def at(self, t: float) -> ClockAnchor:
+        """The same two clocks, told at the monotonic time ``t`` (s); no stamp changes by it."""
+        return ClockAnchor(self.wall(t), nanoseconds(t))

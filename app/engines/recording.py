@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup, RecordingRequest
+from tracker.clock import monotonic
 from tracker.config import to_toml
 from tracker.errors import GlovetrackError
 from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
-from tracker.messages import Calibration, EngineState, Event, Message
+from tracker.messages import Calibration, EngineState, Event, Message, Status
 from tracker.session.description import SessionInfo
 from tracker.session.writer import SessionRecorder
 from tracker.vision.colours import profile_to_toml
@@ -26,8 +27,11 @@ class PausableRecorder:
         self._inner = inner
         self.paused = False
         self.written = 0  # messages so far
+        self.figures: Mapping[str, float] = {}  # of the last status: the recording's own
 
     def write(self, message: Message, overloaded: bool = False) -> None:
+        if isinstance(message, Status):
+            self.figures = message.values
         if not self.paused or isinstance(message, Event | Calibration | EngineState):
             self._inner.write(message, overloaded)
             self.written += 1
@@ -63,6 +67,11 @@ class Recording(QObject):
     def written(self) -> int:
         """Messages that the file holds so far."""
         return self._recorder.written if self._recorder is not None else 0
+
+    @property
+    def figures(self) -> Mapping[str, float]:
+        """What the file's last status tells: losses since the recording began."""
+        return self._recorder.figures if self._recorder is not None else {}
 
     @property
     def elapsed(self) -> float:
@@ -102,13 +111,17 @@ class Recording(QObject):
 
 
 def recorder_maker(
-    tracker: LiveTracker, info: SessionInfo
+    tracker: LiveTracker, info: SessionInfo, clock: Callable[[], float] = monotonic
 ) -> Callable[[RecordingRequest], SessionRecorder]:
-    """Recordings hold the engine, settings and colours of the instant they begin at."""
+    """Recordings begin when they are asked for, with the engine, settings and colours of then.
+
+    ``clock`` gives s of the monotonic clock that ``info.anchor`` tells of.
+    """
 
     def make_recorder(request: RecordingRequest) -> SessionRecorder:
         named = replace(
             info,
+            anchor=info.anchor.at(clock()),
             participant=request.participant,
             notes=request.task,
             engine=tracker.settings.engine,

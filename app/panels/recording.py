@@ -158,8 +158,8 @@ class RecordingPanel(Panel):
     def refresh(self, view: Snapshot | None) -> None:
         request = self.host.recording.request
         rate = self._show_growth(request.path) if request is not None else 0.0
-        if request is not None and view is not None and view.status is not None:
-            self.losses_label.setText(losses_text(view.status.values))
+        if request is not None:
+            self.losses_label.setText(losses_text(self.host.recording.figures))
         room = disk(free_bytes(self._plan.folder), rate)
         self.disk_label.setText(room.text)
         self.warning.setText(room.warning)

@@ -20,7 +20,7 @@ import psutil
 from app.platform.licences import parts
 from app.storage.settings import AppSettings
 from tracker import __version__
-from tracker.clock import NS, ClockAnchor, nanoseconds, seconds
+from tracker.clock import NS
 from tracker.errors import GlovetrackError
 from tracker.files import disk_error
 from tracker.messages import Event, StereoFrame
@@ -204,12 +204,11 @@ def cut_tail(source: Path, out: Path, duration: float, images: bool, personal: b
         if not personal:
             info = replace(info, participant="", notes="", extra={})
         start = max(reader.span_ns[1] - round(duration * NS), reader.span_ns[0])
-        # The same clock, told at the excerpt's own start: there the file begins.
-        begin = nanoseconds(reader.anchor.monotonic(start))
-        info = replace(info, anchor=ClockAnchor(reader.anchor.wall(seconds(begin)), begin))
+        begin = reader.anchor.monotonic(start)
+        info = replace(info, anchor=reader.anchor.at(begin))  # there the file begins
         params = RecorderParams(images="jpeg" if images else "none", sync=False)
         with SessionRecorder(out, info, params) as recorder:
-            for message in reader.messages(_kinds(images), start=seconds(begin)):
+            for message in reader.messages(_kinds(images), start=begin):
                 recorder.write(message)
 
 

@@ -81,7 +81,7 @@ def place_text(seconds: float) -> str:
 
 
 def losses_text(values: Mapping[str, float]) -> str:
-    """What the status counts as lost, from the start of tracking on."""
+    """What a recording's status counts as lost."""
     lost = round(values.get("imu_lost", 0))
     thinned = round(values.get("pictures_thinned", 0))
     overflow = round(values.get("imu_overflow", 0))

@@ -21,7 +21,7 @@ from tracker.live.inbox import DetectedFrame, EngineCommand
 from tracker.live.journal import Journal
 from tracker.live.recording import Recorder
 from tracker.live.reference import ReferenceEngine
-from tracker.live.telemetry import Telemetry
+from tracker.live.telemetry import Telemetry, counted_since
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -98,6 +98,7 @@ class LiveLoop:
         self._reference: ReferenceEngine | None = None
         self._pipeline_lock = threading.RLock()
         self._next_report = 0.0
+        self._at_start: dict[str, float] = {}  # figures when the recording began
 
     # ---- one message after another
 
@@ -188,7 +189,14 @@ class LiveLoop:
         self.calibration = self.pipeline.calibration()
         if self.estimate is not None and self.estimate.tracking != Tracking.SEARCHING:
             self.journal.record(self.calibration)
-        self.journal.record(self.status())
+        self._record_status()
+
+    def _record_status(self) -> None:
+        """A file counts what was lost since it began, not since the engine did."""
+        if self.journal.recording:
+            status = self.status()
+            own = counted_since(self._at_start, status.values)
+            self.journal.record(replace(status, values=own))
 
     # ---- from any thread
 
@@ -250,14 +258,17 @@ class LiveLoop:
     def set_recorder(self, recorder: Recorder | None) -> None:
         """Record into ``recorder`` from now on; the last one is finished and closed."""
         with self._pipeline_lock:
+            self._record_status()
             before = self.journal.detach()
         if before is not None:
             before.finish()
             self.journal.say("recording", "The recording is finished.")
         if recorder is not None:
             with self._pipeline_lock:
+                self._at_start = self.telemetry.values(self.clock())
                 self.journal.open(recorder)
                 self.record_state()
+                self._record_status()
             self.journal.say("recording", "Recording.")
 
     def record_state(self) -> None:

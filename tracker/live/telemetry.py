@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 WINDOW = 3.0  # s over which rates are counted
 KEPT = 400  # latencies that a median is taken over
+COUNTERS = ("imu_lost", "imu_overflow", "frames_dropped", "stereo_refused", "camera_jumps")
+"""Figures that only grow while the engine runs."""
+
+
+def counted_since(before: Mapping[str, float], values: Mapping[str, float]) -> dict[str, float]:
+    """``values`` with each of `COUNTERS` less what it stood at in ``before``."""
+    return {n: v - before.get(n, 0.0) if n in COUNTERS else v for n, v in values.items()}
 
 
 class Telemetry:

@@ -95,7 +95,7 @@ def _counts(reader: SessionReader) -> dict[int, int]:
 @dataclass(frozen=True)
 class Quality:
     """``tracked``: share of the places looked at where the hand was tracked; None: not tracked at
-    all yet. ``packets_lost`` by the last status; None where there is none.
+    all yet. ``packets_lost`` of the session itself; None where no status tells it.
     """
 
     tracked: float | None
@@ -108,13 +108,16 @@ def quality(reader: SessionReader, places: int = PLACES) -> Quality:
     topic = topics.STATUS if status_there else topics.hand(reader.info.side, "states")
     if topic not in reader.topic_names:
         return Quality(None, None)
-    words, lost = [], None
-    for raw in _spread(reader, topic, places):
+    words: list[Tracking] = []
+    counts: list[float] = []  # lost so far: at the first status, then at each place
+    first = next(ordered(reader.source, frozenset([topics.STATUS])), None)
+    for raw in [*([first] if first else []), *_spread(reader, topic, places)]:
         for said in motion.unpack_diagnostics(raw.data)[1]:
-            if said.name in ("tracker", "tracking"):
+            if said.name in ("tracker", "tracking") and raw is not first:
                 words.append(tracking_of(said.message))
             if "imu_lost" in said.values:
-                lost = round(float(said.values["imu_lost"]))
+                counts.append(float(said.values["imu_lost"]))
+    lost = round(counts[-1] - counts[0]) if counts else None
     if not words:
         return Quality(None, lost)
     return Quality(sum(w == Tracking.TRACKING for w in words) / len(words), lost)

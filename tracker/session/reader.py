@@ -24,7 +24,7 @@ from tracker.session.mcap.input import FOREVER, McapInput
 from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.mcap.records import LATEST
 from tracker.session.rigs import first_rig, rig_changes
-from tracker.session.ros import topics
+from tracker.session.ros import motion, sensors, topics
 from tracker.session.ros.cdr import CdrReader, in_words
 from tracker.toml_reader import MOST_BYTES
 from tracker.vision.rig import StereoRig
@@ -34,6 +34,8 @@ _MOST_ATTACHMENTS = 1000
 _BESIDE_TEXT = 1000  # bytes of an attachment's record beside its data
 _FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late against their IMUs
 _WATCH_EVERY = 200  # messages
+MEASURED = frozenset({sensors.IMU, sensors.IMAGE, sensors.DETECTIONS, motion.POSES, motion.JOINTS})
+"""Types of what sensors gave and what was made of it, each message with a stamp of its own."""
 
 
 class SessionReader:
@@ -128,7 +130,7 @@ class SessionReader:
                 int(self.metadata["wall_clock_ns"]), int(self.metadata["monotonic_ns"])
             )
         except (KeyError, ValueError):
-            anchor = ClockAnchor(self.span_ns[0], NS)
+            anchor = ClockAnchor(self.source.contents.spans.bounds()[0], NS)
         if not (0 <= anchor.wall_ns < _LATEST_WALL and 0 <= anchor.monotonic_ns < LATEST):
             raise FileError(
                 f"{self.path} says it began at an instant that no clock shows: its wall_clock_ns, "
@@ -138,12 +140,26 @@ class SessionReader:
 
     @cached_property
     def span_ns(self) -> tuple[int, int]:
-        """First and last log time; (0, 0) if there are no messages."""
-        return self.source.contents.spans.bounds()
+        """Log times of the first sensor message or estimate, and of the last message.
+
+        What describes a session may be stamped long before: as its recording once was at the start
+        of tracking. Where nothing was measured all messages count; (0, 0) if there are none.
+        """
+        first, last = self.source.contents.spans.bounds()
+        try:
+            measured = next(ordered(self.source, self._streams), None)
+        except FileError:  # a damaged start: `verify` speaks of it
+            measured = None
+        return (first if measured is None else measured.log_time), last
+
+    @property
+    def _streams(self) -> frozenset[str]:
+        channels = self.source.contents.channels.values()
+        return frozenset(c.topic for c in channels if self.source.type_of(c) in MEASURED)
 
     @property
     def duration(self) -> float:
-        """Seconds from the first message to the last."""
+        """Seconds from the first message to the last; see `span_ns`."""
         return (self.span_ns[1] - self.span_ns[0]) / NS
 
     @cached_property
@@ -224,7 +240,8 @@ class SessionReader:
         types = {PackedFrame if kind is StereoFrame else kind for kind in kinds}
         for n, raw in enumerate(ordered(self.source, wanted, first, last, decoder.rank)):
             if n % _WATCH_EVERY == 0:
-                self._watch((raw.log_time - self.span_ns[0]) / NS / max(self.duration, 1e-9))
+                share = (raw.log_time - self.span_ns[0]) / NS / max(self.duration, 1e-9)
+                self._watch(min(max(share, 0.0), 1.0))
             yield from (m for m in decoder.feed(raw) if type(m) in types)
         yield from (m for m in decoder.finish() if type(m) in types)
 

@@ -12,17 +12,10 @@ from tracker.session import description
 from tracker.session.images import image_size
 from tracker.session.mcap.check import index_damage
 from tracker.session.mcap.input import RawMessage
-from tracker.session.reader import SessionReader
-from tracker.session.ros import motion, sensors, topics
+from tracker.session.reader import MEASURED, SessionReader
+from tracker.session.ros import sensors, topics
 from tracker.session.ros.cdr import CdrError, CdrReader
 
-_STAMPED = {
-    sensors.IMU,
-    sensors.IMAGE,
-    sensors.DETECTIONS,
-    motion.POSES,
-    motion.JOINTS,
-}
 _GAP_PERIODS = 3.5
 _CLOCK_JUMP_NS = 500_000_000
 
@@ -121,7 +114,7 @@ def _read_all(reader: SessionReader) -> tuple[dict[str, _Track], list[Finding]]:
 
 def _follow(track: _Track, m: RawMessage) -> None:
     track.count += 1
-    if m.type not in _STAMPED:
+    if m.type not in MEASURED:
         return
     try:
         stamp = CdrReader(m.data).time()

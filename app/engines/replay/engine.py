@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import islice
 from pathlib import Path
 
 from app.engines.engine import EngineSetup, ReferenceHand
@@ -25,11 +26,13 @@ from tracker.messages import (
     Status,
     StereoFrame,
 )
+from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.rig import StereoRig
 
 MAX_EVENTS = 5000
+MOST_BEFORE_SIGHT = 500  # messages; what has none of its images by then has none
 
 
 class ReplayEngine:
@@ -69,6 +72,20 @@ class ReplayEngine:
         except FileError as error:
             self._moment.take(Event(0.0, "error", str(error)))
         self.player.events = tuple(found)
+
+    def go_to_first_image(self) -> None:
+        """Begin there: blobs may come first whose image was taken before the recording began."""
+        seen: set[float] = set()
+        try:
+            messages = self._reader.packed_messages((StereoFrame, BlobFrame))
+            for message in islice(messages, MOST_BEFORE_SIGHT):
+                if isinstance(message, PackedFrame):
+                    seen.add(message.t)
+                elif isinstance(message, BlobFrame) and message.t in seen:
+                    self.player.seek(message.t_arrival - self.start_t)
+                    return
+        except FileError as error:
+            self._moment.take(Event(0.0, "error", str(error)))
 
     def start(self) -> None:
         self._thread.start()
@@ -128,6 +145,7 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
         info = engine.info
         rig = engine.rig
         engine.read_events()
+        engine.go_to_first_image()
     except GlovetrackError:
         engine.close()
         raise

@@ -1,0 +1,178 @@
+"""A recording begun after watching for a while: its length, rates and losses are its own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from gui_fakes import frame_and_blobs, models, simulation
+
+from app.engines.engine import RecordingRequest
+from app.engines.recording import recorder_maker
+from app.engines.replay.engine import open_replay
+from resources import folder
+from tracker.clock import ClockAnchor, seconds
+from tracker.live.inbox import DetectedFrame
+from tracker.live.runner import LiveTracker
+from tracker.messages import Status
+from tracker.pipeline import Pipeline
+from tracker.session.description import SessionInfo
+from tracker.session.glance import quality, session_summary
+from tracker.session.reader import SessionReader
+from tracker.session.verify import is_ok, verify
+from tracker.session.writer import RecorderParams, SessionRecorder
+from tracker.vision.detector import Detector
+
+ENGINE_START = ClockAnchor(1_760_000_000_000_000_000, 7_000_000_000)
+WATCHED = 100.0  # s from the engine's start to Record
+SEEN = 1.0  # s of them, the last, in which devices gave something
+LENGTH = 1.5  # s, of the recording
+LOST_BEFORE, LOST_IN_IT = 40, 3  # packets
+
+
+class Nothing:
+    """A device that gives nothing: messages are fed by hand."""
+
+    def poll(self, timeout):
+        return []
+
+    def read(self, timeout):
+        return None
+
+    def take_events(self):
+        return []
+
+    def close(self) -> None:
+        pass
+
+
+class Clock:
+    def __init__(self) -> None:
+        self.now = seconds(ENGINE_START.monotonic_ns)
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def session_info() -> SessionInfo:
+    hand, glove, _ = models()
+    return SessionInfo(
+        hand=hand,
+        glove=glove,
+        hand_text=(folder("hands") / "reference-right.toml").read_text("utf-8"),
+        glove_text=(folder("gloves") / "vist-small.toml").read_text("utf-8"),
+        anchor=ENGINE_START,
+        rig=simulation().rig,
+    )
+
+
+def on_the_clock(message):
+    """The simulation's message as if its first second were the last one before Record."""
+    by = seconds(ENGINE_START.monotonic_ns) + WATCHED - SEEN
+    return replace(message, t=message.t + by, t_arrival=message.t_arrival + by)
+
+
+def schedule():
+    """Packets, and image pairs with their blobs, in the order of arrival; some packets are lost."""
+    sim = simulation()
+    lost = {*range(30, 30 + LOST_BEFORE), *range(150, 150 + LOST_IN_IT)}
+    samples = [s for s in sim.imu_samples() if s.seq not in lost]
+    pairs = [DetectedFrame(*frame_and_blobs(i)) for i in range(round(30 * (SEEN + LENGTH)))]
+    found = sorted([*samples, *pairs], key=arrival)
+    return [m for m in found if arrival(m) < SEEN + LENGTH]
+
+
+def arrival(item) -> float:
+    return item.frame.t_arrival if isinstance(item, DetectedFrame) else item.t_arrival
+
+
+@pytest.fixture(scope="module")
+def take(tmp_path_factory) -> Path:
+    """A recording of `LENGTH` s, begun `WATCHED` s after the engine."""
+    path = tmp_path_factory.mktemp("takes") / "take.mcap"
+    hand, glove, profile = models()
+    rig, clock = simulation().rig, Clock()
+    tracker = LiveTracker(
+        Pipeline(hand, glove, rig),
+        profile,
+        lambda p: Detector(p, fx=rig.fx),
+        Nothing(),
+        Nothing(),
+        clock=clock,
+    )
+    record = recorder_maker(tracker, session_info(), clock)
+    recording = False
+    for item in schedule():
+        if arrival(item) >= SEEN and not recording:
+            clock.now = seconds(ENGINE_START.monotonic_ns) + WATCHED
+            tracker.set_recorder(record(RecordingRequest(path, "P01", "pinch")))
+            recording = True
+        clock.now = max(clock.now, arrival(item) + WATCHED - SEEN + 7.0)
+        if isinstance(item, DetectedFrame):
+            frame, blobs = on_the_clock(item.frame), on_the_clock(item.blobs)
+            tracker._journal.record(frame)
+            tracker._loop.feed(DetectedFrame(frame, blobs))
+        else:
+            tracker._loop.feed(on_the_clock(item))
+    tracker.stop()
+    return path
+
+
+def test_a_take_is_as_long_as_it_was_recorded_for(take):
+    found = session_summary(take)
+    assert found["duration_s"] == pytest.approx(LENGTH, abs=0.1)
+    imu = next(v for k, v in found["topics"].items() if "/imu/" in k)
+    assert imu["rate_hz"] == pytest.approx(100.0, rel=0.08)  # a packet may fall at either end
+    with SessionReader(take) as reader:
+        first, _ = reader.source.contents.spans.bounds()
+        begun = ENGINE_START.wall_ns + round(WATCHED * 1e9)
+        assert first == begun == reader.anchor.wall_ns
+        assert reader.span_ns[0] - first < 0.1e9
+    assert is_ok(verify(take))
+
+
+def test_losses_before_the_recording_are_not_charged_to_it(take):
+    with SessionReader(take) as reader:
+        counts = [m.values["imu_lost"] for m in reader.messages((Status,))]
+        assert counts[0] == 0.0 and counts[-1] == LOST_IN_IT
+        assert quality(reader).packets_lost == LOST_IN_IT
+
+
+@pytest.fixture(scope="module")
+def old_take(take, tmp_path_factory) -> Path:
+    """The same as older versions recorded it: described at the engine's start, losses its own."""
+    path = tmp_path_factory.mktemp("old") / "old.mcap"
+    with SessionReader(take) as reader:
+        info = replace(reader.info, anchor=ENGINE_START)
+        with SessionRecorder(path, info, RecorderParams(sync=False)) as recorder:
+            for m in reader.messages():
+                if isinstance(m, Status):
+                    lost = m.values["imu_lost"] + LOST_BEFORE
+                    m = replace(m, values={**m.values, "imu_lost": lost})
+                recorder.write(m)
+    return path
+
+
+def test_an_old_recording_with_a_gap_begins_at_its_first_sensor_message(old_take, take):
+    with SessionReader(old_take) as old, SessionReader(take) as new:
+        assert old.span_ns[0] - old.source.contents.spans.bounds()[0] > 0.99 * WATCHED * 1e9
+        assert old.span_ns[0] == new.span_ns[0]
+        assert quality(old) == quality(new)
+    assert session_summary(old_take)["duration_s"] == pytest.approx(LENGTH, abs=0.1)
+
+
+@pytest.mark.parametrize("which", ["take", "old_take"])
+def test_the_first_thing_a_replay_shows_is_an_image(which, request, qtbot):
+    setup = open_replay(request.getfixturevalue(which), lambda *_: None)
+    setup.player.play(False)
+    setup.engine.start()
+    try:
+        qtbot.waitUntil(lambda: setup.engine.latest_frame() is not None, timeout=20_000)
+        image, blobs, _ = setup.engine.latest_frame()
+        assert image.left is not None and image.right is not None
+        assert image.t == blobs.t
+        assert setup.player.duration == pytest.approx(LENGTH, abs=0.1)
+        assert setup.player.position < 0.1
+    finally:
+        setup.close()
