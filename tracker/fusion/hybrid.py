@@ -70,7 +70,8 @@ class HybridKept:
 
 
 class HybridEngine:
-    """``variant`` names a finger estimator of `tracker.inertial.finger3d`.
+    """The dorsum by the filter `chain`, the fingers by Lemak et al. 2020
+    (doi:10.3390/computers9020040); ``variant`` names one of `tracker.inertial.finger3d`.
 
     Raises ConfigError for a glove without a dorsum IMU and dorsum markers.
     """

@@ -15,7 +15,7 @@ def update(P: Array, H: Array, r: Array, R: Array) -> tuple[Array, Array]:
     """One linear update. P (N, N), H (m, N), innovation r (m,), R (m, m).
 
     Returns the error vector dx (N,) and the new P, symmetric by construction:
-    P - W^T W with W = U^-T H P and U^T U = H P H^T + R.
+    P - W^T W with W = U^-T H P and U^T U = H P H^T + R (docs/chain.md, eq. 38).
     """
     HP = H @ P
     return update_with(P, HP, HP @ H.T, r, R)
@@ -29,10 +29,12 @@ def update_with(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> tuple[Ar
 
 def correct(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> Array:
     """`update_with` in place: dx (N,) of a C-ordered P that becomes the new one."""
+    # 1. U^T U = S
     U = _factor(HPH + R)
-    # transposes of ours are in the library's own order: so nothing is copied on the way
+    # 2. W and dx; transposes of ours are in the library's own order: nothing is copied on the way
     Wt = dtrsm(1.0, U, HP.T, side=1, lower=0)
     dx: Array = Wt @ dtrsm(1.0, U, r[:, None], lower=0, trans_a=1)[:, 0]
+    # 3. one triangle of P - W^T W, and its mirror
     dsyrk(-1.0, Wt, beta=1.0, c=P.T, overwrite_c=1)  # the upper triangle of the transpose
     _mirror(P)
     return dx

@@ -18,7 +18,7 @@ UP_G = np.array([0.0, 0.0, 1.0])
 
 @kernel
 def integrate_rates(q: Written[Matrix], w: Matrix, dt: float) -> None:
-    """q ← q ⊗ exp(ω dt / 2) for rows of q_GB (n, 4) xyzw and ``w`` (n, 3) rad/s in B."""
+    """q ← q ⊗ exp(ω dt / 2) (eq. 10) for rows of q_GB (n, 4) xyzw and ``w`` (n, 3) rad/s in B."""
     for i in range(len(q)):
         half = 0.5 * dt * w[i]
         n = np.sqrt(np.sum(half**2))
@@ -40,12 +40,12 @@ def descend(
         size = np.sqrt(np.sum(g**2))
         if size > 1e-12:
             angle = min(step[i], size)  # near the minimum the gradient is the error itself
-            _multiply(q[i], -0.5 * angle / size * g, np.sqrt(1 - 0.25 * angle**2))
+            _multiply(q[i], -0.5 * angle / size * g, np.sqrt(1 - 0.25 * angle**2))  # eq. 18
 
 
 @kernel
 def gradient(q: Vector, a_G: Vector, b_B: Vector) -> Vector:
-    """Gradient (3,) of ½|a - b|² by a small turn δ of B, for unit vectors a = Rᵀ a_G and b.
+    """Gradient (3,) of ½|a - b|² (eq. 11) by a small turn δ of B, of unit vectors a = Rᵀ a_G, b.
 
     The turn changes a by a × δ, so that the gradient is a × b. Madgwick's gradient by the
     quaternion's components is this vector in the tangent space.
@@ -74,7 +74,7 @@ def plain_madgwick(gyro: Matrix, accel: Matrix, dt: float, beta: float) -> Matri
 
 @kernel
 def _multiply(q: Written[Vector], v: Vector, w: float) -> None:
-    """q ← q ⊗ (v, w), normalised."""
+    """q ← q ⊗ (v, w), normalised (eq. 19)."""
     vector = q[3] * v + w * q[:3] + np.cross(q[:3], v)
     scalar = q[3] * w - np.sum(q[:3] * v)
     n = np.sqrt(np.sum(vector**2) + scalar**2)

@@ -14,7 +14,7 @@ from tracker.messages import Array
 class Finger:
     """Lengths of the phalanges and the sensors' distances from their proximal joints, m."""
 
-    length_0: float = 0.045
+    length_0: float = 0.045  # r_i of eq. 1, and h_k below
     length_1: float = 0.026
     length_2: float = 0.018
     sensor_0: float = 0.0225  # p_k: the middle of the phalanx

@@ -59,7 +59,8 @@ class _Inner(Protocol):
 
 
 class FingerEstimator3D:
-    """Both relative joint rotations of one finger, one sample at a time, every ``dt`` s.
+    """Both relative joint rotations of one finger, one sample at a time, every ``dt`` s: the
+    estimators of Lemak et al. 2020, doi:10.3390/computers9020040, on a dorsum that moves.
 
     ``variant`` is one of VARIANTS; ``flexion`` (rad) of both joints is the known start.
     """

@@ -43,7 +43,10 @@ class _Planar(Protocol):
 
 
 class PlaneFinger:
-    """`switching`, `switching_offset` or `learned` for one finger of a real glove."""
+    """`switching`, `switching_offset` or `learned` for one finger of a real glove.
+
+    Lemak et al. 2020, doi:10.3390/computers9020040, sections 2.2.4 and 2.2.5, in its own plane.
+    """
 
     def __init__(
         self,

@@ -40,7 +40,10 @@ class QuaternionKept:
 
 
 class QuaternionFinger:
-    """q_GB of both phalanges by gradient descent; central differences, so one sample late."""
+    """q_GB of both phalanges by gradient descent; central differences, so one sample late.
+
+    Lemak et al. 2020, doi:10.3390/computers9020040, section 2.3: eqs. 10 to 12, 15 and 18.
+    """
 
     def __init__(
         self,
@@ -63,7 +66,7 @@ class QuaternionFinger:
             self._correct(self._past[1], self._past[0], now)
         if self._past:
             middle = 0.5 * (gyro + self._past[-1].gyro)
-            integrate_rates(self._q_GB, middle, self._dt)
+            integrate_rates(self._q_GB, middle, self._dt)  # eq. 10
         self._past = [*self._past[-1:], now]
         R_G0, R_G1 = so3.matrix_from_quat(self._q_GB)
         return dorsum.R_GB.T @ R_G0, R_G0.T @ R_G1

@@ -28,7 +28,10 @@ class IntegrationState(NamedTuple):
 
 
 class Integration(WithState[IntegrationState]):
-    """Runge-Kutta from a known start; drifts by the gyroscopes' offset."""
+    """Runge-Kutta from a known start; drifts by the gyroscopes' offset.
+
+    Lemak et al. 2020, doi:10.3390/computers9020040, section 2.2.3.
+    """
 
     def __init__(self, dt: float, theta: Array | tuple[float, float] = (0.0, 0.0)) -> None:
         self._dt = dt

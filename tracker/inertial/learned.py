@@ -41,7 +41,9 @@ class LearnedParams:
 
 
 class Learned(WithState[kernel.LearnedState]):
-    """Angles and offsets of the two sensors of one finger."""
+    """Angles and offsets of the two sensors of one finger. Its model of the sensors' accelerations
+    is that of Lemak et al. 2020, doi:10.3390/computers9020040, eq. 2; the filter is ours.
+    """
 
     def __init__(
         self,

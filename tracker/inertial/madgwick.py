@@ -53,7 +53,10 @@ class _Gains(NamedTuple):
 
 
 class Madgwick(WithState[MadgwickState]):
-    """Gyroscopes integrated, and at each sample a step of fixed size down the gradient."""
+    """Gyroscopes integrated, and at each sample a step of fixed size down the gradient.
+
+    Lemak et al. 2020, doi:10.3390/computers9020040, section 2.3: eqs. 10, 15 and 18.
+    """
 
     def __init__(
         self,
@@ -123,12 +126,12 @@ def _descend(
     mu_0, mu_1 = kinematic(levers, theta, omega, alpha)
     for k in range(SENSORS):
         mu = mu_0 if k == 0 else mu_1
-        expected = root + mu if gains.compensate else root
+        expected = root + mu if gains.compensate else root  # eqs. 2 and 11
         error = np.angle(expected * (np.exp(1j * theta[k]) * accel[k]).conjugate())
         beta = gains.beta
         if gains.spurious > 0:
             beta = max(gains.least, beta / (1 + (abs(mu) / gains.spurious) ** 2))
-        theta[k] += 2 * beta * gains.dt * np.sign(error)  # |dq| = β dt turns by twice that
+        theta[k] += 2 * beta * gains.dt * np.sign(error)  # eq. 18: |dq| = β dt turns by twice that
 
 
 @kernel

@@ -61,7 +61,9 @@ def kinematic(
 
 @kernel
 def gravity_angle(root: complex, f: complex) -> float:
-    """The angle that turns the reading ``f`` onto ``root``, within half a turn of MIDDLE."""
+    """The angle that turns the reading ``f`` onto ``root`` (section 2.2.2, atan2), within half a
+    turn of MIDDLE.
+    """
     angle = np.angle(root * f.conjugate())
     if angle < MIDDLE - np.pi:
         return angle + 2 * np.pi

@@ -53,7 +53,10 @@ class _Bounds(NamedTuple):
 
 
 class Switching(WithState[SwitchingState]):
-    """For each sensor, of two estimates always the one whose error bound is smaller."""
+    """For each sensor, of two estimates always the one whose error bound is smaller.
+
+    Lemak et al. 2020, doi:10.3390/computers9020040, sections 2.2.4 and 2.2.5.
+    """
 
     def __init__(
         self,
@@ -86,7 +89,7 @@ class Switching(WithState[SwitchingState]):
 def _acceleration_bounds(
     state: SwitchingState, bounds: _Bounds, gyro: Vector
 ) -> tuple[float, float]:
-    """Largest |μ_k| of both sensors at the measured rates, m/s²."""
+    """Largest |μ_k| of both sensors at the measured rates, m/s² (eq. 6)."""
     jump = np.zeros(SENSORS)
     if state.integrator.samples[0] > 0:
         jump[:] = (gyro - state.integrator.rate[0]) / bounds.dt

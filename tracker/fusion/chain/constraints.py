@@ -2,7 +2,8 @@
 
 With R_rel = R_rest^T R_GBa^T R_GBc = Rz(abduction) Ry(flexion) Rx(twist), a joint without twist has
 e_z^T R_rel e_y = 0 and a hinge e_x^T R_rel e_y = 0 as well: smooth for every angle, unlike the
-angles themselves. (A joint free to twist has no such linear form and is left free.)
+angles themselves. (A joint free to twist has no such linear form and is left free.) Equation
+numbers are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -127,7 +128,7 @@ def _put(
 def _put_flexion(
     h: Written[Vector], at: Blocks, joints: Joints, R_GB: Stack, child: int, gain: float
 ) -> None:
-    """Flexion turns about the child's own y (its twist being small)."""
+    """Flexion turns about the child's own y (its twist being small; eq. 36)."""
     y = np.array([0.0, 1.0, 0.0])
     R = _relative(joints, R_GB, child)
     _put(h, at, joints, child, -rotate(joints.R_rest[child], rotate(R, y)), y, gain)
@@ -141,7 +142,7 @@ def _rows(
     n = len(axes.child)
     most = n + 2 * len(flexions.child)
     H, r, var = np.zeros((most, at.size)), np.zeros(most), np.zeros(most)
-    # 1. fixed axes: e^T R_rest^T Exp(-beta_a) R_a^T R_c Exp(beta_c) f
+    # 1. fixed axes: e^T R_rest^T Exp(-theta_a) R_a^T R_c Exp(theta_c) f (eq. 35)
     for k in range(n):
         c, e, f = axes.child[k], axes.e[k], axes.f[k]
         R = _relative(joints, R_GB, c)
@@ -154,13 +155,13 @@ def _rows(
         c, s = flexions.child[k], flexions.source[k]
         low, high, ratio, offset = flexions.numbers[k]
         value = zyx3(_relative(joints, R_GB, c))[1]
-        # 2. limits, where they are passed
+        # 2. limits, where they are passed (eq. 36)
         bound = min(max(value, low), high)
         if bound != value:
             _put_flexion(H[m], at, joints, R_GB, c, 1.0)
             r[m], var[m] = bound - value, flexions.limit
             m += 1
-        # 3. synergies
+        # 3. synergies (eq. 36)
         if s >= 0:
             source = zyx3(_relative(joints, R_GB, s))[1]
             _put_flexion(H[m], at, joints, R_GB, c, 1.0)
@@ -179,13 +180,13 @@ def _axes(layout: ChainLayout, params: ConstraintParams) -> list[Axis]:
         free = () if joint is None else joint.axes
         if "twist" in free:
             continue
-        out.append(Axis(child, E_Z, E_Y, params.rotation))
+        out.append(Axis(child, E_Z, E_Y, params.rotation))  # eq. 32
         if "abduction" not in free:
-            out.append(Axis(child, E_X, E_Y, params.rotation))
+            out.append(Axis(child, E_X, E_Y, params.rotation))  # eq. 33
         elif name == "thumb_proximal":
             out.append(Axis(child, E_X, E_Y, params.thumb_abduction))
         if "flexion" not in free:
-            out.append(Axis(child, E_X, E_Z, params.rotation))
+            out.append(Axis(child, E_X, E_Z, params.rotation))  # eq. 34
     return out
 
 

@@ -48,6 +48,9 @@ class ChainKept:
 class ChainEngine:
     """Visual-inertial filter on a chain of segments; an `Engine`. One instance per hand.
 
+    docs/chain.md derives it; numbers such as ``eq. 12`` in its parts are that page's. It goes on
+    from Lee et al. 2021, doi:10.1126/scirobotics.abe1315, whose own filter is `VistEngine`.
+
     ``tape``, if there is one, is told of all that the filter does.
     """
 

@@ -1,6 +1,7 @@
 """The filter itself: a state with its covariance, moved by packets and corrected by measurements.
 
-What it takes from the accelerometers is in `tilt`, from anatomy in `constraints`.
+What it takes from the accelerometers is in `tilt`, from anatomy in `constraints`. Equation numbers
+are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -149,7 +150,7 @@ class ChainFilter:
     def _how_often(self) -> float:
         """Factor on anatomy's variance: at twice the usual rate each use says half as much."""
         since = max(self.state.t - self.kept.last_constraint, 1e-3)
-        return max(1.0, self._params.constraint.period / since)
+        return max(1.0, self._params.constraint.period / since)  # eq. 37
 
     def _use(self, H: Array, r: Array, variance: Array) -> None:
         """Rows H (m, N) that are few, with innovation r (m,) and variance (m,)."""
@@ -160,5 +161,5 @@ class ChainFilter:
         """One update with H (m, N), H P, H P Hᵀ, innovation r (m,) and its noise R (m, m)."""
         if self._tape is not None:
             self._tape.update(H, HP, HPH + R, r)
-        dx = correct(self.state.P, HP, HPH, r, R)
+        dx = correct(self.state.P, HP, HPH, r, R)  # eq. 38
         inject(self.state, self._layout, dx)

@@ -1,4 +1,4 @@
-"""Points of the chain in G and their Jacobians (mathematics of the chain filter).
+"""Points of the chain in G and their Jacobians (docs/chain.md, eqs. 4 to 7).
 
 A point of segment s stands at  p_root + sum over the chain of R_GB (scale * nominal + offset). The
 root's own frame hangs on its IMU, whose position is the state: B_0 = p - R_0 (scale_0 * i_0).
@@ -96,7 +96,7 @@ def points_of(p_GB: Matrix, body: Body, points: Points) -> Matrix:
     for k in range(len(points.segment)):
         a = points.segment[k]
         x = stretched(body.scale[a], points.nominal[k]) + points.offset[k]
-        out[k] = p_GB[a] + rotate(body.R_GB[a], x)
+        out[k] = p_GB[a] + rotate(body.R_GB[a], x)  # eq. 5
     return out
 
 
@@ -107,7 +107,7 @@ def segment_origins(skeleton: Skeleton, body: Body, p: Vector) -> Matrix:
     out = np.empty((len(parent), 3))
     for i in range(len(parent)):
         a = parent[i]
-        if a < 0:
+        if a < 0:  # eq. 4
             out[i] = p - rotate(R[i], stretched(body.scale[i], skeleton.lever))
         else:
             out[i] = out[a] + rotate(R[a], joint_lever(skeleton, body, i, a))
@@ -125,7 +125,7 @@ def put_link(
     scale: int,
     offset: int,
 ) -> int:
-    """Jacobian of R_GB x by the error states of one segment, and where these states stand.
+    """Jacobian of R_GB x by the error states of one segment (eq. 6), and where these stand.
 
     x (3,) m is what ``nominal`` (3,) has grown to, with an offset that is a state too where its
     first column ``offset`` >= 0; ``first`` and ``scale`` are those of the orientation and of the
@@ -147,7 +147,8 @@ def put_link(
 
 @kernel
 def from_point(a: int, x: Vector, lever: Vector, scale: Vector) -> Vector:
-    """x (3,) m in the B of segment ``a``, in the root's counted from the point that p is of."""
+    """x (3,) m in the B of segment ``a``, in the root's counted from the point that p is of
+    (eq. 7)."""
     return x - stretched(scale, lever) if a == 0 else x
 
 
@@ -219,7 +220,7 @@ def jacobians(
 
 @kernel
 def sd_of_ends(skeleton: Skeleton, at: Blocks, body: Body, ends: Points, P: Matrix) -> Vector:
-    """(A,) m: root of a third of the trace of H P H^T of the ``ends`` of all segments."""
+    """(A,) m: root of a third of the trace of H P H^T of the ``ends`` of all segments (eq. 49)."""
     used, column, value = origin_jacobians(skeleton, at, body)
     out = np.empty(len(used))
     for a in range(len(used)):

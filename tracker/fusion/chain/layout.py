@@ -1,5 +1,7 @@
 """Which segments a filter estimates and where each error state stands in the covariance.
 
+Equation numbers here and beside are those of docs/chain.md (this is eq. 2).
+
 Estimated ("active") segments are those with an IMU or a marker and all their ancestors. Error
 state, in this order (blocks of 3 unless said):
 

@@ -1,8 +1,8 @@
 """Rows of the update that matched markers give.
 
 A marker's placement error is common to both images: the noise of a stereo pair is
-A A^T s_m² + I s_px² with A = [Pi_L; Pi_R] R_CG. Treating it as independent pixel noise would throw
-the depth away.
+A A^T s_m² + I s_px² with A = [Pi_L; Pi_R] R_CG (docs/chain.md, eq. 25). Treating it as independent
+pixel noise would throw the depth away.
 """
 
 from __future__ import annotations
@@ -44,14 +44,14 @@ def point_rows(
         S = seen_covariance(J[:end], prediction.cov[k], noise.pixel_px)
         weight = _huber(r[:end], S, noise.huber)
         if end == 4:
-            # 3a. both cameras: a position in G
+            # 3a. both cameras: a position in G (eq. 26)
             R_k, out_r[at : at + 3] = _solved(J, r)
             rows_H[at : at + 3], rows_HP[at : at + 3] = H[k], HP[k]
             R_k *= noise.pixel_px**2
             for a in range(3):
                 R_k[a, a] += noise.marker**2
         else:
-            # 3b. one camera: its pixels
+            # 3b. one camera: its pixels (eq. 25)
             out_r[at : at + 2] = r[:2]
             _put_product(rows_H[at : at + 2], J, H[k])
             _put_product(rows_HP[at : at + 2], J, HP[k])
@@ -142,7 +142,7 @@ def stack_rows(
                     rows_H[end, i] = x * H[k, 0, i] + y * H[k, 1, i] + z * H[k, 2, i]
                     rows_HP[end, i] = x * HP[k, 0, i] + y * HP[k, 1, i] + z * HP[k, 2, i]
                 end += 1
-        # 3. their noise, common to both images by the placement
+        # 3. their noise, common to both images by the placement (eq. 25)
         if end > start:
             R_k = J[start:end] @ J[start:end].T * noise.marker**2
             for i in range(end - start):
@@ -154,7 +154,7 @@ def stack_rows(
 
 @kernel
 def _huber(r: Vector, S: Matrix, threshold: float) -> float:
-    """Factor on the noise: 1 up to the threshold, then growing with the distance."""
+    """Factor on the noise: 1 up to the threshold, then growing with the distance (eq. 27)."""
     distance = np.sqrt(_mahalanobis2(S, r) / len(r))
     return max(1.0, distance / threshold) ** 2
 

@@ -1,6 +1,7 @@
 """Markers in the two images: prediction, correspondence, and the stacked pixel update.
 
-A marker that one camera sees gives two rows, one that both see gives three (`pixel_rows`).
+A marker that one camera sees gives two rows, one that both see gives three (`pixel_rows`). Equation
+numbers are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -144,8 +145,8 @@ def matched(
 ) -> IntMatrix:
     """(2, M) row of the blobs of left and right for each marker, -1 for none.
 
-    Limits as in `tracker.vision.correspondence.GateParams`. The cost of no match grows with the
-    innovation covariance, or an unsure filter would match nothing.
+    Limits as in `tracker.vision.correspondence.GateParams`; costs as in eq. 23. The cost of no
+    match grows with the innovation covariance, or an unsure filter would match nothing.
     """
     rows, S = prediction.rows, prediction.S
     out = np.full((2, prediction.uv.shape[1]), -1)
@@ -155,7 +156,7 @@ def matched(
             continue
         prior = np.maximum(prediction.prior[c][rows], LEAST_PRIOR)
         markers = ExpectedPixels(prediction.uv[c][rows], S[c], marker_hue[rows], prior)
-        alone = ALONE + max(0.0, median_ln_det(S[c]) - USUAL_LN_DET)
+        alone = ALONE + max(0.0, median_ln_det(S[c]) - USUAL_LN_DET)  # eq. 24
         found = assigned(blobs, markers, GATE_SQUARED, GATE_PX, alone)
         for i in range(len(rows)):
             out[c, rows[i]] = found[i]

@@ -1,4 +1,7 @@
-"""What the filter expects of markers in the two images, with its Jacobians and covariances."""
+"""What the filter expects of markers in the two images, with its Jacobians and covariances.
+
+Equation numbers are those of docs/chain.md.
+"""
 
 from __future__ import annotations
 
@@ -72,13 +75,14 @@ def viewed(
     camera = view.camera
     for c in range(2):
         shift = camera.baseline if c else 0.0
+        # eq. 20
         uv[c] = projected(p_C, shift, camera.fx, camera.fy, camera.cx, camera.cy)
     return p_GB, p_G, rotated(body.R_GB, markers.segment, normal), p_C, uv
 
 
 @kernel
 def pixel_jacobians(p_C: Matrix, view: View) -> Stack4:
-    """(2, n, 2, 3) d uv / d p_G of both cameras, of points p_C (n, 3)."""
+    """(2, n, 2, 3) d uv / d p_G of both cameras, of points p_C (n, 3) (eq. 21)."""
     n, R_GC, camera = len(p_C), view.R_GC, view.camera
     out = np.empty((2, n, 2, 3))
     for c in range(2):
@@ -109,7 +113,7 @@ def expected(
     They are those whose ``prior`` (2, M) is above `MIN_PRIOR` in a camera. What markers of one
     segment share of H P, the share of the segment's origin, is computed once.
     """
-    # 1. which markers, and the origins of their segments
+    # 1. which markers, and the origins of their segments (eq. 6)
     rows = np.flatnonzero(np.maximum(prior[0], prior[1]) > MIN_PRIOR)
     origins = origin_jacobians(skeleton, at, body)
     of_origin = origin_products(skeleton.parent, origins, P)
@@ -133,7 +137,7 @@ def expected(
                 cov[i, r, s] = noise.marker**2 if r == s else 0.0
                 for c in range(end):
                     cov[i, r, s] += HP[i, r, column[c]] * h[s, c]
-        # 5. the same in each camera's pixels
+        # 5. the same in each camera's pixels (eq. 22)
         for c in range(2):
             S[c, i] = seen_covariance(A[c, m], cov[i], noise.pixel_px)
     return rows, H, HP, cov, S

@@ -25,6 +25,7 @@ def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
     d[layout.joint : layout.marker] = prior.joint**2
     d[layout.marker :] = prior.marker**2
     np.fill_diagonal(P, d)
+    # eq. 19
     P[length, length] += prior.common_length**2
     P[girth, girth] += prior.common_girth**2
     return P

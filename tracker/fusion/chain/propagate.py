@@ -1,4 +1,4 @@
-"""Moving the chain's state with IMU data, nominal state and covariance.
+"""Moving the chain's state with IMU data, nominal state and covariance (docs/chain.md).
 
 A segment with an IMU turns as its gyroscope says; one without turns with its parent and bends as
 its synergy says. The root's accelerometer moves the hand as a whole. Phi differs from the identity
@@ -99,7 +99,7 @@ def steps(
         dt, valid = way.stop[k] - way.start[k], way.valid[k]
         # 1. rates and force by the mean readings
         motion = motion_by(drive, R_GB, imus, way.accel[k], way.gyro[k], valid)
-        # 2. P <- Phi P Phi^T + Q, linearised where the interval begins
+        # 2. P <- Phi P Phi^T + Q, linearised where the interval begins (eq. 16)
         move_covariance(P, phi_of(drive, at, R_GB, imus.R_IB, valid, motion, dt))
         add_random_walks(P, at, walks, motion.felt, dt)
         add_rotation_noise(P, at, drive, R_GB, valid, walks, dt)
@@ -150,9 +150,9 @@ def body_rates(
     for i in range(len(parent)):
         j = drive.imu_of[i]
         if j >= 0 and valid[j]:
-            w[i] = rotate_back(imus.R_IB[j], gyro[j] - imus.bg[j])
+            w[i] = rotate_back(imus.R_IB[j], gyro[j] - imus.bg[j])  # eq. 8
         elif parent[i] >= 0:
-            w[i] = rotate_back(R_GB[i], rotate(R_GB[parent[i]], w[parent[i]]))
+            w[i] = rotate_back(R_GB[i], rotate(R_GB[parent[i]], w[parent[i]]))  # eq. 9
             s = drive.source[i]
             if 0 <= s < i:
                 relative = w[s] - rotate_back(R_GB[s], rotate(R_GB[parent[s]], w[parent[s]]))
@@ -168,14 +168,14 @@ def root_force(
     j = drive.imu_of[0]
     if j < 0 or not valid[j]:
         return np.zeros(3), False
-    return rotate_back(imus.R_IB[j], accel[j] - imus.ba[j]), True
+    return rotate_back(imus.R_IB[j], accel[j] - imus.ba[j]), True  # eq. 10
 
 
 @kernel
 def move_nominal(
     dynamic: Dynamic, motion: Motion, dt: float, coasting: bool
 ) -> tuple[Vector, Vector, Stack]:
-    """p, v and R_GB after ``dt``, in new arrays."""
+    """p, v and R_GB after ``dt``, in new arrays (eq. 11)."""
     p, v, R_GB = dynamic
     w, f, felt = motion
     p_new, v_new = np.empty(3), np.empty(3)
@@ -217,7 +217,7 @@ def phi_of(
     """(D, scale) Phi: the dynamic rows against all columns before the scales."""
     parent, w = drive.parent, motion.w
     Phi = np.eye(at.theta + 3 * len(parent), at.scale)
-    # 1. position by velocity
+    # 1. position by velocity (eq. 15)
     for r in range(3):
         Phi[r, 3 + r] = dt
     # 2. orientations
@@ -225,18 +225,19 @@ def phi_of(
         k = at.theta + 3 * i
         j = drive.imu_of[i]
         if j >= 0 and valid[j]:
+            # eq. 13
             Phi[k : k + 3, k : k + 3] = exp3(w[i] * dt).T
             Phi[k : k + 3, at.phi + 3 * j : at.phi + 3 * j + 3] = skew3(w[i]) * dt
             Phi[k : k + 3, at.bg + 3 * j : at.bg + 3 * j + 3] = -R_IB[j].T * dt
         elif parent[i] >= 0:
-            # R_rel stays: theta_c moves by R_rel^T times what theta_parent moved by
+            # eq. 14. R_rel stays: theta_c moves by R_ca times what theta_parent moved by
             a = at.theta + 3 * parent[i]
             R_ca = tmul3(R_GB[i], R_GB[parent[i]])
             moved = Phi[a : a + 3].copy()
             for r in range(3):
                 moved[r, a + r] -= 1.0
             Phi[k : k + 3] += R_ca @ moved
-    # 3. velocity and position by what the specific force depends on
+    # 3. velocity and position by what the specific force depends on (eq. 15)
     if motion.felt:
         j = drive.imu_of[0]
         _put_root_rows(Phi, at, j, R_GB[0], R_IB[j], motion.f, dt)
@@ -247,7 +248,7 @@ def phi_of(
 def _put_root_rows(
     Phi: Written[Matrix], at: Blocks, imu: int, R: Matrix, R_IB: Matrix, f: Vector, dt: float
 ) -> None:
-    """p and v against the root's orientation, and its IMU's mounting and accelerometer bias."""
+    """Eq. 15: p and v by the root's orientation, its IMU's mounting and accelerometer bias."""
     J_a_theta = -mul3(R, skew3(f))
     J_a_ba = -mul3(R, R_IB.T)
     theta, phi, ba = at.theta, at.phi + 3 * imu, at.ba + 3 * imu
@@ -262,7 +263,7 @@ def _put_root_rows(
 
 @kernel
 def move_covariance(P: Written[Matrix], Phi: Matrix) -> None:
-    """P <- Phi P Phi^T in place, touching only the dynamic rows and columns."""
+    """P <- Phi P Phi^T in place (eq. 16), touching only the dynamic rows and columns."""
     D, n = len(Phi), len(P)
     count, column = _columns(Phi)
     # 1. rows (D, N) = Phi P
@@ -305,7 +306,7 @@ def _columns(Phi: Matrix) -> tuple[IntVector, IntMatrix]:
 def add_random_walks(
     P: Written[Matrix], at: Blocks, walks: RandomWalks, felt: bool, dt: float
 ) -> None:
-    """The noise of all but the orientations over ``dt``, on the diagonal."""
+    """The noise of all but the orientations over ``dt``, on the diagonal (eq. 17)."""
     accel = walks.accel if felt else walks.free_accel
     for r in range(3):
         P[r, r] += accel**2 * dt**3 / 3
@@ -333,7 +334,8 @@ def add_rotation_noise(
     walks: RandomWalks,
     dt: float,
 ) -> None:
-    """Noise of the orientations, in place: a segment without an IMU takes its parent's along.
+    """Noise of the orientations, in place: a segment without an IMU takes its parent's along
+    (eq. 18).
 
     A rotation that is felt, one against the parent that is not, and the root's that is not have
     variances of their own.

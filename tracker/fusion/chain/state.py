@@ -1,4 +1,4 @@
-"""The chain filter's state: what changes, and how an error vector is added to it."""
+"""The chain filter's state (docs/chain.md, eq. 2), and how an error vector is added (eq. 3)."""
 
 from __future__ import annotations
 
@@ -155,5 +155,6 @@ def _inject(
     for i in range(scale.shape[0]):
         for k in range(scale.shape[1]):
             scale[i, k] = min(max(scale[i, k], low), high)
+    # eq. 3: rotations by perturbations on the right
     R_GB = rotate_all(dynamic.R_GB, dx[at.theta : at.bg].reshape(-1, 3))
     return R_GB, rotate_all(imus.R_IB, dx[at.phi : at.ba].reshape(-1, 3)), scale

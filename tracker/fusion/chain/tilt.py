@@ -4,7 +4,8 @@ All IMUs of a hand feel the same gravity and the same motion of the dorsum; what
 they stand on the chain. With f_0 the dorsum's specific force, the specific force at finger IMU j is
 predicted as  h_j = R_IB_j R_GB_j^T sum_a R_GB_a c_a + b_a,  c_a = alpha x l + w x (w x l) along the
 chain and f_0 added at the root. Gravity itself cancels, so the camera's tilt does not matter. This
-is the compensation of Lemak et al. 2020 (eq. 4) carried to three dimensions.
+is the compensation of Lemak et al. 2020 (doi:10.3390/computers9020040, eqs. 2 and 3) carried to
+three dimensions; equation numbers below are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -90,7 +91,7 @@ def stacked_rows(
         )
         for i in range(3):
             r[end + i] = now.accel[j, i] - predicted[i]
-            var[end + i] = noise.sd**2 + (noise.kinematic * kinematic) ** 2
+            var[end + i] = noise.sd**2 + (noise.kinematic * kinematic) ** 2  # eq. 31
         end += 3
     return H[:end], r[:end], var[:end]
 
@@ -112,10 +113,10 @@ def _put_row(
     w, alpha, f_0, root_imu = rigid
     kinematic_G = np.zeros(3)
     M = mul3(R_IB[j], R_GB[segment].T)
-    # 1. down the chain: what each link adds, and how it depends on the link's orientation
+    # 1. down the chain: what each link adds, and its derivative by the link's orientation (eq. 30)
     a, lever = segment, stretched(body.scale[segment], places.position[j])
     while True:
-        c = cross3(alpha[a], lever) + cross3(w[a], cross3(w[a], lever))
+        c = cross3(alpha[a], lever) + cross3(w[a], cross3(w[a], lever))  # eq. 28
         kinematic_G += rotate(R_GB[a], c)
         total = c + f_0 if a == 0 else c
         _add(h, at.theta + 3 * a, mul3(mul3(M, R_GB[a]), skew3(total)), -1.0)
@@ -124,13 +125,13 @@ def _put_row(
             break
         x = joint_lever(skeleton, body, child, a)
         lever = from_point(a, x, skeleton.lever, body.scale[a])
-    # 2. by the segment's own orientation, mounting and bias
+    # 2. eq. 29, and by the segment's own orientation, mounting and bias (eq. 30)
     s = rotate_back(R_GB[segment], kinematic_G + rotate(R_GB[0], f_0))
     J_f_theta, R_0 = mul3(R_IB[j], skew3(s)), mul3(M, R_GB[0])
     _add(h, at.theta + 3 * segment, J_f_theta, 1.0)
     _add(h, at.phi + 3 * j, J_f_theta, -1.0)
     _add(h, at.ba + 3 * j, np.eye(3), 1.0)
-    # 3. by the root's mounting and bias, through f_0
+    # 3. by the root's mounting and bias, through f_0 (eq. 30)
     _add(h, at.phi + 3 * root_imu, mul3(R_0, skew3(f_0)), 1.0)
     _add(h, at.ba + 3 * root_imu, mul3(R_0, R_IB[root_imu].T), -1.0)
     return rotate(R_IB[j], s) + imus.ba[j], np.sqrt(np.sum(kinematic_G**2))

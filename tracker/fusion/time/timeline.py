@@ -3,7 +3,8 @@
 A filter lives at the exposure of the last image, or a fixed lag behind the newest packet when no
 image comes. What it shows is a copy of its nominal state (the head), carried on with the packets
 since. Late images therefore need no rolling back: an image waits until packets cover its
-exposure, and one that comes after the filter went on without it makes the lag longer.
+exposure, and one that comes after the filter went on without it makes the lag longer
+(docs/chain.md, "Delay").
 """
 
 from __future__ import annotations
@@ -186,7 +187,7 @@ class Timeline(Generic[S]):
         self._filter.state.t = t
 
     def rebuild_head(self) -> None:
-        """Show what the filter has become: its nominal state, carried to the newest packet."""
+        """Show what the filter has become: its nominal state at the newest packet (eq. 39)."""
         self._head = self._filter.state.copy_nominal()
         newest = self._buffer.newest
         if newest is not None and not self._searching:

@@ -22,7 +22,9 @@ SOFT = -1.0  # marks rows that the paper does not have
 
 
 class Anatomy:
-    """The rows of one hand with one glove."""
+    """The rows of one hand with one glove: "Correction with anatomical constraints" of
+    Lee et al. 2021, doi:10.1126/scirobotics.abe1315, whose own derivation is its note S7.
+    """
 
     def __init__(self, layout: VistLayout, params: VistConstraint) -> None:
         self._layout, self._params = layout, params

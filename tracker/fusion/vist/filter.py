@@ -17,7 +17,11 @@ from tracker.messages import Array
 
 
 class VistFilter:
-    """Updates a `VistState`; holds nothing that changes."""
+    """Updates a `VistState`; holds nothing that changes.
+
+    Lee et al. 2021, doi:10.1126/scirobotics.abe1315, "Correction with visual information" (eq. 10)
+    and "Correction with anatomical constraints".
+    """
 
     def __init__(self, layout: VistLayout, params: VistParams) -> None:
         self._layout, self._params = layout, params
@@ -66,7 +70,7 @@ class VistFilter:
         lay, k = self._layout, len(matched)
         segment = lay.chain.marker_segment[matched.marker]
         H = in_joint_rows(expected.H[matched.marker], segment, lay.size).reshape(-1, lay.size)
-        r = matched.p_G - expected.p_G[matched.marker]
+        r = matched.p_G - expected.p_G[matched.marker]  # eq. 10
         S = expected.cov[matched.marker] + matched.cov
         distance = np.sqrt(np.einsum("ki,ki->k", r, np.linalg.solve(S, r[..., None])[..., 0]) / 3)
         weight = np.maximum(1.0, distance / self._params.noise.huber) ** 2

@@ -22,7 +22,8 @@ ERRORS = 21
 
 
 class VistLayout:
-    """Arrays of one hand with one glove. Rows are segments with an IMU, parents first.
+    """Arrays of one hand with one glove. Rows are segments with an IMU, parents first. States of
+    each are those of eqs. 7 and 8 of Lee et al. 2021, doi:10.1126/scirobotics.abe1315.
 
     Markers of segments without an IMU have no state to correct and are left out: ``kept`` (m,) are
     the others' rows in the glove. ``chain`` is the layout of the reduced glove, which the shared

@@ -70,7 +70,9 @@ class Matched:
 
 
 class MarkerModel:
-    """Prediction and correspondence for one glove seen by one rig."""
+    """Prediction and correspondence for one glove seen by one rig: "Visual information extraction"
+    of Lee et al. 2021, doi:10.1126/scirobotics.abe1315.
+    """
 
     def __init__(
         self, layout: VistLayout, rig: StereoRig, noise: VistNoise, match: VistMatch
@@ -89,6 +91,7 @@ class MarkerModel:
         normal_G = np.einsum("mij,mj->mi", R_GB[segment], glove.marker_normal)
         R_all, p_all, *_ = self._complete(R_GB, state.p_GB(lay), state.scale)
         markers = MarkerRows(p_G, normal_G, self._hand_segment)
+        # eqs. 4 and 5
         prior = visibility(PosedHand(self._shape, R_all, p_all), markers, self._rig, pose)
         H = jacobians(state, segment, lay.marker_lever)
         return Expected(p_G, prior, H, own_covariance(state, H, segment))
@@ -106,8 +109,9 @@ class MarkerModel:
         p_G = stereo.p_C @ pose.R_GC.T + pose.p_GC
         cov = self.noise(stereo.p_C, pose)
         hue = self._layout.chain.glove.marker_hue
-        likely = both_cameras(guide.prior)
+        likely = both_cameras(guide.prior)  # eq. 6
         likely = np.where(likely > self._match.min_prior, likely, 0.0)
+        # eqs. 1 to 3
         found = match_translation(p_G, left.hue[left_row], guide.p_G, hue, likely, cov).marker
         keep = np.flatnonzero(found >= 0)
         keep = keep[self._near(p_G[keep], cov[keep], found[keep], guide)]

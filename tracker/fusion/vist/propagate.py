@@ -1,4 +1,5 @@
-"""Prediction with IMU data (Lee et al. 2021, eq. 9), nominal state and joint covariance.
+"""Prediction with IMU data, nominal state and joint covariance: eq. 9 of
+Lee et al. 2021, doi:10.1126/scirobotics.abe1315.
 
 Errors of one segment, discrete over dt, with a = a_m - b_a and w = w_m - b_g:
 
@@ -63,7 +64,7 @@ def _move_nominal(
     valid: BoolVector,
     dt: float,
 ) -> tuple[Matrix, Matrix, Stack]:
-    """A silent segment turns and accelerates with its parent; a silent root slows down."""
+    """Eq. 9. A silent segment turns and accelerates with its parent; a silent root slows down."""
     n = len(parent)
     p_new, v_new, R_new = np.empty_like(p), np.empty_like(v), np.empty_like(R)
     w_G, a_G = np.zeros((n, 3)), np.zeros((n, 3))
@@ -111,7 +112,7 @@ def move_covariance(
     A_th, A_ba, E = _error_blocks(R, w, f, valid, dt)
     size = P_.shape[0]
     new = np.empty((9, size))
-    # 1. rows: M = Phi P
+    # 1. rows: M = Phi P, with Phi the discrete form of F below eq. 9
     for i in range(len(R)):
         k = i * ERRORS
         turn = -dt if valid[i] else 0.0

@@ -18,7 +18,8 @@ from tracker.records import record
 @record("vist.state")
 @dataclass(eq=False)
 class VistState:
-    """Nominal state and covariance at time ``t``; n segments, rows as in `VistLayout`.
+    """Nominal state (eqs. 7 and 8 of Lee et al. 2021, doi:10.1126/scirobotics.abe1315) and
+    covariance at time ``t``; n segments, rows as in `VistLayout`.
 
     p_GI, v_GI (n, 3) m, m/s of each IMU in G; R_GI (n, 3, 3); bg, ba (n, 3); scale (n, 3) lambda_B;
     R_IB (n, 3, 3); P (21 n, 21 n).

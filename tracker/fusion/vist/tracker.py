@@ -53,7 +53,9 @@ class VistTrackerKept:
 
 
 class VistTracker:
-    """The parts of the vist engine joined; a `Filter` that a `Timeline` drives."""
+    """The parts of the vist engine joined; a `Filter` that a `Timeline` drives. The order of its
+    steps is that of fig. 2B of Lee et al. 2021, doi:10.1126/scirobotics.abe1315.
+    """
 
     def __init__(
         self, layout: VistLayout, rig: StereoRig, params: VistParams, buffer: ImuBuffer

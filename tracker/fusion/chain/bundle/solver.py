@@ -1,8 +1,9 @@
-"""Least squares over keyframes: a pose each, one calibration for all (Schur's complement).
+"""Least squares over keyframes: a pose each, one calibration for all (eq. 45).
 
 The work is cut into steps of one keyframe, one an image, so that no image waits for it and the
 result comes at an instant that depends on the data alone. What is found replaces the filter's
-calibration: both were learned from the same data, so they must not be fused.
+calibration: both were learned from the same data, so they must not be fused. Equation numbers are
+those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -132,7 +133,7 @@ class Bundle:
         )
 
     def _linearise(self, work: BundleWork, k: int) -> None:
-        """Add keyframe ``k`` with its own pose eliminated."""
+        """Add keyframe ``k`` with its own pose eliminated: Schur's complement (eq. 46)."""
         assert work.calibration is not None
         frame, n = work.frames[k], self._layout.n_dynamic
         H, r = self._rows(replace(work.calibration, p=work.p[k], R_GB=work.R_GB[k]), frame)
@@ -171,7 +172,7 @@ class Bundle:
 
     def _move(self, work: BundleWork, calibration: ChainState) -> None:
         lay = self._layout
-        change = np.linalg.solve(work.N, work.g)
+        change = np.linalg.solve(work.N, work.g)  # eq. 47
         for k, back in enumerate(work.back):
             pose = np.zeros(lay.size)
             pose[self._moves] = back[:, -1] - back[:, :-1] @ change
@@ -214,7 +215,7 @@ def adopt(state: ChainState, layout: ChainLayout, found: WearerProfile) -> None:
     n, first = layout.n_dynamic, layout.phi
     turn = state.R_IB.swapaxes(1, 2) @ found.R_IB
     R = state.R_GB.copy()
-    R[layout.imu_segment] = R[layout.imu_segment] @ turn
+    R[layout.imu_segment] = R[layout.imu_segment] @ turn  # eq. 48
     state.R_GB = R
     for name in ("R_IB", "ba", "scale", "joint", "marker"):
         setattr(state, name, getattr(found, name).copy())

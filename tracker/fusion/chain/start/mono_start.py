@@ -4,7 +4,7 @@
 posture, heading and distance on a grid, every pair (blob seen, marker expected) of one hue proposes
 a position, and the one whose markers meet most blobs wins. The best ones are then fitted in all
 three directions: perspective makes near markers spread wider, which tells the distance as well as
-the size of the hand is known.
+the size of the hand is known. Equation numbers are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -82,13 +82,13 @@ def vote_mono(
 def along_the_ray(P: Array, p: Array, pose: CameraPose, share: float) -> None:
     """Make the distance of p (3,) m in G unsure by ``share`` of it, in the covariance P (N, N)."""
     ray = p - pose.p_GC
-    P[:3, :3] += share**2 * np.outer(ray, ray)
+    P[:3, :3] += share**2 * np.outer(ray, ray)  # eq. 43
 
 
 def keep_size(P: Array, layout: ChainLayout) -> None:
     """One camera cannot tell a small hand that is near from a large one farther away."""
     rows = slice(layout.scale, layout.joint)
-    P[rows, :] *= SIZE_KEPT
+    P[rows, :] *= SIZE_KEPT  # eq. 43
     P[:, rows] *= SIZE_KEPT
 
 
@@ -104,7 +104,7 @@ def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) 
     As `Estimate.keypoint_sd` the root of the mean variance over three axes: the ray's is one.
     """
     ray = float(np.linalg.norm(p - pose.p_GC))
-    out: Array = np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)
+    out: Array = np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)  # eq. 44
     return out
 
 
@@ -169,7 +169,7 @@ def best_position(
                 if hue[i] != marker_hue[j]:
                     continue
                 for a in range(2):
-                    t[a] = seen[i, a] * (markers[j, 2] + z) - markers[j, a]
+                    t[a] = seen[i, a] * (markers[j, 2] + z) - markers[j, a]  # eq. 42
                 total = 0.0
                 for k in range(len(markers)):
                     d2, _ = _nearest(seen, hue, markers[k], marker_hue[k], t)

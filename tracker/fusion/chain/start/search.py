@@ -5,7 +5,8 @@
 2. For each articulation and each heading on a grid, every pair (point seen, marker expected) of one
    hue proposes a translation; the translation that most markers agree on wins.
 
-All same-hue stereo pairs take part, right and wrong ones: a wrong pair finds no company.
+All same-hue stereo pairs take part, right and wrong ones: a wrong pair finds no company. Equation
+numbers are those of docs/chain.md.
 """
 
 from __future__ import annotations
@@ -101,7 +102,7 @@ def _typical(layout: ChainLayout, share: float) -> Array:
 def _fit_angles(
     layout: ChainLayout, R_root: Array, up_B: Array, valid: Array, typical: Array
 ) -> Array:
-    """Gauss-Newton on tilts and posture prior with the joint limits as bounds."""
+    """Gauss-Newton on tilts and posture prior with the joint limits as bounds (eq. 40)."""
     hand = layout.hand
     segments = layout.active[layout.imu_segment]
     use = [j for j in range(len(up_B)) if valid[j] and layout.imu_segment[j] != 0]
@@ -203,7 +204,7 @@ def _best_shift(
             if hue[i] == marker_hue[j]:
                 pairs += 1
     stride = max(1, (pairs + most - 1) // most)
-    # 2. all markers vote on each
+    # 2. all markers vote on each (eq. 41)
     best, best_shift, count = -1.0, np.zeros(3), 0
     for i in range(n):
         for j in range(m):
