@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QApplication, QInputDialog, QMainWindow, QToolBar
+from PySide6.QtWidgets import QApplication, QInputDialog, QMainWindow, QToolBar, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
@@ -26,6 +26,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from app.widgets.command_palette import CommandPalette
+from app.widgets.scrolled import Scrolled
 from app.window import theme
 from app.window.about import AboutDialog
 from app.window.bug_reports import BugReports, ReportSources
@@ -181,10 +182,12 @@ class MainWindow(QMainWindow):
 
     def _opened(self, setup: EngineSetup) -> None:
         self.setWindowTitle(self.tr("Glovetrack: {}").format(setup.name))
-        self.start_page.hide()
-        arrange(self, self.docks)
-        restore_layout(self, self.store.value.layout)
-        self.start_page.hide()
+        if not self.start_page.isHidden():  # later openings leave panels as the user put them
+            self.start_page.hide()
+            arrange(self, self.docks)
+            restore_layout(self, self.store.value.layout)
+        if setup.player is not None:
+            self.show_panel("library", self.library.transport)
         self._enable()
 
     def _closed(self) -> None:
@@ -209,9 +212,14 @@ class MainWindow(QMainWindow):
         else:
             self.commands.actions[key].trigger()
 
-    def show_panel(self, name: str) -> None:
-        self.docks[name].show()
-        self.docks[name].raise_()
+    def show_panel(self, name: str, part: QWidget | None = None) -> None:
+        """To the front; ``part`` of it is scrolled to where the dock is too small for all."""
+        dock = self.docks[name]
+        dock.show()
+        dock.raise_()
+        area = dock.widget()
+        if part is not None and isinstance(area, Scrolled):
+            QTimer.singleShot(0, part, lambda: area.ensureWidgetVisible(part))  # once laid out
 
     def reset_layout(self) -> None:
         arrange(self, self.docks)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from gui_fakes import frame_and_blobs, models, simulation
+from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
 
 from app.engines.engine import RecordingRequest
 from app.engines.recording import recorder_maker
@@ -176,3 +176,25 @@ def test_the_first_thing_a_replay_shows_is_an_image(which, request, qtbot):
         assert setup.player.position < 0.1
     finally:
         setup.close()
+
+
+def test_opening_anything_leaves_the_panels_and_raises_what_a_replay_needs(window, take, qtbot):
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    for name, shown in (("sensors", False), ("colours", False), ("calibration", True)):
+        window.docks[name].setVisible(shown)
+    window.show_panel("log")
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    assert not window.docks["sensors"].isVisible() and not window.docks["colours"].isVisible()
+    bar = window.library.transport
+    qtbot.waitUntil(lambda: not window.log.visibleRegion().isEmpty(), timeout=10_000)
+    assert bar.visibleRegion().isEmpty()
+    window.host.adopt(open_replay(take, lambda *_: None))
+    qtbot.waitUntil(lambda: bar.visibleRegion().boundingRect() == bar.rect(), timeout=10_000)
+    assert not window.docks["sensors"].isVisible() and not window.docks["colours"].isVisible()
+
+
+def test_a_replay_opened_first_has_its_transport_in_view_on_a_small_screen(window, take, qtbot):
+    bar = window.library.transport
+    window.host.adopt(open_replay(take, lambda *_: None))
+    qtbot.waitUntil(lambda: bar.visibleRegion().boundingRect() == bar.rect(), timeout=10_000)
+    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None, timeout=10_000)
