@@ -9,6 +9,7 @@ import numpy as np
 
 from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.inertial import InertialEngine
 from tracker.fusion.engine import Engine
 from tracker.fusion.hybrid import HybridEngine
 from tracker.fusion.vist.engine import VistEngine
@@ -29,25 +30,35 @@ from tracker.online.frame_timing import FrameTiming, FrameTimingKept
 from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
 from tracker.records import record
-from tracker.settings import ENGINES, Settings
+from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.region_prediction import RegionPrediction
-from tracker.vision.rig import StereoRig
+from tracker.vision.rig import StereoRig, ideal_rig
 
 
-def build_engine(hand: HandModel, glove: GloveModel, rig: StereoRig, settings: Settings) -> Engine:
-    """The engine that ``settings`` name. Raises ConfigError where there is none of that name."""
-    match settings.engine:
-        case "chain":
-            return ChainEngine(hand, glove, rig, settings.chain)
-        case "vist":
-            return VistEngine(hand, glove, rig, settings.vist)
-        case "switching":
-            variant = "switching_offset"
-        case "madgwick":
-            variant = "madgwick_adaptive"
-        case name:
-            raise ConfigError(f"There is no engine {name!r}; there are {', '.join(ENGINES)}.")
+def build_engine(
+    hand: HandModel, glove: GloveModel, rig: StereoRig | None, settings: Settings
+) -> Engine:
+    """The engine that ``settings`` name.
+
+    Raises ConfigError where there is none of that name, or it needs the rig and there is none.
+    """
+    if settings.engine not in ENGINES:
+        raise ConfigError(
+            f"There is no engine {settings.engine!r}; there are {', '.join(ENGINES)}."
+        )
+    if settings.engine in WITHOUT_IMAGES:
+        return InertialEngine(hand, glove, settings.chain)
+    if rig is None:
+        raise ConfigError(
+            f"The engine {settings.engine!r} needs a camera with a stereo calibration; without one "
+            "the engine 'inertial' shows the hand by its IMUs."
+        )
+    if settings.engine == "chain":
+        return ChainEngine(hand, glove, rig, settings.chain)
+    if settings.engine == "vist":
+        return VistEngine(hand, glove, rig, settings.vist)
+    variant = {"switching": "switching_offset", "madgwick": "madgwick_adaptive"}[settings.engine]
     return HybridEngine(hand, glove, rig, settings.chain, settings.hybrid, variant)
 
 
@@ -64,20 +75,24 @@ class PipelineKept:
 class Pipeline:
     """One hand, one glove, one stereo camera, one engine.
 
-    Raises ConfigError for an unknown engine.
+    ``rig`` is None where no camera is calibrated; ``self.rig`` is an ideal one then, which stands
+    for it where the window needs one. Raises ConfigError for an unknown engine, and for one that
+    needs the rig where there is none.
     """
 
     def __init__(
         self,
         hand: HandModel,
         glove: GloveModel,
-        rig: StereoRig,
+        rig: StereoRig | None,
         settings: Settings | None = None,
     ) -> None:
-        self.hand, self.glove, self.rig = hand, glove, rig
+        self.hand, self.glove, self.calibrated_rig = hand, glove, rig
         self.settings = settings or Settings()
         check_lenses(self.settings.lenses, self.settings.engine)
         self._engine = build_engine(hand, glove, rig, self.settings)
+        self._uses_images = self.settings.engine not in WITHOUT_IMAGES
+        self.rig = rig = rig or ideal_rig()
         self._watch = RigWatch(rig)
         self._camera = CameraTilt(rig.pose)
         offset = TimeOffset(hand, glove, rig)
@@ -104,6 +119,10 @@ class Pipeline:
 
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen in an image; see `take_results`. Swapped images are not used."""
+        if not self._uses_images:
+            self._engine.feed_frame(frame)
+            self._results += self._engine.take_results()
+            return
         frame = through(frame, self.settings.lenses)
         if self._watch.usable(frame):
             self._engine.feed_frame(self._posed(self._timing.corrected(frame)))

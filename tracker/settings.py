@@ -15,8 +15,12 @@ ENGINES = {
     "vist": "vist (Lee et al. 2021)",
     "switching": "switching (fingers by their IMUs alone)",
     "madgwick": "Madgwick (fingers by their IMUs alone)",
+    "inertial": "inertial (IMUs alone, no place)",
 }
 """Names and titles of the engines, the default one first; `tracker.pipeline` builds them."""
+
+WITHOUT_IMAGES = frozenset({"inertial"})
+"""Engines that use no image, and need no camera."""
 
 
 @dataclass(frozen=True)

@@ -253,7 +253,7 @@ class LiveLoop:
 
     def _pipeline_with(self, engine: str) -> Pipeline:
         p = self.pipeline
-        return Pipeline(p.hand, p.glove, p.rig, replace(p.settings, engine=engine))
+        return Pipeline(p.hand, p.glove, p.calibrated_rig, replace(p.settings, engine=engine))
 
     def set_recorder(self, recorder: Recorder | None) -> None:
         """Record into ``recorder`` from now on; the last one is finished and closed."""

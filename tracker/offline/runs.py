@@ -90,13 +90,13 @@ class LiveRun:
 
     def __init__(
         self,
-        make_pipeline: Callable[[str, StereoRig], Pipeline],
+        make_pipeline: Callable[[str, StereoRig | None], Pipeline],
         engine: str,
-        rig: StereoRig,
+        rig: StereoRig | None,
         output: Output,
         changes: Sequence[tuple[float, EngineState | StereoRig]] = (),
     ) -> None:
-        """``make_pipeline`` builds one with the engine of that name and that camera."""
+        """``make_pipeline`` builds one with the engine of that name and that camera, if any."""
         self._make_pipeline, self._pipeline = make_pipeline, make_pipeline(engine, rig)
         self._output, self._changes = output, deque(changes)
         self._next_calibration = -np.inf
@@ -122,7 +122,7 @@ class LiveRun:
             self._pipeline.set_state(before.get_state())
             self._output.rig(what, t)
             return
-        self._pipeline = self._make_pipeline(what.engine, before.rig)
+        self._pipeline = self._make_pipeline(what.engine, before.calibrated_rig)
         if not engine_state.fits(what.state, self._pipeline.get_state()):
             raise FileError("The state of tracking in the recording is not that of its engine.")
         self._pipeline.set_state(what.state)

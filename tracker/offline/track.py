@@ -34,7 +34,7 @@ from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionI
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
 from tracker.session.writer import new_session
-from tracker.settings import ENGINES, Settings
+from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
 from tracker.toml_reader import read_text
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
@@ -60,7 +60,8 @@ def track(
     check_target(out, force, [source])
     started = time.perf_counter()
     with SessionReader(source, _replacements(options)) as reader:
-        info, settings = replace(reader.info, rig=reader.rig()), _settings(reader, options)
+        settings = _settings(reader, options)
+        info = replace(reader.info, rig=_rig(reader, settings))
         messages = _messages(reader, info, options, threads or usable_cores())
         check = _truth_check(reader, info)
         described = _output_info(info, settings, source, options)
@@ -87,7 +88,9 @@ def _run(
     output: Output,
     options: TrackOptions,
 ) -> SessionRun:
-    changes: list[tuple[float, EngineState | StereoRig]] = list(reader.rig_changes())
+    changes: list[tuple[float, EngineState | StereoRig]] = []
+    if info.rig is not None:
+        changes += reader.rig_changes()
     if options.smooth:
         if settings.lenses != "both":
             raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
@@ -95,7 +98,7 @@ def _run(
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
         return SmoothRun(Smoother(info, settings), output, CameraTilt(reader.rig().pose))
 
-    def make(engine: str, rig: StereoRig) -> Pipeline:
+    def make(engine: str, rig: StereoRig | None) -> Pipeline:
         return Pipeline(info.hand, info.glove, rig, replace(settings, engine=engine))
 
     same = not options.settings and settings == _settings(reader, TrackOptions())
@@ -103,7 +106,12 @@ def _run(
     if same and not (options.hand or options.glove or options.colours):
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
-    return LiveRun(make, settings.engine, reader.rig(), output, changes)
+    return LiveRun(make, settings.engine, info.rig, output, changes)
+
+
+def _rig(reader: SessionReader, settings: Settings) -> StereoRig | None:
+    """The session's camera; None where there is none and the engine needs none."""
+    return reader.info.rig if settings.engine in WITHOUT_IMAGES else reader.rig()
 
 
 def _truth_check(reader: SessionReader, info: SessionInfo) -> TruthCheck | None:
@@ -169,6 +177,8 @@ def _messages(
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
     there are none, the images are searched.
     """
+    if info.rig is None:
+        return reader.packed_messages((ImuSample, BlobFrame))  # type: ignore[return-value]
     has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
     keep = options.with_sensors
     if has_blobs and not options.colours:

@@ -29,13 +29,14 @@ class StereoCamera:
     """Opens its input when first read, and again whenever it went away.
 
     A dark side is None in the frame, and an image that is the last one again is left out: neither
-    is passed off as a new exposure. Files are paced by their own frame rate.
+    is passed off as a new exposure. Files are paced by their own frame rate. Without a ``rig``
+    images of any size are taken.
     """
 
     def __init__(
         self,
         source: ImageInput,
-        rig: StereoRig,
+        rig: StereoRig | None,
         params: CameraParams | None = None,
         clock: Callable[[], float] = monotonic,
         sleep: Callable[[float], None] = time.sleep,
@@ -137,6 +138,8 @@ class StereoCamera:
         self._say("link", why)
 
     def _check_size(self, pair: Pair) -> None:
+        if self.rig is None:
+            return
         for image, camera, side in zip(pair, (self.rig.left, self.rig.right), SIDES, strict=True):
             height, width = image.shape[:2]
             if (width, height) != (camera.width, camera.height):

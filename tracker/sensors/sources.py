@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Sequence
 from typing import Protocol, runtime_checkable
 
@@ -37,3 +38,34 @@ class CameraSource(Protocol):
 
     def close(self) -> None:
         """Free the device."""
+
+
+class NoGlove:
+    """Stands for a glove where there is none: gives nothing, and waits as a silent one does."""
+
+    def __init__(self) -> None:
+        self._closed = threading.Event()
+
+    def poll(self, timeout: float) -> Sequence[ImuSample | Event]:
+        self._closed.wait(timeout)
+        return ()
+
+    def close(self) -> None:
+        self._closed.set()
+
+
+class NoCamera:
+    """Stands for a camera where there is none: gives nothing, and waits as a dark one does."""
+
+    def __init__(self) -> None:
+        self._closed = threading.Event()
+
+    def read(self, timeout: float) -> StereoFrame | None:
+        self._closed.wait(timeout)
+        return None
+
+    def take_events(self) -> Sequence[Event]:
+        return ()
+
+    def close(self) -> None:
+        self._closed.set()

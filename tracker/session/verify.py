@@ -93,7 +93,8 @@ def _description(reader: SessionReader) -> list[Finding]:
     except GlovetrackError as error:
         return [Finding("error", str(error), "attachments")]
     if info.rig is None and any(t.startswith("/camera/") for t in reader.topic_names):
-        return [Finding("error", "the stereo calibration or where it stands is missing", "camera")]
+        what = "the stereo calibration or where it stands is missing"
+        return [Finding("warning", what, "camera")]
     return []
 
 

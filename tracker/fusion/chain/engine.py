@@ -65,9 +65,14 @@ class ChainEngine:
         check_variant(params.guide, params.coupling)
         self._layout = ChainLayout(hand, glove)
         buffer = ImuBuffer(len(glove.imus))
-        self._tracker = ChainTracker(self._layout, rig, params, buffer, tape)
+        self._tracker = self._make_tracker(rig, params, buffer, tape)
         match = params.match
         self._timeline = Timeline(self._tracker, buffer, match.lost_after, match.max_frame_delay)
+
+    def _make_tracker(
+        self, rig: StereoRig, params: ChainParams, buffer: ImuBuffer, tape: Tape | None
+    ) -> ChainTracker:
+        return ChainTracker(self._layout, rig, params, buffer, tape)
 
     # ---- messages
 

@@ -27,6 +27,10 @@ from tracker.records import record
 Rows = tuple[Array, Array, Array, Array]
 """Of an update: H (m, N), H P (m, N), innovation r (m,) and its noise R (m, m)."""
 
+STAY_VARIANCE = np.repeat([2.0**2, 2.0**2], 3)
+"""m² and m²/s² of one use of `ChainFilter.stay`: more than an arm's reach and speed, for the hand
+stays away for a second or so, and thirty uses in it are no thirty measurements."""
+
 
 @record("chain.filter")
 @dataclass(eq=False)
@@ -134,11 +138,19 @@ class ChainFilter:
             self.kept.last_tilt = t
             self._use(*rows)
 
-    def constrain(self, t: float) -> None:
-        """Anatomy alone, where no image comes; at most every ``period``."""
-        if t - self.kept.last_constraint >= self._params.constraint.period:
-            self.kept.last_constraint = t
-            self._use(*self._constraints.rows(self.state))
+    def constrain(self, t: float) -> bool:
+        """Anatomy alone, where no image comes; at most every ``period``: whether it was now."""
+        if t - self.kept.last_constraint < self._params.constraint.period:
+            return False
+        self.kept.last_constraint = t
+        self._use(*self._constraints.rows(self.state))
+        return True
+
+    def stay(self) -> None:
+        """A wearer whom no image places stays about where he is, and comes to rest now and then;
+        to be used as often as anatomy."""
+        H = np.eye(6, len(self.state.P))
+        self._use(H, -np.concatenate([self.state.p, self.state.v]), STAY_VARIANCE)
 
     def correct(self, seen: Rows) -> None:
         """One stacked update: what was seen and anatomy, linearised at the same place."""

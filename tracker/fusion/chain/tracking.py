@@ -88,6 +88,14 @@ class TrackingJudge:
         self.kept.tracking, self.kept.last_good = Tracking.TRACKING, t
         self.kept.in_vain_since = np.inf
 
+    def started_anywhere(self) -> None:
+        """The hand's posture is known by its IMUs, its place is not."""
+        self.kept.tracking = Tracking.LOST
+
+    def forget(self) -> None:
+        """Nothing is known of the hand any more."""
+        self.kept = TrackingKept()
+
     # ---- a lost hand
 
     def looked(self, t: float, most_blobs: int) -> None:

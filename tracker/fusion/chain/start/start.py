@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -27,7 +28,7 @@ from tracker.fusion.chain.start.search import (
 )
 from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.time.imu_buffer import ImuBuffer
-from tracker.messages import Array, CameraPose
+from tracker.messages import Array, CameraPose, ImuSample
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import all_pairs
 
@@ -60,6 +61,40 @@ class Starter:
         packets = [s for s in buffer if t - LOOK_BACK <= s.t <= t + 0.05]
         if len(packets) < 5:
             return None
+        state, postures = self._by_packets(packets, t, known)
+        headings = np.arange(0, 2 * np.pi, np.deg2rad(self._search.heading_step_deg))
+        best = self._best(state, postures, headings, seen, pose, self._search)
+        if best is None:
+            return None
+        state.R_GB, state.p = best.R_GB, best.p
+        if any(len(s.uv) == 0 for s in seen):
+            along_the_ray(state.P, state.p, pose, self._mono.distance_sd)
+            keep_size(state.P, self._layout)
+        return state
+
+    def by_gravity(
+        self, buffer: ImuBuffer, known: WearerProfile | None = None
+    ) -> ChainState | None:
+        """A state at the newest packet, its root's IMU at G's origin and its heading zero.
+
+        Of the postures that gravity allows it is the flattest. None before there are packets enough
+        to tell gravity from motion, or where the root's IMU is silent.
+        """
+        newest = buffer.newest
+        packets = [s for s in buffer if newest is not None and newest.t - LOOK_BACK <= s.t]
+        if len(packets) < REST_PACKETS:
+            return None
+        state, postures = self._by_packets(packets, packets[-1].t, known)
+        if not postures:
+            return None
+        state.R_GB = postures[0]
+        return state
+
+    def _by_packets(
+        self, packets: Sequence[ImuSample], t: float, known: WearerProfile | None
+    ) -> tuple[ChainState, list[Array]]:
+        """A state at ``t`` (s) with what is known of wearer and gyros, and the articulations R_GB
+        (A, 3, 3) that agree with gravity."""
         state = initial_state(self._layout)
         state.t = t
         state.P = initial_covariance(self._layout, self._params.prior)
@@ -70,16 +105,7 @@ class Starter:
         gyro = np.array([s.gyro for s in packets])
         if known is None:
             self._bias_at_rest(state, gyro, valid)
-        postures = postures_from_gravity(self._layout, state.R_IB, force, valid)
-        headings = np.arange(0, 2 * np.pi, np.deg2rad(self._search.heading_step_deg))
-        best = self._best(state, postures, headings, seen, pose, self._search)
-        if best is None:
-            return None
-        state.R_GB, state.p = best.R_GB, best.p
-        if any(len(s.uv) == 0 for s in seen):
-            along_the_ray(state.P, state.p, pose, self._mono.distance_sd)
-            keep_size(state.P, self._layout)
-        return state
+        return state, postures_from_gravity(self._layout, state.R_IB, force, valid)
 
     def again(
         self, state: ChainState, seen: tuple[SeenBlobs, ...], pose: CameraPose, matched: int
