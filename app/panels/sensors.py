@@ -26,6 +26,7 @@ from app.viewmodels.sensors import (
     finger_angles,
     glove_figures,
     imu_states,
+    link_tip,
     values_at,
 )
 from app.viewmodels.states import BLUISH_GREEN, GOOD, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
@@ -172,6 +173,7 @@ class SensorsPanel(Panel):
             text = name if state.look is GOOD else f"{name}: {state.text}"
             chip.show_state(state.look.colour, state.look.sign, text, state.text)
         self._figures = "   ".join(glove_figures(view.status, view.imu))
+        self.figures.setToolTip(link_tip(view.status))
         if view.estimate is not None:
             self._history.take(view.estimate)
         if not self.hold.isChecked():

@@ -25,7 +25,15 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.panels.panel import Panel
-from app.viewmodels.streams import MOTORS, STREAMS, WITHOUT_PORT, StreamRow, stream_row, title
+from app.viewmodels.streams import (
+    MOTORS,
+    REACH,
+    STREAMS,
+    WITHOUT_PORT,
+    StreamRow,
+    stream_row,
+    title,
+)
 
 TEST_MS = 300
 MOST, USUAL = 255, 200  # amplitude
@@ -45,6 +53,7 @@ class StreamsPanel(Panel):
         column.setSpacing(10)
         column.addLayout(self._address())
         column.addLayout(self._table())
+        column.addWidget(self._reach())
         column.addWidget(self._haptics())
         column.addStretch(1)
         scroll = QScrollArea()
@@ -106,10 +115,19 @@ class StreamsPanel(Panel):
             self._add_row(grid, i, name)
         return grid
 
+    def _reach(self) -> QLabel:
+        """Who else hears what is switched on, of those that the address does not bound."""
+        lines = [f"{title(name)}: {words}." for name, words in REACH.items()]
+        self.reach = QLabel("\n".join(lines))
+        self.reach.setProperty("role", "faint")
+        self.reach.setWordWrap(True)
+        return self.reach
+
     def _add_row(self, grid: QGridLayout, i: int, name: str) -> None:
         box = self.boxes[name] = QCheckBox(title(name))
         box.setChecked(self._outputs.is_on(name))
         box.toggled.connect(partial(self._outputs.switch, name))
+        box.setToolTip(REACH.get(name, ""))
         grid.addWidget(box, i, 0)
         if name not in WITHOUT_PORT:
             port = self.ports[name] = QSpinBox()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +11,22 @@ import numpy as np
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
 from tracker import GRAVITY
 from tracker.messages import Array, Estimate, ImuSample, Status
+from tracker.sensors.serial_line import GOOD_LATENCY_MS
 
+LINK_WORDS = {
+    "link_cobs_errors": "Frames whose stuffing was broken (COBS)",
+    "link_crc_errors": "Frames whose check sum was wrong (CRC)",
+    "link_length_errors": "Frames of a wrong length",
+    "link_other_errors": "Frames of an unknown type, or far too long",
+    "link_reopened": "Times that the port was opened again",
+    "glove_resets": "Restarts of the glove",
+    "glove_clock_jumps": "Jumps of the glove's clock",
+    "glove_dropped": "Packets that the glove had no time to send",
+    "glove_skew_ppm": "The host's time gained on the glove's clock, ppm",
+    "link_latency_ms": "Time that the USB adapter holds bytes back, ms",
+}
+"""Counters of the status, as people call them."""
+LINK_ERRORS = tuple(key for key in LINK_WORDS if key.endswith("_errors"))
 LARGEST_STEP = 0.5  # s between two instants of the same curve
 
 
@@ -77,10 +92,46 @@ def glove_figures(status: Status | None, samples: Sequence[ImuSample]) -> list[s
         _figure(v.get("imu_rate_hz"), "{:.1f} Hz"),
         _figure(lost, "{:.0f} packet lost" if lost == 1 else "{:.0f} packets lost"),
         _figure(jitter, "jitter {:.1f} ms"),
-        _figure(v.get("battery_v"), "battery {:.2f} V"),
+        _figure(v.get("battery_v"), _battery_pattern(v)),
         _figure(v.get("temperature_c"), "{:.1f} °C"),
+        *_link_figures(v),
     )
     return [f for f in figures if f]
+
+
+def _battery_pattern(values: Mapping[str, float]) -> str:
+    return "⚠ battery low: {:.2f} V" if values.get("battery_low") else "battery {:.2f} V"
+
+
+def _link_figures(values: Mapping[str, float]) -> list[str]:
+    """Of the line and the glove's clock: what has gone wrong, and nothing where nothing has."""
+    counts = (
+        (sum(values.get(key, 0.0) for key in LINK_ERRORS), "frame damaged"),
+        (values.get("glove_dropped", 0.0), "packet dropped by the glove"),
+        (values.get("glove_resets", 0.0), "restart"),
+        (values.get("link_reopened", 0.0), "reconnection"),
+        (values.get("glove_clock_jumps", 0.0), "jump of its clock"),
+    )
+    latency = values.get("link_latency_ms")
+    slow = latency is not None and latency > GOOD_LATENCY_MS
+    return [
+        *(_counted(count, name) for count, name in counts if count),
+        _figure(values.get("glove_skew_ppm"), "clock {:+.0f} ppm"),
+        _figure(latency, "⚠ adapter waits {:.0f} ms" if slow else "adapter waits {:.0f} ms"),
+    ]
+
+
+def _counted(count: float, name: str) -> str:
+    first, _, rest = name.partition(" ")
+    many = first if count == 1 else f"{first}s"
+    return f"{count:.0f} {many} {rest}".rstrip()
+
+
+def link_tip(status: Status | None) -> str:
+    """Each counter of the link with its own name, for who looks for a fault."""
+    v = status.values if status is not None else {}
+    lines = [f"{words}: {v[key]:g}" for key, words in LINK_WORDS.items() if key in v]
+    return "\n".join(lines)
 
 
 def _figure(value: float | None, pattern: str) -> str:

@@ -18,6 +18,11 @@ _TITLES = {
     "lsl": "Lab Streaming Layer",
     "foxglove": "Foxglove",
 }
+REACH = {
+    "lsl": "its library listens on all addresses of this computer, so others in the same network "
+    "can read it, unless a firewall keeps them out",
+}
+"""What a switch has to say before it is turned on: who else hears it."""
 WITHOUT_PORT = ("lsl",)
 """Clients find these by name."""
 

@@ -8,9 +8,11 @@ from gui_fakes import ScriptedEngine, models
 from PySide6.QtCore import QEvent, QPointF
 from PySide6.QtWidgets import QApplication
 
-from app.viewmodels.sensors import AngleHistory, Curves, glove_figures, values_at
+from app.viewmodels.sensors import AngleHistory, Curves, glove_figures, link_tip, values_at
 from tracker import GRAVITY
 from tracker.messages import Status, Tracking
+from tracker.sensors.decoder import LinkCounters
+from tracker.sensors.link_figures import LinkFigures
 
 
 @pytest.fixture
@@ -101,6 +103,30 @@ def test_the_gloves_figures_are_those_that_are_known():
     intervals = np.diff([s.t_arrival for s in samples[-100:]])
     assert shown[2] == f"jitter {1000 * intervals.std():.1f} ms"
     assert glove_figures(None, []) == []
+
+
+def test_the_links_counters_are_shown_as_soon_as_there_is_something_to_show():
+    quiet = LinkFigures(battery_mV=3700).values()
+    assert glove_figures(Status(0.0, Tracking.TRACKING, quiet), []) == ["battery 3.70 V"]
+    counters = LinkCounters(cobs_errors=1, crc_errors=2, length_errors=3, oversize=4)
+    figures = LinkFigures(
+        resets=1, opened=3, dropped=7, battery_mV=3499, skew_ppm=-61.4, latency_ms=16
+    )
+    figures.counters = counters
+    status = Status(0.0, Tracking.TRACKING, figures.values())
+    assert glove_figures(status, []) == [
+        "⚠ battery low: 3.50 V",
+        "10 frames damaged",
+        "7 packets dropped by the glove",
+        "1 restart",
+        "2 reconnections",
+        "clock -61 ppm",
+        "⚠ adapter waits 16 ms",
+    ]
+    tip = link_tip(status).splitlines()
+    assert "Frames whose check sum was wrong (CRC): 2" in tip
+    assert "Times that the port was opened again: 2" in tip
+    assert link_tip(None) == ""
 
 
 def test_angles_break_where_nothing_was_seen_and_begin_anew_after_a_jump_back():

@@ -13,6 +13,7 @@ from tracker.messages import ImuSample
 from tracker.sensors.discovery import find_gloves, latency_advice, probe, serial_ports
 from tracker.sensors.glove_link import serial_port
 from tracker.sensors.protocol import Hello, HelloRequest, Samples, encode
+from tracker.sensors.serial_line import UsbPort
 from tracker.simulation.glove_device import SimulatedGlove
 
 
@@ -71,6 +72,33 @@ def test_a_streaming_glove_is_one_too() -> None:
     assert report.hello is None
 
 
+class SlowGlove(FakePort):
+    """Understands 115200 baud alone; at another rate both sides hear garbage."""
+
+    baudrate = 250_000
+
+    def read(self, size: int) -> bytes:
+        said = super().read(size)
+        return said if self.baudrate == 115_200 else bytes(b ^ 0x5A for b in said)
+
+    def write(self, data: bytes) -> int:
+        return super().write(data) if self.baudrate == 115_200 else len(data)
+
+
+def test_both_speeds_are_tried_on_a_port_opened_once() -> None:
+    port, opened = SlowGlove(encode(Hello(glove_id=5, imu_count=7))), []
+
+    def open_port() -> SlowGlove:
+        opened.append(port)
+        return port
+
+    report = probe("/dev/x", open_port, 4.0, lambda: port.t)
+    assert report.hello is not None and report.hello.glove_id == 5
+    assert report.baud == 115_200 and len(opened) == 1
+    only_fast = probe("/dev/x", open_port, 2.0, lambda: port.t, bauds=(250_000,))
+    assert not only_fast.is_glove and "does not speak at 250000 baud" in only_fast.trouble
+
+
 @pytest.mark.parametrize(
     ("number", "words"),
     [(errno.EACCES, "usermod -aG dialout"), (errno.ENOENT, "not there"), (errno.EBUSY, "another")],
@@ -112,6 +140,13 @@ def test_latency_timer(tmp_path: Path, value: str, told: bool) -> None:
     folder = tmp_path / "ttyUSB0"
     folder.mkdir()
     (folder / "latency_timer").write_text(value)
-    advice = latency_advice("/dev/ttyUSB0", tmp_path)
+    advice = latency_advice("/dev/ttyUSB0", tmp_path, "linux")
     assert ("up to 16 ms" in advice) == told
-    assert latency_advice("/dev/ttyACM0", tmp_path) == ""
+    assert latency_advice("/dev/ttyACM0", tmp_path, "linux") == ""
+
+
+@pytest.mark.parametrize(("vid", "told"), [(0x0403, True), (0x1A86, False)])
+def test_windows_keeps_the_time_in_the_device_manager(vid: int, told: bool) -> None:
+    ports = [UsbPort("COM7", vid, 0x6001, "A1")]
+    advice = latency_advice("COM7", system="win32", ports=lambda: ports)
+    assert ("Ports, COM7, Port Settings" in advice) == told

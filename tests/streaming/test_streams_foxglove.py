@@ -245,6 +245,53 @@ def test_nobody_listening_costs_nothing_and_leaving_is_seen(
     wait_for(lambda: server.clients == 0)
 
 
+def let_in(server: FoxglovePublisher, origin: str) -> bool:
+    """Whether a page of ``origin`` is let in."""
+    try:
+        with connect(
+            f"ws://127.0.0.1:{server.port}", subprotocols=[PROTOCOL], origin=origin
+        ) as client:
+            return json.loads(client.recv(timeout=2))["op"] == "serverInfo"
+    except InvalidStatus as refused:
+        assert refused.response.status_code == 403
+        return False
+
+
+@pytest.mark.parametrize(
+    "origin",
+    [
+        "https://app.foxglove.dev",
+        "http://localhost:8080",
+        "http://[::1]",
+        "https://studio.foxglove.dev",
+    ],
+)
+def test_pages_of_foxglove_and_of_this_machine_may_read(server, origin: str) -> None:
+    assert let_in(server, origin)
+
+
+@pytest.mark.parametrize(
+    "origin",
+    [
+        "https://evil.example",
+        "null",
+        "file://",
+        "https://app.foxglove.dev.evil.example",
+        "http://localhost.evil.example",
+        "http://app.foxglove.dev",
+    ],
+)
+def test_pages_of_other_sites_are_turned_away(server, origin: str) -> None:
+    assert not let_in(server, origin)
+
+
+def test_a_site_of_ones_own_is_let_in_where_the_settings_name_it(names: Names) -> None:
+    out = FoxglovePublisher(names, port=0, origins=["https://viz.example.org"])
+    assert let_in(out, "https://viz.example.org")
+    assert not let_in(out, "https://example.org")
+    out.close()
+
+
 def test_only_this_machine_is_listened_to_by_default(server) -> None:
     with socket.socket() as other:
         other.settimeout(1)

@@ -27,15 +27,8 @@ class GloveReader:
                 self._inbox.put(item)
 
     def figures(self) -> dict[str, float]:
-        """Battery and temperature, of a glove that reports them."""
-        if not isinstance(self._glove, ReportingGlove):
-            return {}
-        out, figures = {}, self._glove.figures
-        if figures.battery_mV is not None:
-            out["battery_v"] = figures.battery_mV / 1000
-        if figures.temperature_cC is not None:
-            out["temperature_c"] = figures.temperature_cC / 100
-        return out
+        """Battery, counters and clock, of a glove that reports them."""
+        return self._glove.figures.values() if isinstance(self._glove, ReportingGlove) else {}
 
 
 class CameraReader:

@@ -38,6 +38,14 @@ class ClockMap:
         """Host seconds gained per device second."""
         return self._line[2] if self._line else 0.0
 
+    @property
+    def settled(self) -> bool:
+        """Whether the packets span enough time for a skew to be believed."""
+        return self._span() >= self._params.settle
+
+    def _span(self) -> float:
+        return self._lowest[-1][0] - self._lowest[0][0] if self._lowest else 0.0
+
     def add(self, t_device: float, t_arrival: float) -> None:
         """A packet stamped ``t_device`` came at ``t_arrival`` (s)."""
         offset = t_arrival - t_device

@@ -5,19 +5,28 @@ A port that may belong to something else hears nothing but HELLO?, which no comm
 
 from __future__ import annotations
 
+import sys
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from serial.tools import list_ports
-
 from tracker.sensors.decoder import FrameDecoder
-from tracker.sensors.glove_link import Port, reason, serial_port
-from tracker.sensors.protocol import BAUD, Hello, HelloRequest, Samples, encode
+from tracker.sensors.protocol import BAUD, BAUDS, Hello, HelloRequest, Samples, encode
+from tracker.sensors.serial_line import (
+    BRIDGE_FTDI,
+    GOOD_LATENCY_MS,
+    LATENCY_FILES,
+    Port,
+    TunablePort,
+    UsbPort,
+    latency_of,
+    reason,
+    serial_port,
+    usb_ports,
+)
+from tracker.sensors.serial_line import serial_ports as serial_ports
 
-LATENCY_FILES = Path("/sys/bus/usb-serial/devices")
-GOOD_LATENCY_MS = 2
 READ_BYTES = 4096
 ASK_EVERY = 0.5  # s between two requests, for a chip that is still starting
 
@@ -30,6 +39,7 @@ class PortReport:
     hello: Hello | None
     streaming: bool = False  # samples came without HELLO: a glove that another run had started
     trouble: str = ""
+    baud: int = BAUD  # at which it answered
 
     @property
     def is_glove(self) -> bool:
@@ -37,17 +47,12 @@ class PortReport:
         return self.hello is not None or self.streaming
 
 
-def serial_ports() -> list[str]:
-    """Paths of the system's USB serial ports; built-in ones without a device are left out."""
-    return sorted(p.device for p in list_ports.comports() if p.vid is not None)
-
-
 def find_gloves(
-    paths: Iterable[str] | None = None, patience: float = 4.0, baud: int = BAUD
+    paths: Iterable[str] | None = None, patience: float = 4.0, bauds: Sequence[int] = BAUDS
 ) -> list[PortReport]:
     """Ask every port in turn, for at most ``patience`` s each (a reset chip needs two)."""
     found = serial_ports() if paths is None else paths
-    return [probe(path, serial_port(path, baud), patience) for path in found]
+    return [probe(path, serial_port(path, bauds[0]), patience, bauds=bauds) for path in found]
 
 
 def probe(
@@ -55,53 +60,92 @@ def probe(
     open_port: Callable[[], Port],
     patience: float = 4.0,
     clock: Callable[[], float] = time.monotonic,
+    bauds: Sequence[int] = BAUDS,
 ) -> PortReport:
-    """Send HELLO? and listen until a glove answers. Never raises for a port that fails."""
+    """Send HELLO? at each of ``bauds`` in turn until a glove answers, on a port opened once:
+    opening resets the chip. Never raises for a port that fails."""
     try:
         port = open_port()
     except OSError as error:
         return PortReport(path, None, trouble=f"{path} cannot be opened: {reason(error)}.")
     try:
-        return _ask(path, port, patience, clock)
+        return _ask(path, port, patience, clock, bauds)
     except OSError as error:
         return PortReport(path, None, trouble=f"{path} went away: {reason(error)}.")
     finally:
         port.close()
 
 
-def _ask(path: str, port: Port, patience: float, clock: Callable[[], float]) -> PortReport:
-    decoder, start = FrameDecoder(), clock()
-    next_request, streaming = start, False
-    while (now := clock()) - start < patience:
-        if now >= next_request:
-            port.write(b"\0" + encode(HelloRequest()))
-            next_request = now + ASK_EVERY
+def _ask(
+    path: str, port: Port, patience: float, clock: Callable[[], float], bauds: Sequence[int]
+) -> PortReport:
+    start, heard, turn, streaming_at = clock(), 0, 0, 0
+    while (began := clock()) - start < patience:
+        baud = streaming_at or bauds[turn % len(bauds)]
+        if isinstance(port, TunablePort):
+            port.baudrate = baud
+        end = min(began + ASK_EVERY, start + patience)
+        decoder, turn = FrameDecoder(), turn + 1
+        port.write(b"\0" + encode(HelloRequest()))
+        hello, streaming = _listen(port, decoder, clock, end)
+        heard += decoder.counters.bytes
+        streaming_at = streaming_at or (baud if streaming else 0)
+        if hello is not None:
+            return PortReport(path, hello, bool(streaming_at), baud=baud)
+    if streaming_at:
+        return PortReport(path, None, True, baud=streaming_at)
+    return PortReport(path, None, trouble=_silence(path, heard, bauds))
+
+
+def _listen(
+    port: Port, decoder: FrameDecoder, clock: Callable[[], float], end: float
+) -> tuple[Hello | None, bool]:
+    """The HELLO that comes until ``end`` (s), if any, and whether samples came."""
+    streaming = False
+    while clock() < end:
         for frame in decoder.feed(port.read(max(1, min(port.in_waiting, READ_BYTES)))):
             if isinstance(frame, Hello):
-                return PortReport(path, frame, streaming)
+                return frame, streaming
             streaming |= isinstance(frame, Samples)
-    return PortReport(path, None, streaming, "" if streaming else _silence(path, decoder))
+    return None, streaming
 
 
-def _silence(path: str, decoder: FrameDecoder) -> str:
-    if decoder.counters.bytes:
+def _silence(path: str, heard: int, bauds: Sequence[int]) -> str:
+    if heard:
+        asked = " or ".join(f"{baud}" for baud in bauds)
         return (
-            f"{path} sends {decoder.counters.bytes} bytes that are no glove's: "
-            "another device, or another baud rate."
+            f"{path} sends {heard} bytes that are no glove's: another device, or one that does "
+            f"not speak at {asked} baud."
         )
     return f"Nothing answers at {path}."
 
 
-def latency_advice(port: str, root: Path = LATENCY_FILES) -> str:
-    """What to do about an FTDI adapter that holds bytes back; empty where there is no need."""
-    name = Path(port).resolve().name
-    try:
-        value_ms = int((root / name / "latency_timer").read_text())
-    except (OSError, ValueError):
-        return ""  # not an FTDI adapter
-    if value_ms <= GOOD_LATENCY_MS:
+def latency_advice(
+    port: str,
+    root: Path = LATENCY_FILES,
+    system: str = sys.platform,
+    ports: Callable[[], Sequence[UsbPort]] = usb_ports,
+) -> str:
+    """What to do about an FTDI adapter that holds bytes back; empty where there is no need.
+
+    Linux tells the time that is set. Windows does not, and its driver waits 16 ms unless told
+    otherwise; for macOS's own driver there is nothing to set.
+    """
+    if system == "win32":
+        made_by = next((p.vid for p in ports() if p.path == port), None)
+        return _windows_advice(port) if made_by == BRIDGE_FTDI else ""
+    value_ms = latency_of(port, root)
+    if value_ms is None or value_ms <= GOOD_LATENCY_MS:
         return ""
+    setting = root / Path(port).resolve().name / "latency_timer"
     return (
         f"The USB adapter at {port} holds bytes back for up to {value_ms} ms. For quicker "
-        f"tracking set it to 1 ms: echo 1 | sudo tee {root / name / 'latency_timer'}"
+        f"tracking set it to 1 ms: echo 1 | sudo tee {setting}"
+    )
+
+
+def _windows_advice(port: str) -> str:
+    return (
+        f"The USB adapter at {port} may hold bytes back for up to 16 ms. For quicker tracking set "
+        f"1 ms in the Device Manager: Ports, {port}, Port Settings, Advanced, Latency Timer."
     )

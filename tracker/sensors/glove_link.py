@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import Protocol
+from typing import NamedTuple
 
 import numpy as np
 import serial
@@ -19,8 +19,10 @@ import serial
 from tracker import GRAVITY
 from tracker.clock import nanoseconds, seconds
 from tracker.messages import Event, ImuSample
+from tracker.sensors.accel_range import RangeFromRest
 from tracker.sensors.decoder import FrameDecoder
-from tracker.sensors.packet_clock import PacketClock, PacketTime
+from tracker.sensors.link_figures import LinkFigures, LowBattery
+from tracker.sensors.packet_clock import SEQ_BITS, PacketClock, PacketTime
 from tracker.sensors.protocol import (
     BAUD,
     BITS_PER_BYTE,
@@ -37,24 +39,17 @@ from tracker.sensors.protocol import (
     Stop,
     encode,
 )
+from tracker.sensors.serial_line import Port as Port
+from tracker.sensors.serial_line import WiredPort, reason
+from tracker.sensors.serial_line import serial_port as serial_port
 
 DEGREE = np.pi / 180
 LONG_SILENCE = 60.0  # s, after which seq may have wrapped unseen
-
-
-class Port(Protocol):
-    """What is used of `serial.Serial`."""
-
-    timeout: float | None
-
-    @property
-    def in_waiting(self) -> int: ...
-
-    def read(self, size: int) -> bytes: ...
-
-    def write(self, data: bytes) -> int | None: ...
-
-    def close(self) -> None: ...
+SLOW_MOST_HZ = 100  # packets a second that 115200 baud carry
+USUAL_GYRO_DPS = 2000  # where the glove has not said it
+ANSWER_WITHIN = 1.0  # s that a HELLO may be under way after it was asked for
+LOST_AT_MOST = 200  # packets, while a HELLO is answered
+OTHER_RATE = 0.05  # share by which the rate may differ from what was asked for
 
 
 class LinkState(Enum):
@@ -75,20 +70,20 @@ class LinkParams:
     patience: float = 2.0  # more without HELLO, then START is sent anyway
     silent_after: float = 0.5
     reopen_every: float = 0.5
-    baud: int = BAUD  # a packet's own time on the wire is known and taken off
+    baud: int = BAUD  # 200 packets a second need `BAUD`
+
+    def __post_init__(self) -> None:
+        if self.rate_hz not in RATES_HZ:
+            raise ValueError(f"the rate must be one of {RATES_HZ}")
+        if self.rate_hz > SLOW_MOST_HZ and self.baud < BAUD:
+            raise ValueError(f"{self.rate_hz} packets a second need {BAUD} baud")
 
 
-@dataclass(eq=False)
-class LinkFigures:
-    """For the screen."""
+class Ranges(NamedTuple):
+    """What a raw value of 32768 is."""
 
-    packets: int = 0
-    lost: int = 0
-    resets: int = 0
-    clock_jumps: int = 0
-    reopened: int = 0
-    battery_mV: int | None = None
-    temperature_cC: int | None = None
+    accel_g: float
+    gyro_dps: float
 
 
 class GloveLink:
@@ -102,8 +97,6 @@ class GloveLink:
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self.params = params or LinkParams()
-        if self.params.rate_hz not in RATES_HZ:
-            raise ValueError(f"the rate must be one of {RATES_HZ}")
         self._open_port, self._imu_count, self._clock = open_port, imu_count, clock
         self._port: Port | None = None
         self._writing = threading.RLock()  # two frames must not mix, nor the port go between
@@ -112,12 +105,15 @@ class GloveLink:
         self._told: set[str] = set()
         self.state = LinkState.UNPLUGGED
         self.hello: Hello | None = None
-        self.figures = LinkFigures()
         self.decoder = FrameDecoder()
+        self.figures = LinkFigures(counters=self.decoder.counters)
+        self._battery = LowBattery()
         self._imu_ok = (1 << imu_count) - 1
-        packet = encode(Samples(0, 0, np.zeros((imu_count, 6), np.int16)))
-        wire_time = BITS_PER_BYTE * len(packet) / self.params.baud
-        self._packet_clock = PacketClock(1 / self.params.rate_hz, wire_time)
+        self._ranges: Ranges | None = None
+        self._at_rest = RangeFromRest()
+        self._heard: int | None = None  # seq of the last samples since START
+        self._before: int | None = None  # the same at a HELLO that may be a late answer
+        self._packet_clock = self._new_clock()
 
     # ---- outside
 
@@ -162,7 +158,8 @@ class GloveLink:
             self._once("open", f"The glove's port cannot be opened: {reason(error)}")
             return False
         self._told.discard("open")
-        self.figures.reopened += 1
+        self.figures.opened += 1
+        self.figures.latency_ms = getattr(self._port, "latency_ms", None)
         counters, self.decoder = self.decoder.counters, FrameDecoder()
         self.decoder.counters = counters
         self._greet(now)
@@ -170,8 +167,19 @@ class GloveLink:
 
     def _greet(self, now: float) -> None:
         self.state, self._since, self._asked = LinkState.GREETING, now, False
-        self._packet_clock.restart()
+        self.hello, self._ranges, self._at_rest = None, None, RangeFromRest()
+        self._heard = self._before = None
+        self._told -= {"range", "ranges", "rate"}
+        self._packet_clock = self._new_clock()
         self._send(HelloRequest())
+
+    def _new_clock(self) -> PacketClock:
+        """A packet's own time on the wire is known and taken off, where it has one."""
+        baud = self._port.wire_baud if isinstance(self._port, WiredPort) else 0
+        packet = encode(Samples(0, 0, np.zeros((self._imu_count, 6), np.int16)))
+        wire_time = BITS_PER_BYTE * len(packet) / baud if baud else 0.0
+        said = 1 / self.hello.rate_hz if self.hello is not None and self.hello.rate_hz else None
+        return PacketClock(1 / self.params.rate_hz, wire_time, said)
 
     def _read(self, timeout: float) -> bytes:
         port = self._port
@@ -215,10 +223,15 @@ class GloveLink:
         return []
 
     def _greeted(self, hello: Hello, now: float) -> None:
-        if self.state in (LinkState.STREAMING, LinkState.SILENT):
-            self.figures.resets += 1
-            self._say("The glove has restarted; it is told to go on.")
+        """A HELLO after samples means a restart, unless it is a late answer to HELLO?."""
+        if self._heard is not None and self.state != LinkState.GREETING:
+            if now - self._began < ANSWER_WITHIN:
+                self._before = self._heard  # the next packet's number tells
+            else:
+                self._restarted()
         self.hello = hello
+        if hello.accel_range_g and hello.gyro_range_dps:
+            self._ranges = Ranges(hello.accel_range_g, hello.gyro_range_dps)
         if hello.imu_count != self._imu_count:
             self._once(
                 "count",
@@ -227,8 +240,12 @@ class GloveLink:
             )
         self._begin(now)
 
+    def _restarted(self) -> None:
+        self.figures.resets += 1
+        self._say("The glove has restarted; it is told to go on.")
+
     def _begin(self, now: float) -> None:
-        self._packet_clock.restart()
+        self._packet_clock, self._heard, self._began = self._new_clock(), None, now
         if self.hello is None or self.hello.rate_hz != self.params.rate_hz:
             self._send(Rate(self.params.rate_hz))
         self._send(Start())
@@ -244,8 +261,12 @@ class GloveLink:
         if self.state == LinkState.SILENT:
             self._say("The glove sends again.")
             if now - self._since > LONG_SILENCE:
-                self._packet_clock.restart()
-        self.state, self._since = LinkState.STREAMING, now
+                self._packet_clock = self._new_clock()
+        if self.state != LinkState.GREETING:  # a glove that was never stopped is still to be asked
+            self.state, self._since, self._heard = LinkState.STREAMING, now, frame.seq
+        before, self._before = self._before, None
+        if before is not None and not 0 < (frame.seq - before) % 2**SEQ_BITS <= LOST_AT_MOST:
+            self._restarted()
         time_of = self._packet_clock.read(frame, now)
         if time_of is None:
             return []
@@ -255,14 +276,45 @@ class GloveLink:
             self.figures.clock_jumps += 1
             by = time_of.jumped
             self._say(f"The glove's clock jumped by {by:+.3f} s; its packets are timed anew.")
+        self.figures.skew_ppm = self._packet_clock.skew_ppm
+        self._judge_rate()
+        if self._ranges is None:
+            self._judge_range(frame, time_of.t_device)
         return [self._sample(frame, time_of, now)]
 
+    def _judge_rate(self) -> None:
+        rate_hz, asked_hz = self._packet_clock.rate_hz, self.params.rate_hz
+        if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
+            self._once(
+                "rate",
+                f"The glove sends {rate_hz:.0f} packets a second, not the {asked_hz} it was asked "
+                "for; their times are right all the same.",
+            )
+
+    def _judge_range(self, frame: Samples, t: float) -> None:
+        """A glove that has not said its ranges: gravity tells the accelerometers'."""
+        self._once(
+            "ranges",
+            "The glove has not said its ranges, so its values are not used yet: hold the hand "
+            "still for a second, then gravity tells them.",
+        )
+        accel_g = self._at_rest.look(frame.raw[:, :3].astype(float), t)
+        if accel_g is not None:
+            self._ranges = Ranges(accel_g, USUAL_GYRO_DPS)
+            self._once(
+                "range",
+                f"At rest the glove's acceleration fits a range of {accel_g} g, which is used now; "
+                f"for turning {USUAL_GYRO_DPS} deg/s is assumed and may be wrong.",
+            )
+
     def _sample(self, frame: Samples, time_of: PacketTime, now: float) -> ImuSample:
-        hello = self.hello or Hello(0, self._imu_count)
+        """In SI units; nothing is valid while the ranges are unknown."""
+        ranges = self._ranges or Ranges(np.nan, np.nan)
         raw = frame.raw.astype(float) / 32768.0
-        valid = np.array([bool(self._imu_ok >> j & 1) for j in range(self._imu_count)])
-        accel = raw[:, :3] * (hello.accel_range_g * GRAVITY)
-        gyro = raw[:, 3:] * (hello.gyro_range_dps * DEGREE)
+        answers = [bool(self._imu_ok >> j & 1) for j in range(self._imu_count)]
+        valid = np.array(answers) & (self._ranges is not None)
+        accel = raw[:, :3] * (ranges.accel_g * GRAVITY)
+        gyro = raw[:, 3:] * (ranges.gyro_dps * DEGREE)
         accel[~valid], gyro[~valid] = np.nan, np.nan
         return ImuSample(
             t=seconds(nanoseconds(time_of.t)),
@@ -275,8 +327,10 @@ class GloveLink:
         )
 
     def _status(self, status: GloveStatus) -> None:
-        self.figures.battery_mV = status.battery_mV
+        self.figures.battery_mV, self.figures.dropped = status.battery_mV, status.dropped
         self.figures.temperature_cC = status.temperature_cC
+        if warning := self._battery.look(status.battery_mV):
+            self._say(warning)
         changed = status.imu_ok ^ self._imu_ok
         self._imu_ok = status.imu_ok
         for j in range(self._imu_count):
@@ -290,6 +344,7 @@ class GloveLink:
         if self.state == LinkState.GREETING:
             if waited > p.boot and not self._asked:
                 self._asked = True
+                self._send(Stop())  # one that streams since an earlier run says HELLO again
                 self._send(HelloRequest())
             if waited > p.boot + p.patience:
                 self._say("The glove has not said what it is; it is told to start anyway.")
@@ -311,25 +366,3 @@ class GloveLink:
     def _taken(self, out: list[ImuSample | Event]) -> list[ImuSample | Event]:
         events, self._events = self._events, []
         return out + events
-
-
-def reason(error: Exception) -> str:
-    """An operating system's complaint in words, with what to do about a missing permission."""
-    number = getattr(error, "errno", None)
-    text = str(error)
-    if number == 13 or "ermission" in text:
-        return (
-            "permission denied. Add yourself to the group dialout "
-            "(sudo usermod -aG dialout $USER) and log in again, or install the udev rule "
-            "70-glovetrack.rules of the package"
-        )
-    if number == 2 or "No such file" in text:
-        return "it is not there"
-    if number == 16 or "busy" in text.lower():
-        return "another program has it open"
-    return getattr(error, "strerror", None) or text
-
-
-def serial_port(path: str, baud: int = BAUD) -> Callable[[], Port]:
-    """Opens a real port (or a pseudo-terminal) by its path or name."""
-    return lambda: serial.Serial(path, baud, timeout=0.05, write_timeout=1.0)

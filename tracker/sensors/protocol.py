@@ -20,6 +20,7 @@ VERSION = 1
 MAX_IMUS = 16  # as many as STATUS has bits for
 RATES_HZ = (50, 100, 200)
 BAUD = 250_000
+BAUDS = (BAUD, 115_200)  # the second carries seven IMUs at 100 Hz, not at 200
 BITS_PER_BYTE = 10  # 8N1
 NO_BATTERY_MV = 0xFFFF
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Protocol, runtime_checkable
 
 from tracker.messages import Event, ImuSample, StereoFrame
-from tracker.sensors.glove_link import LinkFigures
+from tracker.sensors.link_figures import LinkFigures
 
 
 class GloveSource(Protocol):

@@ -23,7 +23,6 @@ from tracker import GRAVITY
 from tracker.messages import ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.protocol import (
-    BAUD,
     BITS_PER_BYTE,
     ErrorText,
     GloveStatus,
@@ -55,10 +54,13 @@ class GloveDeviceParams:
 
     skew: float = 60e-6
     bunch: float = 0.0
-    baud: int = BAUD  # a packet is on its way for as long as its bytes take
+    wire_baud: int = 0  # of a UART on the way; 0 on USB alone, where a packet comes as a whole
     glove_id: int = 1
     start_us: int = 4_000_000  # on the glove's clock at its start
     seed: int = 0
+    says_hello: bool = True
+    rate_hz: int = 100  # as HELLO says; the samples come as their source gives them
+    accel_range_g: int = ACCEL_RANGE_G
 
 
 class SimulatedGlove:
@@ -113,7 +115,7 @@ class SimulatedGlove:
         """The chip restarts: counters begin anew, HELLO is sent."""
         with self._lock:
             self._streaming, self._seq = False, 0
-            self._write(encode(self._hello()))
+            self._greet()
 
     def stop(self) -> None:
         """End the thread and close the line. May be called again."""
@@ -127,7 +129,8 @@ class SimulatedGlove:
     def _run(self) -> None:
         pending: list[bytes] = []
         last_hello = last_status = last_flush = float("-inf")
-        wire = BITS_PER_BYTE * (12 * self._imu_count + 11) / self.params.baud
+        baud = self.params.wire_baud
+        wire = BITS_PER_BYTE * (12 * self._imu_count + 11) / baud if baud else 0.0
         sample = next(self._source, None)
         while not self._stopping.wait(TICK):
             now = time.monotonic()
@@ -140,7 +143,7 @@ class SimulatedGlove:
                     sample = self._skip(sample, now)
                     if now - last_hello >= 1.0:
                         last_hello = now
-                        self._write(encode(self._hello()))
+                        self._greet()
                     continue
                 while sample is not None and self._t_0 + sample.t + wire <= now:
                     pending += self._packet(sample)
@@ -164,15 +167,18 @@ class SimulatedGlove:
         if self.faults.silent or self._rng.random() < self.faults.drop:
             return []
         t_us = self.params.start_us + round(sample.t * (1 + self.params.skew) * 1e6)
-        packet = encode(Samples(seq, t_us % 2**32, quantised(sample)))
+        packet = encode(Samples(seq, t_us % 2**32, quantised(sample, self.params.accel_range_g)))
         if self._rng.random() < self.faults.corrupt:
             damaged = bytearray(packet)
             damaged[int(self._rng.integers(len(packet)))] ^= 1 << int(self._rng.integers(8))
             packet = bytes(damaged)
         return [packet]
 
-    def _hello(self) -> Hello:
-        return Hello(self.params.glove_id, self._imu_count, GYRO_RANGE_DPS, ACCEL_RANGE_G)
+    def _greet(self) -> None:
+        p = self.params
+        hello = Hello(p.glove_id, self._imu_count, GYRO_RANGE_DPS, p.accel_range_g, p.rate_hz)
+        if p.says_hello:
+            self._write(encode(hello))
 
     def _listen(self) -> None:
         try:
@@ -182,7 +188,7 @@ class SimulatedGlove:
         for frame in self._decoder.feed(data):
             match frame:
                 case HelloRequest():
-                    self._write(encode(self._hello()))
+                    self._greet()
                 case Start():
                     self._streaming = True
                 case Stop():
@@ -203,9 +209,9 @@ class SimulatedGlove:
             self._write(encode(ErrorText(text)))
 
 
-def quantised(sample: ImuSample) -> np.ndarray:
+def quantised(sample: ImuSample, accel_range_g: int = ACCEL_RANGE_G) -> np.ndarray:
     """Raw (n, 6) int16 of a sample, saturated at the ranges."""
-    accel = sample.accel / (ACCEL_RANGE_G * GRAVITY)
+    accel = sample.accel / (accel_range_g * GRAVITY)
     gyro = sample.gyro / (GYRO_RANGE_DPS * np.pi / 180)
     raw = np.round(np.concatenate([accel, gyro], axis=1) * 32768.0)
     return np.clip(np.nan_to_num(raw), -32768, 32767).astype(np.int16)

@@ -36,6 +36,7 @@ class VirtualGlove:
     """Also its own `Port`. ``source`` gives samples whose t = 0 is the clock's zero."""
 
     timeout: float | None = 0.0
+    wire_baud = BAUD  # a packet is on its way for as long as its bytes take
 
     def __init__(self, source: Iterator[ImuSample], imu_count: int, seed: int = 0) -> None:
         self._source, self._imu_count = source, imu_count

@@ -5,7 +5,8 @@ Topics, per hand:
     /glovetrack/right         the JSON of `payload`, with its schema
     /glovetrack/right/scene   foxglove.SceneUpdate in the frame ``world``; see `foxglove_scene`
 
-A client that reads slowly loses the oldest of `BACKLOG` waiting messages.
+A client that reads slowly loses the oldest of `BACKLOG` waiting messages. Pages of other sites than
+Foxglove's own and this machine's are turned away, as the WebSocket server does.
 """
 
 from __future__ import annotations
@@ -15,11 +16,11 @@ import contextlib
 import json
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 
 from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
-from websockets.typing import Subprotocol
+from websockets.typing import Origin, Subprotocol
 
 from tracker.messages import Estimate
 from tracker.streaming.foxglove_protocol import (
@@ -35,12 +36,13 @@ from tracker.streaming.foxglove_protocol import (
 from tracker.streaming.foxglove_scene import FoxgloveScene, estimate_schema, scene_schema
 from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import LOOPBACK, Names, StreamError
-from tracker.streaming.server_thread import ServerThread
+from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
 DEFAULT_PORT = 8765  # where Foxglove looks by itself
 BACKLOG = 64  # messages kept per client
 MAX_SAID = 2**16  # bytes of a client's message
 ESTIMATE, SCENE = 1, 2  # channels
+FOXGLOVE_PAGES = ("https://app.foxglove.dev", "https://studio.foxglove.dev")
 
 
 class FoxglovePublisher:
@@ -52,8 +54,12 @@ class FoxglovePublisher:
         host: str = LOOPBACK,
         port: int = DEFAULT_PORT,
         wall_offset: float | None = None,
+        origins: Collection[str] = (),
     ) -> None:
-        """``wall_offset``: s since 1970 at the monotonic clock's zero; by default as of now."""
+        """``wall_offset``: s since 1970 at the monotonic clock's zero; by default as of now.
+
+        ``origins``: further sites whose pages may connect, such as ``https://viz.example.org``.
+        """
         self._wall = time.time() - time.monotonic() if wall_offset is None else wall_offset
         self._greeting = _greeting(names, session_id=str(time.time_ns()))
         scene = FoxgloveScene(names)
@@ -63,9 +69,14 @@ class FoxglovePublisher:
         }
         self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, never changed
         self._closed = False
-        subprotocols = [Subprotocol(s) for s in SUBPROTOCOLS]
         self._server = ServerThread(
-            "Foxglove", self._serve, host, port, subprotocols=subprotocols, max_size=MAX_SAID
+            "Foxglove",
+            self._serve,
+            host,
+            port,
+            subprotocols=[Subprotocol(s) for s in SUBPROTOCOLS],
+            origins=[None, LOCAL_PAGE, *(Origin(o) for o in (*FOXGLOVE_PAGES, *origins))],
+            max_size=MAX_SAID,
         )
         self.port = self._server.port
         self.name = f"Foxglove at {host}:{self.port}"

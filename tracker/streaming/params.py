@@ -35,6 +35,7 @@ class StreamParams:
     websocket_port: int = 9751
     vmc_port: int = 39540
     foxglove_port: int = 8765
+    foxglove_origins: str = ""  # further sites whose pages may connect, with commas between
     lsl_network: bool = False  # whether other machines find the LSL outlet
 
 
@@ -102,7 +103,10 @@ def _lsl(params: StreamParams, names: Names) -> Publisher:
 
 def _foxglove(params: StreamParams, names: Names) -> Publisher:
     module = _optional("foxglove_live", "Foxglove")
-    publisher: Publisher = module.FoxglovePublisher(names, params.host, params.foxglove_port)
+    origins = [o.strip() for o in params.foxglove_origins.split(",") if o.strip()]
+    publisher: Publisher = module.FoxglovePublisher(
+        names, params.host, params.foxglove_port, origins=origins
+    )
     return publisher
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import threading
 from collections.abc import Awaitable, Callable
 from concurrent.futures import Future
@@ -17,6 +18,8 @@ MAX_CLIENTS = 16
 START_WAIT = 5.0  # s
 CLOSE_WAIT = 0.5  # s for a client's answer to our farewell
 TRY_AGAIN_LATER = 1013  # close code
+LOCAL_PAGE = re.compile(r"https?://(localhost|127\.0\.0\.1|\[::1\])(:\d+)?")
+"""Origins of pages that this machine serves itself."""
 
 Client = Callable[[ServerConnection], Awaitable[None]]
 

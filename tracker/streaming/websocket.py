@@ -8,17 +8,15 @@ rule, so the server has to look at ``Origin`` itself (RFC 6455, 10.2).
 from __future__ import annotations
 
 import asyncio
-import re
 
 from websockets.asyncio.server import ServerConnection
 
 from tracker.messages import Estimate
 from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import LOOPBACK, Names, StreamError
-from tracker.streaming.server_thread import ServerThread
+from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
 DEFAULT_PORT = 9751
-LOCAL_PAGE = re.compile(r"https?://(localhost|127\.0\.0\.1|\[::1\])(:\d+)?")
 MAX_SAID = 1024  # bytes of a client's message; clients have nothing to say
 
 

@@ -1,0 +1,301 @@
+"""Gloves that do not do as they are told: another rate, no HELLO, HELLO twice, a low battery."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker import GRAVITY
+from tracker.messages import Event, ImuSample
+from tracker.sensors.decoder import FrameDecoder
+from tracker.sensors.glove_link import GloveLink, LinkParams, LinkState, serial_port
+from tracker.sensors.protocol import (
+    BAUD,
+    GloveStatus,
+    Hello,
+    HelloRequest,
+    Rate,
+    Samples,
+    Start,
+    Stop,
+    encode,
+)
+from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
+
+N = 3
+SKEW = 80e-6  # of the glove's clock
+PACKET_BITS = 10 * len(encode(Samples(0, 0, np.zeros((N, 6), np.int16))))
+LATENCY = 0.0005  # s from a packet's last bit to the host
+
+
+@dataclass(eq=False)
+class Scripted:
+    """A glove, its cable and the clock, in steps of 1 ms; ``obeys`` RATE or stays as it is."""
+
+    hello: Hello | None
+    rate_hz: float = 100.0
+    obeys: bool = False
+    rest_counts: int = 2048  # raw |a| at rest, along z
+    wire_baud: int = 0
+    timeout: float | None = 0.0
+    t: float = 20.0
+    seq: int = 0
+    streaming: bool = False
+    out: bytes = b""
+    truth: list[float] = field(default_factory=list)
+    heard: list[object] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.decoder, self.next, self.rng = FrameDecoder(), self.t, np.random.default_rng(3)
+        self.motion = 0.0  # raw counts of shaking
+
+    def step(self) -> None:
+        self.t = round(self.t + 0.001, 6)
+        wire = PACKET_BITS / self.wire_baud if self.wire_baud else 0.0
+        while self.next + wire + LATENCY <= self.t:
+            if self.streaming:
+                self.put(self.packet(self.next))
+            self.next += 1 / self.rate_hz
+
+    def packet(self, t: float) -> Samples:
+        raw = np.zeros((N, 6), np.int16)
+        raw[:, 2] = self.rest_counts
+        raw[:, :3] += (self.motion * self.rng.standard_normal((N, 3))).astype(np.int16)
+        self.seq += 1
+        self.truth.append(t)
+        return Samples((self.seq - 1) % 65536, round(1e6 * t * (1 + SKEW)) % 2**32, raw)
+
+    def put(self, *frames: object) -> None:
+        self.out += b"".join(encode(f) for f in frames)  # type: ignore[arg-type]
+
+    @property
+    def in_waiting(self) -> int:
+        return len(self.out)
+
+    def read(self, size: int) -> bytes:
+        data, self.out = self.out[:size], self.out[size:]
+        return data
+
+    def write(self, data: bytes) -> int:
+        for frame in self.decoder.feed(data):
+            self.heard.append(frame)
+            if isinstance(frame, HelloRequest) and self.hello is not None:
+                self.put(self.hello)
+            elif isinstance(frame, Rate) and self.obeys:
+                self.rate_hz = frame.rate_hz
+            elif isinstance(frame, Start | Stop):
+                self.streaming, self.next = isinstance(frame, Start), self.t
+        return len(data)
+
+    def close(self) -> None: ...
+
+
+class Run:
+    """A link on a scripted glove."""
+
+    def __init__(self, glove: Scripted) -> None:
+        self.glove, self.link = glove, GloveLink(lambda: glove, N, clock=lambda: glove.t)
+        self.samples: list[ImuSample] = []
+        self.said: list[str] = []
+
+    def go(self, duration: float) -> None:
+        for _ in range(round(1000 * duration)):
+            self.glove.step()
+            for item in self.link.poll(0.0):
+                if isinstance(item, Event):
+                    self.said.append(item.text)
+                else:
+                    self.samples.append(item)
+
+    def errors(self) -> np.ndarray:
+        """Of the samples' times, s; the last packet may still be under way."""
+        return np.array(
+            [s.t - true for s, true in zip(self.samples, self.glove.truth, strict=False)]
+        )
+
+
+@pytest.mark.parametrize("said_hz", [50, 100])
+@pytest.mark.parametrize("rate_hz", [50.0, 120.0, 200.0])
+def test_a_rate_that_is_not_heeded_is_one_sentence_and_the_times_are_right(
+    said_hz: int, rate_hz: float
+) -> None:
+    run = Run(Scripted(Hello(1, N, rate_hz=said_hz), rate_hz))
+    run.go(12.0)
+    (sentence,) = run.said
+    assert f"sends {rate_hz:.0f} packets a second, not the 100 it was asked for" in sentence
+    assert run.link.figures.clock_jumps == 0 and run.link.figures.lost == 0
+    assert len(run.samples) == pytest.approx(12 * rate_hz, abs=2)
+    assert np.abs(run.errors()).max() < 0.002
+    assert run.link.figures.skew_ppm == pytest.approx(-1e6 * SKEW, abs=100)
+
+
+def test_losses_at_a_rate_that_is_not_heeded_are_no_jumps() -> None:
+    glove = Scripted(Hello(1, N, rate_hz=50), 50.0)
+    run = Run(glove)
+    for _ in range(20):
+        run.go(0.5)
+        glove.seq += 10  # packets that never left
+        glove.next += 10 / glove.rate_hz
+    assert run.link.figures.clock_jumps == 0 and run.link.figures.lost == pytest.approx(190, abs=10)
+    assert np.abs(run.errors()).max() < 0.002
+
+
+def test_a_glove_that_obeys_is_not_complained_of() -> None:
+    run = Run(Scripted(Hello(1, N, rate_hz=50), 50.0, obeys=True))
+    run.go(3.0)
+    assert run.said == []
+    assert len(run.samples) == pytest.approx(300, abs=3)
+
+
+def test_a_true_jump_of_the_clock_is_still_said_though_it_looks_like_a_rate() -> None:
+    run = Run(Scripted(Hello(1, N)))
+    run.go(2.0)
+    glove = run.glove
+    for jump_us in (500_000, 10_000, -4_000_000):
+        before, honest = len(run.samples), glove.packet
+        offset = jump_us
+        glove.packet = lambda t, f=honest, d=offset: moved(f(t), d)  # type: ignore[method-assign]
+        run.go(1.0)
+        assert len(run.samples) > before + 90
+    assert [s for s in run.said if "clock jumped" in s] == [
+        f"The glove's clock jumped by {s} s; its packets are timed anew."
+        for s in ("+0.500", "+0.010", "-4.000")
+    ]
+    assert np.abs(run.errors()[-50:]).max() < 0.002
+
+
+def moved(packet: Samples, by_us: int) -> Samples:
+    return Samples(packet.seq, (packet.t_us + by_us) % 2**32, packet.raw)
+
+
+@pytest.mark.parametrize("range_g", [2, 4, 8, 16])
+def test_without_hello_gravity_tells_the_range_and_nothing_is_valid_before(range_g: int) -> None:
+    counts = 32768 // range_g
+    run = Run(Scripted(None, rest_counts=counts))
+    run.glove.motion = 0.2 * counts
+    run.go(6.0)
+    assert run.samples and not any(s.valid.any() for s in run.samples), "it is being shaken"
+    assert np.isnan(run.samples[-1].accel).all()
+    run.glove.motion = 0.004 * counts
+    run.go(1.2)
+    last = run.samples[-1]
+    assert last.valid.all()
+    assert np.linalg.norm(last.accel, axis=1) == pytest.approx([GRAVITY] * N, rel=0.05)
+    assert [s.split(":")[0].split(",")[0] for s in run.said] == [
+        "The glove has not said what it is; it is told to start anyway.",
+        "The glove has not said its ranges",
+        f"At rest the glove's acceleration fits a range of {range_g} g",
+    ]
+
+
+def test_a_weight_that_fits_no_range_is_never_believed() -> None:
+    run = Run(Scripted(None, rest_counts=2900))  # between 8 and 16 g
+    run.go(8.0)
+    assert len(run.samples) > 300 and not any(s.valid.any() for s in run.samples)
+
+
+def test_ranges_that_come_late_are_taken() -> None:
+    run = Run(Scripted(None, rest_counts=2900))
+    run.go(5.0)
+    run.glove.put(Hello(1, N, gyro_range_dps=500, accel_range_g=8))
+    run.go(0.5)
+    assert run.samples[-1].valid.all()
+    assert run.samples[-1].accel[0, 2] == pytest.approx(2900 / 4096 * GRAVITY)
+
+
+def test_a_glove_that_an_earlier_run_left_streaming_is_stopped_and_asked_again() -> None:
+    glove = Scripted(None)
+    glove.streaming = True
+    run = Run(glove)
+    run.go(1.9)
+    assert len(run.samples) > 150 and run.link.state == LinkState.GREETING
+    glove.hello = Hello(1, N)
+    run.go(1.0)
+    assert any(isinstance(f, Stop) for f in glove.heard)
+    assert run.link.hello == Hello(1, N) and run.link.state == LinkState.STREAMING
+    assert run.samples[-1].valid.all()
+    assert not any("restarted" in s for s in run.said)
+
+
+@pytest.mark.parametrize("late", [0.0, 0.02, 0.3])
+def test_a_hello_that_was_under_way_is_no_restart(late: float) -> None:
+    """The boot's HELLO and the answer to HELLO? cross on the line."""
+    glove = Scripted(None)
+    glove.put(Hello(1, N))
+    run = Run(glove)
+    run.go(late)
+    glove.put(Hello(1, N))
+    run.go(1.0)
+    assert run.said == [] and run.link.figures.resets == 0
+    assert len(run.samples) > 60
+
+
+def test_a_true_restart_is_said_once() -> None:
+    glove = Scripted(Hello(1, N))
+    run = Run(glove)
+    run.go(3.0)
+    glove.streaming, glove.seq = False, 0
+    glove.put(Hello(1, N))
+    run.go(1.0)
+    assert run.said == ["The glove has restarted; it is told to go on."]
+    assert run.link.figures.resets == 1
+
+
+@pytest.mark.parametrize("wire_baud", [0, BAUD, 115_200])
+def test_the_time_on_the_wire_is_taken_off_where_there_is_a_wire(wire_baud: int) -> None:
+    glove = Scripted(Hello(1, N), wire_baud=wire_baud)
+    run = Run(glove)
+    run.go(3.0)
+    # the host looks each millisecond; the packet's own time would be 1.9 or 4.1 ms
+    assert np.median(run.errors()) == pytest.approx(LATENCY, abs=0.0012)
+
+
+def test_a_low_battery_is_said_once_until_it_was_charged() -> None:
+    run = Run(Scripted(Hello(1, N)))
+    run.go(0.1)
+    for millivolt in (3700, 3490, 3480, 3510, 3490, 3650, 3499):
+        run.glove.put(GloveStatus(millivolt, 2900, 0b111, 4))
+        run.go(0.01)
+    assert run.said == [
+        f"The glove's battery is low ({v} V): charge it soon." for v in ("3.49", "3.50")
+    ]
+    values = run.link.figures.values()
+    assert values["battery_low"] == 1.0 and values["glove_dropped"] == 4.0
+
+
+def test_two_hundred_a_second_need_the_fast_line() -> None:
+    with pytest.raises(ValueError, match="need 250000 baud"):
+        LinkParams(rate_hz=200, baud=115_200)
+
+
+def resting() -> Iterator[ImuSample]:
+    accel = np.tile([0.0, 0.0, GRAVITY], (N, 1))
+    for k in range(100_000):
+        t = k / 100
+        yield ImuSample(t, t, t, k, accel, np.zeros((N, 3)), np.ones(N, bool))
+
+
+def test_the_emulated_glove_without_hello_is_right_to_scale_and_time(tmp_path: Path) -> None:
+    t_0 = time.monotonic()
+    device = SimulatedGlove(
+        resting(), N, t_0, GloveDeviceParams(says_hello=False, accel_range_g=8, skew=0.0)
+    )
+    link = GloveLink(serial_port(device.path), N, LinkParams(boot=0.05, patience=0.05))
+    try:
+        got: list[ImuSample] = []
+        while not (got and got[-1].valid.all()) and time.monotonic() < t_0 + 10:
+            got += [m for m in link.poll(0.02) if isinstance(m, ImuSample)]
+        assert got[-1].accel[0] == pytest.approx([0.0, 0.0, GRAVITY], abs=0.01)
+        assert not got[0].valid.any()
+        true = np.array([s.t_device - 4.0 + t_0 for s in got])
+        lateness = np.array([s.t for s in got]) - true
+        # the emulator looks at its clock each 2 ms; a packet's 3.8 ms on a UART are not here
+        assert -5e-4 < np.min(lateness) < 4e-3
+    finally:
+        link.close()
+        device.stop()

@@ -1,0 +1,72 @@
+"""What carries the bytes on Linux, macOS and Windows, and what these systems complain of."""
+
+from __future__ import annotations
+
+import os
+import pty
+
+import pytest
+
+from tracker.sensors.serial_line import SerialPort, UsbPort, crosses_uart, reason, usb_ports
+
+FTDI, WCH, SILABS, ARDUINO, TEENSY = 0x0403, 0x1A86, 0x10C4, 0x2341, 0x16C0
+
+
+@pytest.mark.parametrize(
+    ("path", "vid", "pid", "uart"),
+    [
+        ("/dev/ttyUSB0", FTDI, 0x6001, True),
+        ("/dev/ttyUSB0", 0x1234, 0x0001, True),  # Linux names bridges so, whoever made them
+        ("/dev/ttyACM0", TEENSY, 0x0483, False),
+        ("/dev/ttyACM0", ARDUINO, 0x0043, True),  # Uno: its USB chip speaks to the ATmega
+        ("/dev/ttyACM0", ARDUINO, 0x8036, False),  # Leonardo: the ATmega has USB itself
+        ("/dev/ttyACM0", WCH, 0x55D4, True),  # CH9102, a bridge of class CDC
+        ("/dev/cu.usbserial-110", FTDI, 0x6001, True),
+        ("/dev/cu.usbmodem1101", TEENSY, 0x0483, False),
+        ("/dev/cu.usbmodem1101", ARDUINO, 0x0043, True),
+        ("COM7", SILABS, 0xEA60, True),
+        ("COM7", TEENSY, 0x0483, False),
+    ],
+)
+def test_a_bridge_is_told_from_usb_alone(path: str, vid: int, pid: int, uart: bool) -> None:
+    assert crosses_uart(path, [UsbPort(path, vid, pid, None)]) == uart
+
+
+@pytest.mark.parametrize(
+    ("path", "uart"),
+    [("/dev/ttyS0", True), ("/dev/ttyAMA0", True), ("COM1", True), ("/dev/pts/4", False)],
+)
+def test_a_port_that_is_not_on_usb(path: str, uart: bool) -> None:
+    assert crosses_uart(path, []) == uart
+
+
+def test_a_pseudo_terminal_has_no_time_on_the_wire() -> None:
+    master, slave = pty.openpty()
+    port = SerialPort(os.ttyname(slave), 115_200)
+    assert port.wire_baud == 0 and port.latency_ms is None
+    port.close()
+    os.close(slave)
+    os.close(master)
+
+
+def test_ports_are_listed_with_their_numbers() -> None:
+    assert all(p.vid > 0 and p.path for p in usb_ports())
+
+
+@pytest.mark.parametrize(
+    ("error", "system", "words"),
+    [
+        (PermissionError(13, "Permission denied"), "linux", "usermod -aG dialout"),
+        (PermissionError(13, "Access is denied."), "win32", "another program has it open"),
+        (OSError("could not open port 'COM7': Access is denied."), "win32", "another program"),
+        (PermissionError(13, "Permission denied"), "darwin", "macOS has not allowed"),
+        (OSError("could not open port 'COM9': FileNotFoundError(2, ...)"), "win32", "not there"),
+        (OSError(16, "Resource busy"), "darwin", "another program has it open"),
+    ],
+)
+def test_complaints_are_words_of_the_system_at_hand(
+    error: Exception, system: str, words: str
+) -> None:
+    said = reason(error, system)
+    assert words in said
+    assert ("sudo" in said) == (system == "linux")

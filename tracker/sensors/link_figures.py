@@ -1,0 +1,74 @@
+"""How the glove's link is doing, in figures for the status and the screen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tracker.sensors.decoder import LinkCounters
+
+LOW_BATTERY_MV = 3500  # of a lithium cell: some tenth of its charge is left
+RECOVERED_MV = 100  # above it, until a warning may be given again
+
+
+@dataclass(eq=False)
+class LinkFigures:
+    """Counts since the link was made; None where nothing is known yet."""
+
+    packets: int = 0
+    lost: int = 0
+    resets: int = 0
+    clock_jumps: int = 0
+    opened: int = 0
+    dropped: int = 0  # packets that the glove itself had no time to send
+    battery_mV: int | None = None
+    temperature_cC: int | None = None
+    skew_ppm: float | None = None  # host's time gained on the glove's clock
+    latency_ms: int | None = None  # that the USB adapter holds bytes back
+    counters: LinkCounters = field(default_factory=LinkCounters)
+
+    @property
+    def reopened(self) -> int:
+        """How often the port was opened again after it had gone."""
+        return max(0, self.opened - 1)
+
+    def values(self) -> dict[str, float]:
+        """What is known, under the names that the status has."""
+        known: dict[str, float | None] = {
+            "battery_v": None if self.battery_mV is None else self.battery_mV / 1000,
+            "battery_low": None if self.battery_mV is None else float(is_low(self.battery_mV)),
+            "temperature_c": None if self.temperature_cC is None else self.temperature_cC / 100,
+            "link_cobs_errors": self.counters.cobs_errors,
+            "link_crc_errors": self.counters.crc_errors,
+            "link_length_errors": self.counters.length_errors,
+            "link_other_errors": self.counters.unknown + self.counters.oversize,
+            "link_reopened": self.reopened,
+            "link_latency_ms": self.latency_ms,
+            "glove_resets": self.resets,
+            "glove_clock_jumps": self.clock_jumps,
+            "glove_dropped": self.dropped,
+            "glove_skew_ppm": self.skew_ppm,
+        }
+        return {key: float(value) for key, value in known.items() if value is not None}
+
+
+class LowBattery:
+    """Says once that the battery is low, and again only after it was charged."""
+
+    def __init__(self) -> None:
+        self._said = False
+
+    def look(self, battery_mV: int | None) -> str:
+        """A sentence, or nothing to say."""
+        if battery_mV is None:
+            return ""
+        if self._said and battery_mV > LOW_BATTERY_MV + RECOVERED_MV:
+            self._said = False
+        if self._said or not is_low(battery_mV):
+            return ""
+        self._said = True
+        return f"The glove's battery is low ({battery_mV / 1000:.2f} V): charge it soon."
+
+
+def is_low(battery_mV: int) -> bool:
+    """The one threshold of all warnings."""
+    return battery_mV < LOW_BATTERY_MV

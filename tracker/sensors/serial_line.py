@@ -1,0 +1,155 @@
+"""Serial ports as they are opened: what carries the bytes, and what goes wrong, in words.
+
+Systems answer differently: Linux names ports after their driver (``ttyUSB``, ``ttyACM``), macOS
+after their class (``cu.usbserial``, ``cu.usbmodem``), Windows not at all (``COM7``), where the USB
+numbers tell.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import NamedTuple, Protocol, runtime_checkable
+
+import serial
+from serial.tools import list_ports
+
+from tracker.sensors.protocol import BAUD
+
+BRIDGE_FTDI = 0x0403
+BRIDGE_MAKERS = frozenset({BRIDGE_FTDI, 0x10C4, 0x1A86, 0x067B})  # and Silabs, WCH, Prolific
+BRIDGE_BOARDS = frozenset(
+    {(maker, board) for maker in (0x2341, 0x2A03) for board in (0x01, 0x10, 0x42, 0x43, 0x243)}
+)
+"""Arduino Uno and Mega: CDC ACM by name, but their USB chip speaks to the ATmega over a UART."""
+UART_NAMES = ("ttyUSB", "ttyS", "ttyAMA", "cu.usbserial", "cu.SLAB", "cu.wchusb", "COM")
+CDC_NAMES = ("ttyACM", "cu.usbmodem", "tty.usbmodem", "COM")  # a COM port on USB that is no bridge
+GOOD_LATENCY_MS = 2
+LATENCY_FILES = Path("/sys/bus/usb-serial/devices")
+
+
+class Port(Protocol):
+    """What is used of `serial.Serial`."""
+
+    timeout: float | None
+
+    @property
+    def in_waiting(self) -> int: ...
+
+    def read(self, size: int) -> bytes: ...
+
+    def write(self, data: bytes) -> int | None: ...
+
+    def close(self) -> None: ...
+
+
+@runtime_checkable
+class WiredPort(Protocol):
+    """A port that knows how its bytes travel: ``wire_baud`` is 0 where no UART is in the way."""
+
+    @property
+    def wire_baud(self) -> int: ...
+
+
+@runtime_checkable
+class TunablePort(Protocol):
+    """A port whose speed can be changed while it is open."""
+
+    baudrate: int
+
+
+class UsbPort(NamedTuple):
+    """A serial port on USB. ``serial_number`` tells adapters of one kind apart, if there is one."""
+
+    path: str
+    vid: int
+    pid: int
+    serial_number: str | None
+
+
+def usb_ports() -> list[UsbPort]:
+    """The system's USB serial ports by path; built-in ones without a device are left out."""
+    ports = (p for p in list_ports.comports() if p.vid is not None)
+    return sorted(UsbPort(p.device, p.vid, p.pid or 0, p.serial_number) for p in ports)
+
+
+def serial_ports() -> list[str]:
+    """Their paths."""
+    return [p.path for p in usb_ports()]
+
+
+def crosses_uart(path: str, ports: Iterable[UsbPort]) -> bool:
+    """Whether bytes of the port at ``path`` take their time one after the other on a UART.
+
+    On USB alone (CDC ACM) and on a pseudo-terminal a packet arrives as a whole.
+    """
+    name = Path(path).name
+    here = next((p for p in ports if p.path == path), None)
+    if here is None:
+        return name.startswith(UART_NAMES)
+    if here.vid in BRIDGE_MAKERS or (here.vid, here.pid) in BRIDGE_BOARDS:
+        return True
+    return not name.startswith(CDC_NAMES)
+
+
+class SerialPort(serial.Serial):
+    """A real port or pseudo-terminal, open."""
+
+    def __init__(self, path: str, baud: int) -> None:
+        """Raises OSError (`serial.SerialException`) where it cannot be opened."""
+        super().__init__(path, baud, timeout=0.05, write_timeout=1.0)
+        self._path = real_path(path)
+        self._on_uart = crosses_uart(self._path, usb_ports())
+
+    @property
+    def wire_baud(self) -> int:
+        """Bits a second on the UART behind the port; 0 where there is none."""
+        return int(self.baudrate) if self._on_uart else 0
+
+    @property
+    def latency_ms(self) -> int | None:
+        """How long an FTDI adapter holds bytes back; None where the system does not say."""
+        return latency_of(self._path)
+
+
+def serial_port(path: str, baud: int = BAUD) -> Callable[[], Port]:
+    """Opens a real port (or a pseudo-terminal) by its path or name."""
+    return lambda: SerialPort(path, baud)
+
+
+def real_path(path: str) -> str:
+    """Where a link such as ``/dev/serial/by-id/…`` leads to; a name that is no file stays."""
+    return str(Path(path).resolve()) if Path(path).exists() else path
+
+
+def latency_of(path: str, root: Path = LATENCY_FILES) -> int | None:
+    """ms that an FTDI adapter holds bytes back, on Linux; None for others and elsewhere."""
+    try:
+        return int((root / Path(path).resolve().name / "latency_timer").read_text())
+    except (OSError, ValueError):
+        return None
+
+
+def reason(error: Exception, system: str = sys.platform) -> str:
+    """An operating system's complaint in words, with what to do about it on ``system``."""
+    number, text = getattr(error, "errno", None), str(error)
+    if number == 13 or "ermission" in text or "Access is denied" in text:
+        return _refused(system)
+    if number == 2 or "No such file" in text or "FileNotFoundError" in text:
+        return "it is not there"
+    if number == 16 or "busy" in text.lower():
+        return "another program has it open"
+    return getattr(error, "strerror", None) or text
+
+
+def _refused(system: str) -> str:
+    if system == "win32":  # Windows gives a port to one program and denies it to others
+        return "access is denied: another program has it open"
+    if system == "darwin":
+        return "permission denied: another program has it open, or macOS has not allowed its driver"
+    return (
+        "permission denied. Add yourself to the group dialout "
+        "(sudo usermod -aG dialout $USER) and log in again, or install the udev rule "
+        "70-glovetrack.rules of the package"
+    )
