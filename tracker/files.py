@@ -56,7 +56,7 @@ def disk_error(path: Path | str, error: OSError) -> DiskError:
 
 
 def free_bytes(folder: Path) -> int:
-    """Room left on the disk of ``folder``; 0 if it is gone."""
+    """Bytes left on the disk of ``folder``; 0 if it is gone."""
     try:
         return shutil.disk_usage(folder).free
     except OSError:

@@ -70,8 +70,8 @@ def licence_of(package: Distribution) -> str:
         for c in data.get_all("Classifier") or []
         if c.startswith("License :: ") and not c.endswith("OSI Approved")
     ]
-    told = _first(data.get_all("License-Expression"))
-    return told or ", ".join(classifiers) or field or "see its package"
+    expression = _first(data.get_all("License-Expression"))
+    return expression or ", ".join(classifiers) or field or "see its package"
 
 
 def _first(values: list[str] | None) -> str:

@@ -97,9 +97,9 @@ def _cell(c: Calibration, i: int, name: str, reference: Calibration | None) -> C
     values, sd = getattr(c, name)[i], getattr(c, f"{name}_sd")[i]
     if not np.isfinite(values).any():
         return CalibrationCell("", "", float("nan"))
-    kind, spread = _KINDS[name], float(np.nanmax(sd))
+    kind, worst = _KINDS[name], float(np.nanmax(sd))
     if name == "scale":
-        spread = float(sd[0])
+        worst = float(sd[0])
     settled = convergence(sd, name)
     figures = _figures(values, sd, kind)
     before = _row_of(reference, c.segments[i], name) if reference is not None else None
@@ -107,7 +107,7 @@ def _cell(c: Calibration, i: int, name: str, reference: Calibration | None) -> C
         old, old_sd = before
         return _change(values - old, np.hypot(sd, old_sd), name, figures, settled)
     text = (
-        f"{kind.pattern.format(_one(values, name) * kind.factor)} ± {2 * spread * kind.factor:.2g}"
+        f"{kind.pattern.format(_one(values, name) * kind.factor)} ± {2 * worst * kind.factor:.2g}"
     )
     return CalibrationCell(f"{text} {kind.unit}".strip(), figures, settled)
 

@@ -114,13 +114,13 @@ def _predicted(
 ) -> list[Shape]:
     """Where each marker is expected, with its id and (left) the 2σ ellipse."""
     uv = result.predicted_right if right else result.predicted_left
-    places = _marker_pixels(view, right)
+    pixels = _marker_pixels(view, right)
     out: list[Shape] = []
     for marker in view.setup.glove.markers:
         u, v = (float(x) for x in uv[marker.id])
         colour = colours.get(marker.hue, WHITE)
         if not np.isfinite([u, v]).all():
-            out += _outside(places[marker.id], colour, view, right)
+            out += _outside(pixels[marker.id], colour, view, right)
             continue
         opacity = 1.0 if result.visible[marker.id] >= VISIBLE else DIM
         out.append(Cross(u, v, colour, opacity=opacity))

@@ -54,7 +54,7 @@ def automatic_path(folder: Path, participant: str, task: str, now: datetime) -> 
 
 
 def free_bytes(folder: Path) -> int:
-    """Room on the disk that ``folder`` is or will be on."""
+    """Space on the disk that ``folder`` is or will be on."""
     while not folder.exists() and folder != folder.parent:
         folder = folder.parent
     return shutil.disk_usage(folder).free
@@ -93,7 +93,7 @@ def losses_text(values: Mapping[str, float]) -> str:
 
 @dataclass(frozen=True)
 class Disk:
-    """Room left and what to say about it."""
+    """Space left and what to say about it."""
 
     text: str
     warning: str

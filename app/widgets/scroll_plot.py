@@ -72,8 +72,8 @@ class ScrollPlot(QWidget):
         seen = values[:, [c.isVisible() for c in self.curves]]
         if self._limits is None and np.isfinite(seen).any():
             low, high = float(np.nanmin(seen)), float(np.nanmax(seen))
-            room = max(MARGIN * (high - low), 1.0)
-            self.plot.setYRange(low - room, high + room, padding=0)
+            margin = max(MARGIN * (high - low), 1.0)
+            self.plot.setYRange(low - margin, high + margin, padding=0)
 
     def show_cursor(self, t: float | None) -> None:
         """A line at an instant; None takes it away."""

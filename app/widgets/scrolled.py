@@ -10,7 +10,7 @@ SMALLEST = QSize(220, 110)
 
 
 class Scrolled(QScrollArea):
-    """Gives the panel all the room there is and scrolls only below what it needs at least.
+    """Gives the panel all the space there is and scrolls only below what it needs at least.
 
     Qt's own way (``widgetResizable``) scrolls already below what a panel with wrapped text would
     like to have, though its images and tables could give way.
@@ -39,13 +39,13 @@ class Scrolled(QScrollArea):
         return super().eventFilter(watched, event)
 
     def _fit(self) -> None:
-        panel, room = self._panel, self.viewport().size()
+        panel, available = self._panel, self.viewport().size()
         layout = panel.layout()
         if layout is None:
             return
         least = layout.totalMinimumSize()
-        width = max(room.width(), least.width())
+        width = max(available.width(), least.width())
         height = least.height()
         if layout.hasHeightForWidth():
             height = layout.totalMinimumHeightForWidth(width)
-        panel.resize(width, max(room.height(), height))
+        panel.resize(width, max(available.height(), height))

@@ -58,10 +58,10 @@ def arrange(window: QMainWindow, docks: dict[str, QDockWidget]) -> None:
 
 def places_of(window: QMainWindow, with_layout: bool) -> dict[str, str]:
     """What the settings keep of where the window and its docks stand, in base64."""
-    places = {"geometry": window.saveGeometry()}
+    kept = {"geometry": window.saveGeometry()}
     if with_layout:
-        places["layout"] = window.saveState()
-    return {name: bytes(data.toBase64().data()).decode() for name, data in places.items()}
+        kept["layout"] = window.saveState()
+    return {name: bytes(data.toBase64().data()).decode() for name, data in kept.items()}
 
 
 def restore_geometry(window: QMainWindow, text: str) -> None:

@@ -33,7 +33,7 @@ class Cost:
 
 
 def profile(engine: str, repeats: int = 3, seed: int = 1) -> list[Cost]:
-    """Costs of the pipeline for one second of data, dearest first by own time."""
+    """Costs of the pipeline for one second of data, most expensive first by own time."""
     call = pipeline_call(make_second(seed, images=0), engine)
     call()
     profiler = cProfile.Profile(time.process_time)  # on a busy machine waiting is no cost
@@ -63,7 +63,7 @@ def _place(file: str, line: int, name: str) -> str:
 
 
 def markdown(costs: Sequence[Cost], rows: int) -> str:
-    """The ``rows`` dearest, with their share of the whole."""
+    """The ``rows`` most expensive, with their share of the whole."""
     whole = sum(c.own_ms for c in costs)
     lines = ["| function | calls | own, ms | own, % | with callees, ms |", "|---|--:|--:|--:|--:|"]
     lines += [

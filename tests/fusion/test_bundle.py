@@ -62,7 +62,7 @@ def state_of(engine: ChainEngine) -> ChainState:
 
 def marker_error(state: ChainState, wearer: Wearer) -> float:
     """Mean distance (m) of markers from where the wearer's really sit, in their segment's frame."""
-    true = np.einsum("mki,mk->mi", wearer._tangents, wearer._marker_place)
+    true = np.einsum("mki,mk->mi", wearer._tangents, wearer._marker_offset)
     return float(np.linalg.norm(state.marker - true, axis=1).mean())
 
 

@@ -170,7 +170,7 @@ def chooser(qtbot, store):
     qtbot.addWidget(view)
     chooser = ViewChooser(view, store, tasks)
     chooser.said = []
-    chooser.told.connect(chooser.said.append)
+    chooser.refused.connect(chooser.said.append)
     yield chooser
     chooser.shut_down()
     tasks.shut_down()

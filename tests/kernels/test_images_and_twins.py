@@ -8,7 +8,7 @@ from tests.vision.hue_classes import all_classes
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import parse_profile
-from tracker.vision.components import Scan, fill, room
+from tracker.vision.components import Scan, fill, run_buffer
 from tracker.vision.detector import Detector
 from tracker.vision.hue_table import hue_table
 from tracker.vision.rig import ideal_rig
@@ -50,7 +50,7 @@ def test_blobs_are_found_as_python_finds_them(profile, frame):
 def test_a_region_is_filled_as_python_fills_it(profile):
     table, image = hue_table(profile), np.full((30, 40, 3), 110, np.uint8)
     image[8:20, 10:31] = (40, 40, 215)
-    visited, runs = np.zeros((30, 40), np.uint8), room(40)
+    visited, runs = np.zeros((30, 40), np.uint8), run_buffer(40)
     hue = int(all_classes(table)[40, 40, 215])
     n, whole = fill(Scan(image, table, visited, 1, runs, 40), 8, 10, hue)
     assert (n, whole) == (12, True)

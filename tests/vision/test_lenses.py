@@ -13,7 +13,7 @@ from tracker.errors import ConfigError
 from tracker.messages import BlobFrame, Blobs
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
-from tracker.vision.lenses import one_lens_rig, through
+from tracker.vision.lenses import one_camera_rig, through
 from tracker.vision.rig import ideal_rig
 
 FRAME = BlobFrame(1.0, 1.1, ("red",), Blobs.empty(), Blobs.empty())
@@ -37,7 +37,7 @@ def test_what_cannot_be_is_said(hand, glove, engine: str, lenses: str, said: str
 
 def test_a_camera_with_one_lens_projects_as_it_did() -> None:
     camera, pose = ideal_rig().left, ideal_rig().pose
-    rig = one_lens_rig(camera, pose)
+    rig = one_camera_rig(camera, pose)
     p_C = np.array([[0.05, -0.02, 0.4]])
     assert np.array_equal(rig.project(p_C), ideal_rig().project(p_C))
     assert rig.fx == ideal_rig().fx

@@ -9,7 +9,7 @@ import pytest
 from tests.vision.hue_classes import all_classes
 from tracker.vision import search
 from tracker.vision.colours import ColourProfile, HueRange
-from tracker.vision.components import Scan, axes, fill, moments, room, waist
+from tracker.vision.components import Scan, axes, fill, moments, run_buffer, waist
 from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.hue_table import VIVID_SATURATION, hue_table
 
@@ -28,7 +28,7 @@ def patchy(seed: int, size: tuple[int, int] = (120, 161)) -> np.ndarray:
 def found(classes: np.ndarray, windows: np.ndarray) -> np.ndarray:
     """(n, COLUMNS) of the kernel under test."""
     table, image = hue_table(TWO), np.ascontiguousarray(BGR[classes])
-    visited, runs = np.zeros(classes.shape, np.uint8), room(MAX_EXTENT)
+    visited, runs = np.zeros(classes.shape, np.uint8), run_buffer(MAX_EXTENT)
     scan = Scan(image, table, visited, 1, runs, MAX_EXTENT)
     return search.find_regions(scan, windows, MIN_AREA)
 
@@ -142,7 +142,7 @@ def test_waist_is_that_of_the_histogram(seed: int) -> None:
     _, labels, stats, _ = cv2.connectedComponentsWithStats((patchy(seed) == 1).astype(np.uint8))
     mask = labels == 1 + np.argmax(stats[1:, cv2.CC_STAT_AREA])
     y, x = np.argwhere(mask)[0]
-    image, runs = np.ascontiguousarray(BGR[mask.astype(int)]), room(161)
+    image, runs = np.ascontiguousarray(BGR[mask.astype(int)]), run_buffer(161)
     table, visited = hue_table(TWO), np.zeros(mask.shape, np.uint8)
     n, whole = fill(Scan(image, table, visited, 1, runs, 161), y, x, 1)
     assert whole

@@ -111,13 +111,13 @@ def remove_pixel(hue: HueRange, pixel: NDArray[Any]) -> HueRange:
 def _cuts(hue: HueRange, h: int, s: int, v: int) -> list[tuple[float, HueRange]]:
     """Ranges without the pixel, each with the share of its interval that was lost."""
     out = []
-    place, width = (h - hue.hue[0]) % HUES, hue.width
-    if place < width:
+    above, width = (h - hue.hue[0]) % HUES, hue.width
+    if above < width:
         cut = replace(hue, hue=((h + 1) % HUES, hue.hue[1]))
-        out.append(((place + 1) / (width + 1), cut))
-    if place > 0:
+        out.append(((above + 1) / (width + 1), cut))
+    if above > 0:
         cut = replace(hue, hue=(hue.hue[0], (h - 1) % HUES))
-        out.append(((width - place + 1) / (width + 1), cut))
+        out.append(((width - above + 1) / (width + 1), cut))
     for share, kept in _level_cuts(hue.saturation, s):
         out.append((share, replace(hue, saturation=kept)))
     for share, kept in _level_cuts(hue.value, v):

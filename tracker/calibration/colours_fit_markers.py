@@ -1,7 +1,8 @@
 """Fitting a colour profile to the markers that are being tracked: no image has to be labelled.
 
 The tracker knows which marker stands where, so every patch labels its own pixels. Where the profile
-misses the patches of a hue (the light has changed) the places where its markers are expected serve.
+misses the patches of a hue (the light has changed) what lies
+where its markers are expected serves.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ class MarkerFitParams:
 
     core: float = 0.35  # of a blob's extent: radius of the disc that is surely cloth
     least_visible: float = 0.6  # for a marker that no blob was matched with
-    sure: float = 1.5  # radii of the disc: largest 2σ of an expected marker's place
+    sure: float = 1.5  # radii of the disc: largest 2σ of an expected marker's position
     least_saturation: int = 60  # of a disc's median, to be cloth at all
     least_share: float = 0.6  # of a disc's median saturation and value, for a pixel of the cloth
     hue_spread: int = 16  # of the middle 80 % of those; more is not one cloth
@@ -45,7 +46,7 @@ class MarkerFitParams:
 class SeenSide:
     """One image: BGR image, blobs found, the blob of each marker (-1), where each is expected.
 
-    ``cov`` (M, 2, 2) px² of the expected place; NaN where it is not known for this side.
+    ``cov`` (M, 2, 2) px² of the expected position; NaN where it is not known for this side.
     """
 
     image: Image
@@ -117,7 +118,7 @@ class MarkerSamples:
 
 
 def _alike(discs: list[Image], params: MarkerFitParams) -> list[Image]:
-    """Without the discs of another colour than most: a place that was expected wrongly."""
+    """Without the discs of another colour than most: a position that was expected wrongly."""
     if not discs:
         return discs
     middles = np.array([_middle_hue(d) for d in discs], np.int64)
@@ -145,12 +146,12 @@ def _take_side(
         return
     extent = side.blobs.size[side.match[matched]].max(axis=1)
     radius = params.core * float(np.median(extent))
-    places = {int(m): side.blobs.uv[side.match[m]] for m in matched}
+    centres = {int(m): side.blobs.uv[side.match[m]] for m in matched}
     missed = np.flatnonzero((side.match < 0) & (visible >= params.least_visible))
     for m in missed[np.isfinite(side.expected[missed, 0])]:
         if _is_sure(side.cov[m], params.sure * radius):
-            places[int(m)] = side.expected[m]
-    for marker, uv in places.items():
+            centres[int(m)] = side.expected[m]
+    for marker, uv in centres.items():
         hue = glove.markers[marker].hue
         cloth = _cloth(disc_pixels(side.image, uv, radius), params)
         if hue in discs and len(cloth) > 0:

@@ -216,7 +216,7 @@ class HybridEngine:
         return self._whole(self._dorsum.predict(t), t)
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
-        """None: finger markers of the same hues are there too, so no place is ruled out."""
+        """None: finger markers of the same hues are there too, so no position is ruled out."""
         return None
 
     def calibration(self) -> Calibration:

@@ -31,7 +31,8 @@ class DorsumMotion:
     """The dorsum at one sample.
 
     R_GB (3, 3); w_B (3,) rad/s its angular rate; f_B (3,) m/s² the specific force a - g at
-    ``point`` (3,) m, all in the dorsum's B. With the dorsum's IMU these are its readings and place;
+    ``point`` (3,) m, all in the dorsum's B. With the dorsum's IMU these are its readings and
+    position;
     with vision alone, f_B = R_GBᵀ (p̈ - g) at the origin.
     """
 
@@ -41,9 +42,9 @@ class DorsumMotion:
     point: Array
 
 
-def force_at(dorsum: DorsumMotion, alpha_B: Array, place: Array) -> Array:
-    """Specific force (3,) in the dorsum's B at ``place`` of it, by rigid-body kinematics."""
-    return dorsum.f_B + lever_acceleration(dorsum.w_B, alpha_B, place - dorsum.point)
+def force_at(dorsum: DorsumMotion, alpha_B: Array, position: Array) -> Array:
+    """Specific force (3,) in the dorsum's B at ``position`` in it, by rigid-body kinematics."""
+    return dorsum.f_B + lever_acceleration(dorsum.w_B, alpha_B, position - dorsum.point)
 
 
 @kernel

@@ -4,7 +4,7 @@ For a camera that no one tells a pose of, such as one on the head. Gyroscope int
 orientation, gravity pulls its tilt and the gyroscope's bias about level axes back (Mahony, Hamel,
 Pflimlin 2008, explicit complementary filter). The heading is integration alone and drifts slowly,
 which turns the room and the hand in it together: in the camera's frame nothing is seen of that. The
-place is taken to be fixed; what a head sways is small against what a hand does.
+position is taken to be fixed; what a head sways is small against what a hand does.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class CameraTilt:
     """Feed samples in order, then ask for the pose at an exposure."""
 
     def __init__(self, nominal: CameraPose, params: CameraTiltParams | None = None) -> None:
-        """``nominal`` gives the place and the heading at the start."""
+        """``nominal`` gives the position and the heading at the start."""
         self._params, self._nominal = params or CameraTiltParams(), nominal
         self._bias = np.zeros(3)
         self._last: CameraImuSample | None = None

@@ -69,7 +69,7 @@ class _GyroRotation(NamedTuple):
 
 @record("time_offset.view")
 class _RootView(NamedTuple):
-    """The root's markers in an image: rows ``marker`` (n,), places p_G (n, 3) m but for the
+    """The root's markers in an image: rows ``marker`` (n,), positions p_G (n, 3) m but for the
     camera's own; and R_GB (3, 3) that they say, within the error of their placement."""
 
     t: float

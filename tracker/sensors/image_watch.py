@@ -24,7 +24,7 @@ class WatchParams:
 
 
 class ImageWatch:
-    """Judges the images of one lens. A live sensor's noise makes no two images equal."""
+    """Judges the images of one camera. A live sensor's noise makes no two images equal."""
 
     def __init__(self, params: WatchParams | None = None) -> None:
         self._params = params or WatchParams()

@@ -1,4 +1,4 @@
-"""A rig out of two lenses and the rigid motion between them."""
+"""A rig out of two cameras and the rigid motion between them."""
 
 from __future__ import annotations
 

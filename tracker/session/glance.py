@@ -20,7 +20,7 @@ from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
-PLACES = 20
+INSTANTS = 20
 
 
 def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:
@@ -94,7 +94,7 @@ def _counts(reader: SessionReader) -> dict[int, int]:
 
 @dataclass(frozen=True)
 class Quality:
-    """``tracked``: share of the places looked at where the hand was tracked; None: not tracked at
+    """``tracked``: share of the instants looked at where the hand was tracked; None: not tracked at
     all yet. ``packets_lost`` of the session itself; None where no status tells it.
     """
 
@@ -102,16 +102,16 @@ class Quality:
     packets_lost: int | None
 
 
-def quality(reader: SessionReader, places: int = PLACES) -> Quality:
-    """Looks at ``places`` instants, evenly spread: an hour takes no longer than a minute."""
+def quality(reader: SessionReader, instants: int = INSTANTS) -> Quality:
+    """Looks at ``instants`` of them, evenly spread: an hour takes no longer than a minute."""
     status_there = topics.STATUS in reader.topic_names
     topic = topics.STATUS if status_there else topics.hand(reader.info.side, "states")
     if topic not in reader.topic_names:
         return Quality(None, None)
     words: list[Tracking] = []
-    counts: list[float] = []  # lost so far: at the first status, then at each place
+    counts: list[float] = []  # lost so far: at the first status, then at each instant
     first = next(ordered(reader.source, frozenset([topics.STATUS])), None)
-    for raw in [*([first] if first else []), *_spread(reader, topic, places)]:
+    for raw in [*([first] if first else []), *_spread(reader, topic, instants)]:
         for said in motion.unpack_diagnostics(raw.data)[1]:
             if said.name in ("tracker", "tracking") and raw is not first:
                 words.append(tracking_of(said.message))
@@ -123,10 +123,10 @@ def quality(reader: SessionReader, places: int = PLACES) -> Quality:
     return Quality(sum(w == Tracking.TRACKING for w in words) / len(words), lost)
 
 
-def _spread(reader: SessionReader, topic: str, places: int) -> Iterator[RawMessage]:
-    """The message of ``topic`` that holds at each of the places."""
+def _spread(reader: SessionReader, topic: str, instants: int) -> Iterator[RawMessage]:
+    """The message of ``topic`` that holds at each of the instants."""
     first, last = reader.span_ns
-    for time in np.linspace(first, last, places + 1)[1:].astype(np.int64):
+    for time in np.linspace(first, last, instants + 1)[1:].astype(np.int64):
         raw = last_before(reader.source, topic, int(time) + 1)
         if raw is not None:
             yield raw

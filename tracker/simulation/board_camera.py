@@ -20,7 +20,7 @@ PERIOD = 0.25  # s between images
 
 
 class BoardCamera:
-    """An `ImageInput` of the board ``spec`` seen by the lenses of ``rig``."""
+    """An `ImageInput` of the board ``spec`` seen by the cameras of ``rig``."""
 
     live = True
     name = "simulated camera"
@@ -62,7 +62,7 @@ class BoardCamera:
 
 
 def true_rig(rig: StereoRig) -> TrueRig:
-    """The raw lenses behind a rectified rig."""
+    """The raw cameras behind a rectified rig."""
     cameras = extrinsics_of(rig)
     return TrueRig(cameras.left, cameras.right, cameras.R, cameras.T)
 

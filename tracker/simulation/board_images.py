@@ -1,4 +1,4 @@
-"""Images of a printed board before a stereo camera whose lenses are known: for demo and tests.
+"""Images of a printed board before a stereo camera whose intrinsics are known: for demo and tests.
 
 Each pixel's ray, with the lens's distortion undone, meets the paper in one point; the paper is
 sampled there. Images are drawn at twice their size and averaged, so corners lie where the lens
@@ -94,7 +94,7 @@ class BoardRenderer:
 
 
 def _rays(camera: Intrinsics) -> NDArray[np.float32]:
-    """(FINE h, FINE w, 3): directions through the sub-pixels of a lens."""
+    """(FINE h, FINE w, 3): directions through the sub-pixels of a camera."""
     u = (np.arange(camera.width * FINE) + 0.5) / FINE - 0.5
     v = (np.arange(camera.height * FINE) + 0.5) / FINE - 0.5
     uv = np.stack(np.meshgrid(u, v), axis=-1).reshape(-1, 1, 2)
@@ -122,8 +122,8 @@ def board_pose(spec: BoardSpec, rig: TrueRig, k: int, seed: int) -> BoardPose:
     share = rng.uniform(0.32, 0.6)  # of the image's width that the board takes
     distance = float(camera.K[0, 0]) * spec.width / (share * camera.width)
     cell = np.array([k % 3 - 1, k // 3 % 3 - 1]) + rng.uniform(-0.3, 0.3, 2)
-    room = np.array([camera.width, camera.height]) / 2 * (1 - np.array([share, share * 1.1]))
-    uv = np.array([camera.K[0, 2], camera.K[1, 2]]) + cell * np.maximum(room, 0)
+    margin = np.array([camera.width, camera.height]) / 2 * (1 - np.array([share, share * 1.1]))
+    uv = np.array([camera.K[0, 2], camera.K[1, 2]]) + cell * np.maximum(margin, 0)
     x, y = (uv - [camera.K[0, 2], camera.K[1, 2]]) / [camera.K[0, 0], camera.K[1, 1]]
-    centre = np.array([x, y, 1.0]) * distance - rig.T / 2  # the middle between both lenses
+    centre = np.array([x, y, 1.0]) * distance - rig.T / 2  # the middle between both cameras
     return BoardPose(R_CB, centre - R_CB @ middle)

@@ -42,16 +42,16 @@ class Distractors:
         self._colour = np.array([fabric_bgr(n) for n in self._names]).reshape(-1, 3)
         self._moving, self._wander = moving, SmoothNoise(rng, (count, 3), 1.0)
 
-    def _places(self, t: float) -> Array:
+    def _positions(self, t: float) -> Array:
         return self._centre + self._moving * self._wander(np.array([t]))[0]
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
-        places = self._places(t)
-        nobody = np.full(len(places), NOBODY)
-        return capsules(places, places, self._radius, nobody, self._colour)
+        positions = self._positions(t)
+        nobody = np.full(len(positions), NOBODY)
+        return capsules(positions, positions, self._radius, nobody, self._colour)
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
-        return self._places(t), self._radius, self._names
+        return self._positions(t), self._radius, self._names
 
 
 @dataclass(frozen=True)

@@ -72,14 +72,14 @@ class RandomPostures:
         self._start = p.first_hold + period * np.arange(count - 1)
         longest = min(p.move_longest, period)
         self._move = rng.uniform(min(p.move_shortest, longest), longest, count - 1)
-        rotations, places = [np.eye(3)], [np.array([0.0, 0.0, (p.near + p.far) / 2])]
+        rotations, positions = [np.eye(3)], [np.array([0.0, 0.0, (p.near + p.far) / 2])]
         angles = [posture(self._hand, {})]
         for _ in range(count - 1):
             angles.append(random_posture(self._hand, rng, self._params.holding))
             rotations.append(self._rotation(rng))
-            places.append(self._place(rng))
+            positions.append(self._position(rng))
         self._angles, self._R = np.array(angles), _in_front(self._camera) @ np.array(rotations)
-        centre_G = np.array(places) @ self._camera.R_GC.T + self._camera.p_GC
+        centre_G = np.array(positions) @ self._camera.R_GC.T + self._camera.p_GC
         self._p = centre_G - self._R @ np.array([self._hand.length / 2, 0, 0])
         self._turn = so3.log(np.swapaxes(self._R[:-1], 1, 2) @ self._R[1:]).reshape(-1, 3)
 
@@ -93,7 +93,7 @@ class RandomPostures:
         yaw, pitch, roll = np.deg2rad([rng.normal(0, p.yaw_deg), pitch, roll])
         return so3.rz(yaw) @ so3.ry(pitch) @ so3.rx(roll)
 
-    def _place(self, rng: np.random.Generator) -> Array:
+    def _position(self, rng: np.random.Generator) -> Array:
         """The palm's middle in C; an image of 90° by 60° is 1 by 0.577 at unit distance."""
         p = self._params
         z = rng.uniform(p.near, p.far)

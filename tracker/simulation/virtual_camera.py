@@ -95,7 +95,7 @@ class VirtualCamera:
         return (right, left) if self._fault == "swapped" else (left, right)
 
     def _shifts(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Where a lens that has moved by 5 mm sees the hand: (u, v) px of left and right."""
+        """Where a camera that has moved by 5 mm sees the hand: (u, v) px of left and right."""
         if self._fault not in ("lens up", "lens aside", "knocked"):
             return (0.0, 0.0), (0.0, 0.0)
         wrist_C = self._scene.instant(self.t).p_CB[0]

@@ -102,8 +102,8 @@ class Wearer:
         p, glove, n = self.params, self.glove, len(self.glove.imus)
         self.imu_segment: IntArray = glove.imu_segment(self.hand)
         nominal = np.array([i.position for i in glove.imus]).reshape(-1, 3)
-        place = rng.normal(0, p.imu_place, (n, 3))
-        self.imu_position: Array = nominal * self.scale[self.imu_segment] + place
+        offset = rng.normal(0, p.imu_place, (n, 3))
+        self.imu_position: Array = nominal * self.scale[self.imu_segment] + offset
         mounting = rng.normal(0, np.deg2rad(p.mounting_deg), (n, 3))
         R_BI = np.array([i.R_BI for i in glove.imus]).reshape(-1, 3, 3)
         self.imu_R_BI: Array = R_BI @ so3.exp(mounting)
@@ -127,9 +127,9 @@ class Wearer:
         scale = self.scale[self.marker_segment]
         self.marker_normal: Array = glove.marker_normal
         self._tangents = tangents(self.marker_normal)
-        place = rng.normal(0, p.marker_place / np.sqrt(2), (len(scale), 2))
+        offset = rng.normal(0, p.marker_place / np.sqrt(2), (len(scale), 2))
         self._marker_base = glove.marker_position * scale
-        self._marker_place = place
+        self._marker_offset = offset
         self._slip = SmoothNoise(rng, (len(self.hand.segments), 2), p.slip_time)
 
     def truth(self, motion: Motion, t: Array) -> TrueHand:
@@ -181,7 +181,7 @@ class Wearer:
     def markers(self, t: float) -> Array:
         """(M, 3) m: where each marker's centre is in its segment's B at the time t (s)."""
         slip = self._slip(np.array([t]))[0, self.marker_segment] * self.params.slip / np.sqrt(2)
-        moved = np.einsum("mki,mk->mi", self._tangents, self._marker_place + slip)
+        moved = np.einsum("mki,mk->mi", self._tangents, self._marker_offset + slip)
         return self._marker_base + moved
 
     def keypoints(self, R: Array, p: Array) -> Array:

@@ -35,8 +35,8 @@ class Scan(NamedTuple):
     """An image (h, w, 3) that is searched, and where it has been.
 
     ``visited`` (h, w) has ``mark`` where a region was met, and less where none was: a number for
-    each call saves clearing an image's worth of memory. ``runs``: `room` for regions of at most
-    ``extent`` px.
+    each call saves clearing an image's worth of memory. ``runs``: a `run_buffer` for regions of at
+    most ``extent`` px.
     """
 
     image: ByteStack
@@ -47,7 +47,7 @@ class Scan(NamedTuple):
     extent: int
 
 
-def room(extent: int) -> Int32Matrix:
+def run_buffer(extent: int) -> Int32Matrix:
     """Memory for the runs of one region of at most ``extent`` px, and of what is looked at next."""
     return np.empty(((extent + 4) * (extent // 2 + 4), RUN), np.int32)
 
@@ -237,7 +237,7 @@ def axes(uu: float, uv: float, vv: float) -> tuple[float, float, float]:
 def waist(runs: Int32Matrix, u: float, v: float, angle: float) -> tuple[float, float]:
     """Where a region is narrowest across its long axis, and how narrow.
 
-    Returns the place along the axis (px from the centroid) and its width over the smaller of the
+    Returns the position along the axis (px from the centroid) and its width over the smaller of the
     greatest widths on either side; 1 where there is no waist.
     """
     c, s = np.cos(angle), np.sin(angle)
@@ -265,20 +265,20 @@ def _narrowest(width: Vector, half: int) -> tuple[float, float]:
     after = np.zeros(n)  # widest from the next bin on
     for i in range(n - 2, -1, -1):
         after[i] = max(after[i + 1], smooth[i + 1])
-    place, ratio, before = 0.0, 1.0, smooth[0]
+    position, ratio, before = 0.0, 1.0, smooth[0]
     for i in range(1, n - n // 5):
         widest = min(before, after[i])
         if i >= n // 5 and widest > 0.0 and smooth[i] / widest < ratio:
-            place, ratio = float(i - half), smooth[i] / widest
+            position, ratio = float(i - half), smooth[i] / widest
         before = max(before, smooth[i])
-    return place, ratio
+    return position, ratio
 
 
 @kernel
 def cut(
-    runs: Int32Matrix, u: float, v: float, angle: float, place: float
+    runs: Int32Matrix, u: float, v: float, angle: float, position: float
 ) -> tuple[Int32Matrix, int]:
-    """Runs parted by the line across the long axis at ``place``: first those before it.
+    """Runs parted by the line across the long axis at ``position``: first those before it.
 
     Returns the runs and how many of them lie before the line.
     """
@@ -290,7 +290,7 @@ def cut(
             first = -1
             for x in range(runs[k, 1], runs[k, 2] + 2):
                 t = (x - u) * c + (runs[k, 0] - v) * s
-                inside = x <= runs[k, 2] and (t < place) == (side == 0)
+                inside = x <= runs[k, 2] and (t < position) == (side == 0)
                 if inside and first < 0:
                     first = x
                 elif not inside and first >= 0:

@@ -74,7 +74,7 @@ def parallax_em(
     """
     l_uv, l_hue, r_uv, r_hue = left.uv, left.hue, right.uv, right.hue
     s, sd_v = mixture.sd_u_max, mixture.sd_v
-    # an outlier is uniform over the ellipse of three SD about the expected place
+    # an outlier is uniform over the ellipse of three SD about the expected position
     floor = mixture.outlier / (1.0 - mixture.outlier) * 2.0 / 9.0
     for _ in range(mixture.iterations):
         # 1. expectation: each left blob's posterior over its partners, as sums over p, p u, p u²

@@ -18,7 +18,7 @@ from tracker.kernels.arrays import Int32Matrix
 from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search
 from tracker.vision.colours import ColourProfile
-from tracker.vision.components import Scan, room
+from tracker.vision.components import Scan, run_buffer
 from tracker.vision.hue_table import hue_table
 from tracker.vision.shape_tests import (
     ExpectedBlobs,
@@ -125,10 +125,10 @@ class _Scratch(threading.local):
 
     def __init__(self) -> None:
         self._visited, self._mark = np.zeros((0, 0), np.uint8), 1
-        self._runs, self._extent = room(0), 0
+        self._runs, self._extent = run_buffer(0), 0
 
     def visited(self, height: int, width: int, hues: int) -> tuple[NDArray[np.uint8], int]:
-        """(height, width) numbers and the least that is above all of them, with room for ``hues``
+        """(height, width) numbers and the least that is above all of them, enough for ``hues``
         more; good until this thread's next call."""
         if self._visited.shape != (height, width):
             self._visited, self._mark = np.zeros((height, width), np.uint8), 1
@@ -139,9 +139,9 @@ class _Scratch(threading.local):
         return self._visited, mark
 
     def runs(self, extent: int) -> Int32Matrix:
-        """`room` for regions of at least this extent (px), good until this thread's next call."""
+        """`run_buffer` for at least this extent (px), good until this thread's next call."""
         if extent > self._extent:
-            self._runs, self._extent = room(extent), extent
+            self._runs, self._extent = run_buffer(extent), extent
         return self._runs
 
 

@@ -150,9 +150,9 @@ def _fill_table(
 @kernel
 def _fill_pattern(b: int, g: int, r: int, masks: IntMatrix, own: Written[Int8Vector]) -> None:
     """The classes of the cell with this darkest corner."""
-    place = 0
+    index = 0
     for i in range(b, b + CELL_SIDE):
         for j in range(g, g + CELL_SIDE):
             for k in range(r, r + CELL_SIDE):
-                own[place] = exact_class(i, j, k, masks)
-                place += 1
+                own[index] = exact_class(i, j, k, masks)
+                index += 1

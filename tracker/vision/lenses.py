@@ -1,6 +1,6 @@
-"""Tracking with one lens of two, or with a camera that has only one.
+"""Tracking with one camera of two, or with a device that has only one.
 
-A camera with one lens is a `StereoRig` whose other lens gives no images: see `one_lens_rig`.
+A device with one camera is a `StereoRig` whose other camera gives no images: see `one_camera_rig`.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from tracker.vision.rig import Camera, StereoRig
 
 LENSES = ("both", "left", "right")
 """What `tracker.settings.Settings.lenses` may say."""
-UNUSED_BASELINE = 0.06  # m, of the lens that is not there
+UNUSED_BASELINE = 0.06  # m, of the camera that is not there
 
 
 def check_lenses(lenses: str, engine: str) -> None:
-    """Raises ConfigError for a word that is none of `LENSES`, and for `vist` with one lens."""
+    """Raises ConfigError for a word that is none of `LENSES`, and for `vist` with one camera."""
     if lenses not in LENSES:
         raise ConfigError(f"lenses is {lenses!r}; it may be {', '.join(LENSES)}.")
     if lenses != "both" and engine == "vist":
@@ -27,7 +27,7 @@ def check_lenses(lenses: str, engine: str) -> None:
 
 
 def through(frame: BlobFrame, lenses: str) -> BlobFrame:
-    """What the lenses in use see of it."""
+    """What the cameras in use see of it."""
     if lenses == "left" and frame.right is not None:
         return replace(frame, right=None, rejected_right=None)
     if lenses == "right" and frame.left is not None:
@@ -35,8 +35,8 @@ def through(frame: BlobFrame, lenses: str) -> BlobFrame:
     return frame
 
 
-def one_lens_rig(camera: Camera, pose: CameraPose) -> StereoRig:
-    """A rig for a camera with one lens, the left one; R of ``camera`` has to be the identity."""
+def one_camera_rig(camera: Camera, pose: CameraPose) -> StereoRig:
+    """A rig for a device with one camera, the left one; R of ``camera`` has to be the identity."""
     P_left = np.column_stack([camera.P[:, :3], np.zeros(3)])
     P_right = P_left.copy()
     P_right[0, 3] = -UNUSED_BASELINE * P_left[0, 0]

@@ -67,7 +67,7 @@ class RegionPrediction:
     def hints(
         self, rig: StereoRig, t: float, pose: CameraPose, hue_names: tuple[str, ...]
     ) -> tuple[DetectionHints, DetectionHints]:
-        """Places in the two images taken at ``t``, hues numbered as in ``hue_names``.
+        """Positions in the two images taken at ``t``, hues numbered as in ``hue_names``.
 
         A hue that is not among them has number -1.
         """

@@ -18,12 +18,12 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import Matrix
 from tracker.messages import Array, CameraPose
 
-NEAREST = 0.01  # m in front of the lens, below which nothing is projected
+NEAREST = 0.01  # m in front of the camera, below which nothing is projected
 
 
 @dataclass(frozen=True, eq=False)
 class Camera:
-    """One lens: K (3, 3), D (n,) plumb_bob, R (3, 3) rectification, P (3, 4) projection."""
+    """One camera: K (3, 3), D (n,) plumb_bob, R (3, 3) rectification, P (3, 4) projection."""
 
     width: int
     height: int
@@ -108,7 +108,7 @@ class StereoRig:
 
     @cached_property
     def baseline(self) -> float:
-        """Distance of the two lenses, m."""
+        """Distance of the two cameras, m."""
         return float(-self.right.P[0, 3] / self.right.P[0, 0])
 
     def project(self, p_C: Array, right: bool = False) -> Array:

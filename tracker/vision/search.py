@@ -172,10 +172,10 @@ def _measure_parts(
         return 1
     _, u, v, uu, uv, vv = moments(runs)
     angle = axes(uu, uv, vv)[2]
-    place, ratio = waist(runs, u, v, angle)
+    position, ratio = waist(runs, u, v, angle)
     if ratio > SPLIT_WAIST:
         return 1
-    parts, before = cut(runs, u, v, angle, place)
+    parts, before = cut(runs, u, v, angle, position)
     halves = np.empty((2, COLUMNS))
     for i, part in enumerate((parts[:before], parts[before:])):
         if len(part) == 0 or not _measure(part, hue, min_area, shape, halves[i]):

@@ -117,8 +117,8 @@ def parted(rows: Matrix, reason: IntVector) -> Sorted:
 def windows_around(uv: Matrix, radius: Vector, width: int, height: int, stride: int) -> IntMatrix:
     """(k, 5) first and last column, first and last row, stride: squares cut to the image.
 
-    Places that are not finite, or whose square lies outside, have no row. Where the squares overlap
-    so much that one rectangle around all is smaller, it takes their place.
+    Positions that are not finite, or whose square lies outside, have no row. Where the squares
+    overlap so much that one rectangle around all is smaller, it takes their place.
     """
     out = np.empty((len(uv), 5), np.int64)
     n, area = 0, 0

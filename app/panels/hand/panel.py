@@ -40,7 +40,7 @@ class HandPanel(Panel):
         super().__init__(host, parent)
         self.view = View3D()
         self.chooser = ViewChooser(self.view, store, tasks, self)
-        self.chooser.told.connect(host.error)
+        self.chooser.refused.connect(host.error)
         self.view.scene_changed.connect(self._make_bodies)
         self._setup: EngineSetup | None = None
         self._bodies: HandBodies | None = None

@@ -25,7 +25,7 @@ def is_there() -> bool:
 class ViewChooser(QObject):
     """Follows the setting ``view_3d``. A card whose driver ends the program is tried once only."""
 
-    told = Signal(str)
+    refused = Signal(str)
 
     def __init__(
         self, view: View3D, store: SettingsStore, tasks: TaskOwner, parent: QObject | None = None
@@ -44,7 +44,7 @@ class ViewChooser(QObject):
         self._started = True
         if self._store.value.card_trial:  # the program ended before the card had proven itself
             self._store.update(card_trial=False, view_3d=PAINTED)
-            self.told.emit(
+            self.refused.emit(
                 self.tr(
                     "The 3D driver of the graphics card ended the program last time, so the hand "
                     "is painted without it. The View menu brings the card back."
@@ -103,7 +103,7 @@ class ViewChooser(QObject):
     def _stay_painted(self, reason: str) -> None:
         """Say why, to those who have asked for the card."""
         if self._store.value.view_3d == CARD:
-            self.told.emit(reason)
+            self.refused.emit(reason)
 
     def drawn(self) -> None:
         """An image has been drawn."""

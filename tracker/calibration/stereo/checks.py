@@ -51,7 +51,7 @@ class QualityLimits:
 
 @dataclass(frozen=True, eq=False)
 class Extrinsics:
-    """Lenses and X_right = R X_left + T."""
+    """Intrinsics and X_right = R X_left + T."""
 
     left: Intrinsics
     right: Intrinsics
@@ -60,7 +60,7 @@ class Extrinsics:
 
 
 def extrinsics_of(rig: StereoRig) -> Extrinsics:
-    """The motion between the raw lenses of a rectified rig: R1, R2 turn them parallel."""
+    """The motion between the raw cameras of a rectified rig: R1, R2 turn them parallel."""
     left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
     T = rig.right.R.T @ np.array([-rig.baseline, 0.0, 0.0])
     return Extrinsics(left, right, rig.right.R.T @ rig.left.R, T)
@@ -81,7 +81,7 @@ def rig_problems(rig: Extrinsics, limits: RigLimits | None = None) -> list[str]:
 def known_baseline_problems(
     rig: Extrinsics, baseline: float, limits: RigLimits | None = None
 ) -> list[str]:
-    """Against the lenses' distance (m) that a data sheet or a ruler tells; 0 for unknown.
+    """Against the cameras' distance (m) that a data sheet or a ruler tells; 0 for unknown.
 
     Only this finds squares that are not as large as was said: everything else scales with them.
     """

@@ -1,4 +1,4 @@
-"""Two lenses and the motion between them from views of a board (Zhang 2000, through OpenCV)."""
+"""Two cameras and the motion between them from views of a board (Zhang 2000, through OpenCV)."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ def _solve_pair(
     size: tuple[int, int],
     criteria: tuple[int, int, float],
 ) -> None:
-    """Both lenses and the motion between them at once, from the lenses alone."""
+    """Both cameras and the motion between them at once, from each camera alone."""
     rms, K1, D1, K2, D2, R, T, _, _, _, _, each = cv2.stereoCalibrateExtended(
         points,
         sides[0],
@@ -172,8 +172,8 @@ def _bad_views(error: Array, dropped: int, total: int, p: SolveParams) -> np.nda
     """(n,) bool, the worst ones first where there are more than may be dropped."""
     limit = max(p.drop_px, p.drop_factor * float(np.median(error)))
     bad = error > limit
-    room = int(p.drop_most * total) - dropped
-    for i in np.argsort(error)[: max(0, len(error) - max(room, 0))]:
+    spare = int(p.drop_most * total) - dropped
+    for i in np.argsort(error)[: max(0, len(error) - max(spare, 0))]:
         bad[i] = False
     return bad
 

@@ -58,7 +58,7 @@ class DrillReport:
     """What came of it. ``recovery`` (s) and counts are per kind of fault.
 
     ``unsaid`` counts lasting faults without a word or a counter; ``silent_wrong`` those in which
-    wrong places were shown and nothing was said.
+    wrong positions were shown and nothing was said.
     """
 
     faults: Counter[str] = field(default_factory=Counter)
@@ -256,7 +256,7 @@ def _one_fault(
 
 
 class _LieDetector:
-    """Watches one fault: a wrong place shown as measured, and nothing said."""
+    """Watches one fault: a wrong position shown as measured, and nothing said."""
 
     def __init__(self, bench: Bench, params: DrillParams) -> None:
         self._bench, self._params = bench, params

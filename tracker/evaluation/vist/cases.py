@@ -42,7 +42,7 @@ class Ablation:
     """A variant: other settings, other messages, another motion, other instants judged.
 
     ``outage`` (s): images are withheld so long, again and again, and errors are judged in the
-    last second of each outage, in the dorsum's frame, since the place of the hand is then unknown.
+    last second of each outage, in the dorsum's frame, since the hand's position is then unknown.
     ``camera`` is what one on the head tells, see `tracker.simulation.head.HeadParams`.
     """
 

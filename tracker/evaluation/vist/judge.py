@@ -1,7 +1,7 @@
 """What a trial's estimates are worth: errors of the four keypoints against the truth.
 
-They are judged in G, with two exceptions: in an outage in the dorsum's frame, since the place of an
-unseen hand is a double integral; and with a camera on the head in the camera's, as a wearer of
+They are judged in G, with two exceptions: in an outage in the dorsum's frame, since an unseen
+hand's position is a double integral; and with a camera on the head in the camera's, as a wearer of
 glasses sees the hand: the estimate is brought to C with the pose that the tracker goes by, the
 truth with the true one.
 """

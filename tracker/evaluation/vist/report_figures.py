@@ -51,8 +51,8 @@ def keypoints(group: Group, path: Path) -> None:
         ci = np.array([s.keypoints_ci95_mm[k] for k in KEYPOINTS])
         half = np.nan_to_num((ci[:, 1] - ci[:, 0]) / 2)
         whisker = [np.minimum(half, mean), half]  # no error is below zero
-        place = x + (i - (len(group) - 1) / 2) * width
-        ax.bar(place, mean, width, yerr=whisker, capsize=3, color=colour_of(case),
+        at = x + (i - (len(group) - 1) / 2) * width
+        ax.bar(at, mean, width, yerr=whisker, capsize=3, color=colour_of(case),
                hatch=HATCHES.get(case.engine), edgecolor="white", label=case.engine)  # fmt: skip
     _paper_line(ax, group)
     ax.set_xticks(x, [k.replace("_", " ") for k in KEYPOINTS])
@@ -136,10 +136,10 @@ def variants(group: Group, path: Path) -> None:
     named: set[str] = set()
     for case, trials in group:
         i = engines.index(case.engine)
-        place = names.index(case.ablation or "as usual") + (i - (len(engines) - 1) / 2) * height
+        at = names.index(case.ablation or "as usual") + (i - (len(engines) - 1) / 2) * height
         label = None if case.engine in named else case.engine
         named.add(case.engine)
-        ax.barh(place, summarise(trials).mean_mm, height, color=colour_of(case), edgecolor="white",
+        ax.barh(at, summarise(trials).mean_mm, height, color=colour_of(case), edgecolor="white",
                 hatch=HATCHES.get(case.engine), label=label)  # fmt: skip
     ax.set_yticks(range(len(names)), names)
     ax.invert_yaxis()

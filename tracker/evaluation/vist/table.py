@@ -60,7 +60,7 @@ def line_of(case: Case, summary: Summary) -> str:
 
 
 def _known(value: float, width: int) -> str:
-    """Two digits, or a dash where there is nothing to tell, as of a place nobody saw."""
+    """Two digits, or a dash where there is nothing to tell, as of a hand nobody saw."""
     return f"{value:{width}.2f}" if math.isfinite(value) else f"{'–':>{width}}"
 
 
@@ -77,9 +77,9 @@ def paper_line(experiment: str) -> str:
     """The published figures of an experiment, in the columns of `line_of`."""
     p = PAPER[experiment]
     sd = p.get("sd_mm")
-    spread = f"± {sd:5.2f} mm" if isinstance(sd, float) else "          "
+    plus_minus = f"± {sd:5.2f} mm" if isinstance(sd, float) else "          "
     seen = p.get("matched_mean")
     return (
-        f"{experiment:<11} {'paper':<7} {'(people)':<32} {p['mean_mm']:6.2f} {spread} "
+        f"{experiment:<11} {'paper':<7} {'(people)':<32} {p['mean_mm']:6.2f} {plus_minus} "
         f"{p['pck20']:6.1f} {p['pck35']:6.1f} {seen if seen is not None else '':>5}"
     )

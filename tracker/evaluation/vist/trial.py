@@ -93,8 +93,8 @@ def _track(
             record.wrong += wrong
         if isinstance(message, ImuSample):
             record.seen.append(record.latest_seen)
-            told = simulation.scene.reported_pose(message.t)
-            record.poses.append(told or pipeline.camera_pose(message.t))
+            reported = simulation.scene.reported_pose(message.t)
+            record.poses.append(reported or pipeline.camera_pose(message.t))
     return record
 
 
@@ -156,7 +156,7 @@ class MatchCheck:
 
 
 def owners(uv: Array, true_uv: Array) -> Array:
-    """The marker (n,) whose true place is nearest to each blob, -1 where none is near."""
+    """The marker (n,) whose true position is nearest to each blob, -1 where none is near."""
     d = np.linalg.norm(uv[:, None] - true_uv[None], axis=2)
     d = np.where(np.isfinite(d), d, np.inf)
     nearest = d.argmin(axis=1)

@@ -1,6 +1,6 @@
 """A segment's pose from its own stereo points alone, for loosely coupled filters.
 
-Points y_i in G of a segment whose markers stand at x_i in B, with mean x̄, tell the place c of x̄
+Points y_i in G of a segment whose markers stand at x_i in B, with mean x̄, tell the position c of x̄
 and the orientation R:  y_i = c + R Exp(δ) (x_i - x̄) + noise of covariance C_i. The weighted least
 squares of that begin at the unweighted optimum (Kabsch) and give the covariance of (c, δ).
 """

@@ -66,7 +66,7 @@ class Skeleton(NamedTuple):
     lever: Vector
 
 
-class ImuPlaces(NamedTuple):
+class MountedImus(NamedTuple):
     """segment (n,) active row of each IMU, position (n, 3) m of I in its B."""
 
     segment: IntVector
@@ -186,9 +186,9 @@ class ChainLayout:
         return Skeleton(self.parent, self.origin, self.base_of, self.root_lever)
 
     @cached_property
-    def imus(self) -> ImuPlaces:
-        """Where the IMUs stand."""
-        return ImuPlaces(self.imu_segment, self.imu_position)
+    def imus(self) -> MountedImus:
+        """Where the IMUs are mounted."""
+        return MountedImus(self.imu_segment, self.imu_position)
 
     @cached_property
     def tips(self) -> Points:

@@ -21,7 +21,7 @@ def point_rows(
     prediction: Prediction, match: IntMatrix, left: Matrix, right: Matrix, noise: PixelNoise
 ) -> tuple[Matrix, Matrix, Vector, Matrix]:
     """`stack_rows` of the markers that may be seen, with three rows in place of four where both
-    cameras see one: what they say of its place in G. The fourth says nothing of the state.
+    cameras see one: what they say of its position in G. The fourth says nothing of the state.
 
     With J (4, 3) of both cameras' A, the residual is (JᵀJ)⁻¹ Jᵀ r (m) and its noise
     I sd_marker² + (JᵀJ)⁻¹ sd_pixel² (m²). match (2, M) rows of left and right (k, 2) px.

@@ -35,7 +35,7 @@ class ImuErrors(NamedTuple):
 
 
 class Body(NamedTuple):
-    """What the place of a point against p depends on: R_GB (A, 3, 3), scale (A, 2) length and
+    """What the position of a point against p depends on: R_GB (A, 3, 3), scale (A, 2) length and
     girth, joint (B, 3) m."""
 
     R_GB: Stack

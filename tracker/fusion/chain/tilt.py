@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.fusion.chain.kinematics import from_point, joint_lever, stretched
-from tracker.fusion.chain.layout import Blocks, ChainLayout, Drive, ImuPlaces, Skeleton
+from tracker.fusion.chain.layout import Blocks, ChainLayout, Drive, MountedImus, Skeleton
 from tracker.fusion.chain.params import ConstraintParams
 from tracker.fusion.chain.propagate import body_rates, root_force
 from tracker.fusion.chain.state import Body, ChainState, ImuErrors
@@ -61,7 +61,7 @@ def tilt_rows(
 
 @kernel
 def stacked_rows(
-    places: ImuPlaces,
+    mounted: MountedImus,
     drive: Drive,
     skeleton: Skeleton,
     at: Blocks,
@@ -72,7 +72,7 @@ def stacked_rows(
 ) -> tuple[Matrix, Vector, Vector]:
     """H (3k, N), innovation (3k,) and variances (3k,) of the k finger IMUs that answer; nothing
     where the root's IMU does not."""
-    n = len(places.segment)
+    n = len(mounted.segment)
     H, r, var = np.zeros((3 * n, at.size)), np.empty(3 * n), np.empty(3 * n)
     before, now, after = around
     # 1. how the hand moves
@@ -84,10 +84,10 @@ def stacked_rows(
     # 2. what each finger's IMU reads, beside what it should by that
     end = 0
     for j in range(n):
-        if not felt or places.segment[j] == 0 or not now.valid[j]:
+        if not felt or mounted.segment[j] == 0 or not now.valid[j]:
             continue
         predicted, kinematic = _put_row(
-            H[end : end + 3], j, places, skeleton, at, body, imus, rigid
+            H[end : end + 3], j, mounted, skeleton, at, body, imus, rigid
         )
         for i in range(3):
             r[end + i] = now.accel[j, i] - predicted[i]
@@ -100,7 +100,7 @@ def stacked_rows(
 def _put_row(
     h: Written[Matrix],
     j: int,
-    places: ImuPlaces,
+    mounted: MountedImus,
     skeleton: Skeleton,
     at: Blocks,
     body: Body,
@@ -109,12 +109,12 @@ def _put_row(
 ) -> tuple[Vector, float]:
     """Fills h = J_f_error (3, N) of IMU ``j``; its predicted reading (3,) and the kinematic part
     of that (m/s²)."""
-    segment, R_GB, R_IB = places.segment[j], body.R_GB, imus.R_IB
+    segment, R_GB, R_IB = mounted.segment[j], body.R_GB, imus.R_IB
     w, alpha, f_0, root_imu = rigid
     kinematic_G = np.zeros(3)
     M = mul3(R_IB[j], R_GB[segment].T)
     # 1. down the chain: what each link adds, and its derivative by the link's orientation (eq. 30)
-    a, lever = segment, stretched(body.scale[segment], places.position[j])
+    a, lever = segment, stretched(body.scale[segment], mounted.position[j])
     while True:
         c = cross3(alpha[a], lever) + cross3(w[a], cross3(w[a], lever))  # eq. 28
         kinematic_G += rotate(R_GB[a], c)

@@ -214,7 +214,7 @@ def angle_states(segment_state: IntVector, angles: Angles, known: BoolVector) ->
 def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bool) -> IntVector:
     """(K,) as the segment it moves with, or the one it is the far end of.
 
-    While coasting nothing of a hand's place is measured.
+    While coasting nothing of a hand's position is measured.
     """
     segment, end_of = keypoints.segment, keypoints.end_of
     out = np.empty(len(segment), np.int64)

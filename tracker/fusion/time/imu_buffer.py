@@ -100,7 +100,7 @@ class ImuBuffer:
         self._table = self._rows(256)
 
     def _rows(self, count: int) -> Packets:
-        """Room for ``count`` packets, for compiled loops."""
+        """Rows for ``count`` packets, for compiled loops."""
         n = self._imus
         return Packets(
             np.empty(count),
@@ -129,7 +129,7 @@ class ImuBuffer:
         if self._samples and sample.t <= self._samples[-1].t:
             return False
         if self._end == len(self._table.t):
-            self._make_room()
+            self._move_to_front()
         table, k = self._table, self._end
         table.t[k], table.accel[k], table.gyro[k] = sample.t, sample.accel, sample.gyro
         table.valid[k] = sample.valid
@@ -140,7 +140,7 @@ class ImuBuffer:
             self._first += 1
         return True
 
-    def _make_room(self) -> None:
+    def _move_to_front(self) -> None:
         """Move the rows in use to the front of a table with at least as many to spare."""
         live = self.table
         count = len(live.t)

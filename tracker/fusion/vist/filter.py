@@ -39,9 +39,9 @@ class VistFilter:
     def correct(
         self, state: VistState, expected: Expected, matched: Matched, often: float = 1.0
     ) -> None:
-        """Eq. 10 and the constraints in one stacked update, linearised at one place.
+        """Eq. 10 and the constraints in one stacked update, linearised at one state.
 
-        ``often`` multiplies all noise: what is wrong with a marker's place or a joint's axis is
+        ``often`` multiplies all noise: what is wrong with a marker's position or a joint's axis is
         the same in the next image, so more images a second tell no more. The innovation uses
         the predicted markers themselves; the shift that correspondence found only served the
         assignment.

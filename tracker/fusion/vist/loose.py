@@ -41,7 +41,7 @@ def loose_rows(
 def pose_rows(
     state: VistState, layout: VistLayout, segment: int, lever: Array
 ) -> tuple[Array, Array, Array]:
-    """H (6, 21 n), place (3,) m in G of a point at the nominal lever (3,), and R_GB (3, 3)."""
+    """H (6, 21 n), position (3,) m in G of a point at the nominal lever (3,), and R_GB (3, 3)."""
     one = np.array([segment])
     H = np.zeros((6, layout.size))
     H[:3] = in_joint_rows(jacobians(state, one, lever[None]), one, layout.size)[0]

@@ -18,7 +18,7 @@ class VistNoise:
     scale: float = 1e-4  # 1/√s
     mounting: float = 4e-3  # rad/√s: stays alive, cloth moves
     silent_rotation: float = 1.0  # rad/√s, of a segment whose IMU does not answer
-    silent_accel: float = 10.0  # m/s²·√s, the same for its place
+    silent_accel: float = 10.0  # m/s²·√s, the same for its position
     marker: float = 0.0025  # m: a lasting placement error treated as white, hence twice its size
     pixel_px: float = 1.0
     huber: float = 3.0  # standard deviations, beyond which a marker loses weight

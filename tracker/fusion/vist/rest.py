@@ -1,6 +1,6 @@
 """A hand that keeps still while no camera sees it: its velocity is known to be about zero.
 
-Without this the place of an unseen hand is a double integral, lost in a second. A person who holds
+Without this an unseen hand's position is a double integral, lost in a second. A person who holds
 a posture gives the filter this much for free.
 """
 

@@ -50,7 +50,7 @@ class VistState:
         return self.R_GI @ self.R_IB
 
     def p_GB(self, layout: VistLayout) -> Array:
-        """(n, 3) m, each segment's proximal joint: the IMU's place scales with the segment."""
+        """(n, 3) m, each segment's proximal joint: the IMU's position scales with the segment."""
         return self.p_GI - np.einsum("nij,nj->ni", self.R_GB, self.scale * layout.imu_position)
 
 

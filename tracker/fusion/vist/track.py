@@ -13,7 +13,7 @@ from tracker.records import record
 DOUBTFUL_SHARE = 0.35  # of the expected markers
 MIN_RECOGNISED = 5  # stereo points that place a hand
 RECOGNISED_SHARE = 0.6  # of the expected markers
-LOST_SD = 0.05  # m: an unseen hand whose place is less certain than this is lost
+LOST_SD = 0.05  # m: an unseen hand whose position is less certain than this is lost
 
 
 @record("vist.tracking")
@@ -52,7 +52,7 @@ class Track:
 
 
 def is_better(recognised: int, matched: int, expected: float) -> bool:
-    """Whether a place found by searching is to be believed rather than the present one.
+    """Whether a pose found by searching is to be believed rather than the present one.
 
     It must explain clearly more points, enough to be no accident, and most of what should be seen.
     """

@@ -25,7 +25,7 @@ class SkeletonFitParams:
     synergy: float = 0.3  # rad
     iterations: int = 4
     rounds: int = 3  # of refining where the points sit
-    keep: float = 0.3  # of a point's nominal place in each round
+    keep: float = 0.3  # of a point's nominal position in each round
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +91,7 @@ def _tree(hand: HandModel) -> tuple[IntArray, Array, Array, IntArray]:
 
 
 def _targets(hand: HandModel, targets: tuple[str, ...]) -> tuple[IntArray, Array]:
-    """Segment row (T,) and place in B (T, 3); of a marker on the dorsum NaN, to be found."""
+    """Segment row (T,) and position in B (T, 3); of a marker on the dorsum NaN, to be found."""
     segment, local = [], []
     for name in targets:
         if name.startswith("dorsum:"):
@@ -108,8 +108,8 @@ def _targets(hand: HandModel, targets: tuple[str, ...]) -> tuple[IntArray, Array
 
 def _most_open(track: PointTrack) -> int:
     """The complete frame with the points furthest apart: the flattest hand."""
-    spread = track.points - np.nanmean(track.points, axis=1, keepdims=True)
-    size = np.sum(np.sum(spread**2, axis=2), axis=1)  # NaN where a point is missing
+    centred = track.points - np.nanmean(track.points, axis=1, keepdims=True)
+    size = np.sum(np.sum(centred**2, axis=2), axis=1)  # NaN where a point is missing
     if not np.isfinite(size).any():
         raise FileError("The recording shows the whole hand in no frame.")
     return int(np.nanargmax(size))
@@ -140,7 +140,7 @@ def _place_on_dorsum(hand: HandModel, local: Array, points: Array, R: Array, p: 
 def _refined(
     hand: HandModel, fit: Fit, segment: IntArray, points: Array, nominal: Array, keep: float
 ) -> Array:
-    """Each point's mean place in its segment over all frames, held towards the nominal one."""
+    """Each point's mean position in its segment over all frames, held towards the nominal one."""
     local = nominal.copy()
     untwisted = np.zeros(len(hand.segments))
     R_GB, p_GB = forward_many(*_tree(hand), untwisted, fit.angles, fit.R_GB, fit.p_GB)

@@ -25,7 +25,7 @@ class Skeleton(NamedTuple):
 
 
 class Targets(NamedTuple):
-    """Where the points sit: segment (T,), and place (T, 3) m in its B."""
+    """Where the points sit: segment (T,), and position (T, 3) m in its B."""
 
     segment: IntVector
     local: Matrix

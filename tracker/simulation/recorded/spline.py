@@ -18,7 +18,7 @@ CUTOFF_HZ = 7.0
 
 
 class SplineMotion:
-    """Quintic splines through filtered samples: angles, quaternion and place of the dorsum.
+    """Quintic splines through filtered samples: angles, quaternion and position of the dorsum.
 
     ``follows_synergies`` is False: the distal angles are those of the recorded person.
     """

@@ -44,13 +44,13 @@ def _on_capsule(
     off = away * _off(np.arctan2(p[2], p[1]), step)
     cover = _cover(off, away * step, (0.0, -p[2] / away, p[1] / away), n, d, scale)
     if 0.0 < p[0] < length:
-        room = length / max(1.0, np.round(length / (RING * radius)))
-        off = _off(p[0], room)
+        spacing = length / max(1.0, np.round(length / (RING * radius)))
+        off = _off(p[0], spacing)
     else:
-        room = CAP_RING * radius
+        spacing = CAP_RING * radius
         beyond = -p[0] if p[0] <= 0.0 else p[0] - length
-        off = min(beyond, abs(beyond - room))
-    return max(cover, _cover(off, room, (1.0, 0.0, 0.0), n, d, scale))
+        off = min(beyond, abs(beyond - spacing))
+    return max(cover, _cover(off, spacing, (1.0, 0.0, 0.0), n, d, scale))
 
 
 @kernel(error_model="numpy")
@@ -60,8 +60,8 @@ def _off(x: float, step: float) -> float:
 
 
 @kernel(error_model="numpy")
-def _cover(off: float, room: float, e: Vector3, n: Vector3, d: Vector3, scale: float) -> float:
-    """Cover by lines ``room`` m apart, the nearest ``off`` m away, both measured along e.
+def _cover(off: float, spacing: float, e: Vector3, n: Vector3, d: Vector3, scale: float) -> float:
+    """Cover by lines ``spacing`` m apart, the nearest ``off`` m away, both measured along e.
 
     A step across the ray, δ, moves the point on the surface by δ - v (n·δ)/(n·v) with the ray's
     direction v; what is measured along e changes by (e - n (e·v)/(n·v))·δ.
@@ -74,4 +74,4 @@ def _cover(off: float, room: float, e: Vector3, n: Vector3, d: Vector3, scale: f
     px = scale / np.sqrt(max(1.0 - 2 * along * steep + steep * steep, 1e-9))
     crossed = min(1.0, 4.0 * (1.0 - along * along))  # a side that lies along a line shows no line
     cover = min(max(0.5 * WIDTH_PX + 0.5 - off * px, 0.0), 1.0)
-    return cover * crossed * min(1.0, room * px / CROWDED_PX)
+    return cover * crossed * min(1.0, spacing * px / CROWDED_PX)

@@ -58,7 +58,7 @@ class RayBundle(NamedTuple):
 
 @kernel(error_model="numpy")
 def new_bundle(rays: int) -> RayBundle:
-    """Room for so many."""
+    """Arrays for so many."""
     layers = (rays, DEEPEST)
     return RayBundle(
         np.empty(rays), np.empty(rays), np.empty(rays, np.int64),

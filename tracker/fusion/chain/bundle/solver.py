@@ -209,7 +209,7 @@ class Bundle:
 def adopt(state: ChainState, layout: ChainLayout, found: WearerProfile) -> None:
     """Put what keyframes showed in place of the filter's calibration, gyro biases apart.
 
-    The IMUs stay where they are in the room, so each segment turns with its mounting; what was
+    The IMUs stay where they are in G, so each segment turns with its mounting; what was
     known of the pose stays as sure as it was and forgets what it had to do with the calibration.
     """
     n, first = layout.n_dynamic, layout.phi

@@ -11,7 +11,7 @@ from tracker.fusion.chain.profile import WearerProfile
 from tracker.messages import Array
 
 FLOOR = np.deg2rad(0.1)
-"""rad/s: what a hand laid on a table still turns, and the bias walks until it is used."""
+"""rad/s: what a hand laid on a table still turns, and the bias drifts until it is used."""
 
 
 def with_gyro_bias(

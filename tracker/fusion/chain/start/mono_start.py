@@ -3,7 +3,7 @@
 `search` votes for a translation among stereo points. With one camera there are only rays: for each
 posture, heading and distance on a grid, every pair (blob seen, marker expected) of one hue proposes
 a position, and the one whose markers meet most blobs wins. The best ones are then fitted in all
-three directions: perspective makes near markers spread wider, which tells the distance as well as
+three directions: perspective sets near markers farther apart, which tells the distance as well as
 the size of the hand is known. Equation numbers are those of docs/chain.md.
 """
 

@@ -1,4 +1,4 @@
-"""Finding the hand from nothing: gravity gives the posture, same-hue pairs vote for the place.
+"""Finding the hand from nothing: gravity gives the posture, same-hue pairs vote for the position.
 
 1. Every IMU feels gravity, so each segment's tilt is known; joint angles that agree with all tilts
    and lie nearest to a few typical postures are the articulations tried.
@@ -30,7 +30,7 @@ POSTURES = (0.0, 0.45, 1.0)  # share of full flexion: flat, relaxed, fist
 
 @dataclass(frozen=True)
 class SearchParams:
-    """How the room is searched."""
+    """How an image is searched for a hand."""
 
     heading_step_deg: float = 10.0
     radius: float = 0.018  # m, within which a point supports a marker
