@@ -74,8 +74,8 @@ def duration_text(seconds: float) -> str:
     return f"{hours}:{minutes:02d}:{whole % 60:02d}" if hours else f"{minutes}:{whole % 60:02d}"
 
 
-def place_text(seconds: float) -> str:
-    """A place in a session to the hundredth: images are 17 ms apart."""
+def position_text(seconds: float) -> str:
+    """A position in a session to the hundredth: images are 17 ms apart."""
     hundredths = max(0, round(seconds * 100))
     return f"{duration_text(hundredths // 100)}.{hundredths % 100:02d}"
 

@@ -17,15 +17,15 @@ PLAYHEAD, HANDLE = "head", ("in", "out")
 
 @dataclass(frozen=True)
 class Mark:
-    """Something at ``place`` s; ``sign`` says its kind beside the colour."""
+    """Something at ``position`` s; ``sign`` says its kind beside the colour."""
 
-    place: float
+    position: float
     text: str
     colour: str
     sign: str
 
 
-class Timeline(QWidget):
+class TimelineBar(QWidget):
     """Mouse: press and drag. Keys: arrows step images, Page goes by seconds, Home and End."""
 
     sought = Signal(float)
@@ -64,28 +64,28 @@ class Timeline(QWidget):
         """Whether the mouse holds something."""
         return bool(self._held)
 
-    # --- places and pixels
+    # --- positions and pixels
 
-    def x_of(self, place: float) -> float:
-        """Where a place (s) stands, px."""
-        share = place / self._duration if self._duration > 0 else 0.0
+    def x_of(self, position: float) -> float:
+        """Where a position (s) stands, px."""
+        share = position / self._duration if self._duration > 0 else 0.0
         return MARGIN + share * (self.width() - 2 * MARGIN)
 
-    def place_at(self, x: float) -> float:
+    def position_at(self, x: float) -> float:
         share = (x - MARGIN) / max(1, self.width() - 2 * MARGIN)
         return min(max(share, 0.0), 1.0) * self._duration
 
     def _handle_at(self, at: QPointF) -> str:
         """A handle of the range in the lower half, else the playhead."""
         if at.y() > self.height() * 0.6:
-            for name, place in zip(HANDLE, self._range, strict=True):
-                if abs(self.x_of(place) - at.x()) <= REACH:
+            for name, position in zip(HANDLE, self._range, strict=True):
+                if abs(self.x_of(position) - at.x()) <= REACH:
                     return name
         return PLAYHEAD
 
     def mark_at(self, x: float) -> Mark | None:
-        near = [m for m in self._marks if abs(self.x_of(m.place) - x) <= REACH]
-        return min(near, key=lambda m: abs(self.x_of(m.place) - x), default=None)
+        near = [m for m in self._marks if abs(self.x_of(m.position) - x) <= REACH]
+        return min(near, key=lambda m: abs(self.x_of(m.position) - x), default=None)
 
     # --- events
 
@@ -96,15 +96,15 @@ class Timeline(QWidget):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not self._held:
             return
-        place = self.place_at(event.position().x())
+        position = self.position_at(event.position().x())
         start, stop = self._range
         if self._held == PLAYHEAD:
-            self._position = place
-            self.sought.emit(place)
+            self._position = position
+            self.sought.emit(position)
         elif self._held == "in":
-            self.range_changed.emit(min(place, stop), stop)
+            self.range_changed.emit(min(position, stop), stop)
         else:
-            self.range_changed.emit(start, max(place, start))
+            self.range_changed.emit(start, max(position, start))
         self.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -164,7 +164,7 @@ class Timeline(QWidget):
     def _paint_marks(self, painter: QPainter) -> None:
         for mark in self._marks:
             painter.setPen(QColor(mark.colour))
-            box = QRectF(self.x_of(mark.place) - 8, 0, 16, self.height() * 0.45)
+            box = QRectF(self.x_of(mark.position) - 8, 0, 16, self.height() * 0.45)
             painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), mark.sign)
         painter.setPen(Qt.PenStyle.NoPen)
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tracker.evaluation.vist.judge import Judge, Record
+from tracker.evaluation.vist.judge import Judge, TrialRecord
 from tracker.evaluation.vist.metrics import KEYPOINTS
 from tracker.evaluation.vist.trial import models
 from tracker.geometry import so3
@@ -26,7 +26,7 @@ def mean_error_mm(tells: str) -> float:
     params = SimulationParams(head=replace(MOVING, tells=tells))
     motion = RandomPostures(hand, seed=2, duration=5.4)
     simulation = Simulation(hand, glove, motion, 2, params, fps=15, rig=rig)
-    pipeline, record = Pipeline(hand, glove, calibrated), Record()
+    pipeline, record = Pipeline(hand, glove, calibrated), TrialRecord()
     for m in simulation.messages():
         if isinstance(m, ImuSample):
             record.estimates.append(pipeline.feed_imu(m))

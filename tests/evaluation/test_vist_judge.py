@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tracker.evaluation.vist.cases import Case
-from tracker.evaluation.vist.judge import Judge, Record
+from tracker.evaluation.vist.judge import Judge, TrialRecord
 from tracker.evaluation.vist.metrics import KEYPOINTS
 from tracker.evaluation.vist.scenes import motion_of, simulation_of
 from tracker.evaluation.vist.trial import models
@@ -31,7 +31,7 @@ def seen_through(simulation, t):
 def judged(simulation, in_camera):
     names = simulation.glove.keypoint_names(simulation.hand)
     times = np.arange(2.5, 5.5, 0.25)
-    record = Record(
+    record = TrialRecord(
         estimates=[seen_through(simulation, t) for t in times],
         poses=[simulation.scene.reported_pose(t) for t in times],
         seen=[9] * len(times),

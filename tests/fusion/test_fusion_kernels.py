@@ -8,7 +8,7 @@ from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import PixelNoise
 from tracker.fusion.chain.pixel_rows import stack_rows
 from tracker.fusion.chain.pixels import SeenBlobs
-from tracker.fusion.chain.prediction import Prediction, View, pixel_jacobians
+from tracker.fusion.chain.prediction import PosedRig, Prediction, pixel_jacobians
 from tracker.fusion.chain.reports import _details
 from tracker.fusion.chain.state import initial_state
 from tracker.fusion.kalman import joined, products, times, update
@@ -131,7 +131,7 @@ def test_pixel_jacobians_are_the_projections_own() -> None:
     rig, rng = ideal_rig(), np.random.default_rng(11)
     p_G, step = rng.normal(0, 0.03, (6, 3)), 1e-7
     R, p = rig.pose.R_GC, rig.pose.p_GC
-    A = pixel_jacobians((p_G - p) @ R, View.of(rig, rig.pose))
+    A = pixel_jacobians((p_G - p) @ R, PosedRig.of(rig, rig.pose))
     for c in range(2):
         for i in range(3):
             ahead, behind = (

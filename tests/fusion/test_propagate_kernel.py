@@ -8,7 +8,7 @@ from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.prior import initial_covariance
 from tracker.fusion.chain.propagate import (
     Coasting,
-    Motion,
+    SensedMotion,
     carry,
     move_nominal,
     propagate,
@@ -156,5 +156,5 @@ def test_a_root_without_imu_slows_down(layout: ChainLayout) -> None:
     """Its velocity dies away; it does not fall."""
     v = np.array([1.0, 0.0, 0.0])
     hand, nothing = Dynamic(np.zeros(3), v, np.eye(3)[None]), np.zeros((1, 3))
-    _, slower, _ = move_nominal(hand, Motion(nothing, np.zeros(3), False), 0.5, False)
+    _, slower, _ = move_nominal(hand, SensedMotion(nothing, np.zeros(3), False), 0.5, False)
     assert np.allclose(slower, [np.exp(-COAST_DAMPING * 0.5), 0, 0])

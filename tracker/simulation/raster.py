@@ -24,7 +24,7 @@ from tracker.simulation.solids import Solids
 FAR = 1e6
 
 
-class Rays(NamedTuple):
+class PixelRays(NamedTuple):
     """From ``eye`` (3,) in C: x/z and y/z (H, W, 2) of each pixel of the whole image, and what is
     added to them (2,); the corner (v0, u0) of the region that is drawn."""
 
@@ -67,7 +67,7 @@ def _box_of(points: Array, radius: Array, K: Array) -> Array:
 
 
 @kernel(fastmath=True)
-def draw(view: Rays, pixels: IntMatrix, solids: Solids, buffer: Buffer) -> None:
+def draw(view: PixelRays, pixels: IntMatrix, solids: Solids, buffer: Buffer) -> None:
     """Fill ``buffer``. pixels (P + Q, 4): u0, v0, u1, v1 of each solid, the upper ones excluded."""
     rays, jitter, eye, corner = view.slope, view.jitter, view.eye, view.corner
     a, b, radius = solids.a, solids.b, solids.radius

@@ -11,7 +11,7 @@ from tracker.clock import nanoseconds
 from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.backgrounds import BackgroundParams, fabric_bgr, make_background
 from tracker.simulation.patches import SQUARE
-from tracker.simulation.raster import Buffer, Rays, bounds, draw
+from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
 from tracker.simulation.scene import SimulatedScene
 from tracker.simulation.shading import Cloth, Light, SewnPatches, develop, shade
 from tracker.simulation.smooth import rng_for
@@ -133,7 +133,7 @@ class Renderer:
         ground = np.ascontiguousarray(self._ground[side][v0:v1, u0:u1])
         corner = np.array([v0, u0], np.int64)
         for k, (moment, pixels) in enumerate(zip(moments, boxes, strict=True)):
-            rays = Rays(self._rays[side], _JITTER_PX[k] / self._K[:2], eye, corner)
+            rays = PixelRays(self._rays[side], _JITTER_PX[k] / self._K[:2], eye, corner)
             self._expose(moment, rays, pixels, ground, total)
         develop(total, len(moments), self._grain, rng.integers(0, 500, 2), corner, out)
         return out
@@ -141,7 +141,7 @@ class Renderer:
     def _expose(
         self,
         now: Instant,
-        rays: Rays,
+        rays: PixelRays,
         pixels: IntArray,
         ground: Image,
         total: NDArray[np.float32],

@@ -16,7 +16,7 @@ from tracker.kernels.arrays import (
     Vector,
     Written,
 )
-from tracker.simulation.raster import Buffer, Rays
+from tracker.simulation.raster import Buffer, PixelRays
 from tracker.simulation.solids import Instant
 
 
@@ -52,7 +52,7 @@ class Light(NamedTuple):
 
 @kernel(fastmath=True)
 def shade(
-    rays: Rays,
+    rays: PixelRays,
     buffer: Buffer,
     now: Instant,
     cloth: Cloth,

@@ -22,7 +22,7 @@ from tracker.vision.components import Scan, run_buffer
 from tracker.vision.hue_table import hue_table
 from tracker.vision.shape_tests import (
     ExpectedBlobs,
-    ShapeLimits,
+    RegionLimits,
     first_failure,
     parted,
     windows_around,
@@ -83,7 +83,7 @@ class Detector:
         shape = self.profile.shape
         low, high = shape.size[0], shape.size[1]
         shortest, longest = metre_px / params.farthest, metre_px / params.nearest
-        self._limits = ShapeLimits(
+        self._limits = RegionLimits(
             low * shortest, high * longest, low, high, shape.convexity, shape.circularity
         )
 

@@ -29,7 +29,7 @@ class MovingMarkers(NamedTuple):
     size: Vector
 
 
-class ImageView(NamedTuple):
+class PosedCamera(NamedTuple):
     """An image of width by height px, whose camera is ``shift`` m to the right of the pose."""
 
     R_GC: Matrix
@@ -74,7 +74,7 @@ class RegionPrediction:
         hue = hue_rows(self.hue_names, hue_names)[self.hue]
         sides, markers = [], MovingMarkers(self.p_G, self.v_G, self.sd, self.size)
         for camera, shift in ((rig.left, 0.0), (rig.right, rig.baseline)):
-            view = ImageView(
+            view = PosedCamera(
                 pose.R_GC, pose.p_GC, shift, rig.intrinsics, camera.width, camera.height
             )
             uv, radius, rows = seen_soon(markers, t - self.t, view)
@@ -84,7 +84,7 @@ class RegionPrediction:
 
 @kernel
 def seen_soon(
-    markers: MovingMarkers, ahead: float, view: ImageView
+    markers: MovingMarkers, ahead: float, view: PosedCamera
 ) -> tuple[Matrix, Vector, IntVector]:
     """Rectified pixels uv (k, 2), radius (k,) px and row (k,) of the markers near an image,
     ``ahead`` s later.

@@ -14,7 +14,7 @@ SIZE, CONVEXITY, CIRCULARITY, EDGE = range(4)
 SQUARE_CIRCULARITY = np.pi / 4
 
 
-class ShapeLimits(NamedTuple):
+class RegionLimits(NamedTuple):
     """What a marker's region must keep: least and greatest long axis, px; the same as a ratio to
     the size that is expected; least convexity and circularity."""
 
@@ -50,7 +50,7 @@ class Sorted(NamedTuple):
 
 
 @kernel
-def first_failure(rows: Matrix, limits: ShapeLimits, expected: ExpectedBlobs) -> IntVector:
+def first_failure(rows: Matrix, limits: RegionLimits, expected: ExpectedBlobs) -> IntVector:
     """(n,) the first requirement that each region of rows (n, COLUMNS) fails, -1 for none.
 
     Where markers of a region's hue are expected, one of their sizes must suit as well.
@@ -71,7 +71,7 @@ def first_failure(rows: Matrix, limits: ShapeLimits, expected: ExpectedBlobs) ->
 
 
 @kernel
-def _suits(row: Vector, limits: ShapeLimits, expected: ExpectedBlobs) -> bool:
+def _suits(row: Vector, limits: RegionLimits, expected: ExpectedBlobs) -> bool:
     """Whether a marker expected here has this size, or none is expected here."""
     near = False
     for k in range(len(expected.size)):

@@ -7,7 +7,7 @@ from itertools import islice
 from pathlib import Path
 
 from app.engines.engine import EngineSetup, ReferenceHand
-from app.engines.replay.moment import Moment
+from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
 from app.engines.replay.thread import ReplayThread, holds
 from app.engines.replay.transport import ReplayPlayer
@@ -42,7 +42,7 @@ class ReplayEngine:
         self._reader = SessionReader(path)
         self.info = self._reader.info
         self._references = References(path, holds(self._reader, "/truth/"))
-        self._moment = Moment(len(self.info.glove.markers))
+        self._moment = ReplayMoment(len(self.info.glove.markers))
         self.player = ReplayPlayer(path, self._reader.duration, self._references)
         self._thread = ReplayThread(self._reader, self.player, self._moment, self._references)
 

@@ -1,4 +1,4 @@
-"""What a replay shows at the place where it stands: the latest of every stream."""
+"""What a replay shows where it stands: the latest of every stream."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from tracker.messages import (
 IMAGES_WAITING = 30
 
 
-class Moment:
+class ReplayMoment:
     """Taken by the replay's thread, read by the window's. ``markers``: how many the glove has."""
 
     def __init__(self, markers: int) -> None:
@@ -35,7 +35,7 @@ class Moment:
         self.forget()
 
     def forget(self) -> None:
-        """What belongs to the place that is left; the hand stands until another one comes."""
+        """What belongs to the position that is left; the hand stands until another one comes."""
         self._images: dict[float, StereoFrame] = {}
         self._imu: deque[ImuSample] = deque()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import time
 
-from app.engines.replay.moment import Moment
+from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
 from app.engines.replay.transport import Transport
 from tracker.errors import GlovetrackError
@@ -13,7 +13,7 @@ from tracker.messages import BlobFrame, Estimate, Event, Message
 from tracker.session.reader import SessionReader
 
 IDLE_S = 0.03
-LEAD_IN_S = 0.12  # read before the place asked for: an image is older than its blobs
+LEAD_IN_S = 0.12  # read before the position asked for: an image is older than its blobs
 LOOK_BACK_S = (0.5, 2.0, 10.0)  # where the image before is looked for, nearest first
 
 
@@ -21,7 +21,11 @@ class ReplayThread:
     """Brings ``moment`` and ``references`` to where ``transport`` wants them."""
 
     def __init__(
-        self, reader: SessionReader, transport: Transport, moment: Moment, references: References
+        self,
+        reader: SessionReader,
+        transport: Transport,
+        moment: ReplayMoment,
+        references: References,
     ) -> None:
         self._reader, self._transport = reader, transport
         self._moment, self._references = moment, references
@@ -52,7 +56,7 @@ class ReplayThread:
                     continue
                 start, transport.seek_to = transport.seek_to, None
                 self._play_from(start)
-            except GlovetrackError as error:  # a damaged place; others may still be whole
+            except GlovetrackError as error:  # damaged here; elsewhere it may be whole
                 transport.playing = False
                 self._moment.take(Event(0.0, "error", str(error)))
 
@@ -75,14 +79,14 @@ class ReplayThread:
         begin = self.start_t + start - LEAD_IN_S
         self._references.seek(begin)
         for message in self._reader.messages(start=begin):
-            place = _arrival(message) - self.start_t
-            if place >= start and not self._wait_for(place):
+            position = _arrival(message) - self.start_t
+            if position >= start and not self._wait_for(position):
                 return
-            self._take(message, place >= start)
+            self._take(message, position >= start)
         self._transport.end(self._transport.duration)
 
     def _take(self, message: Message, due: bool) -> None:
-        """``due``: not of the time before the place that was asked for."""
+        """``due``: not of the time before the position that was asked for."""
         if due or not isinstance(message, Event):
             self._moment.take(message)
         if isinstance(message, Estimate):
@@ -91,24 +95,24 @@ class ReplayThread:
             self._shown_at = _arrival(message) - self.start_t
             self._transport.images_due = max(0, self._transport.images_due - 1)
 
-    def _wait_for(self, place: float) -> bool:
-        """Sleep until ``place`` is due; False when stopped or sent elsewhere."""
+    def _wait_for(self, position: float) -> bool:
+        """Sleep until ``position`` is due; False when stopped or sent elsewhere."""
         transport = self._transport
         while not transport.sent_elsewhere:
             if not transport.playing and transport.images_due > 0:
-                transport.position = max(transport.position, place)
+                transport.position = max(transport.position, position)
                 return True  # a paused replay shows the image it was sent to
             if transport.playing and transport.position >= transport.range[1]:
                 transport.end(transport.range[1])
                 continue
-            ahead = place - transport.position
+            ahead = position - transport.position
             if ahead <= 0:
                 return True
             before = time.monotonic()
             transport.stopping.wait(min(IDLE_S, ahead / transport.speed))
             if transport.playing:
                 passed = (time.monotonic() - before) * transport.speed
-                transport.position = min(place, transport.position + passed)
+                transport.position = min(position, transport.position + passed)
         return False
 
 

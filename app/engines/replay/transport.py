@@ -78,7 +78,7 @@ class ReplayPlayer(Transport):
     def __init__(self, path: Path, duration: float, references: References) -> None:
         super().__init__(duration)
         self.path = path
-        self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its place in s
+        self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its position in s
         self._references = references
 
     def set_reference(self, path: Path | None) -> None:

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.jobs.export import ExportRequest, free_target
-from app.viewmodels.recording import place_text
+from app.viewmodels.recording import position_text
 from tracker.session.export.options import AXES_NAMES, FORMATS, PERSONAL, UNITS, ExportOptions
 
 MAX_RATE_HZ = 2000.0
@@ -59,7 +59,7 @@ class ExportDialog(QDialog):
         self.folder = QLineEdit(str(self._sources[0].parent))
         self.range = QCheckBox(self.tr("the whole session"))
         if self._part is not None:
-            start, stop = (place_text(p) for p in self._part)
+            start, stop = (position_text(p) for p in self._part)
             self.range.setText(self.tr("only {} to {} (in and out point)").format(start, stop))
         self.range.setEnabled(self._part is not None)
         self.range.setChecked(self._part is not None)

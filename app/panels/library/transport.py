@@ -13,8 +13,8 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine import Player
 from app.viewmodels.log import KINDS
-from app.viewmodels.recording import place_text
-from app.widgets.timeline import Mark, Timeline
+from app.viewmodels.recording import position_text
+from app.widgets.timeline import Mark, TimelineBar
 
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
@@ -25,7 +25,7 @@ class TransportBar(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._player: Player | None = None
-        self.timeline = Timeline()
+        self.timeline = TimelineBar()
         self.timeline.setAccessibleName(self.tr("Position in the session"))
         self.timeline.sought.connect(self.seek)
         self.timeline.stepped.connect(self.step)
@@ -77,9 +77,11 @@ class TransportBar(QWidget):
         if player is None:
             return
         marks = []
-        for place, event in player.events:
+        for position, event in player.events:
             look = KINDS.get(event.kind, KINDS["note"])
-            marks.append(Mark(place, f"{place_text(place)}  {event.text}", look.colour, look.sign))
+            marks.append(
+                Mark(position, f"{position_text(position)}  {event.text}", look.colour, look.sign)
+            )
         self.timeline.show_session(player.duration, marks)
         self.loop_button.setChecked(False)
         self.speed.setCurrentIndex(SPEEDS.index(1.0))
@@ -96,9 +98,9 @@ class TransportBar(QWidget):
         if self._player is not None:
             self._player.step(images)
 
-    def seek(self, place: float) -> None:
+    def seek(self, position: float) -> None:
         if self._player is not None:
-            self._player.seek(place)
+            self._player.seek(position)
 
     def set_range(self, start: float, stop: float) -> None:
         if self._player is not None:
@@ -145,10 +147,10 @@ class TransportBar(QWidget):
         if player is None:
             return
         self.play_button.setText(self.tr("Pause") if player.playing else self.tr("Play"))
-        text = f"{place_text(player.position)} / {place_text(player.duration)}"
+        text = f"{position_text(player.position)} / {position_text(player.duration)}"
         part = self.range()
         if part is not None:
-            text = f"{place_text(part[0])} – {place_text(part[1])}   {text}"
+            text = f"{position_text(part[0])} – {position_text(part[1])}   {text}"
         self.position.setText(text)
         if not self.timeline.held:
             self.timeline.show_place(player.position, player.range)

@@ -35,7 +35,7 @@ class BodyLook:
     group: int = 0
 
 
-class Body(Protocol):
+class DrawnBody(Protocol):
     """A shape in the scene."""
 
     @property
@@ -56,7 +56,7 @@ class Body(Protocol):
 class BodyScene(Protocol):
     """A set of bodies before a plain background."""
 
-    def add(self, shape: Shape, look: BodyLook) -> Body:
+    def add(self, shape: Shape, look: BodyLook) -> DrawnBody:
         """A body at the origin."""
 
     def clear(self) -> None:

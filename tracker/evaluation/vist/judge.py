@@ -21,7 +21,7 @@ from tracker.simulation.scenario import Simulation, Truth
 
 
 @dataclass(eq=False)
-class Record:
+class TrialRecord:
     """What is kept while a trial runs: an entry per packet, and counts."""
 
     estimates: list[Estimate] = field(default_factory=list)
@@ -42,7 +42,7 @@ class Judge:
     columns: list[int]
     in_camera: bool
 
-    def trial(self, record: Record, participant: int, outage: float) -> Trial:
+    def trial(self, record: TrialRecord, participant: int, outage: float) -> Trial:
         """The errors of a trial; ``outage`` s without images again and again, 0 for none."""
         t = np.array([e.t for e in record.estimates])
         rows = np.flatnonzero(self._judged(t, outage))

@@ -11,7 +11,7 @@ import numpy as np
 
 import resources
 from tracker.evaluation.vist.cases import Ablation, Case, ablation_of
-from tracker.evaluation.vist.judge import Judge, Record
+from tracker.evaluation.vist.judge import Judge, TrialRecord
 from tracker.evaluation.vist.metrics import KEYPOINTS, Trial
 from tracker.evaluation.vist.scenes import motion_of, simulation_of
 from tracker.glove.files import load_glove
@@ -67,8 +67,8 @@ def run_trial(case: Case, participant: int) -> Trial:
 
 def _track(
     case: Case, simulation: Simulation, pipeline: Pipeline, variant: Ablation | None
-) -> Record:
-    record = Record()
+) -> TrialRecord:
+    record = TrialRecord()
     check = MatchCheck(simulation)
     search, images = ImageSearch(simulation), case.level == "images"
     feed = simulation.messages(images)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.fusion.chain.layout import Blocks, ChainLayout, Points, Skeleton
+from tracker.fusion.chain.layout import Blocks, ChainLayout, ChainSkeleton, Points
 from tracker.fusion.chain.state import Body, ChainState
 from tracker.geometry.kernels import rotate
 from tracker.kernels import kernel
@@ -77,14 +77,14 @@ def stretched(scale: Vector, x: Vector) -> Vector:
 
 
 @kernel
-def joint_lever(skeleton: Skeleton, body: Body, child: int, a: int) -> Vector:
+def joint_lever(skeleton: ChainSkeleton, body: Body, child: int, a: int) -> Vector:
     """(3,) m where the joint of the segment ``child`` stands in the B of its parent ``a``."""
     x, base = stretched(body.scale[a], skeleton.origin[child]), skeleton.base_of[child]
     return x + body.joint[base] if base >= 0 else x
 
 
 @kernel
-def positions(skeleton: Skeleton, body: Body, p: Vector, points: Points) -> Matrix:
+def positions(skeleton: ChainSkeleton, body: Body, p: Vector, points: Points) -> Matrix:
     """(n, 3) m in G; p (3,) as in `segment_origins`."""
     return points_of(segment_origins(skeleton, body, p), body, points)
 
@@ -101,7 +101,7 @@ def points_of(p_GB: Matrix, body: Body, points: Points) -> Matrix:
 
 
 @kernel
-def segment_origins(skeleton: Skeleton, body: Body, p: Vector) -> Matrix:
+def segment_origins(skeleton: ChainSkeleton, body: Body, p: Vector) -> Matrix:
     """(A, 3) p_GB; p (3,) m in G is of the point at the skeleton's lever."""
     parent, R = skeleton.parent, body.R_GB
     out = np.empty((len(parent), 3))
@@ -153,7 +153,7 @@ def from_point(a: int, x: Vector, lever: Vector, scale: Vector) -> Vector:
 
 
 @kernel
-def origin_jacobians(skeleton: Skeleton, at: Blocks, body: Body) -> OriginJacobians:
+def origin_jacobians(skeleton: ChainSkeleton, at: Blocks, body: Body) -> OriginJacobians:
     """Each segment's is its parent's with the link between them added; the root's is by p."""
     parent, lever, base_of = skeleton.parent, skeleton.lever, skeleton.base_of
     n, ones = len(parent), np.ones(2)
@@ -183,7 +183,7 @@ def origin_jacobians(skeleton: Skeleton, at: Blocks, body: Body) -> OriginJacobi
 def put_own(
     value: Written[Matrix],
     column: Written[IntVector],
-    skeleton: Skeleton,
+    skeleton: ChainSkeleton,
     at: Blocks,
     body: Body,
     points: Points,
@@ -201,7 +201,7 @@ def put_own(
 
 @kernel
 def jacobians(
-    skeleton: Skeleton, at: Blocks, body: Body, points: Points, offset_at: IntVector
+    skeleton: ChainSkeleton, at: Blocks, body: Body, points: Points, offset_at: IntVector
 ) -> Stack:
     """J_point_error (n, 3, N). ``offset_at`` (n,) is where a point's own offset stands, or -1."""
     used, column, value = origin_jacobians(skeleton, at, body)
@@ -219,7 +219,7 @@ def jacobians(
 
 
 @kernel
-def sd_of_ends(skeleton: Skeleton, at: Blocks, body: Body, ends: Points, P: Matrix) -> Vector:
+def sd_of_ends(skeleton: ChainSkeleton, at: Blocks, body: Body, ends: Points, P: Matrix) -> Vector:
     """(A,) m: root of a third of the trace of H P H^T of the ``ends`` of all segments (eq. 49)."""
     used, column, value = origin_jacobians(skeleton, at, body)
     out = np.empty(len(used))

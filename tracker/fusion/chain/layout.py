@@ -52,7 +52,7 @@ class Drive(NamedTuple):
     gain: Matrix
 
 
-class Skeleton(NamedTuple):
+class ChainSkeleton(NamedTuple):
     """Where the joints of the A active segments stand.
 
     parent (A,) active row, -1 for the root; origin (A, 3) m joint in the parent's B; base_of (A,)
@@ -181,9 +181,9 @@ class ChainLayout:
         return Drive(self.parent, self.imu_of, source, gain)
 
     @cached_property
-    def skeleton(self) -> Skeleton:
+    def skeleton(self) -> ChainSkeleton:
         """Where the joints of the active segments stand."""
-        return Skeleton(self.parent, self.origin, self.base_of, self.root_lever)
+        return ChainSkeleton(self.parent, self.origin, self.base_of, self.root_lever)
 
     @cached_property
     def imus(self) -> MountedImus:

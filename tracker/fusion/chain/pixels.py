@@ -15,7 +15,7 @@ from tracker.fusion.chain.kinematics import marker_points
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.pixel_rows import point_rows
-from tracker.fusion.chain.prediction import Prediction, View, expected, pixel_jacobians, viewed
+from tracker.fusion.chain.prediction import PosedRig, Prediction, expected, pixel_jacobians, viewed
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.completion import Completion
 from tracker.kernels import kernel
@@ -87,7 +87,7 @@ class PixelModel:
     def predict(self, state: ChainState, pose: CameraPose) -> Prediction:
         """Where markers should be."""
         lay, rig, noise = self._layout, self._rig, self._noise.pixel
-        view, markers, body = View.of(rig, pose), marker_points(state, lay), state.body
+        view, markers, body = PosedRig.of(rig, pose), marker_points(state, lay), state.body
         p_GB, p_G, normal_G, p_C, uv = viewed(
             lay.skeleton, body, state.p, markers, lay.glove.marker_normal, view
         )

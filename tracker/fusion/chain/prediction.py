@@ -17,7 +17,7 @@ from tracker.fusion.chain.kinematics import (
     rotated,
     segment_origins,
 )
-from tracker.fusion.chain.layout import Blocks, Points, Skeleton
+from tracker.fusion.chain.layout import Blocks, ChainSkeleton, Points
 from tracker.fusion.chain.params import PixelNoise
 from tracker.fusion.chain.state import Body
 from tracker.geometry.kernels import rotate, rotate_back
@@ -49,7 +49,7 @@ class Prediction(NamedTuple):
     S: Stack4
 
 
-class View(NamedTuple):
+class PosedRig(NamedTuple):
     """A stereo camera where it stands: R_GC (3, 3), p_GC (3,) m of the left one."""
 
     R_GC: Matrix
@@ -57,13 +57,13 @@ class View(NamedTuple):
     camera: StereoIntrinsics
 
     @staticmethod
-    def of(rig: StereoRig, pose: CameraPose) -> View:
-        return View(pose.R_GC.copy(), pose.p_GC.copy(), rig.intrinsics)
+    def of(rig: StereoRig, pose: CameraPose) -> PosedRig:
+        return PosedRig(pose.R_GC.copy(), pose.p_GC.copy(), rig.intrinsics)
 
 
 @kernel
 def viewed(
-    skeleton: Skeleton, body: Body, p: Vector, markers: Points, normal: Matrix, view: View
+    skeleton: ChainSkeleton, body: Body, p: Vector, markers: Points, normal: Matrix, view: PosedRig
 ) -> tuple[Matrix, Matrix, Matrix, Matrix, Stack]:
     """p_GB (A, 3) of the active segments; of the markers p_G, normal_G, p_C (M, 3) and their
     rectified pixels uv (2, M, 2)."""
@@ -81,7 +81,7 @@ def viewed(
 
 
 @kernel
-def pixel_jacobians(p_C: Matrix, view: View) -> Stack4:
+def pixel_jacobians(p_C: Matrix, view: PosedRig) -> Stack4:
     """(2, n, 2, 3) d uv / d p_G of both cameras, of points p_C (n, 3) (eq. 21)."""
     n, R_GC, camera = len(p_C), view.R_GC, view.camera
     out = np.empty((2, n, 2, 3))
@@ -99,7 +99,7 @@ def pixel_jacobians(p_C: Matrix, view: View) -> Stack4:
 
 @kernel
 def expected(
-    skeleton: Skeleton,
+    skeleton: ChainSkeleton,
     at: Blocks,
     body: Body,
     markers: Points,

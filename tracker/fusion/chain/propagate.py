@@ -42,7 +42,7 @@ class Coasting(NamedTuple):
 NEVER_COASTING = Coasting(float("inf"), 0.0)
 
 
-class Motion(NamedTuple):
+class SensedMotion(NamedTuple):
     """What the IMUs say of the motion: w (A, 3) rad/s of each active segment in its own B, f (3,)
     m/s² specific force of the root's IMU in its B, and whether it is ``felt``."""
 
@@ -59,9 +59,9 @@ def propagate(
     coasting: Coasting = NEVER_COASTING,
 ) -> None:
     """Move ``state`` in place through the intervals of ``way``."""
-    walks = params.noise.random_walks
+    random_walks = params.noise.random_walks
     state.p, state.v, state.R_GB = steps(
-        layout.drive, layout.blocks, walks, way, coasting, state.dynamic, state.imus, state.P
+        layout.drive, layout.blocks, random_walks, way, coasting, state.dynamic, state.imus, state.P
     )
     state.t = float(way.stop[-1])
 
@@ -86,7 +86,7 @@ def transition(state: ChainState, layout: ChainLayout, readings: Moment, dt: flo
 def steps(
     drive: Drive,
     at: Blocks,
-    walks: RandomWalks,
+    random_walks: RandomWalks,
     way: Intervals,
     coasting: Coasting,
     dynamic: Dynamic,
@@ -101,8 +101,8 @@ def steps(
         motion = motion_by(drive, R_GB, imus, way.accel[k], way.gyro[k], valid)
         # 2. P <- Phi P Phi^T + Q, linearised where the interval begins (eq. 16)
         move_covariance(P, phi_of(drive, at, R_GB, imus.R_IB, valid, motion, dt))
-        add_random_walks(P, at, walks, motion.felt, dt)
-        add_rotation_noise(P, at, drive, R_GB, valid, walks, dt)
+        add_random_walks(P, at, random_walks, motion.felt, dt)
+        add_rotation_noise(P, at, drive, R_GB, valid, random_walks, dt)
         # 3. the nominal state
         damped = way.start[k] - coasting.last_good > coasting.patience
         p, v, R_GB = move_nominal(Dynamic(p, v, R_GB), motion, dt, damped)
@@ -133,11 +133,11 @@ def carried(
 @kernel
 def motion_by(
     drive: Drive, R_GB: Stack, imus: ImuErrors, accel: Matrix, gyro: Matrix, valid: BoolVector
-) -> Motion:
-    """`Motion` by readings accel, gyro (n, 3)."""
+) -> SensedMotion:
+    """`SensedMotion` by readings accel, gyro (n, 3)."""
     w = body_rates(drive, R_GB, imus, gyro, valid)
     f, felt = root_force(drive, imus, accel, valid)
-    return Motion(w, f, felt)
+    return SensedMotion(w, f, felt)
 
 
 @kernel
@@ -173,7 +173,7 @@ def root_force(
 
 @kernel
 def move_nominal(
-    dynamic: Dynamic, motion: Motion, dt: float, coasting: bool
+    dynamic: Dynamic, motion: SensedMotion, dt: float, coasting: bool
 ) -> tuple[Vector, Vector, Stack]:
     """p, v and R_GB after ``dt``, in new arrays (eq. 11)."""
     p, v, R_GB = dynamic
@@ -211,7 +211,7 @@ def phi_of(
     R_GB: Stack,
     R_IB: Stack,
     valid: BoolVector,
-    motion: Motion,
+    motion: SensedMotion,
     dt: float,
 ) -> Matrix:
     """(D, scale) Phi: the dynamic rows against all columns before the scales."""
@@ -304,23 +304,23 @@ def _columns(Phi: Matrix) -> tuple[IntVector, IntMatrix]:
 
 @kernel
 def add_random_walks(
-    P: Written[Matrix], at: Blocks, walks: RandomWalks, felt: bool, dt: float
+    P: Written[Matrix], at: Blocks, random_walks: RandomWalks, felt: bool, dt: float
 ) -> None:
     """The noise of all but the orientations over ``dt``, on the diagonal (eq. 17)."""
-    accel = walks.accel if felt else walks.free_accel
+    accel = random_walks.accel if felt else random_walks.free_accel
     for r in range(3):
         P[r, r] += accel**2 * dt**3 / 3
         P[3 + r, 3 + r] += accel**2 * dt
     for i in range(at.bg, len(P)):
-        sd = walks.gyro_bias
+        sd = random_walks.gyro_bias
         if i >= at.joint:
-            sd = walks.offset
+            sd = random_walks.offset
         elif i >= at.scale:
-            sd = walks.scale
+            sd = random_walks.scale
         elif i >= at.ba:
-            sd = walks.accel_bias
+            sd = random_walks.accel_bias
         elif i >= at.phi:
-            sd = walks.mounting
+            sd = random_walks.mounting
         P[i, i] += sd**2 * dt
 
 
@@ -331,7 +331,7 @@ def add_rotation_noise(
     drive: Drive,
     R_GB: Stack,
     valid: BoolVector,
-    walks: RandomWalks,
+    random_walks: RandomWalks,
     dt: float,
 ) -> None:
     """Noise of the orientations, in place: a segment without an IMU takes its parent's along
@@ -340,8 +340,8 @@ def add_rotation_noise(
     A rotation that is felt, one against the parent that is not, and the root's that is not have
     variances of their own.
     """
-    felt, free = walks.gyro**2 * dt, walks.free_rotation**2 * dt
-    free_root = walks.free_root_rotation**2 * dt
+    felt, free = random_walks.gyro**2 * dt, random_walks.free_rotation**2 * dt
+    free_root = random_walks.free_root_rotation**2 * dt
     parent, imu_of = drive.parent, drive.imu_of
     n = len(parent)
     # 1. covariances (3, 3) of the pairs of segments

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.fusion.chain.kinematics import from_point, joint_lever, stretched
-from tracker.fusion.chain.layout import Blocks, ChainLayout, Drive, MountedImus, Skeleton
+from tracker.fusion.chain.layout import Blocks, ChainLayout, ChainSkeleton, Drive, MountedImus
 from tracker.fusion.chain.params import ConstraintParams
 from tracker.fusion.chain.propagate import body_rates, root_force
 from tracker.fusion.chain.state import Body, ChainState, ImuErrors
@@ -63,7 +63,7 @@ def tilt_rows(
 def stacked_rows(
     mounted: MountedImus,
     drive: Drive,
-    skeleton: Skeleton,
+    skeleton: ChainSkeleton,
     at: Blocks,
     body: Body,
     imus: ImuErrors,
@@ -101,7 +101,7 @@ def _put_row(
     h: Written[Matrix],
     j: int,
     mounted: MountedImus,
-    skeleton: Skeleton,
+    skeleton: ChainSkeleton,
     at: Blocks,
     body: Body,
     imus: ImuErrors,

@@ -11,7 +11,7 @@ from tracker.hand.model import HandModel
 from tracker.hand.names import KEYPOINTS
 from tracker.messages import Array, IntArray
 from tracker.simulation.kinematics import forward_many
-from tracker.simulation.recorded.solver import Posture, Skeleton, Targets, solve_frames
+from tracker.simulation.recorded.solver import FittedSkeleton, PointTargets, Posture, solve_frames
 from tracker.simulation.recorded.track import PointTrack
 
 
@@ -69,15 +69,15 @@ def _solve(
     weights = 1 / np.array([p.point, p.rest, p.change, p.synergy])
     posture = Posture(*(np.ascontiguousarray(x) for x in start))
     points = np.ascontiguousarray(points)
-    targets = Targets(segment, local)
+    targets = PointTargets(segment, local)
     return Fit(*solve_frames(_skeleton(hand), targets, points, posture, weights, p.iterations))
 
 
-def _skeleton(hand: HandModel) -> Skeleton:
+def _skeleton(hand: HandModel) -> FittedSkeleton:
     index = hand.angle_index
     coupling = [[index[s.angle], index[s.of], s.ratio, s.offset] for s in hand.synergies]
     limits = np.ascontiguousarray(hand.angle_limits, float)
-    return Skeleton(*_tree(hand), limits, np.array(coupling, float).reshape(-1, 4))
+    return FittedSkeleton(*_tree(hand), limits, np.array(coupling, float).reshape(-1, 4))
 
 
 def _tree(hand: HandModel) -> tuple[IntArray, Array, Array, IntArray]:

@@ -11,7 +11,7 @@ from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector, 
 from tracker.simulation.kinematics import forward_many
 
 
-class Skeleton(NamedTuple):
+class FittedSkeleton(NamedTuple):
     """parent (S,), -1 for the root; origin (S, 3) m in the parent's B; R_rest (S, 3, 3); column
     (S, 3) of abduction, flexion and twist among the angles, -1 where fixed; limits (J, 2) rad;
     coupling (C, 4): angle, other, ratio, offset of a synergy held softly."""
@@ -24,7 +24,7 @@ class Skeleton(NamedTuple):
     coupling: Matrix
 
 
-class Targets(NamedTuple):
+class PointTargets(NamedTuple):
     """Where the points sit: segment (T,), and position (T, 3) m in its B."""
 
     segment: IntVector
@@ -41,8 +41,8 @@ class Posture(NamedTuple):
 
 @kernel
 def solve_frames(
-    hand: Skeleton,
-    targets: Targets,
+    hand: FittedSkeleton,
+    targets: PointTargets,
     points: Stack,
     start: Posture,
     weights: Vector,
@@ -83,8 +83,8 @@ def solve_frames(
 
 @kernel
 def _normal_equations(
-    hand: Skeleton,
-    targets: Targets,
+    hand: FittedSkeleton,
+    targets: PointTargets,
     points: Matrix,
     angles: Vector,
     R: Stack,

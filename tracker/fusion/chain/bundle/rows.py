@@ -12,7 +12,7 @@ from tracker.fusion.chain.kinematics import marker_jacobians, marker_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pixel_rows import stack_rows
-from tracker.fusion.chain.prediction import View, pixel_jacobians
+from tracker.fusion.chain.prediction import PosedRig, pixel_jacobians
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tilt import tilt_rows
 from tracker.messages import Array
@@ -47,7 +47,7 @@ class KeyframeRows:
         p_C = (p_G - frame.pose.p_GC) @ frame.pose.R_GC
         uv = np.stack([rig.project(p_C), rig.project(p_C, right=True)])
         H = marker_jacobians(state, lay, rows)
-        A = pixel_jacobians(p_C, View.of(rig, frame.pose))
+        A = pixel_jacobians(p_C, PosedRig.of(rig, frame.pose))
         slip = noise.pixel._replace(marker=self._params.bundle.slip)
         residual = np.ascontiguousarray(frame.uv[:, rows] - uv)
         H_px, _, r, R = stack_rows(H, np.zeros_like(H), A, residual, slip)
