@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from tracker.messages import Array, Estimate, ImuSample, Tracking
+from tracker.messages import Array, BlobFrame, Estimate, ImuSample, Status, Tracking
 
+STATUS_PERIOD, STATUS_WINDOW = 0.95, 3.0  # s: at least one a second; what rates are counted over
 KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 
 
@@ -57,6 +59,42 @@ class Counter:
     def _lost(self, what: str, n: int) -> None:
         if n:
             self.report.losses[what] = self.report.losses.get(what, 0) + n
+
+
+class StatusClock:
+    """A Status once a second of the session: rates, delays and losses as its messages tell them.
+
+    Nothing of the machine that tracks again is in it, so that a file is the same on any.
+    """
+
+    def __init__(self) -> None:
+        self._next = -np.inf
+        self._packets: deque[tuple[float, float]] = deque()  # t and delay, s
+        self._frames: deque[tuple[float, float]] = deque()
+
+    def frame(self, frame: BlobFrame) -> None:
+        self._frames.append((frame.t, frame.t_arrival - frame.t))
+
+    def packet(self, sample: ImuSample, tracking: Tracking, report: TrackReport) -> Status | None:
+        """Take a packet; the status where one is due, at the first packet too."""
+        self._packets.append((sample.t, sample.t_arrival - sample.t))
+        if sample.t < self._next:
+            return None
+        self._next = sample.t + STATUS_PERIOD
+        values = {
+            "imu_lost": float(report.losses.get("imu_packets", 0)),
+            "imu_readings_lost": float(report.losses.get("imu_readings", 0)),
+            "lost_s": report.lost_s,
+        }
+        for name, told in (("imu", self._packets), ("frame", self._frames)):
+            while told and told[0][0] < sample.t - STATUS_WINDOW:
+                told.popleft()
+            span = min(max(sample.t - told[0][0], 0.1), STATUS_WINDOW) if told else STATUS_WINDOW
+            values[f"{name}_rate_hz"] = len(told) / span
+            if told:
+                values[f"latency_{name}_ms"] = 1e3 * float(np.median([d for _, d in told]))
+        values["estimate_rate_hz"] = values["imu_rate_hz"]
+        return Status(sample.t, tracking, values)
 
 
 class TruthCheck:

@@ -19,7 +19,7 @@ from tracker.messages import (
     ImuSample,
     Tracking,
 )
-from tracker.offline.report import Counter, TrackReport, TruthCheck
+from tracker.offline.report import Counter, StatusClock, TrackReport, TruthCheck
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
@@ -47,7 +47,9 @@ class Output:
         self, recorder: SessionRecorder, with_sensors: bool, check: TruthCheck | None
     ) -> None:
         self._recorder, self._with_sensors, self._check = recorder, with_sensors, check
+        self._moving = recorder.info.moving_camera
         self._counter = Counter()
+        self._status = StatusClock()
 
     @property
     def report(self) -> TrackReport:
@@ -58,9 +60,23 @@ class Output:
         if isinstance(message, PackedFrame):
             self._recorder.write_packed(message)
             return
-        if self._with_sensors:
+        if isinstance(message, BlobFrame):
+            self._frame(message)
+        elif self._with_sensors:
             self._recorder.write(message)
-        self.report.frames += isinstance(message, BlobFrame)
+
+    def _frame(self, frame: BlobFrame) -> None:
+        """Where the camera was taken to be is part of what estimates mean.
+
+        A camera that only its own IMU tells of keeps the static transform that it starts from
+        where its samples are copied: the file is to be tracked again as it was.
+        """
+        if self._with_sensors:
+            self._recorder.write(frame if self._moving else replace(frame, pose=None))
+        if frame.pose is not None:
+            self._recorder.write_camera(frame.t, frame.t_arrival, frame.pose, exact=self._moving)
+        self._status.frame(frame)
+        self.report.frames += 1
 
     def state(self, state: EngineState) -> None:
         """What the engine went on from: part of what it takes to track again."""
@@ -76,6 +92,9 @@ class Output:
         if self._check is not None:
             self._check.add(estimate)
         self._counter.count(sample, estimate.tracking)
+        status = self._status.packet(sample, estimate.tracking, self.report)
+        if status is not None:
+            self._recorder.write(status)
 
     def calibration(self, calibration: Calibration) -> None:
         self._recorder.write(calibration)
@@ -100,11 +119,13 @@ class LiveRun:
         self._make_pipeline, self._pipeline = make_pipeline, make_pipeline(engine, rig)
         self._output, self._changes = output, deque(changes)
         self._next_calibration = -np.inf
+        self._camera_tells = False  # of its rotation, by an IMU of its own
 
     def feed(self, message: Sensed) -> None:
         while self._changes and self._changes[0][0] <= message.t_arrival:
             self._change(*self._changes.popleft())
-        self._output.message(message)
+        self._camera_tells |= isinstance(message, CameraImuSample)
+        self._output.message(self._posed(message))
         if isinstance(message, PackedFrame):
             return
         if isinstance(message, BlobFrame):
@@ -114,6 +135,13 @@ class LiveRun:
         else:
             self._feed_imu(message)
         self._pipeline.take_results()
+
+    def _posed(self, message: Sensed) -> Sensed:
+        """A frame with the pose that the pipeline gives it."""
+        if self._camera_tells and isinstance(message, BlobFrame) and message.pose is None:
+            exposed = message.t - self._pipeline.timing.applied
+            return replace(message, pose=self._pipeline.camera_pose(exposed))
+        return message
 
     def _change(self, t: float, what: EngineState | StereoRig) -> None:
         before = self._pipeline

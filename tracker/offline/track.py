@@ -65,6 +65,8 @@ def track(
         messages = _messages(reader, info, options, threads or usable_cores())
         check = _truth_check(reader, info)
         described = _output_info(info, settings, source, options)
+        if topics.CAMERA_IMU in reader.topic_names and not options.with_sensors:
+            described = replace(described, moving_camera=True)  # by what its IMU tells
         with new_session(out, described, force, [source]) as recorder:
             output = Output(recorder, options.with_sensors, check)
             run = _run(reader, info, settings, output, options)

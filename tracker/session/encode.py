@@ -108,12 +108,15 @@ class Encoder:
         data = sensors.pack_imu(sensors.ImuMessage(stamp, frame, m.gyro, m.accel))
         yield Out(topics.CAMERA_IMU, sensors.IMU, self._wall(m.t_arrival), stamp, data)
 
-    def camera_pose(self, t: float, t_arrival: float, pose: CameraPose | None) -> Iterator[Out]:
-        """Pose of a moving camera, once per exposure."""
+    def camera_pose(
+        self, t: float, t_arrival: float, pose: CameraPose | None, exact: bool = True
+    ) -> Iterator[Out]:
+        """Pose of a moving camera, once per exposure; ``exact``: to the last bit, too."""
         stamp = self._wall(t)
         if pose is not None and stamp != self._pose_stamp:
             self._pose_stamp = stamp
-            yield from pose_messages(topics.TF, pose, self._wall(t_arrival), stamp)
+            messages = pose_messages(topics.TF, pose, self._wall(t_arrival), stamp)
+            yield from (m for m in messages if exact or m.topic == topics.TF)
 
     def images(self, m: StereoFrame) -> Iterator[Out]:
         """Both images, compressed, after the pose of a camera that moves."""

@@ -11,7 +11,7 @@ from types import TracebackType
 from tracker.clock import seconds
 from tracker.errors import ConfigError, FileError
 from tracker.files import DiskError, free_bytes, whole_file
-from tracker.messages import EngineState, Estimate, Message, StereoFrame
+from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.description import METADATA, SessionInfo
 from tracker.session.encode import Encoder, ImageCoding, Out
@@ -138,6 +138,14 @@ class SessionRecorder:
     def write_packed(self, frame: PackedFrame) -> None:
         """Images of another session, byte for byte."""
         self._guarded(lambda out: self._put(out, self._encoder.packed_images(frame)))
+
+    def write_camera(
+        self, t: float, t_arrival: float, pose: CameraPose, exact: bool = True
+    ) -> None:
+        """Where the camera was at an exposure, once; ``exact``: to the last bit, too."""
+        self._guarded(
+            lambda out: self._put(out, self._encoder.camera_pose(t, t_arrival, pose, exact))
+        )
 
     def write_truth(self, truth: Estimate) -> None:
         """What a simulated hand really did at an instant."""
