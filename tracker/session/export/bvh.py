@@ -1,6 +1,7 @@
 """BVH: a skeleton with one rotation per joint, cm, y up.
 
-BVH knows no lost joint: it keeps its last angle, and the JSON beside the file counts how often.
+A bone that the calibration changed has positions too, which stand in place of its offset. BVH
+knows no lost joint: it stands still, and the JSON beside the file tells when (``holes_s``).
 """
 
 from __future__ import annotations
@@ -27,11 +28,19 @@ def export_bvh(reader: SessionReader, path: Path, options: ExportOptions) -> Est
     order: list[int] = []
     _joint(tree, 0, 0, scale, lines, order)
     lines += ["MOTION", f"Frames: {len(m)}", f"Frame Time: {1 / m.rate:.9f}"]
-    table = np.column_stack([tree.root * scale, *(_euler_deg(tree.rotation[:, i]) for i in order)])
+    columns: list[np.ndarray] = []
+    for i in order:
+        if _moves(tree, i):
+            columns.append(tree.translation[:, i] * scale)
+        columns.append(_euler_deg(tree.rotation[:, i]))
     with path.open("w", encoding="utf-8", newline="\n") as out:
         out.write("\n".join(lines) + "\n")
-        np.savetxt(out, table, fmt="%.6f")
-    return replace(m, notes={**m.notes, "held": tree.held})
+        np.savetxt(out, np.column_stack(columns), fmt="%.6f")
+    return replace(m, notes={**m.notes, **tree.notes(m.elapsed)})
+
+
+def _moves(tree: Skeleton, i: int) -> bool:
+    return tree.parent[i] < 0 or bool(tree.stretches[i])
 
 
 def _joint(
@@ -39,16 +48,22 @@ def _joint(
 ) -> None:
     """Write joint ``i`` and what hangs on it; ``order`` collects joints as their channels go."""
     pad, children = "  " * depth, tree.children(i)
-    kind = f"{'ROOT' if depth == 0 else 'JOINT'} {tree.names[i]}" if children else "End Site"
-    offset = " ".join(f"{v:.6f}" for v in tree.offset[i] * scale)
-    lines += [f"{pad}{kind}", f"{pad}{{", f"{pad}  OFFSET {offset}"]
-    if children:
-        order.append(i)
-        place = "6 Xposition Yposition Zposition" if depth == 0 else "3"
-        lines.append(f"{pad}  CHANNELS {place} {_TURN}")
-        for child in children:
-            _joint(tree, child, depth + 1, scale, lines, order)
+    offset = tree.offset[i] * scale if depth else np.zeros(3)
+    lines += [f"{pad}{'JOINT' if depth else 'ROOT'} {tree.names[i]}", f"{pad}{{"]
+    lines.append(f"{pad}  OFFSET {_numbers(offset)}")
+    place = "6 Xposition Yposition Zposition" if _moves(tree, i) else "3"
+    lines.append(f"{pad}  CHANNELS {place} {_TURN}")
+    order.append(i)
+    for child in children:
+        _joint(tree, child, depth + 1, scale, lines, order)
+    if not children:
+        lines += [f"{pad}  End Site", f"{pad}  {{", f"{pad}    OFFSET {_numbers(np.zeros(3))}"]
+        lines.append(f"{pad}  }}")
     lines.append(f"{pad}}}")
+
+
+def _numbers(values: np.ndarray) -> str:
+    return " ".join(f"{v:.6f}" for v in values)
 
 
 def _euler_deg(q: np.ndarray) -> np.ndarray:

@@ -1,4 +1,8 @@
-"""Binary glTF 2.0: the hand as an animated tree of nodes, one small solid per bone; m, y up."""
+"""Binary glTF 2.0: the hand as an animated tree of nodes, one small solid per bone; m, y up.
+
+A bone that the calibration changed has an animated translation. Where an end of a bone is lost for
+longer than a moment its solid has no size, and nodes stand still: nothing is drawn in between.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +15,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from tracker.session.export.holes import LONGEST_FILLED, gaps
 from tracker.session.export.load import load_series
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.resample import continuous
@@ -19,6 +24,7 @@ from tracker.session.export.skeleton import Skeleton, skeleton
 from tracker.session.reader import SessionReader
 
 _FLOAT, _SHORT = 5126, 5123
+_MOMENT = 0.01  # s between a key and one that ends what it holds
 # A bone of unit length along x: thick near its joint, as wide as a tenth of its length.
 _CORNERS = np.array(
     [[0, 0, 0], [0.2, 0.1, 0], [0.2, 0, 0.1], [0.2, -0.1, 0], [0.2, 0, -0.1], [1, 0, 0]], "<f4"
@@ -32,7 +38,7 @@ def export_glb(reader: SessionReader, path: Path, options: ExportOptions) -> Est
     m = load_series(reader, replace(options, joints=()), axes="y-up")
     tree = skeleton(m)
     path.write_bytes(_document(m, tree))
-    return replace(m, notes={**m.notes, "held": tree.held})
+    return replace(m, notes={**m.notes, **tree.notes(m.elapsed)})
 
 
 class _Buffer:
@@ -89,24 +95,21 @@ def _document(m: EstimateSeries, tree: Skeleton) -> bytes:
 
 
 def _nodes(tree: Skeleton) -> list[dict[str, Any]]:
-    """The joints, then one node per bone that carries its solid."""
+    """The joints, then one node per bone that carries its solid, in the order of their ends."""
     n = len(tree.names)
     nodes: list[dict[str, Any]] = [
         {
             "name": name,
-            "translation": (tree.root[0] if i == 0 else tree.offset[i]).tolist(),
+            "translation": (tree.translation[0, 0] if i == 0 else tree.offset[i]).tolist(),
             "rotation": tree.rotation[0, i].tolist(),
         }
         for i, name in enumerate(tree.names)
     ]
+    nodes += [_bone(tree.offset[i], tree.names[i]) for i in range(1, n)]
     for i in range(n):
         children = tree.children(i)
-        bones = []
-        for child in children:
-            bones.append(len(nodes))
-            nodes.append(_bone(tree.offset[child], tree.names[child]))
         if children:
-            nodes[i]["children"] = [*children, *bones]
+            nodes[i]["children"] = [*children, *(n - 1 + child for child in children)]
     return nodes
 
 
@@ -121,17 +124,60 @@ def _bone(offset: np.ndarray, name: str) -> dict[str, Any]:
     }
 
 
+class _Tracks:
+    """Samplers and channels of an animation."""
+
+    def __init__(self, buffer: _Buffer) -> None:
+        self._buffer = buffer
+        self.samplers: list[dict[str, Any]] = []
+        self.channels: list[dict[str, Any]] = []
+
+    def times(self, t: np.ndarray) -> int:
+        return self._buffer.add(t.astype("<f4"), "SCALAR")
+
+    def add(
+        self, node: int, path: str, times: int, values: np.ndarray, way: str = "LINEAR"
+    ) -> None:
+        """``values`` of ``path`` (translation, rotation or scale) at the keys of ``times``."""
+        kind = "VEC4" if path == "rotation" else "VEC3"
+        output = self._buffer.add(values.astype("<f4"), kind)
+        self.samplers.append({"input": times, "output": output, "interpolation": way})
+        target = {"node": node, "path": path}
+        self.channels.append({"sampler": len(self.samplers) - 1, "target": target})
+
+
 def _animation(m: EstimateSeries, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
-    t = buffer.add(m.elapsed.astype("<f4"), "SCALAR")
-    outputs = [(0, "translation", buffer.add(tree.root.astype("<f4"), "VEC3"))]
+    tracks = _Tracks(buffer)
+    t, rows = _keys(m.elapsed)
+    times = tracks.times(t)
     for i in range(len(tree.names)):
-        q = continuous(tree.rotation[:, i]).astype("<f4")
-        outputs.append((i, "rotation", buffer.add(q, "VEC4")))
-    return {
-        "name": "tracked",
-        "samplers": [{"input": t, "output": o} for _, _, o in outputs],
-        "channels": [
-            {"sampler": k, "target": {"node": node, "path": what}}
-            for k, (node, what, _) in enumerate(outputs)
-        ],
-    }
+        if i == 0 or tree.stretches[i]:
+            tracks.add(i, "translation", times, tree.translation[rows, i])
+        tracks.add(i, "rotation", times, continuous(tree.rotation[:, i])[rows])
+    _hide(m.elapsed, tree, tracks)
+    return {"name": "tracked", "samplers": tracks.samplers, "channels": tracks.channels}
+
+
+def _keys(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Times (s) of the keys and rows to take: where estimates are missing the last one stays."""
+    holes = np.flatnonzero(np.diff(t) > LONGEST_FILLED)
+    rows = np.insert(np.arange(len(t)), holes + 1, holes)
+    return np.insert(t, holes + 1, t[holes + 1] - _MOMENT), rows
+
+
+def _hide(t: np.ndarray, tree: Skeleton, tracks: _Tracks) -> None:
+    """Solids of bones with a lost end have no size for as long."""
+    n = len(tree.names)
+    for i in range(1, n):
+        lost = gaps(t, tree.known[:, i] & tree.known[:, tree.parent[i]])
+        if not lost:
+            continue
+        keys = {float(t[0]): 1.0}
+        for start, stop in lost:
+            keys[start if start == t[0] else start + _MOMENT] = 0.0
+            if stop < t[-1]:
+                keys[stop] = 1.0
+        at = np.array(sorted(keys))
+        length = float(np.linalg.norm(tree.offset[i]))
+        sizes = np.repeat([[length * keys[k]] for k in at], 3, axis=1)
+        tracks.add(n - 1 + i, "scale", tracks.times(at), sizes, "STEP")

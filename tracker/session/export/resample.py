@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -10,27 +11,45 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, Slerp
 
 from tracker.clock import NS
-from tracker.messages import Array
+from tracker.errors import FileError
+from tracker.messages import Array, IntArray, Validity
+from tracker.session.export.holes import runs
 from tracker.session.export.series import EstimateSeries
+
+MOST_ROWS = 1_000_000
+"""Beside twenty for each estimate: more come of stamps that are wrong."""
 
 
 def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
     """Estimates at ``rate`` Hz.
 
-    A number next to one that was lost stays lost; states are those of the nearest estimate.
+    A number next to one that was lost stays lost, and nothing is put where no estimate is known
+    for longer than `holes.LONGEST_FILLED`; states are those of the nearest estimate, or lost.
+    Raises FileError where the stamps would make far more rows than there are estimates.
     """
+    m = m.rows(np.flatnonzero(np.diff(m.stamp_ns, prepend=m.stamp_ns[0] - 1) > 0))
     if len(m) < 4:
         return m
-    smooth = low_passed(m, rate) if rate < 0.9 * m.rate else m
     n = int(np.floor(m.elapsed[-1] * rate + 1e-9)) + 1
+    if n > 20 * len(m) + MOST_ROWS:
+        raise FileError(
+            f"{len(m)} estimates over {m.elapsed[-1]:.0f} s would be {n} rows at {rate:g} Hz; "
+            "export a part of them."
+        )
+    smooth = low_passed(m, rate) if rate < 0.9 * m.rate else m
     t = np.arange(n) / rate
     nearest = np.searchsorted((m.elapsed[1:] + m.elapsed[:-1]) / 2, t)
+    keypoints = _spline(m.elapsed, smooth.keypoints, t)
+    angles = _spline(m.elapsed, smooth.angles, t)
+    near = m.rows(nearest)
     return replace(
-        m.rows(nearest),
+        near,
         stamp_ns=m.stamp_ns[0] + np.round(t * NS).astype(np.int64),
-        keypoints=_spline(m.elapsed, smooth.keypoints, t),
-        angles=_spline(m.elapsed, smooth.angles, t),
+        keypoints=keypoints,
+        angles=angles,
         q=_slerp(m.elapsed, smooth.q, t),
+        state=np.where(np.isfinite(keypoints).all(axis=2), near.state, Validity.LOST),
+        angle_state=np.where(np.isfinite(angles), near.angle_state, Validity.LOST),
     )
 
 
@@ -41,31 +60,36 @@ def low_passed(m: EstimateSeries, rate: float) -> EstimateSeries:
     kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
     return replace(
         m,
-        keypoints=_smoothed(m.keypoints, kernel),
-        angles=_smoothed(m.angles, kernel),
-        q=_smoothed_turns(m.q, kernel),
+        keypoints=_smoothed(m.elapsed, m.keypoints, kernel),
+        angles=_smoothed(m.elapsed, m.angles, kernel),
+        q=_smoothed_turns(m.elapsed, m.q, kernel),
     )
 
 
-def _smoothed(values: Array, kernel: Array) -> Array:
-    """Weighted means along time of what is known; what is lost stays lost."""
+def _smoothed(t: Array, values: Array, kernel: Array) -> Array:
+    """Weighted means along time of what is known, not across holes; what is lost stays lost."""
     flat = values.reshape(len(values), -1)
-    out = np.empty_like(flat)
+    out = np.full_like(flat, np.nan)
     for k, column in enumerate(flat.T):
-        known = np.isfinite(column)
-        total = np.convolve(np.where(known, column, 0.0), kernel, "full")
-        weight = np.convolve(known.astype(float), kernel, "full")
-        inside = slice(len(kernel) // 2, len(kernel) // 2 + len(column))
-        mean = total[inside] / np.where(known, weight[inside], 1.0)
-        out[:, k] = np.where(known, mean, np.nan)
+        for run in runs(t, np.isfinite(column)):
+            out[run, k] = _smoothed_run(column[run], kernel)
     return out.reshape(values.shape)
 
 
-def _smoothed_turns(q: Array, kernel: Array) -> Array:
+def _smoothed_run(column: Array, kernel: Array) -> Array:
+    known = np.isfinite(column)
+    total = np.convolve(np.where(known, column, 0.0), kernel, "full")
+    weight = np.convolve(known.astype(float), kernel, "full")
+    inside = slice(len(kernel) // 2, len(kernel) // 2 + len(column))
+    mean = total[inside] / np.where(known, weight[inside], 1.0)
+    return np.where(known, mean, np.nan)
+
+
+def _smoothed_turns(t: Array, q: Array, kernel: Array) -> Array:
     """(N, K, 4): normalised means of quaternions of one sign, right for turns within a kernel."""
     out = np.empty_like(q)
     for k in range(q.shape[1]):
-        mean = _smoothed(continuous(q[:, k]), kernel)
+        mean = _smoothed(t, continuous(q[:, k]), kernel)
         out[:, k] = mean / np.linalg.norm(mean, axis=1, keepdims=True)
     return out
 
@@ -83,24 +107,33 @@ def _spline(t_old: Array, values: Array, t: Array) -> Array:
     flat = values.reshape(len(values), -1)
     out = np.full((len(t), flat.shape[1]), np.nan)
     for k, column in enumerate(flat.T):
-        known = np.isfinite(column)
-        if known.sum() < 2:
-            continue
-        covered = _covered(t_old, known, t)
-        out[covered, k] = CubicSpline(t_old[known], column[known])(t[covered])
+        for knots, wanted in _pieces(t_old, np.isfinite(column), t):
+            out[wanted, k] = CubicSpline(t_old[knots], column[knots])(t[wanted])
     return out.reshape(len(t), *values.shape[1:])
 
 
 def _slerp(t_old: Array, q: Array, t: Array) -> Array:
     out = np.full((len(t), *q.shape[1:]), np.nan)
     for k in range(q.shape[1]):
-        known = np.asarray(np.isfinite(q[:, k]).all(axis=1))
-        if known.sum() < 2:
-            continue
-        covered = _covered(t_old, known, t)
-        turn = Slerp(t_old[known], Rotation.from_quat(q[known, k]))
-        out[covered, k] = turn(t[covered]).as_quat()
+        for knots, wanted in _pieces(t_old, np.asarray(np.isfinite(q[:, k]).all(axis=1)), t):
+            turn = Slerp(t_old[knots], Rotation.from_quat(q[knots, k]))
+            at = np.clip(t[wanted], t_old[knots[0]], t_old[knots[-1]])
+            out[wanted, k] = turn(at).as_quat()
     return out
+
+
+def _pieces(
+    t_old: Array, known: NDArray[np.bool_], t: Array
+) -> Iterator[tuple[IntArray, NDArray[np.int64]]]:
+    """Per stretch without a hole: rows to go through, and the instants between that are covered."""
+    covered = _covered(t_old, known, t)
+    for run in runs(t_old, known):
+        knots = run.start + np.flatnonzero(known[run])
+        if len(knots) < 2:
+            continue
+        low, high = t_old[knots[0]] - 1e-9, t_old[knots[-1]] + 1e-9
+        first, last = np.searchsorted(t, low), np.searchsorted(t, high, side="right")
+        yield knots, first + np.flatnonzero(covered[first:last])
 
 
 def _covered(t_old: Array, known: NDArray[np.bool_], t: Array) -> NDArray[np.bool_]:

@@ -1,18 +1,22 @@
-"""The tracked hand as a tree of keypoints with bones of fixed length, for BVH and glTF."""
+"""The tracked hand as a tree of keypoints for BVH and glTF."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from tracker.errors import FileError
 from tracker.hand.names import CHAINS
 from tracker.messages import Array
+from tracker.session.export.holes import gaps
 from tracker.session.export.series import EstimateSeries
 
 ROOT = "wrist"
+STIFF = 1e-5
+"""m within which a bone keeps its offset: five of them in a row stay below 0.1 mm."""
 _DIGITS = {
     d: ("cmc", "mcp", "ip", "tip") if d == "thumb" else ("mcp", "pip", "dip", "tip") for d in CHAINS
 }
@@ -20,40 +24,55 @@ _DIGITS = {
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:
-    """Nodes parents first. offset (n, 3) m in the parent's axes; rotation (N, n, 4) xyzw against
-    the parent's; root (N, 3) m. ``held`` counts the numbers that were lost and repeat the last.
+    """N instants of n nodes, parents first; what was lost repeats what was known last.
+
+    offset (n, 3) m in the parent's axes, the median; translation (N, n, 3) m, the root's in the
+    world, the others' offset at each instant; rotation (N, n, 4) xyzw against the parent's;
+    ``stretches`` (n,) where the offset changes, as the calibration does; known (N, n).
     """
 
     names: tuple[str, ...]
     parent: tuple[int, ...]
     offset: Array
+    translation: Array
     rotation: Array
-    root: Array
-    held: int
+    stretches: NDArray[np.bool_]
+    known: NDArray[np.bool_]
 
     def children(self, i: int) -> list[int]:
         return [k for k, p in enumerate(self.parent) if p == i]
 
+    def notes(self, t: Array) -> dict[str, object]:
+        """For the JSON: how many numbers repeat the last, and in which seconds of ``t`` (N,)."""
+        lost = {n: gaps(t, self.known[:, i]) for i, n in enumerate(self.names)}
+        return {
+            "held": int((~self.known).sum()),
+            "holes_s": {
+                n: [[round(v, 6) for v in g] for g in found] for n, found in lost.items() if found
+            },
+        }
+
 
 def skeleton(m: EstimateSeries) -> Skeleton:
-    """The tree of a motion. Raises FileError where a keypoint was never seen."""
+    """The tree of a series. Raises FileError where a keypoint was never seen."""
     names, parent = bone_tree(m.keypoint_names)
     columns = [m.keypoint_names.index(n) for n in names]
     p, q = m.keypoints[:, columns], m.q[:, columns]
-    held = int((~np.isfinite(p).all(axis=2) | ~np.isfinite(q).all(axis=2)).sum())
+    known = np.asarray(np.isfinite(np.concatenate([p, q], axis=2)).all(axis=2))
     R = Rotation.from_quat(_held(q, names).reshape(-1, 4)).as_matrix().reshape(*q.shape[:2], 3, 3)
-    offset = np.zeros((len(names), 3))
-    rotation = np.empty_like(q)
+    translation, rotation = np.empty_like(p), np.empty_like(q)
     for i, a in enumerate(parent):
         local = R[:, i] if a < 0 else np.swapaxes(R[:, a], 1, 2) @ R[:, i]
         rotation[:, i] = Rotation.from_matrix(local).as_quat()
-        if a >= 0:
-            # Bones do not stretch: the median is their length as calibrated.
-            bone = np.einsum("nji,nj->ni", R[:, a], p[:, i] - p[:, a])
-            offset[i] = np.nanmedian(bone, axis=0)
-    if not np.isfinite(offset).all():
+        translation[:, i] = (
+            p[:, i] if a < 0 else np.einsum("nji,nj->ni", R[:, a], p[:, i] - p[:, a])
+        )
+        translation[~known[:, i] | ~known[:, max(a, 0)], i] = np.nan
+    if not np.isfinite(translation).all(axis=2).any(axis=0).all():
         raise FileError("A bone was never seen with both its ends, so there is no skeleton.")
-    return Skeleton(names, parent, offset, rotation, _held(p[:, :1], names)[:, 0], held)
+    offset = np.nanmedian(translation, axis=0)
+    stretches = np.nanmax(np.abs(translation - offset), axis=(0, 2)) > STIFF
+    return Skeleton(names, parent, offset, _held(translation, names), rotation, stretches, known)
 
 
 def bone_tree(present: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[int, ...]]:
