@@ -157,3 +157,12 @@ class EngineSetup:
     camera_controls: CameraControls | None = None  # of a device that is open
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms
+    has_glove: bool = True
+    has_camera: bool = True
+    camera_calibrated: bool = True  # False: ``rig`` is an ideal one that stands for it
+    missing: str = ""  # sentences that say what of the rig is not there, and why
+
+    @property
+    def whole(self) -> bool:
+        """Glove and calibrated camera: the hand has a place, and any engine may track it."""
+        return self.has_glove and self.has_camera and self.camera_calibrated

@@ -163,9 +163,14 @@ class EngineHost(QObject):
 
     def set_engine(self, name: str) -> None:
         """Track with another engine from now on."""
-        if self._setup is not None:
+        if self._setup is None:
+            return
+        try:
             self._setup.engine.set_engine(name)
-            self.engine_changed.emit(name)
+        except GlovetrackError as error:  # half a rig does not serve every engine
+            self.error.emit(str(error))
+            return
+        self.engine_changed.emit(name)
 
     def command(self, work: Callable[[Engine], None]) -> bool:
         """Do something to the engine in its own thread; False where there is none to take it."""
@@ -197,6 +202,8 @@ class EngineHost(QObject):
             return None
         for event in setup.engine.take_events():
             self.happened.emit(event)
+        if self._spent and setup.player is None:
+            return Snapshot(setup=setup, running=False)  # what was live is no more
         estimate = setup.engine.latest_estimate()
         if estimate is not None and (not self._recent or self._recent[-1].t != estimate.t):
             self._recent.append(estimate)

@@ -1,11 +1,14 @@
-"""The real devices: a glove on a serial port and a side-by-side stereo camera."""
+"""The real devices: a glove on a serial port, a stereo camera, or what there is of them."""
 
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
-from app.engines.camera_choice import choose
+from app.engines.camera_choice import ChosenCamera, choose
 from app.engines.engine import EngineSetup
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
@@ -15,57 +18,108 @@ from tracker import library
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
-from tracker.errors import DeviceError
+from tracker.errors import DeviceError, GlovetrackError
 from tracker.live.runner import LiveTracker
 from tracker.pipeline import Pipeline
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.sensors.sources import CameraSource, NoCamera, NoGlove
 from tracker.session.description import SessionInfo
+from tracker.settings import Settings
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig
 
 WIDTH, HEIGHT, FPS = 1280, 720, 60.0
+T = TypeVar("T")
+INERTIAL = Settings(engine="inertial")
+
+
+@dataclass(frozen=True)
+class Found:
+    """What there is of a rig; ``missing`` says what is not there, and why."""
+
+    port: str | None
+    camera: ChosenCamera | None
+    rig: StereoRig | None
+    missing: tuple[str, ...]
+
+    @property
+    def name(self) -> str:
+        """For the window's title."""
+        return f"glove at {self.port}" if self.port else "camera alone"
+
+    @property
+    def whole(self) -> bool:
+        return self.port is not None and self.camera is not None and self.rig is not None
 
 
 def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
-    """Find the devices and build an engine on them. Raises DeviceError with what is missing."""
-    port = find_port(progress, settings.port)
-    progress(0.5, "camera")
-    rig = rig_of(settings.calibration)
-    chosen = choose(settings, rig.left.width, rig.left.height, FPS)
+    """Find the devices and build an engine on them: half a rig is shown as far as it goes.
+
+    Raises DeviceError with what is missing where there is neither glove nor camera.
+    """
+    found = find_devices(progress, settings)
     progress(0.7, "engine")
     hand, glove = library.load(settings.glove, settings.hand)
-    pipeline = Pipeline(hand, glove, rig)
+    pipeline = Pipeline(hand, glove, found.rig, Settings() if found.whole else INERTIAL)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
     info = _info(settings, pipeline, colours_text)
     profile = parse_profile(colours_text)
 
     def make_detector(colours: ColourProfile) -> Detector:
-        return Detector(colours, float(glove.marker_size.mean()), rig.fx)
+        return Detector(colours, float(glove.marker_size.mean()), pipeline.rig.fx)
 
     warm_up(hand, glove, make_detector(profile))
-    link = GloveLink(serial_port(port), len(glove.imus))
-    camera = StereoCamera(chosen.source, rig)
-    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
+    link = GloveLink(serial_port(found.port), len(glove.imus)) if found.port else None
+    chosen = found.camera
+    camera: CameraSource = StereoCamera(chosen.source, found.rig) if chosen else NoCamera()
+    tracker = LiveTracker(pipeline, profile, make_detector, link or NoGlove(), camera)
     return EngineSetup(
-        name=f"glove at {port}",
+        name=found.name,
         engine=tracker,
         hand=hand,
         glove=glove,
-        rig=rig,
+        rig=pipeline.rig,
         profile=profile,
         anchor=info.anchor,
         close=lambda: None,
         make_recorder=recorder_maker(tracker, info),
-        vibrate=link.vibrate,
+        vibrate=link.vibrate if link else None,
         command=tracker.command,
-        reference_tracking=tracker,
+        reference_tracking=tracker if found.whole else None,
         # a calibration file's name holds a ZED's serial number
-        camera=f"{chosen.title} {Path(settings.calibration).stem}",
-        camera_controls=chosen.controls,
+        camera=f"{chosen.title} {Path(settings.calibration).stem}" if chosen else "",
+        camera_controls=chosen.controls if chosen else None,
+        has_glove=link is not None,
+        has_camera=chosen is not None,
+        camera_calibrated=found.rig is not None,
+        missing=" ".join(found.missing),
     )
+
+
+def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
+    """Look for glove, calibration and camera. Raises DeviceError where neither device is there."""
+    missing: list[str] = []
+    port = _unless_missing(lambda: find_port(progress, settings.port), missing)
+    progress(0.5, "camera")
+    rig = _unless_missing(lambda: rig_of(settings.calibration), missing)
+    width, height = (rig.left.width, rig.left.height) if rig else (WIDTH, HEIGHT)
+    camera = _unless_missing(lambda: choose(settings, width, height, FPS), missing)
+    if port is None and camera is None:
+        raise DeviceError(" ".join(missing))
+    if port is not None and not (rig and camera):
+        missing.append("The hand is shown by its IMUs alone, without a place.")
+    return Found(port, camera, rig, tuple(missing))
+
+
+def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
+    try:
+        return find()
+    except GlovetrackError as error:
+        missing.append(str(error))
+        return None
 
 
 def _info(settings: AppSettings, pipeline: Pipeline, colours_text: str) -> SessionInfo:
@@ -76,7 +130,7 @@ def _info(settings: AppSettings, pipeline: Pipeline, colours_text: str) -> Sessi
         hand_text=library.text("hands", settings.hand),
         glove_text=library.text("gloves", settings.glove),
         anchor=ClockAnchor(time.time_ns(), time.monotonic_ns()),
-        rig=pipeline.rig,
+        rig=pipeline.calibrated_rig,
         colours_text=colours_text,
         settings_text=to_toml(pipeline.settings),
         engine=pipeline.settings.engine,

@@ -9,7 +9,9 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
-from app.viewmodels.checklist import SetUpStep, steps
+from app.viewmodels.checklist import SetUpStep, hues_seen, steps
+
+HUE_MEMORY = 4.0  # s for which a hue counts as seen
 
 
 class ChecklistPanel(Panel):
@@ -23,6 +25,7 @@ class ChecklistPanel(Panel):
         super().__init__(host, parent)
         self._store = store
         self._rows: list[_Row] = []
+        self._hue_seen: dict[str, float] = {}  # when each was found last, s
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(12)
         self._grid.setVerticalSpacing(10)
@@ -35,6 +38,7 @@ class ChecklistPanel(Panel):
         column.addWidget(self.summary)
         column.addLayout(self._grid)
         column.addStretch(1)
+        host.profile_changed.connect(lambda _profile: self._hue_seen.clear())
         for i in range(len(steps(None))):
             self._rows.append(_Row(self._grid, i, self.action))
         self.refresh(None)
@@ -43,7 +47,7 @@ class ChecklistPanel(Panel):
         return self.tr("Set-up")
 
     def refresh(self, view: Snapshot | None) -> None:
-        shown = steps(view, self._store.value.calibration)
+        shown = steps(view, self._store.value.calibration, self._hues_lately(view))
         done = sum(s.done for s in shown)
         ready = done == len(shown)
         text = self.tr("Ready") if ready else self.tr("{} of {} done").format(done, len(shown))
@@ -51,6 +55,16 @@ class ChecklistPanel(Panel):
         first = next((i for i, s in enumerate(shown) if not s.done), len(shown))
         for i, (row, step) in enumerate(zip(self._rows, shown, strict=True)):
             row.show(step, reachable=i == first)
+
+    def _hues_lately(self, view: Snapshot | None) -> set[str]:
+        """Not every patch faces the camera at every instant."""
+        if view is None or view.frame is None:
+            self._hue_seen.clear()
+            return set()
+        now = view.frame.t
+        for name in hues_seen(view):
+            self._hue_seen[name] = now
+        return {name for name, t in self._hue_seen.items() if abs(now - t) < HUE_MEMORY}
 
 
 class _Row:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,6 +16,8 @@ from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
 """°/s: gyros known better than this need no rest."""
+
+SILENT_AFTER = 0.7  # s: with the list's own period a line turns within about a second
 
 
 @dataclass(frozen=True)
@@ -33,11 +36,16 @@ class SetUpStep:
         return WARN if reachable else IDLE
 
 
-def steps(view: Snapshot | None, calibration: str = "") -> list[SetUpStep]:
+def steps(
+    view: Snapshot | None, calibration: str = "", hues_lately: Collection[str] | None = None
+) -> list[SetUpStep]:
     """All steps in order; the first that is not done is the one to work on.
 
-    ``calibration`` is the chosen stereo calibration's path, for the time before devices are open.
+    ``calibration`` is the chosen stereo calibration's path, for the time before devices are open;
+    ``hues_lately`` are names of hues found in the last seconds, in the newest images unless told.
     """
+    if view is not None and not (view.running or view.setup.player is not None):
+        view = None  # stopped: nothing arrives
     return [
         _glove(view),
         _samples(view),
@@ -45,23 +53,52 @@ def steps(view: Snapshot | None, calibration: str = "") -> list[SetUpStep]:
         _camera(view),
         _stereo(view, calibration),
         _exposure(view),
-        _colours(view),
+        _colours(view, hues_lately),
         _hand(view),
         _calibration(view),
     ]
 
 
+def silence(view: Snapshot, last_arrival: float) -> float:
+    """s for which nothing of a stream has come; a session is not judged by when it is looked at."""
+    if view.setup.player is not None or view.status is None:
+        return 0.0
+    return max(0.0, view.status.t - last_arrival)
+
+
+def packets_arrive(view: Snapshot | None) -> bool:
+    return view is not None and len(view.imu) > 0 and silence(view, _newest(view)) < SILENT_AFTER
+
+
+def images_arrive(view: Snapshot | None) -> bool:
+    if view is None or view.frame is None:
+        return False
+    return silence(view, view.frame.t_arrival) < SILENT_AFTER
+
+
+def _newest(view: Snapshot) -> float:
+    return view.imu[-1].t_arrival
+
+
+def _silent_words(what: str, seconds: float) -> str:
+    """A count that does not tick, so that the line can be read."""
+    return f"The {what} was here and is silent{'' if seconds < 10 else ' for a while'}. Plugged in?"
+
+
 def _glove(view: Snapshot | None) -> SetUpStep:
     name = "Glove found"
-    if view is not None and len(view.imu) > 0:
+    if view is not None and packets_arrive(view):
         return SetUpStep(name, True, view.setup.glove.name)
+    if view is not None and len(view.imu) > 0:
+        reason = _silent_words("glove", silence(view, _newest(view)))
+        return SetUpStep(name, False, reason, "hardware", "Look again")
     reason = "No glove answers. Plug it in, or try the demo."
     return SetUpStep(name, False, reason, "hardware", "Look again")
 
 
 def _samples(view: Snapshot | None) -> SetUpStep:
     name = "All IMUs answer"
-    if view is None or len(view.imu) == 0:
+    if view is None or not packets_arrive(view):
         return SetUpStep(name, False, "Waits for the glove.", "glove_setup", "Set up the glove")
     valid = np.array([s.valid for s in list(view.imu)[-100:]]).mean(axis=0)
     silent = [n for n, v in zip(view.setup.glove.imu_names, valid, strict=True) if v < 0.5]
@@ -75,7 +112,7 @@ def _samples(view: Snapshot | None) -> SetUpStep:
 def _still(view: Snapshot | None) -> SetUpStep:
     """Either the hand lay still for a moment, or the filter has found the gyros' biases by now."""
     name = "Measured at rest"
-    if view is None or view.calibration is None or len(view.imu) == 0:
+    if view is None or view.calibration is None or not packets_arrive(view):
         return SetUpStep(name, False, "Waits for the glove.")
     sd = view.calibration.gyro_bias_sd
     if np.all(np.isnan(sd)):
@@ -89,6 +126,9 @@ def _still(view: Snapshot | None) -> SetUpStep:
 
 def _camera(view: Snapshot | None) -> SetUpStep:
     name = "Camera found"
+    if view is not None and view.frame is not None and not images_arrive(view):
+        reason = _silent_words("camera", silence(view, view.frame.t_arrival))
+        return SetUpStep(name, False, reason, "hardware", "Look again")
     if view is not None and view.frame is not None:
         dark = [
             side
@@ -107,6 +147,9 @@ def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
         return SetUpStep(name, True, Path(calibration).name)
     if view is None:
         return SetUpStep(name, False, "Show a printed board to both lenses.", "stereo", "Calibrate")
+    if not view.setup.camera_calibrated:
+        reason = "Show a printed board to both lenses."
+        return SetUpStep(name, False, reason, "stereo", "Calibrate")
     baseline = view.setup.rig.baseline * 1000
     return SetUpStep(name, True, f"baseline {baseline:.1f} mm")
 
@@ -114,7 +157,7 @@ def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
 def _exposure(view: Snapshot | None) -> SetUpStep:
     """A camera that exposes by itself changes the markers' colours."""
     name = "Exposure locked"
-    if view is None or view.frame is None:
+    if view is None or not images_arrive(view):
         return SetUpStep(name, False, "Waits for images.")
     if view.setup.simulated or view.setup.player is not None:
         return SetUpStep(name, True, "it does not change here")
@@ -132,29 +175,43 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
     )
 
 
-def _colours(view: Snapshot | None) -> SetUpStep:
+def hues_seen(view: Snapshot) -> set[str]:
+    """Names of the hues that are found in the newest images."""
+    if view.blobs is None:
+        return set()
+    sides = [b for b in (view.blobs.left, view.blobs.right) if b is not None]
+    return {view.blobs.hue_names[h] for b in sides for h in b.hue.tolist()}
+
+
+def _colours(view: Snapshot | None, lately: Collection[str] | None) -> SetUpStep:
+    """Done when every hue of the glove is found, not only some."""
     name = "Colours tuned"
-    if view is None or view.blobs is None:
+    if view is None or view.blobs is None or not images_arrive(view):
         return SetUpStep(name, False, "Waits for images.")
     rows = seen_rows(view, view.setup.profile)
     clashing = [r.name for r in rows if r.clash]
     if clashing:
         reason = f"The intervals of {' and '.join(clashing)} overlap."
         return SetUpStep(name, False, reason, "show_colours", "Tune colours")
-    sides = [b for b in (view.blobs.left, view.blobs.right) if b is not None]
-    found = {view.blobs.hue_names[h] for b in sides for h in b.hue.tolist()}
+    found = hues_seen(view) if lately is None else set(lately)
+    unseen = [n for n in view.setup.glove.hues if n not in found]
     if not found:
         return SetUpStep(name, False, "No marker is found.", "show_colours", "Tune colours")
-    return SetUpStep(
-        name, True, f"seen: {', '.join(n for n in view.blobs.hue_names if n in found)}"
-    )
+    if unseen:
+        reason = f"Not seen: {', '.join(unseen)}. Turn the hand, or tune the colours."
+        return SetUpStep(name, False, reason, "show_colours", "Tune colours")
+    return SetUpStep(name, True, f"seen: {', '.join(view.setup.glove.hues)}")
 
 
 def _hand(view: Snapshot | None) -> SetUpStep:
     name = "Hand in view"
     tracking = view.estimate.tracking if view is not None and view.estimate is not None else None
+    if not (packets_arrive(view) or images_arrive(view)):
+        return SetUpStep(name, False, "Waits for glove and camera.")
     if tracking == Tracking.TRACKING:
         return SetUpStep(name, True, "tracking")
+    if view is not None and not view.setup.whole:
+        return SetUpStep(name, False, "Needs glove and calibrated camera.")
     return SetUpStep(
         name, False, "Hold the hand flat, about 35 cm before the camera, for two seconds."
     )

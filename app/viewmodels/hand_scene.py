@@ -101,6 +101,8 @@ class HandSceneModel:
         located = located and bool(np.isfinite(estimate.segment_p).all())
         if located:
             self._last = (estimate.segment_R, estimate.segment_p)
+        elif np.isfinite(estimate.segment_p).all() and np.isfinite(estimate.segment_R).all():
+            self._last = (estimate.segment_R, self._at_last_place(estimate.segment_p))
         if self._last is None:
             return None
         R, p = self._last
@@ -120,8 +122,18 @@ class HandSceneModel:
             R_GC=pose.R_GC,
             p_GC=pose.p_GC,
             trail=self._trail_points(estimate),
-            caption="" if located else "Position lost: the hand stands where it was last seen",
+            caption="" if located else self._lost_caption(),
         )
+
+    def _at_last_place(self, p_GB: Array) -> Array:
+        """(S, 3) m: a hand whose place is lost turns and bends where its root stood last."""
+        place = self._last[1][0] if self._last is not None else np.zeros(3)
+        return np.asarray(p_GB - p_GB[0] + place)
+
+    def _lost_caption(self) -> str:
+        if self._setup.whole:
+            return "Position lost: the hand stands where it was last seen"
+        return "Place unknown: orientation and finger angles by the IMUs alone"
 
     def _markers(self, R: Array, p: Array) -> Array:
         """(M, 3) m in G."""
@@ -153,14 +165,13 @@ def followed(target: Array, scene: HandScene, found_before: bool) -> Array:
 
 
 def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArray:
-    """(S,) how each segment is known: as the worst of its joint's angles; the root as the wrist."""
+    """(S,) how each segment is known: as the worst of its joint's angles; the root as the wrist,
+    and lost with the hand's place."""
     out = np.empty(len(hand.segments), np.int64)
     for i, s in enumerate(hand.segments):
         columns = [c for c in hand.axis_columns[i] if c >= 0]
-        if not located:
-            out[i] = Validity.LOST
-        elif s.parent is None or not columns:
-            out[i] = estimate.keypoint_state[0]
+        if s.parent is None or not columns:
+            out[i] = estimate.keypoint_state[0] if located else Validity.LOST
         else:
             out[i] = min(int(estimate.angle_state[c]) for c in columns)
     return out

@@ -69,7 +69,7 @@ class Sources(QObject):
     ) -> None:
         super().__init__(window)
         self._host, self._store, self._messages, self._window = host, store, messages, window
-        host.opened.connect(lambda setup: setup.engine.set_engine(store.value.engine))
+        host.opened.connect(self._choose_engine)
 
     def open_demo(self, fps: float = 30.0, camera: SimulatedCamera | None = None) -> None:
         self._open(self.tr("Starting the demo"), demo_factory(fps=fps, camera=camera))
@@ -103,6 +103,13 @@ class Sources(QObject):
             self._messages.say(text, open_now)
         elif path:
             self.open_session(Path(path))
+
+    def _choose_engine(self, setup: EngineSetup) -> None:
+        """The one used last; half a rig has the one that can do with it."""
+        if setup.whole:
+            setup.engine.set_engine(self._store.value.engine)
+        elif setup.missing:
+            self._messages.say(setup.missing)
 
     def set_engine(self, name: str) -> None:
         """Track with another engine, now and after the next start."""

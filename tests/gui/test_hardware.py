@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 from gui_fakes import frame_and_blobs, models, simulation
 
+from app.engines.engine import RecordingRequest
 from app.viewmodels.checklist import steps
 from app.wizards.glove.choice import SESSION
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
+from tracker.messages import Tracking, Validity
 from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
 
@@ -87,3 +89,74 @@ def test_a_glove_that_is_unplugged_is_said_in_the_log(connected, qtbot, device):
         return any("unplugged" in t for t in texts)
 
     qtbot.waitUntil(said, timeout=30_000)
+
+
+@pytest.fixture
+def glove_alone(window, qtbot, store, device, monkeypatch):
+    """The window on a glove; there is no camera and no calibration."""
+    monkeypatch.setattr("app.engines.camera_choice.all_cameras", list)
+    store.update(port=device.path, camera="", calibration="")
+    window.sources.open_devices()
+    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    return window
+
+
+def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
+    window = glove_alone
+    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
+    assert "No camera was found" in window.banner.text()
+    assert "no stereo calibration" in window.banner.text()
+    for name in ("Glove found", "All IMUs answer"):
+        qtbot.waitUntil(lambda n=name: _done(window, n), timeout=30_000)
+    assert not _done(window, "Camera found") and not _done(window, "Camera calibrated")
+    scene, view = window.hand._scene, window.host.snapshot()
+    assert "Place unknown" in scene.caption
+    assert np.isfinite(scene.segment_p).all()
+    assert scene.segment_state[0] == Validity.LOST and Validity.MEASURED in scene.segment_state
+    assert view.estimate.tracking == Tracking.LOST
+    window.sources.set_engine("chain")
+    assert "needs a camera" in window.banner.text()
+
+
+def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
+    window = glove_alone
+    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
+    path = tmp_path / "alone.mcap"
+    assert window.host.record(RecordingRequest(path, "", ""))
+    qtbot.waitUntil(lambda: window.host.recording.written > 100, timeout=30_000)
+    window.host.recording.end()
+    window.sources.open_session(path)
+    qtbot.waitUntil(
+        lambda: (s := window.host.setup) is not None and s.player is not None, timeout=60_000
+    )
+    qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
+    assert "Place unknown" in window.hand._scene.caption
+    assert len(window.host.snapshot().imu) > 0
+
+
+def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, store, film):
+    store.update(port="", camera=str(film), calibration="")
+    window.sources.open_devices()
+    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    qtbot.waitUntil(lambda: _done(window, "Camera found"), timeout=30_000)
+    assert "No glove was found" in window.banner.text()
+    assert not _done(window, "Glove found") and not _done(window, "Camera calibrated")
+    view = window.host.snapshot()
+    assert view.frame.left is not None and len(view.blobs.left) > 5, "colours can be tuned"
+
+
+def test_a_device_that_vanishes_turns_its_line_within_a_second(connected, qtbot, device):
+    qtbot.waitUntil(lambda: _done(connected, "All IMUs answer"), timeout=30_000)
+    device.unplug()
+    gone = time.monotonic()
+    qtbot.waitUntil(lambda: not _done(connected, "Glove found"), timeout=10_000)
+    assert time.monotonic() - gone < 1.5
+    assert not _done(connected, "All IMUs answer")
+
+
+def test_stop_clears_what_was_live(connected, qtbot):
+    qtbot.waitUntil(lambda: connected.host.snapshot().frame is not None, timeout=30_000)
+    connected.host.stop()
+    view = connected.host.snapshot()
+    assert view.frame is None and view.estimate is None and len(view.imu) == 0
+    assert not any(s.done for s in steps(view))

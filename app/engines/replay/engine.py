@@ -29,7 +29,7 @@ from tracker.messages import (
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 from tracker.vision.colours import ColourProfile, parse_profile
-from tracker.vision.rig import StereoRig
+from tracker.vision.rig import StereoRig, ideal_rig
 
 MAX_EVENTS = 5000
 MOST_BEFORE_SIGHT = 500  # messages; what has none of its images by then has none
@@ -56,9 +56,9 @@ class ReplayEngine:
         return self._thread.start_t
 
     @property
-    def rig(self) -> StereoRig:
-        """Raises FileError that says what of the camera is missing."""
-        return self._reader.rig()
+    def rig(self) -> StereoRig | None:
+        """None where the session has no camera, or none that was calibrated."""
+        return self.info.rig
 
     def read_events(self) -> None:
         """Find the notes and events for the timeline; a damaged end has none."""
@@ -156,7 +156,8 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
         engine=engine,
         hand=info.hand,
         glove=info.glove,
-        rig=rig,
+        rig=rig or ideal_rig(),
+        camera_calibrated=rig is not None,
         profile=profile,
         anchor=info.anchor,
         close=engine.close,

@@ -64,6 +64,7 @@ class HandBodies:
             for k, colour in enumerate(AXIS_COLOURS)
         ]
         self._marker_segment = setup.glove.marker_segment(setup.hand)
+        self._has_place = setup.camera_calibrated
         # Nothing has its place before the first hand; a ball of unit size would fill the view.
         for body in (*self._segments, *self._references, *self._markers, *self._tips, *self._axes):
             body.show(False)
@@ -81,7 +82,7 @@ class HandBodies:
         self._update_tips(scene, show.uncertainty)
         self._update_axes(scene, show.axes)
         self._update_trail(scene, show.trail)
-        self._camera.show(show.camera)
+        self._camera.show(show.camera and self._has_place)
         self._camera.move(scene.R_GC, scene.p_GC)
 
     def _update_references(self, scene: HandScene, wanted: bool) -> None:
