@@ -5,6 +5,7 @@ import os
 import struct
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import lz4.frame
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 import zstandard
 
+from tests.session.conftest import START
 from tests.session.kill_drill import drill
 from tracker.cli import main
 from tracker.errors import FileError, GlovetrackError
@@ -276,6 +278,35 @@ def test_chunks_are_short_in_time_and_size(session: Path) -> None:
     assert len(spans) > 3
     assert all(s.end - s.start <= 0.5e9 for s in spans)
     assert all(s.length < 80_000 for s in spans)
+
+
+def test_chunks_are_short_in_time_where_packets_come_late(
+    tmp_path: Path, session_info, maker
+) -> None:
+    """Packets up to 2.5 s behind the images; none is lost or out of order for a reader."""
+    path, rng = tmp_path / "a.mcap", np.random.default_rng(2)
+    wrote = []
+    with SessionRecorder(path, session_info) as recorder:
+        for k in range(400):
+            frame = maker.blob_frame(10.0 * k, k)
+            late_s = rng.uniform(0, 2.5) if k % 3 == 0 else 0.0
+            packet = maker.imu(10.0 * k, k)
+            packet = replace(packet, t_arrival=max(packet.t_arrival - late_s, START))
+            recorder.write(frame)
+            recorder.write(packet)
+            wrote.append(packet.t_arrival)
+    source = McapInput(path)
+    spans = [source.contents.spans[i] for i in range(len(source.contents.spans))]
+    times = [m.log_time for m in ordered(source)]
+    for span in spans:
+        inside = [m.log_time for m in source.messages_in(span)]
+        assert max(inside) - min(inside) <= 0.5e9
+        assert (min(inside), max(inside)) == (span.start, span.end)
+    source.close()
+    assert times == sorted(times) and len(spans) < 400
+    with SessionReader(path) as reader:
+        assert len(list(reader.messages((ImuSample,)))) == 400
+    assert is_ok(verify(path))
 
 
 def test_spoilt_messages_in_sound_chunks_end_in_words(session: Path, maker) -> None:

@@ -55,9 +55,7 @@ def _compared(reader: SessionReader, scale: Array) -> EstimateSeries | None:
     known = np.isfinite(series.angles).all(axis=1) & np.isfinite(series.keypoints).all(axis=(1, 2))
     rows = np.flatnonzero(known)
     worst_mm = []
-    for k in (
-        rows[np.unique(np.linspace(0, len(rows) - 1, _LOOKS).astype(int))] if len(rows) else ()
-    ):
+    for k in np.flip(np.flip(rows)[:: max(len(rows) // _LOOKS, 1)]):  # the last one is among them
         R_GB = Rotation.from_quat(series.q[k, 0]).as_matrix()
         R, p = hand.forward(series.angles[k], R_GB, series.keypoints[k, 0], scale)
         away = glove.keypoint_positions(hand, R, p, scale) - series.keypoints[k]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import NamedTuple
 
 from mcap.writer import CompressionType, Writer
 
@@ -18,8 +19,22 @@ COMPRESSION = {
 }
 
 
+class _Waiting(NamedTuple):
+    """A message that is not in the file yet."""
+
+    log_time: int
+    channel: int
+    stamp: int
+    sequence: int
+    data: bytes
+
+
 class McapOutput:
-    """An MCAP being written. ``chunk_ns``: the longest log time that may stay unwritten."""
+    """An MCAP being written.
+
+    ``chunk_ns``: the longest log time that may stay unwritten, and that a chunk spans. Messages
+    that come late, behind others of a later log time, go into chunks of their own.
+    """
 
     def __init__(
         self,
@@ -40,7 +55,10 @@ class McapOutput:
         self._chunk_ns, self._sync = chunk_ns, sync
         self._schemas: dict[str, int] = {}
         self._channels: dict[str, int] = {}
-        self._opened: int | None = None  # log time of the first message since the last close
+        self._chunk_bytes = chunk_bytes
+        self._waiting: list[_Waiting] = []
+        self._held = 0  # bytes that wait
+        self._newest = self._opened = 0  # latest log time of all; what it was when waiting began
 
     @property
     def size(self) -> int:
@@ -76,24 +94,43 @@ class McapOutput:
         return self._channels[topic]
 
     def write(self, channel: int, log_time: int, stamp: int, data: bytes, sequence: int) -> None:
-        """Add one message; closes the chunk first if this one would make it too long."""
-        if self._opened is not None and log_time - self._opened >= self._chunk_ns:
+        """Add one message; what waits is written first if it has waited long enough."""
+        newest = max(self._newest, log_time)
+        if self._waiting and newest - self._opened >= self._chunk_ns:
             self.close_chunk()
-        if self._opened is None:
-            self._opened = log_time
+        if not self._waiting:
+            self._opened = newest
+        self._newest = newest
         # 0 stands for unknown times before 1970, which the format cannot hold.
-        self._writer.add_message(channel, max(log_time, 0), data, max(stamp, 0), sequence)
+        self._waiting.append(
+            _Waiting(max(log_time, 0), channel, max(stamp, 0), sequence, bytes(data))
+        )
+        self._held += len(data)
+        if self._held > self._chunk_bytes:
+            self.close_chunk()
 
     def close_chunk(self) -> None:
         """Write what is held back, down to the disk."""
-        self._writer.flush()
-        self._opened = None
+        self._write_waiting()
         if self._sync:
             self._file.sync()
+
+    def _write_waiting(self) -> None:
+        """In the order of log times, and of arrival where these are the same."""
+        waiting, self._waiting, self._held = self._waiting, [], 0
+        begun = None
+        for m in sorted(waiting, key=lambda m: m.log_time):
+            if begun is not None and m.log_time - begun >= self._chunk_ns:
+                self._writer.flush()
+                begun = None
+            begun = m.log_time if begun is None else begun
+            self._writer.add_message(m.channel, m.log_time, m.data, m.stamp, m.sequence)
+        self._writer.flush()
 
     def finish(self) -> None:
         """Write the summary and close the file, the file itself in any case."""
         try:
+            self._write_waiting()
             self._writer.finish()
             if self._sync:
                 self._file.sync()
