@@ -11,7 +11,7 @@ from glove_oracle import HELLO, IMUS, SAMPLES, STATUS, samples, simulated_glove
 from tracker.messages import Event, ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink, serial_port
-from tracker.sensors.protocol import Haptic, Hello, Rate, Samples, Start, Status, Stop, encode
+from tracker.sensors.protocol import GloveStatus, Haptic, Hello, Rate, Samples, Start, Stop, encode
 
 
 def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
@@ -31,7 +31,7 @@ def test_the_engine_decodes_what_the_oracle_decodes(build: Path) -> None:
     told = glove.of(HELLO)[0].numbers
     assert (hello.protocol, *hello.firmware, hello.glove_id, hello.imu_count) == told[:6]
     assert (hello.gyro_range_dps, hello.accel_range_g, hello.rate_hz) == told[6:9]
-    status = next(f for f in frames if isinstance(f, Status))
+    status = next(f for f in frames if isinstance(f, GloveStatus))
     wire = glove.of(STATUS)[0].numbers
     assert (status.battery_mV, status.temperature_cC, status.imu_ok, status.dropped) == wire
 

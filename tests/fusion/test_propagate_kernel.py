@@ -142,7 +142,7 @@ def test_intervals_are_cut_at_packets_with_interpolated_means(layout: ChainLayou
     assert len(buffer.intervals(0.2, 0.2).stop) == 0
 
 
-def test_a_full_table_makes_room(layout: ChainLayout) -> None:
+def test_a_full_table_moves_to_its_front(layout: ChainLayout) -> None:
     """Packets still in the span are not lost when the memory's table is full."""
     buffer = ImuBuffer(len(layout.glove.imus), span=0.05)
     for k in range(1500):

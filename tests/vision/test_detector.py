@@ -8,7 +8,7 @@ from tests.vision.hue_classes import all_classes
 from tracker.errors import ConfigError, GlovetrackError
 from tracker.messages import CameraPose, StereoFrame
 from tracker.vision.colours import ColourProfile, HueRange, ShapeLimits
-from tracker.vision.components import Scan, axes, fill, hull, moments, room
+from tracker.vision.components import Scan, axes, fill, hull, moments, run_buffer
 from tracker.vision.detector import (
     DetectionHints,
     Detector,
@@ -145,7 +145,7 @@ def mask_runs(mask: np.ndarray) -> np.ndarray:
     image[mask] = (40, 40, 215)
     y, x = np.argwhere(mask)[0]
     extent = max(mask.shape)
-    runs, visited = room(extent), np.zeros(mask.shape, np.uint8)
+    runs, visited = run_buffer(extent), np.zeros(mask.shape, np.uint8)
     table = hue_table(FOUR)
     n, whole = fill(Scan(image, table, visited, 1, runs, extent), y, x, 1)
     assert whole

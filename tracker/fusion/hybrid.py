@@ -165,10 +165,10 @@ class HybridEngine:
         n = len(lay.active)
         R, p = np.empty((n, 3, 3)), np.empty((n, 3))
         R[0], p[0] = dorsum.segment_R[0], dorsum.segment_p[0]
-        turn = {lay.names.index(s): r for s, r in self._joint_rotations()}
+        rotation = {lay.names.index(s): r for s, r in self._joint_rotations()}
         for i in range(1, n):
             a = lay.parent[i]
-            R[i] = R[a] @ turn.get(i, lay.R_rest[i])
+            R[i] = R[a] @ rotation.get(i, lay.R_rest[i])
             p[i] = p[a] + R[a] @ hand.segments[lay.active[i]].origin
         sd = np.full(n, dorsum.keypoint_sd[0])
         scale = np.ones((n, 3))

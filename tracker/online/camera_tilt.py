@@ -96,13 +96,13 @@ class CameraTilt:
         """The camera at the time t (s); None before the first sample."""
         if not self._rotations:
             return None
-        turn = self._rotations[0]
+        last = self._rotations[0]
         for later in reversed(self._rotations):
             if later.t <= t:
-                turn = later
+                last = later
                 break
-        ahead = min(max(t - turn.t, 0.0), self._params.ahead)
-        return CameraPose(turn.R_GC @ so3.exp(turn.rate * ahead), self._nominal.p_GC)
+        ahead = min(max(t - last.t, 0.0), self._params.ahead)
+        return CameraPose(last.R_GC @ so3.exp(last.rate * ahead), self._nominal.p_GC)
 
     def get_state(self) -> CameraTiltKept:
         """All that changes."""

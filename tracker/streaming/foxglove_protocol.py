@@ -42,7 +42,7 @@ def server_info(name: str, session_id: str) -> str:
 
 def advertise(channels: Iterable[Channel]) -> str:
     """What there is to subscribe to."""
-    told = [
+    offered = [
         {
             "id": c.id,
             "topic": c.topic,
@@ -53,7 +53,7 @@ def advertise(channels: Iterable[Channel]) -> str:
         }
         for c in channels
     ]
-    return json.dumps({"op": "advertise", "channels": told})
+    return json.dumps({"op": "advertise", "channels": offered})
 
 
 def error(text: str) -> str:

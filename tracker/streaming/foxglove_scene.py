@@ -44,15 +44,15 @@ class FoxgloveScene:
         """``e`` as a scene; ``stamp_ns`` since 1970."""
         states = [Validity(int(s)) for s in e.keypoint_state]
         words = (STATE_WORDS[s] for s in states)
-        told = [("tracking", e.tracking.name.lower())]
-        told += zip(self._names.keypoints, words, strict=True)
+        facts = [("tracking", e.tracking.name.lower())]
+        facts += zip(self._names.keypoints, words, strict=True)
         entity = {
             "timestamp": {"sec": stamp_ns // 10**9, "nsec": stamp_ns % 10**9},
             "frame_id": FRAME,
             "id": f"hand {self._names.side}",
             "lifetime": LIFETIME,
             "frame_locked": False,
-            "metadata": [{"key": key, "value": value} for key, value in told],
+            "metadata": [{"key": key, "value": value} for key, value in facts],
             "spheres": _spheres(e.keypoints, states),
             "lines": self._lines(e.keypoints, states),
         }

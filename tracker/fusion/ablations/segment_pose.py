@@ -18,7 +18,7 @@ from tracker.vision.rig import StereoRig
 
 LEAST_POINTS = 3
 STEPS = 3  # of Gauss and Newton
-MOST_TURN_SD = 0.6  # rad: points nearly on one line tell no orientation
+MOST_ROTATION_SD = 0.6  # rad: points nearly on one line tell no orientation
 MOST_MISFIT = 9.0  # squared residuals per degree of freedom: one of the points is another's
 
 
@@ -48,7 +48,7 @@ def fit_pose(shape_B: Array, points_G: Array, cov: Array) -> SegmentPose | None:
         J = np.concatenate([np.tile(np.eye(3), (len(x), 1, 1)), -R @ so3.skew(x)], axis=2)
         JW = J.swapaxes(1, 2) @ weight
         information = np.sum(JW @ J, axis=0)
-        if np.linalg.eigvalsh(information)[0] * MOST_TURN_SD**2 < 1.0:
+        if np.linalg.eigvalsh(information)[0] * MOST_ROTATION_SD**2 < 1.0:
             return None
         step = np.linalg.solve(information, np.einsum("kij,kj->i", JW, residual))
         centre, R = centre + step[:3], R @ so3.exp(step[3:])
@@ -62,8 +62,8 @@ def fit_pose(shape_B: Array, points_G: Array, cov: Array) -> SegmentPose | None:
 def _kabsch(x: Array, points: Array) -> Array:
     """Rotation (3, 3) that takes the centred x (k, 3) nearest to the points (k, 3)."""
     U, _, Vt = np.linalg.svd((points - points.mean(axis=0)).T @ x)
-    turn = np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))])
-    R: Array = U @ turn @ Vt
+    proper = np.diag([1.0, 1.0, np.sign(np.linalg.det(U @ Vt))])
+    R: Array = U @ proper @ Vt
     return R
 
 

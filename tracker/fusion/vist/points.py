@@ -26,12 +26,12 @@ def positions(state: VistState, segment: IntArray, lever: Array) -> Array:
 def jacobians(state: VistState, segment: IntArray, lever: Array) -> Array:
     """J_point_error (k, 3, 21): each against the errors of its own segment."""
     R_GB = state.R_GB[segment]
-    turn = R_GB @ so3.skew(state.scale[segment] * lever)
+    R_skew = R_GB @ so3.skew(state.scale[segment] * lever)
     out = np.zeros((len(segment), 3, ERRORS))
     out[:, :, P : P + 3] = np.eye(3)
-    out[:, :, TH : TH + 3] = -turn @ state.R_IB[segment].swapaxes(1, 2)
+    out[:, :, TH : TH + 3] = -R_skew @ state.R_IB[segment].swapaxes(1, 2)
     out[:, :, LAM : LAM + 3] = R_GB * lever[:, None, :]
-    out[:, :, PHI : PHI + 3] = -turn
+    out[:, :, PHI : PHI + 3] = -R_skew
     return out
 
 

@@ -15,7 +15,7 @@ from tracker.fusion.vist.state import VistState
 from tracker.messages import Array, ImuSample
 
 WINDOW = 0.3  # s looked back on
-STILL_TURN = 0.35  # rad/s mean angular rate; sway and tremor give 0.2
+STILL_RATE = 0.35  # rad/s mean angular rate; sway and tremor give 0.2
 STILL_FORCE = 1.8  # m/s² sd of the specific force; tremor gives 1
 SD = 0.05  # m/s, for sway goes on and the same rest is used many times a second
 
@@ -25,10 +25,10 @@ def is_still(packets: Sequence[ImuSample], t: float, imu: int, bias: Array) -> b
     lately = [s for s in packets if t - WINDOW <= s.t <= t]
     if len(lately) < 5 or not all(s.valid[imu] for s in lately):
         return False
-    turn = np.array([s.gyro[imu] for s in lately]) - bias
+    rate = np.array([s.gyro[imu] for s in lately]) - bias
     force = np.array([s.accel[imu] for s in lately])
     sd = np.linalg.norm(force.std(axis=0))
-    return bool(np.linalg.norm(turn, axis=1).mean() < STILL_TURN and sd < STILL_FORCE)
+    return bool(np.linalg.norm(rate, axis=1).mean() < STILL_RATE and sd < STILL_FORCE)
 
 
 def rest_rows(state: VistState, layout: VistLayout) -> tuple[Array, Array, Array]:

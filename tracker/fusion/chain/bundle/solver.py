@@ -27,7 +27,7 @@ from tracker.vision.rig import StereoRig
 ASK_EVERY = 0.03  # s
 MOST_MISFIT = 1.5  # mean square of whitened residuals; about 0.2 for a hand tracked well
 MOST_SCALE = 0.35  # beyond the file's size
-MOST_TURN = 0.7  # rad of a mounting, about each axis
+MOST_ROTATION = 0.7  # rad of a mounting, about each axis
 MOST_SHIFT = 0.008  # m of a marker, along each axis
 POSITION_SD = 0.05  # m, how far a keyframe's hand may move from where the filter had it
 
@@ -194,7 +194,7 @@ class Bundle:
         far = so3.log(self._layout.R_IB.swapaxes(1, 2) @ solved.R_IB)
         largest = (np.abs(far).max(initial=0.0), np.abs(solved.marker).max(initial=0.0))
         within = np.abs(solved.scale - 1).max() < MOST_SCALE
-        return bool(within and largest[0] < MOST_TURN and largest[1] < MOST_SHIFT)
+        return bool(within and largest[0] < MOST_ROTATION and largest[1] < MOST_SHIFT)
 
     def _profile(self, solved: ChainState, P: Array) -> WearerProfile:
         """What was found, with the fittings' wobble added to its covariance."""
@@ -213,9 +213,9 @@ def adopt(state: ChainState, layout: ChainLayout, found: WearerProfile) -> None:
     known of the pose stays as sure as it was and forgets what it had to do with the calibration.
     """
     n, first = layout.n_dynamic, layout.phi
-    turn = state.R_IB.swapaxes(1, 2) @ found.R_IB
+    R_BB = state.R_IB.swapaxes(1, 2) @ found.R_IB  # new B to old B
     R = state.R_GB.copy()
-    R[layout.imu_segment] = R[layout.imu_segment] @ turn  # eq. 48
+    R[layout.imu_segment] = R[layout.imu_segment] @ R_BB  # eq. 48
     state.R_GB = R
     for name in ("R_IB", "ba", "scale", "joint", "marker"):
         setattr(state, name, getattr(found, name).copy())

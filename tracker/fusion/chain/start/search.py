@@ -129,8 +129,8 @@ def _distinct(postures: list[Array], tolerance: float = 0.15) -> list[Array]:
     """Postures whose segments differ by more than ``tolerance`` rad somewhere."""
     out: list[Array] = []
     for R in postures:
-        turns = [np.linalg.norm(so3.log(R.swapaxes(1, 2) @ K), axis=1).max() for K in out]
-        if not turns or min(turns) > tolerance:
+        apart = [np.linalg.norm(so3.log(R.swapaxes(1, 2) @ K), axis=1).max() for K in out]
+        if not apart or min(apart) > tolerance:
             out.append(R)
     return out
 
