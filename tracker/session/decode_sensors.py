@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.clock import seconds
+from tracker.clock import NS, seconds
 from tracker.messages import (
     BlobFrame,
     Blobs,
@@ -18,11 +18,14 @@ from tracker.messages import (
 from tracker.session.description import SessionInfo
 from tracker.session.grouping import Group, Grouper
 from tracker.session.images import PackedFrame
-from tracker.session.mcap.input import RawMessage
+from tracker.session.mcap.input import McapInput, RawMessage
+from tracker.session.mcap.ordering import ordered
 from tracker.session.rigs import exact_pose, is_camera, pose_of
 from tracker.session.ros import motion, sensors, topics
+from tracker.session.ros.cdr import CdrReader, in_words
 
 _POSES_KEPT = 64
+_FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late against their IMUs
 
 
 @dataclass(frozen=True)
@@ -32,6 +35,33 @@ class Timing:
     imu_tolerance: int = 0
     frame_tolerance: int = 0
     patience: int = 0
+
+
+def foreign_timing(source: McapInput, info: SessionInfo) -> Timing:
+    """Of a file that is not ours: half of each period. Raises FileError on damage."""
+    imus = [topics.imu(info.side, n) for n in info.glove.imu_names]
+    frames = [f(c) for c in topics.SIDES for f in (topics.image, topics.blobs)]
+    return Timing(
+        _half_period(source, imus, NS // 100),
+        _half_period(source, frames, NS // 30),
+        _FOREIGN_PATIENCE,
+    )
+
+
+def _half_period(source: McapInput, candidates: list[str], default: int) -> int:
+    """Half the median distance of the first stamps of the first topic that is there, ns."""
+    there = {c.topic for c in source.contents.channels.values()}
+    topic = next((t for t in candidates if t in there), None)
+    if topic is None:
+        return default // 2
+    stamps: list[int] = []
+    for raw in ordered(source, frozenset([topic])):
+        with in_words(topic):
+            stamps.append(CdrReader(raw.data).time())
+        if len(stamps) == 50:
+            break
+    steps = np.diff(np.sort(stamps))
+    return int(np.median(steps)) // 2 if len(steps) else default // 2
 
 
 Sensed = ImuSample | CameraImuSample | BlobFrame | PackedFrame

@@ -7,8 +7,6 @@ from functools import cached_property
 from pathlib import Path
 from types import TracebackType
 
-import numpy as np
-
 from tracker.clock import NS, ClockAnchor
 from tracker.errors import FileError
 from tracker.glove.files import parse_glove
@@ -17,7 +15,7 @@ from tracker.messages import EngineState, Estimate, Message, StereoFrame
 from tracker.session import description, engine_state
 from tracker.session.decode import MESSAGE_KINDS, Decoded, MessageDecoder
 from tracker.session.decode_estimate import EstimateDecoder
-from tracker.session.decode_sensors import Timing
+from tracker.session.decode_sensors import Timing, foreign_timing
 from tracker.session.description import SessionInfo
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import FOREVER, McapInput
@@ -25,14 +23,13 @@ from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.mcap.records import LATEST
 from tracker.session.rigs import first_rig, rig_changes
 from tracker.session.ros import motion, sensors, topics
-from tracker.session.ros.cdr import CdrReader, in_words
+from tracker.session.ros.cdr import in_words
 from tracker.toml_reader import MOST_BYTES
 from tracker.vision.rig import StereoRig
 
 _LATEST_WALL = 2**31 * NS  # ns since 1970: the stamps of ROS 2 count seconds in 31 bits
 _MOST_ATTACHMENTS = 1000
 _BESIDE_TEXT = 1000  # bytes of an attachment's record beside its data
-_FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late against their IMUs
 _WATCH_EVERY = 200  # messages
 MEASURED = frozenset({sensors.IMU, sensors.IMAGE, sensors.DETECTIONS, motion.POSES, motion.JOINTS})
 """Types of what sensors gave and what was made of it, each message with a stamp of its own."""
@@ -257,28 +254,5 @@ class SessionReader:
 
     @cached_property
     def _timing(self) -> Timing:
-        """None is needed for our own files; for foreign ones half of each period."""
-        if self.metadata:
-            return Timing()
-        side = self.info.side
-        imus = [topics.imu(side, n) for n in self.info.glove.imu_names]
-        frames = [f(c) for c in topics.SIDES for f in (topics.image, topics.blobs)]
-        return Timing(
-            self._half_period(imus, NS // 100),
-            self._half_period(frames, NS // 30),
-            _FOREIGN_PATIENCE,
-        )
-
-    def _half_period(self, candidates: list[str], default: int) -> int:
-        """Half the median distance of the first stamps of the first topic that is there, ns."""
-        topic = next((t for t in candidates if t in self.topic_names), None)
-        if topic is None:
-            return default // 2
-        stamps: list[int] = []
-        for raw in ordered(self.source, frozenset([topic])):
-            with in_words(topic):
-                stamps.append(CdrReader(raw.data).time())
-            if len(stamps) == 50:
-                break
-        steps = np.diff(np.sort(stamps))
-        return int(np.median(steps)) // 2 if len(steps) else default // 2
+        """None is needed for our own files."""
+        return Timing() if self.metadata else foreign_timing(self.source, self.info)
