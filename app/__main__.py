@@ -6,11 +6,16 @@ import multiprocessing
 import sys
 from collections.abc import Sequence
 
-WINDOW = {"demo": ["--demo"], "--demo": ["--demo"]}
+WINDOW = {
+    "demo": ["--demo"],
+    "--demo": ["--demo"],
+    "devices": ["--devices"],
+    "--devices": ["--devices"],
+}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """``glovetrack`` and ``glovetrack demo`` open the window; other words are commands.
+    """No word, ``demo``, ``devices`` or a session opens the window; other words are commands.
 
     Qt is imported for the window alone, so that ``glovetrack info`` starts at once.
     """

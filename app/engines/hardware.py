@@ -23,7 +23,9 @@ from tracker.live.runner import LiveTracker
 from tracker.pipeline import Pipeline
 from tracker.sensors.camera import StereoCamera
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
-from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.protocol import BAUDS
 from tracker.sensors.sources import CameraSource, NoCamera, NoGlove
 from tracker.session.description import SessionInfo
 from tracker.settings import Settings
@@ -40,7 +42,7 @@ INERTIAL = Settings(engine="inertial")
 class Found:
     """What there is of a rig; ``missing`` says what is not there, and why."""
 
-    port: str | None
+    glove: PortReport | None
     camera: ChosenCamera | None
     rig: StereoRig | None
     missing: tuple[str, ...]
@@ -48,11 +50,11 @@ class Found:
     @property
     def name(self) -> str:
         """For the window's title."""
-        return f"glove at {self.port}" if self.port else "camera alone"
+        return f"glove at {self.glove.path}" if self.glove else "camera alone"
 
     @property
     def whole(self) -> bool:
-        return self.port is not None and self.camera is not None and self.rig is not None
+        return self.glove is not None and self.camera is not None and self.rig is not None
 
 
 def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
@@ -72,7 +74,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         return Detector(colours, float(glove.marker_size.mean()), pipeline.rig.fx)
 
     warm_up(hand, glove, make_detector(profile))
-    link = GloveLink(serial_port(found.port), len(glove.imus)) if found.port else None
+    link = _link(found.glove, len(glove.imus)) if found.glove else None
     chosen = found.camera
     camera: CameraSource = StereoCamera(chosen.source, found.rig) if chosen else NoCamera()
     tracker = LiveTracker(pipeline, profile, make_detector, link or NoGlove(), camera)
@@ -99,19 +101,24 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     )
 
 
+def _link(found: PortReport, imu_count: int) -> GloveLink:
+    place = GlovePort(found.path, found.baud)
+    return GloveLink(place, imu_count, LinkParams(baud=found.baud))
+
+
 def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     """Look for glove, calibration and camera. Raises DeviceError where neither device is there."""
     missing: list[str] = []
-    port = _unless_missing(lambda: find_port(progress, settings.port), missing)
+    glove = _unless_missing(lambda: find_port(progress, settings.port, settings.baud), missing)
     progress(0.5, "camera")
     rig = _unless_missing(lambda: rig_of(settings.calibration), missing)
     width, height = (rig.left.width, rig.left.height) if rig else (WIDTH, HEIGHT)
     camera = _unless_missing(lambda: choose(settings, width, height, FPS), missing)
-    if port is None and camera is None:
+    if glove is None and camera is None:
         raise DeviceError(" ".join(missing))
-    if port is not None and not (rig and camera):
+    if glove is not None and not (rig and camera):
         missing.append("The hand is shown by its IMUs alone, without a place.")
-    return Found(port, camera, rig, tuple(missing))
+    return Found(glove, camera, rig, tuple(missing))
 
 
 def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
@@ -137,16 +144,19 @@ def _info(settings: AppSettings, pipeline: Pipeline, colours_text: str) -> Sessi
     )
 
 
-def find_port(progress: JobProgress, last: str) -> str:
-    """The first port with a glove behind it; the last one used is asked first."""
+def find_port(progress: JobProgress, last: str, baud: int = 0) -> PortReport:
+    """The first port with a glove behind it; the last one used is asked first.
+
+    It is asked at ``baud``, or at all that a glove may speak. Raises DeviceError if none answers.
+    """
     # one that is not on USB is on no list, and was chosen by hand
     ports = [*([last] if last else []), *(p for p in serial_ports() if p != last)]
     troubles = []
     for i, path in enumerate(ports):
         progress(0.4 * i / len(ports), path)
-        report: PortReport = find_gloves([path])[0]
+        report = find_gloves([path], bauds=(baud,) if baud else BAUDS)[0]
         if report.is_glove:
-            return path
+            return report
         troubles.append(report.trouble)
     if not troubles:
         raise DeviceError("No glove was found: no USB serial port is there. Is it plugged in?")

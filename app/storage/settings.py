@@ -43,6 +43,7 @@ class AppSettings:
     hand: str = "reference-right"
     glove: str = "vist-small"
     port: str = ""
+    baud: int = 0  # of the glove's line; 0: whichever it answers at
     camera: str = ""  # see `app.engines.camera_choice`
     camera_exchanged: bool = False  # left and right images change places
     camera_locks: str = ""  # see `tracker.sensors.camera_controls.locks_text`

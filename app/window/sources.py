@@ -6,6 +6,7 @@ to open at once.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -69,6 +70,7 @@ class Sources(QObject):
     ) -> None:
         super().__init__(window)
         self._host, self._store, self._messages, self._window = host, store, messages, window
+        self.baud: int | None = None  # of the glove's line in this run; None: as the settings say
         host.opened.connect(self._choose_engine)
 
     def open_demo(self, fps: float = 30.0, camera: SimulatedCamera | None = None) -> None:
@@ -76,7 +78,10 @@ class Sources(QObject):
 
     def open_devices(self) -> None:
         """Glove and camera, as the settings name them."""
-        self._open(self.tr("Looking for glove and camera"), hardware_factory(self._store.value))
+        settings = self._store.value
+        if self.baud is not None:
+            settings = replace(settings, baud=self.baud)
+        self._open(self.tr("Looking for glove and camera"), hardware_factory(settings))
         self.devices_asked.emit()
 
     def open_session(self, path: Path) -> None:

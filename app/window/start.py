@@ -18,6 +18,7 @@ from app.platform.process_tuning import tune_process
 from resources import folder
 from tracker import __version__
 from tracker.errors import GlovetrackError
+from tracker.sensors.protocol import BAUDS
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
 
 if TYPE_CHECKING:
@@ -87,11 +88,14 @@ def _show(
     # window's own timer gives Python the chance to see the signal.
     signal.signal(signal.SIGINT, lambda *_: window.close())
     window.outputs.use(args.streams)
+    window.sources.baud = args.baud
     window.show()
     if args.demo:
         window.sources.open_demo(args.fps, camera)
     elif args.session is not None:
         window.sources.open_session(args.session)
+    elif args.devices:
+        window.sources.open_devices()
     return app.exec()
 
 
@@ -99,6 +103,14 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="glovetrack", description="The Glovetrack window.")
     parser.add_argument("session", nargs="?", type=Path, help="a session file to replay")
     parser.add_argument("--demo", action="store_true", help="start the simulated glove and camera")
+    parser.add_argument("--devices", action="store_true", help="open the glove and the camera")
+    parser.add_argument(
+        "--baud",
+        type=int,
+        choices=BAUDS,
+        default=None,
+        help="of the glove's line, for this run; else as set up",
+    )
     parser.add_argument(
         "--stream",
         default="",

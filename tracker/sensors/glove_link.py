@@ -21,6 +21,7 @@ from tracker.clock import nanoseconds, seconds
 from tracker.messages import Event, ImuSample
 from tracker.sensors.accel_range import RangeFromRest
 from tracker.sensors.decoder import FrameDecoder
+from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.link_figures import LinkFigures, LowBattery
 from tracker.sensors.packet_clock import SEQ_BITS, PacketClock, PacketTime
 from tracker.sensors.protocol import (
@@ -126,7 +127,8 @@ class GloveLink:
             data = self._read(timeout)
             now = self._clock()
             for frame in self.decoder.feed(data):
-                out += self._take(frame, now)
+                if self._port is not None:  # a stranger's was closed
+                    out += self._take(frame, now)
             self._watch(now)
         except (serial.SerialException, OSError) as error:
             self._unplugged(error)
@@ -224,6 +226,8 @@ class GloveLink:
 
     def _greeted(self, hello: Hello, now: float) -> None:
         """A HELLO after samples means a restart, unless it is a late answer to HELLO?."""
+        if self._is_stranger(hello.glove_id, now):
+            return
         if self._heard is not None and self.state != LinkState.GREETING:
             if now - self._began < ANSWER_WITHIN:
                 self._before = self._heard  # the next packet's number tells
@@ -239,6 +243,28 @@ class GloveLink:
                 f"{self._imu_count}: choose the right glove file.",
             )
         self._begin(now)
+
+    def _is_stranger(self, glove_id: int | None, now: float) -> bool:
+        """Another glove than the one that was here before is left alone, the right one sought."""
+        place = self._open_port
+        if not isinstance(place, GlovePort):
+            return False
+        before = place.home
+        if place.is_right(glove_id):
+            if place.home != before:
+                self._say(f"The glove is back, at {place.path}.")
+            return False
+        self._once(
+            f"stranger {glove_id}",
+            f"At {place.path} is {'no glove' if glove_id is None else f'glove {glove_id}'}: glove "
+            f"{place.glove_id} is looked for. To use another one, choose it under Set-up, Glove.",
+        )
+        with self._writing:
+            if self._port is not None:
+                self._port.close()
+            self._port = None
+        self.state, self._next_open = LinkState.UNPLUGGED, now + self.params.reopen_every
+        return True
 
     def _restarted(self) -> None:
         self.figures.resets += 1
@@ -346,7 +372,7 @@ class GloveLink:
                 self._asked = True
                 self._send(Stop())  # one that streams since an earlier run says HELLO again
                 self._send(HelloRequest())
-            if waited > p.boot + p.patience:
+            if waited > p.boot + p.patience and not self._is_stranger(None, now):
                 self._say("The glove has not said what it is; it is told to start anyway.")
                 self._begin(now)
         elif self.state == LinkState.STREAMING and waited > p.silent_after:

@@ -98,7 +98,7 @@ class SerialPort(serial.Serial):
 
     def __init__(self, path: str, baud: int) -> None:
         """Raises OSError (`serial.SerialException`) where it cannot be opened."""
-        super().__init__(path, baud, timeout=0.05, write_timeout=1.0)
+        super().__init__(path, baud, timeout=0.05, write_timeout=1.0, exclusive=True)
         self._path = real_path(path)
         self._on_uart = crosses_uart(self._path, usb_ports())
 
@@ -138,7 +138,7 @@ def reason(error: Exception, system: str = sys.platform) -> str:
         return _refused(system)
     if number == 2 or "No such file" in text or "FileNotFoundError" in text:
         return "it is not there"
-    if number == 16 or "busy" in text.lower():
+    if number in (11, 16, 35) or "busy" in text.lower():  # 11, 35: its lock is taken
         return "another program has it open"
     return getattr(error, "strerror", None) or text
 

@@ -20,6 +20,7 @@ from tracker.errors import GlovetrackError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.sensors.discovery import PortReport, latency_advice
+from tracker.sensors.protocol import BAUD, BAUDS
 from tracker.toml_reader import read_toml
 
 SIMULATED = "simulated"
@@ -49,6 +50,12 @@ class ChoicePage(QWidget):
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.words.setProperty("role", "faint")
+        self.speed = QComboBox()
+        self.speed.addItem(self.tr("Whichever it answers at"), 0)
+        for baud in BAUDS:
+            self.speed.addItem(self.tr("{} baud").format(baud), baud)
+        self.speed.setCurrentIndex(max(0, self.speed.findData(settings.baud)))
+        self._answered_at: dict[str, int] = {}
         self.side.addItem(self.tr("Right hand"), "right")
         self.side.addItem(self.tr("Left hand"), "left")
         self._lay_out()
@@ -56,7 +63,7 @@ class ChoicePage(QWidget):
         self._fill(settings.glove, settings.hand)
         self.show_ports([], SESSION if with_session else settings.port)
         self.side.currentIndexChanged.connect(lambda _i: self._fill("", ""))
-        for box in (self.gloves, self.hands, self.ports):
+        for box in (self.gloves, self.hands, self.ports, self.speed):
             box.currentIndexChanged.connect(lambda _i: self.changed.emit())
 
     def _lay_out(self) -> None:
@@ -68,6 +75,7 @@ class ChoicePage(QWidget):
         port_label = QLabel(self.tr("&Port"))
         port_label.setBuddy(self.ports)
         form.addRow(port_label, port_row)
+        form.addRow(self.tr("S&peed"), self.speed)
         form.addRow(self.tr("&Side"), self.side)
         form.addRow(self.tr("&Glove file"), self.gloves)
         form.addRow(self.tr("&Hand file"), self.hands)
@@ -109,6 +117,14 @@ class ChoicePage(QWidget):
     def port(self) -> str:
         return str(self.ports.currentData() or "")
 
+    def baud(self) -> int:
+        """The chosen speed; 0 where the glove's own is taken."""
+        return int(self.speed.currentData() or 0)
+
+    def baud_of_port(self) -> int:
+        """At which the chosen port is read."""
+        return self.baud() or self._answered_at.get(self.port(), BAUD)
+
     def _ask_port(self) -> None:
         words = self.tr("A port that is not on USB, such as /dev/rfcomm0 or COM7:")
         path, ok = QInputDialog.getText(self, self.tr("Other port"), words)
@@ -134,6 +150,7 @@ class ChoicePage(QWidget):
             self.ports.addItem(self.tr("The glove in use"), SESSION)
         for report in reports:
             if report.is_glove:
+                self._answered_at[report.path] = report.baud
                 self.ports.addItem(_title(report), report.path)
         if before not in ("", SESSION, SIMULATED) and self.ports.findData(before) < 0:
             self.ports.addItem(before, before)  # it may come back, and is not on every list
@@ -148,7 +165,8 @@ def _title(report: PortReport) -> str:
     if report.hello is None:
         return f"{report.path}: a glove that is sending"
     hello = report.hello
-    return f"{report.path}: glove {hello.glove_id}, {hello.imu_count} IMUs"
+    slow = f", {report.baud} baud" if report.baud != BAUD else ""
+    return f"{report.path}: glove {hello.glove_id}, {hello.imu_count} IMUs{slow}"
 
 
 def _remarks(reports: list[PortReport]) -> list[str]:

@@ -12,7 +12,9 @@ from app.engines.engine_host import EngineHost
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Event, ImuSample
-from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.protocol import BAUD
 from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
 
@@ -67,8 +69,9 @@ class PortFeed:
         imu_count: int,
         ask: Callable[[str], None] | None = None,
         free: Callable[[], None] | None = None,
+        baud: int = BAUD,
     ) -> None:
-        self._link = GloveLink(serial_port(path), imu_count)
+        self._link = GloveLink(GlovePort(path, baud), imu_count, LinkParams(baud=baud))
         self._ask, self._free = ask, free
         self._samples: deque[ImuSample] = deque()
         self._lock = threading.Lock()

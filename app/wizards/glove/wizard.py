@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import (
     QDialog,
@@ -23,6 +25,7 @@ from app.wizards.glove.pages import StillPage, WigglePage
 from app.wizards.sizing import fit_to_screen
 from tracker.messages import ImuSample
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
+from tracker.sensors.protocol import BAUDS
 
 TICK_MS = 80
 
@@ -44,7 +47,7 @@ class GloveSetup(QDialog):
         super().__init__(parent)
         self._host, self._store, self._tasks = host, store, tasks
         self._feed: GloveFeed | None = None
-        self._source: tuple[str, str, str] | None = None
+        self._source: tuple[str, str, str, int] | None = None
         setup = host.setup
         real = setup is not None and not setup.simulated and setup.player is None
         self.choice = ChoicePage(
@@ -97,9 +100,11 @@ class GloveSetup(QDialog):
         setup, port = self._host.setup, self.choice.port()
         # a port that is being read already answers nobody else
         busy = {port, self._store.value.port if setup is not None else ""}
+        baud = self.choice.baud()
+        bauds = (baud,) if baud else BAUDS
         self._tasks.run(
             self.tr("Looking for gloves"),
-            lambda progress: _search(progress, busy),
+            lambda progress: _search(progress, busy, bauds),
             self._found,  # a method: not called any more once this window is gone
         )
 
@@ -112,7 +117,7 @@ class GloveSetup(QDialog):
         if models is None or not port:
             return
         hand, glove = models
-        source = (port, hand.name, glove.name)
+        source = (port, hand.name, glove.name, self.choice.baud_of_port())
         if source == self._source:
             return
         self._source = source
@@ -124,7 +129,7 @@ class GloveSetup(QDialog):
         elif port == SIMULATED:
             self._feed = simulated_feed(hand, glove)
         else:
-            self._feed = PortFeed(port, len(glove.imus))
+            self._feed = PortFeed(port, len(glove.imus), baud=self.choice.baud_of_port())
 
     def _leave(self) -> None:
         feed, self._feed = self._feed, None
@@ -136,6 +141,7 @@ class GloveSetup(QDialog):
         kept = self._store.value.port if port in (SESSION, SIMULATED) else port
         self._store.update(
             port=kept,
+            baud=self.choice.baud(),
             glove=self.choice.gloves.currentText(),
             hand=self.choice.hands.currentText(),
             wearer=str(self.choice.wearers.currentData()),
@@ -169,10 +175,10 @@ class GloveSetup(QDialog):
         super().done(result)
 
 
-def _search(progress: JobProgress, busy: set[str]) -> list[PortReport]:
+def _search(progress: JobProgress, busy: set[str], bauds: Sequence[int]) -> list[PortReport]:
     paths = [p for p in serial_ports() if p not in busy]
     reports = []
     for i, path in enumerate(paths):
         progress(i / len(paths), path)
-        reports += find_gloves([path])
+        reports += find_gloves([path], bauds=bauds)
     return reports
