@@ -41,8 +41,8 @@ def test_imus_and_markers_are_added_to_the_gloves_own(hand: HandModel, glove: Gl
     full = with_imus(hand, glove, 16)
     assert {i.segment for i in full.imus} == set(hand.segment_names)
     hundred = with_markers(glove, 100)
-    places = np.array([m.position for m in hundred.markers])
-    assert len({(m.segment, *m.position) for m in hundred.markers}) == len(places) == 100
+    positions = np.array([m.position for m in hundred.markers])
+    assert len({(m.segment, *m.position) for m in hundred.markers}) == len(positions) == 100
 
 
 def test_a_long_session_repeats_its_piece(tmp_path: Path) -> None:

@@ -25,7 +25,7 @@ PROFILE = ColourProfile(
 RADIUS = 8
 
 
-def places(glove: GloveModel) -> np.ndarray:
+def centres(glove: GloveModel) -> np.ndarray:
     """(M, 2) px, far from each other."""
     m = np.arange(len(glove.markers))
     return np.column_stack([40 + 60 * (m % 10), 40 + 60 * (m // 10)]).astype(float)
@@ -35,7 +35,7 @@ def image(glove: GloveModel, shift: int = 0, value: int = 170) -> np.ndarray:
     """Every marker as a disc of its cloth on the dark glove, all hues turned by ``shift``."""
     hsv = np.zeros((300, 660, 3), np.uint8)
     hsv[..., 2] = 60
-    for marker, (u, v) in zip(glove.markers, places(glove), strict=True):
+    for marker, (u, v) in zip(glove.markers, centres(glove), strict=True):
         hue = (CLOTH[marker.hue] + shift) % 180
         cv2.circle(hsv, (int(u), int(v)), RADIUS, (hue, 200, value), -1)
     noise = np.random.default_rng(1).normal(0, 3, hsv.shape)
@@ -45,7 +45,7 @@ def image(glove: GloveModel, shift: int = 0, value: int = 170) -> np.ndarray:
 
 def side(glove: GloveModel, image: np.ndarray, matched: np.ndarray) -> SeenSide:
     """All markers expected where they are; those of ``matched`` (M,) have become blobs."""
-    uv, n = places(glove), int(matched.sum())
+    uv, n = centres(glove), int(matched.sum())
     match = np.full(len(uv), -1, np.int64)
     match[matched] = np.arange(n)
     size = np.full((n, 2), 2.0 * RADIUS)
@@ -75,7 +75,7 @@ def test_the_ranges_follow_the_light(glove, shift):
 
 
 def test_a_hue_that_the_detector_misses_is_found_where_it_is_expected(glove):
-    """No blue marker was matched, as after a change of light; its places still tell its colour."""
+    """No blue marker was matched, as after a change of light; its centres still tell its colour."""
     others = np.array([m.hue != "blue" for m in glove.markers])
     profile, found = fitted(glove, side(glove, image(glove, 12), others))
     assert off(profile, "blue", 12) <= 2
@@ -108,7 +108,7 @@ def test_dark_and_light_exposures_are_both_within_the_range(glove):
     everything = np.ones(len(glove.markers), bool)
     dark, light = (image(glove, value=v) for v in (90, 230))
     profile, found = fitted(glove, side(glove, dark, everything), side(glove, light, everything))
-    centre = places(glove)[[m.hue for m in glove.markers].index("green")]
+    centre = centres(glove)[[m.hue for m in glove.markers].index("green")]
     for exposure in (dark, light):
         pixels = disc_pixels(exposure, centre, 3.0)
         assert profile.hues[2].contains(pixels).all()

@@ -86,8 +86,8 @@ def test_validity_and_sd_follow_the_tree(
     s = initial_state(layout)
     p = rng.normal(size=(len(sensed), 3))
     e = HandOutput(layout).estimate(0.0, s.R_GB, p, s.scale3(), Sensed(sensed, tracking), sd)
-    places = glove.keypoint_positions(hand, e.segment_R, e.segment_p)
-    assert np.allclose(e.keypoints, places, equal_nan=True) or tracking == Tracking.LOST
+    positions = glove.keypoint_positions(hand, e.segment_R, e.segment_p)
+    assert np.allclose(e.keypoints, positions, equal_nan=True) or tracking == Tracking.LOST
     assert np.isnan(e.keypoints).all() == (tracking == Tracking.LOST)
     seen = [bool(sensed[layout.row_of[i]]) if i in layout.row_of else False
             for i in range(len(hand.segments))]  # fmt: skip

@@ -152,8 +152,8 @@ def test_automatic_names_never_meet_an_existing_file(tmp_path):
     [(LOW_BYTES + 1, False, False), (LOW_BYTES - 1, True, False), (STOP_BYTES - 1, True, True)],
 )
 def test_disk_warns_under_five_and_stops_under_one_gigabyte(free, warns, full):
-    room = disk(free, 1e6)
-    assert (bool(room.warning), room.full) == (warns, full)
+    space = disk(free, 1e6)
+    assert (bool(space.warning), space.full) == (warns, full)
 
 
 def test_disk_tells_the_time_left():

@@ -88,14 +88,14 @@ def test_a_loop_goes_around(replay, qtbot):
     replay.player.set_range(1.0, 1.3)
     replay.player.set_loop(True)
     replay.player.set_speed(4.0)
-    places = []
+    positions = []
     replay.player.play(True)
     qtbot.waitUntil(
-        lambda: places.append(replay.player.position) or bool((np.diff(places) < -0.1).any()),
+        lambda: positions.append(replay.player.position) or bool((np.diff(positions) < -0.1).any()),
         timeout=10_000,
     )
     assert replay.player.playing
-    assert max(places) <= 1.3 + 1e-6
+    assert max(positions) <= 1.3 + 1e-6
 
 
 def test_speed_is_kept(replay, qtbot):

@@ -23,11 +23,11 @@ def test_every_panel_has_what_it_needs_or_scrolls(window, qtbot, size):
         QApplication.processEvents()
         area = dock.widget()
         assert isinstance(area, Scrolled)
-        panel, room = area.widget(), area.viewport().size()
+        panel, available = area.widget(), area.viewport().size()
         least = panel.layout().totalMinimumSize()
         assert panel.width() >= least.width(), name
-        assert panel.width() <= room.width() or area.horizontalScrollBar().maximum() > 0, name
-        assert panel.height() <= room.height() or area.verticalScrollBar().maximum() > 0, name
+        assert panel.width() <= available.width() or area.horizontalScrollBar().maximum() > 0, name
+        assert panel.height() <= available.height() or area.verticalScrollBar().maximum() > 0, name
 
 
 def test_at_1366_by_768_the_images_and_the_hand_need_no_scrolling(window, qtbot):

@@ -158,9 +158,9 @@ def test_a_missing_folder_is_told_in_words(tmp_path: Path, session_info) -> None
 
 
 def test_a_disk_that_runs_low_warns_and_then_stops(tmp_path: Path, session_info, maker) -> None:
-    room = iter([9e9, 4e9, 0.5e9])
+    bytes_left = iter([9e9, 4e9, 0.5e9])
     path = tmp_path / "a.mcap"
-    recorder = SessionRecorder(path, session_info, free=lambda _: int(next(room)))
+    recorder = SessionRecorder(path, session_info, free=lambda _: int(next(bytes_left)))
     assert "GB" in recorder.status.warning
     with pytest.raises(FileError, match="nearly full"):
         for k in range(1000):

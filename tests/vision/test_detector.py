@@ -262,8 +262,8 @@ def test_wall_of_a_hue_hides_no_marker_and_is_no_blob(detector: Detector) -> Non
 def test_hints_give_the_size(detector: Detector) -> None:
     """Twice as large as predicted is no marker; what is not predicted has the general limits."""
     image = draw([("blue", (200.0, 200.0), (16, 16), 0), ("blue", (400.0, 200.0), (16, 16), 0)])
-    places = np.array([[202.0, 199.0], [400.0, 200.0]])
-    hints = DetectionHints(places, np.full(2, 20.0), np.array([3, 0]), np.full(2, 16.0))
+    positions = np.array([[202.0, 199.0], [400.0, 200.0]])
+    hints = DetectionHints(positions, np.full(2, 20.0), np.array([3, 0]), np.full(2, 16.0))
     blobs, rejected = detector.detect(image, hints)
     assert blobs.uv == pytest.approx(np.array([[400.0, 200.0]]), abs=0.3)
     assert rejected.reason == ("size",)

@@ -152,7 +152,7 @@ class Encoder:
             yield Out(topics.blobs(camera), sensors.DETECTIONS, log, stamp, data, sequence)
 
     def estimate(self, m: Estimate) -> Iterator[Out]:
-        """States if they changed, angles, segments, spread, and last the keypoints."""
+        """States if they changed, angles, segments, sd, and last the keypoints."""
         stamp = self._wall(m.t)
         log = max(stamp, self._last_imu)
         yield from self._state_changes(m, stamp, log)
