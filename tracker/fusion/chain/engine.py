@@ -99,7 +99,7 @@ class ChainEngine:
         return self._tracker.shown.markers(self._timeline.head_at(t))
 
     def _estimate(self, state: ChainState, t: float) -> Estimate:
-        return self._tracker.shown.estimate(state, t, self.tracking)
+        return self._tracker.shown.estimate(state, t, self.tracking, self._tracker.state)
 
     # ---- what there is
 

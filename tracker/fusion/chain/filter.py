@@ -159,6 +159,13 @@ class ChainFilter:
         self._update(*joined(*seen, H, r, variance, self.state.P))
         self.kept.last_constraint = self.state.t
 
+    def corrected(self, seen: Rows) -> ChainState:
+        """What `correct` without anatomy would make of the state; moves nothing."""
+        trial = self.state.copy()
+        H, HP, r, R = seen
+        inject(trial, self._layout, correct(trial.P, HP, H @ HP.T + R, r, np.zeros_like(R)))
+        return trial
+
     def _how_often(self) -> float:
         """Factor on anatomy's variance: at twice the usual rate each use says half as much."""
         since = max(self.state.t - self.kept.last_constraint, 1e-3)

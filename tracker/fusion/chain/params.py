@@ -102,6 +102,7 @@ class MatchParams:
     coast_limit: float = 1.0  # s of useful inertial position
     max_frame_delay: float = 0.12  # s, then the filter goes on without an image
     search_period: float = 0.10  # s between two searches
+    misfit_px: float = 3.0  # median, of a hand that comes back into sight
 
 
 @dataclass(frozen=True)

@@ -53,6 +53,10 @@ class Recognised(NamedTuple):
         """How many of how many."""
         return Tally.of(self.prediction, self.match)
 
+    def nothing(self) -> Recognised:
+        """The same expectation, with no blob recognised."""
+        return self._replace(match=np.full_like(self.match, -1))
+
     @property
     def in_both(self) -> bool:
         """Whether some marker is seen by both cameras."""
@@ -93,6 +97,14 @@ class Recognition:
         """Blobs near where ``state`` expects markers, whatever was before."""
         prediction = self._pixels.predict(state, image.pose)
         return Recognised(prediction, self._pixels.match(prediction, image.blobs))
+
+    def misfit_px(self, image: SeenImage, found: Recognised) -> float:
+        """Median distance of the recognised blobs from where they were expected."""
+        apart = [
+            np.linalg.norm(side.uv[match[match >= 0]] - uv[match >= 0], axis=1)
+            for side, match, uv in zip(image.blobs, found.match, found.prediction.uv, strict=True)
+        ]
+        return float(np.median(np.concatenate(apart))) if found.tally.matched else np.inf
 
     def rows(self, state: ChainState, image: SeenImage, found: Recognised) -> Rows:
         """What the recognised blobs say of ``state``."""

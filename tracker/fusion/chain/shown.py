@@ -2,18 +2,30 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tracker import GRAVITY
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions, tip_sd
 from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_unsure_distance
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.output import HandOutput, Sensed, sensed_lately
-from tracker.messages import SEEN_LATELY, Array, CameraPose, Estimate, ImuSample, IntArray, Tracking
+from tracker.messages import (
+    SEEN_LATELY,
+    Array,
+    CameraPose,
+    Estimate,
+    ImuSample,
+    IntArray,
+    Tracking,
+    Validity,
+)
 from tracker.records import record
 
+MEASURED_SD = 0.016  # m, beyond which nothing is called measured: three of them are 5 cm
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
@@ -31,8 +43,8 @@ class ShownKept:
 class ShownHand:
     """Makes estimates for one hand with one glove."""
 
-    def __init__(self, layout: ChainLayout) -> None:
-        self._layout = layout
+    def __init__(self, layout: ChainLayout, noise: NoiseParams) -> None:
+        self._layout, self._noise = layout, noise
         self._output = HandOutput(layout)
         markers, imus = len(layout.glove.markers), len(layout.glove.imus)
         self.kept = ShownKept(
@@ -76,11 +88,20 @@ class ShownHand:
             size_sd = KNOWN_SIZE_SD if size_is_known else SIZE_SD
             self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
 
+    def aged(self, state: ChainState) -> None:
+        """The filter has moved on without an image: take how sure it is now."""
+        if not self.kept.one_camera:
+            self.kept.tip_sd = tip_sd(state, self._layout)
+
     # ---- messages
 
-    def estimate(self, state: ChainState, t: float, tracking: Tracking) -> Estimate:
-        """The hand of a nominal state at ``t``."""
-        return self.estimate_of(state, t, self.sensed(t, tracking), self.kept.tip_sd)
+    def estimate(
+        self, state: ChainState, t: float, tracking: Tracking, past: ChainState
+    ) -> Estimate:
+        """The hand of a nominal state at ``t``, which was carried there from ``past``."""
+        ahead = ahead_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
+        sd = np.sqrt(self.kept.tip_sd**2 + ahead)
+        return called_measured(self.estimate_of(state, t, self.sensed(t, tracking), sd))
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:
         """The hand of a nominal state whose segments' ends are as sure as sd (A,) m."""
@@ -91,3 +112,30 @@ class ShownHand:
         """Markers of a nominal state in G (M, 3), their SD (M,) m and ids (M,)."""
         p_G = marker_positions(state, self._layout)
         return p_G, self.kept.tip_sd[self._layout.marker_segment], np.arange(len(p_G))
+
+
+def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float) -> float:
+    """m² an axis that the root's place gains while its nominal state alone is carried ``tau`` s on.
+
+    Velocity's error grows with time; a tilt's error takes gravity for motion, and so does an
+    accelerometer's bias, both with its square.
+    """
+    variance = np.diagonal(state.P)
+    velocity = float(variance[3:6].mean())
+    tilt = float(variance[layout.theta : layout.theta + 3].mean())
+    bias = float(variance[layout.ba : layout.ba + 3].mean()) if layout.imu_of[0] >= 0 else 0.0
+    pull = GRAVITY**2 * tilt + bias
+    return velocity * tau**2 + pull * tau**4 / 4 + noise.accel**2 * tau**3 / 3
+
+
+def called_measured(estimate: Estimate) -> Estimate:
+    """What is too unsure to be called measured is inferred, whatever saw it lately."""
+    unsure = estimate.keypoint_sd > MEASURED_SD
+    if not unsure.any():
+        return estimate
+    state = np.where(
+        unsure & (estimate.keypoint_state == int(Validity.MEASURED)),
+        int(Validity.INFERRED),
+        estimate.keypoint_state,
+    )
+    return replace(estimate, keypoint_state=state)

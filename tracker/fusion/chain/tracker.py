@@ -48,7 +48,7 @@ class ChainTracker:
         self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
         self.filter = ChainFilter(layout, params, buffer, tape)
         self.wearer = WearerCalibration(layout, rig, params)
-        self.shown = ShownHand(layout)
+        self.shown = ShownHand(layout, params.noise)
         self._judge = TrackingJudge(params.match)
         self._recognition = Recognition(layout, rig, params)
         self._starter = Starter(layout, rig, params)
@@ -82,6 +82,7 @@ class ChainTracker:
         """Held together by anatomy."""
         self._judge.judge(self.state.t, enough=False)
         self.filter.constrain(self.state.t)
+        self.shown.aged(self.state)
         return False
 
     # ---- images
@@ -96,6 +97,8 @@ class ChainTracker:
         found = self._recognition.follow(self.state, image)
         if self._judge.should_search(frame.t, found.tally):
             found = self._search_again(image, found)
+        if self._judge.is_coasting(frame.t):
+            found = self._confirmed(image, found)
         # 3. What was seen corrects the state, together with anatomy.
         self._correct(image, found)
         self._judge.judge(frame.t, self._judge.is_enough(found.tally))
@@ -104,6 +107,17 @@ class ChainTracker:
         # 4. Now and then the calibration is solved for anew.
         self.wearer.refine(self.state, image, found, self._buffer)
         return result
+
+    def _confirmed(self, image: SeenImage, found: Recognised) -> Recognised:
+        """After a while out of sight gates are wide, and a few blobs within them may be anything:
+        they count if there are enough, and the hand that they correct fits them."""
+        if not self._judge.is_believable(found.tally):
+            return found.nothing()
+        trial = self.filter.corrected(self._recognition.rows(self.state, image, found))
+        there = self._recognition.look(trial, image)
+        still = there.tally.matched >= found.tally.matched - 1
+        fits = self._recognition.misfit_px(image, there) <= self._params.match.misfit_px
+        return found if still and fits else found.nothing()
 
     def _correct(self, image: SeenImage, found: Recognised) -> None:
         self.filter.correct(self._recognition.rows(self.state, image, found))

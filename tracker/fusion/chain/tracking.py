@@ -16,6 +16,7 @@ KEEP_CALIBRATION = 5.0  # s after which a hand that is still lost is looked for 
 MANY_MARKERS = 6  # in an image that shows the hand
 DOUBTFUL_SHARE = 0.35  # of the expected markers
 ENOUGH_SHARE = 0.6  # of the few markers that can be seen of a hand edge-on
+BELIEVABLE_SHARE = 0.5  # of the expected markers, for a hand that was out of sight
 
 
 @record("chain.tracking")
@@ -52,6 +53,10 @@ class TrackingJudge:
         p = self._params
         least = max(p.least_markers, ENOUGH_SHARE * tally.expected)
         return tally.matched >= min(p.min_markers, least)
+
+    def is_believable(self, tally: Tally) -> bool:
+        """Markers enough for a hand that was out of sight."""
+        return tally.matched >= max(self._params.min_markers, BELIEVABLE_SHARE * tally.expected)
 
     def judge(self, t: float, enough: bool) -> None:
         """After an image with ``enough`` markers, or without."""

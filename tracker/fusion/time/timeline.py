@@ -5,12 +5,17 @@ image comes. What it shows is a copy of its nominal state (the head), carried on
 since. Late images therefore need no rolling back: an image waits until packets cover its
 exposure, and one that comes after the filter went on without it makes the lag longer
 (docs/chain.md, "Delay").
+
+While the glove is silent, images are used without packets. On a busy machine packets may come after
+all, late and in bunches: then the filter goes back to where it stood before, and those images wait
+for their packets as others do.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Generic, Protocol, Self, TypeVar
+import copy
+from dataclasses import dataclass, field
+from typing import Any, Generic, Protocol, Self, TypeVar
 
 import numpy as np
 
@@ -21,6 +26,7 @@ from tracker.records import record
 
 LATE_MARGIN = 0.03  # s beyond the latest image so far
 LONGEST_LAG = 0.5  # s
+LONGEST_AHEAD = 3.0  # s of images used without packets, beyond which there is no way back
 
 
 class TimedState(Protocol):
@@ -65,6 +71,22 @@ class Filter(Protocol[S]):
     def no_image(self) -> bool:
         """The state has moved on and no image has come. True where what is shown has to follow."""
 
+    @property
+    def kept(self) -> Any:
+        """All that changes, as it is: for a copy."""
+
+    def restore(self, kept: Any) -> None:
+        """Go on from what was `kept`, which is taken over."""
+
+
+@dataclass(eq=False)
+class Ahead:
+    """What a filter knew before it used images without packets, and these images."""
+
+    filter: Any  # its `Filter.kept`
+    last_frame: float
+    frames: list[BlobFrame] = field(default_factory=list)
+
 
 @record("timeline")
 @dataclass(eq=False)
@@ -78,6 +100,7 @@ class TimelineKept(Generic[S]):
     results: list[FrameResult]
     packets: list[ImuSample]
     health: ImuHealthKept
+    ahead: Ahead | None = None
 
 
 class Timeline(Generic[S]):
@@ -94,7 +117,8 @@ class Timeline(Generic[S]):
         self._head: S = target.state.copy_nominal()
         self._waiting: list[BlobFrame] = []
         self._results: list[FrameResult] = []
-        self._last_frame = -np.inf
+        self._last_frame = self._reported = -np.inf
+        self._ahead: Ahead | None = None
 
     # ---- messages
 
@@ -103,6 +127,7 @@ class Timeline(Generic[S]):
         sample = self._health.check(sample)
         if not self._buffer.add(sample):
             return self.head_at(sample.t)
+        self._go_back(sample.t)
         self._filter.packet(sample)
         self._use_waiting()
         self._keep_up(sample.t)
@@ -141,7 +166,9 @@ class Timeline(Generic[S]):
 
     def _use_waiting(self) -> None:
         while self._waiting and self._ready(self._waiting[0]):
-            self._use(self._waiting.pop(0))
+            frame = self._waiting.pop(0)
+            self._note_ahead(frame)
+            self._use(frame)
             self.rebuild_head()
 
     def _use(self, frame: BlobFrame) -> None:
@@ -154,15 +181,36 @@ class Timeline(Generic[S]):
             self._last_frame = frame.t
         else:
             self._wait_longer(frame.t)
-        if result is not None:
+        if result is not None and result.t > self._reported:  # of one image, one result
             self._results.append(result)
+            self._reported = result.t
 
     def _ready(self, frame: BlobFrame) -> bool:
         """Covered by packets, or the glove has been silent for too long to wait for them."""
         if self._buffer.covers(frame.t):
             return True
         newest, now = self._buffer.newest, self._waiting[-1].t_arrival
-        return newest is not None and now - newest.t > self._silence
+        return newest is not None and now - newest.t_arrival > self._silence
+
+    def _note_ahead(self, frame: BlobFrame) -> None:
+        """Before an image is used: without packets, remember how to come back."""
+        if self._buffer.covers(frame.t) or self._searching:
+            return
+        if self._ahead is None:
+            self._ahead = Ahead(copy.deepcopy(self._filter.kept), self._last_frame)
+        self._ahead.frames.append(frame)
+        if frame.t - self._ahead.frames[0].t > LONGEST_AHEAD:
+            self._ahead = None
+
+    def _go_back(self, t: float) -> None:
+        """A packet of ``t`` has come: if images were used for want of it, use them anew with it."""
+        ahead, self._ahead = self._ahead, None
+        if ahead is None or t > self._filter.state.t:
+            return
+        self._filter.restore(ahead.filter)
+        self._last_frame = ahead.last_frame
+        self._waiting[:0] = ahead.frames
+        self.rebuild_head()
 
     def _wait_longer(self, t: float) -> None:
         """An image came after the filter had gone on without it: the next ones are waited for."""
@@ -206,6 +254,7 @@ class Timeline(Generic[S]):
             self._results,
             list(self._buffer),
             self._health.kept,
+            self._ahead,
         )
 
     def restore(self, kept: TimelineKept[S]) -> None:
@@ -214,3 +263,4 @@ class Timeline(Generic[S]):
         self._waiting, self._results = kept.waiting, kept.results
         self._buffer.restore(kept.packets)
         self._health.restore(kept.health)
+        self._ahead = kept.ahead

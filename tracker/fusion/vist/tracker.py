@@ -75,6 +75,10 @@ class VistTracker:
     def state(self) -> VistState:
         return self.kept.state
 
+    def restore(self, kept: VistTrackerKept) -> None:
+        """Go on from what was `kept`, which is taken over."""
+        self.kept = kept
+
     @property
     def tracking(self) -> Tracking:
         return self._track.tracking
