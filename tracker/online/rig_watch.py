@@ -46,6 +46,7 @@ class RigWatchParams:
     jump_px: float = 5.0
     jump_markers: int = 5
     jump_gap: float = 0.15  # s since the last image that agreed
+    usual_gap: float = 0.07  # s without an image that agreed, up to which ``jump_px`` is meant
     packet_gap: float = 0.035  # s without a packet: then it is the hand that was not followed
     settle: float = 0.3  # s after such a gap
 
@@ -105,8 +106,13 @@ class RigWatch:
             return
         apart = float(np.hypot(right_u - left_u, right_v - left_v)) / self._scale
         together = float(np.hypot(right_u + left_u, right_v + left_v)) / 2 / self._scale
+        # Carried on for longer, the hand itself is farther from where it was expected, in both
+        # images alike: a double integral, so that limit grows with the square of the gap.
+        gap = max((result.t - self._agreed) / p.usual_gap, 1.0)
         if max(apart, together) < p.jump_px:
             self._agreed = result.t
+        elif apart < p.jump_px and together < p.jump_px * gap**2:
+            return
         elif result.t - self._agreed <= p.jump_gap:
             self._agreed = -np.inf  # one jump is told once
             self._note_jump(apart, together)
