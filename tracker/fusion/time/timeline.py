@@ -79,6 +79,7 @@ class Filter(Protocol[S]):
         """Go on from what was `kept`, which is taken over."""
 
 
+@record("timeline.ahead")
 @dataclass(eq=False)
 class Ahead:
     """What a filter knew before it used images without packets, and these images."""
@@ -101,6 +102,7 @@ class TimelineKept(Generic[S]):
     packets: list[ImuSample]
     health: ImuHealthKept
     ahead: Ahead | None = None
+    reported: float = -np.inf  # s of the newest image that has a result
 
 
 class Timeline(Generic[S]):
@@ -255,6 +257,7 @@ class Timeline(Generic[S]):
             list(self._buffer),
             self._health.kept,
             self._ahead,
+            self._reported,
         )
 
     def restore(self, kept: TimelineKept[S]) -> None:
@@ -263,4 +266,4 @@ class Timeline(Generic[S]):
         self._waiting, self._results = kept.waiting, kept.results
         self._buffer.restore(kept.packets)
         self._health.restore(kept.health)
-        self._ahead = kept.ahead
+        self._ahead, self._reported = kept.ahead, kept.reported
