@@ -129,7 +129,7 @@ def test_a_left_glove_mirrors_its_right_one(path: Path) -> None:
 
 
 THREADS = {
-    "app/engines/replay.py": "plays a session beside the window",
+    "app/engines/replay/thread.py": "plays a session beside the window",
     "app/platform/tasks.py": "jobs of the window",
     "app/wizards/glove/feed.py": "reads the glove that is being set up",
     "app/wizards/stereo/board_watcher.py": "looks for the board beside the window",
@@ -153,7 +153,7 @@ CLOCKS = {
     "app/engines/engine_host.py": "when the engine was last looked at",
     "app/engines/hardware.py": "anchors a recording to the wall clock",
     "app/engines/recording.py": "the time recorded",
-    "app/engines/replay_transport.py": "how much of the session has passed",
+    "app/engines/replay/thread.py": "how much of the session has passed",
     "app/panels/colours/source.py": "names of kept images",
     "app/panels/recording.py": "how fast the file grows",
     "app/tools/screenshots.py": "waits",
@@ -165,12 +165,12 @@ CLOCKS = {
     "app/window/refresher.py": "which panel's turn it is",
     "app/window/ticker.py": "when the window was last drawn",
     "app/wizards/glove/feed.py": "waits for packets",
-    "app/wizards/stereo/wizard.py": "the date of a calibration",
+    "app/wizards/stereo/solving.py": "the date of a calibration",
     "tracker/clock.py": "the host's clock, to be handed over",
     "tracker/evaluation/inertial/cost.py": "measures",
     "tracker/evaluation/vist/run.py": "how long is left",
     "tracker/evaluation/vist/trial.py": "measures",
-    "tracker/offline/commands.py": "how often progress is printed",
+    "tracker/terminal.py": "how often progress is printed",
     "tracker/offline/track.py": "measures",
     "tracker/sensors/discovery.py": "the default of a clock that is handed over",
     "tracker/sensors/glove_link.py": "the default of a clock that is handed over",
