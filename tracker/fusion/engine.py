@@ -33,7 +33,7 @@ class Engine(Protocol):
         """The hand at any instant near now. Moves nothing."""
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
-        """Markers expected in G (n, 3), their SD (n,) m and ids (n,); None while searching."""
+        """Markers expected in G (n, 3), their sd (n,) m and ids (n,); None while searching."""
 
     def calibration(self) -> Calibration:
         """Estimated parameters with their uncertainty."""

@@ -42,7 +42,7 @@ class ExpectedMarkers(NamedTuple):
 
 
 class ParallaxMixture(NamedTuple):
-    """Of `parallax_em`: least and greatest SD along u and the SD along v, px; the share
+    """Of `parallax_em`: least and greatest sd along u and the sd along v, px; the share
     ``outlier`` of blobs without a partner; steps."""
 
     sd_u_min: float
@@ -53,7 +53,7 @@ class ParallaxMixture(NamedTuple):
 
 
 class TranslationMixture(NamedTuple):
-    """Of `translation_em`: the share ``outlier`` (w_c of eq. 2), uniform over ``volume`` m³; the SD
+    """Of `translation_em`: the share ``outlier`` (w_c of eq. 2), uniform over ``volume`` m³; the sd
     that is added to the noise at first and at last, m; steps."""
 
     outlier: float
@@ -69,12 +69,12 @@ def parallax_em(
 ) -> tuple[float, float]:
     """One horizontal parallax between two images: l_i = r_j + (zeta, 0). Pixels, rectified.
 
-    It starts at ``zeta``, and the SD along u at its greatest: a hand spans 10 to 20 px of
+    It starts at ``zeta``, and the sd along u at its greatest: a hand spans 10 to 20 px of
     disparity, so it must not collapse. Returns zeta and that SD.
     """
     l_uv, l_hue, r_uv, r_hue = left.uv, left.hue, right.uv, right.hue
     s, sd_v = mixture.sd_u_max, mixture.sd_v
-    # an outlier is uniform over the ellipse of three SD about the expected position
+    # an outlier is uniform over the ellipse of three sd about the expected position
     floor = mixture.outlier / (1.0 - mixture.outlier) * 2.0 / 9.0
     for _ in range(mixture.iterations):
         # 1. expectation: each left blob's posterior over its partners, as sums over p, p u, p u²
@@ -99,7 +99,7 @@ def parallax_em(
             sum_puu += total_uu / total_p
         if sum_p < 1e-9:
             break
-        # 2. maximisation: mean and SD of the disparity
+        # 2. maximisation: mean and sd of the disparity
         zeta = sum_pu / sum_p
         sd = math.sqrt(max(sum_puu / sum_p - zeta * zeta, 0.0))
         s = min(max(sd, mixture.sd_u_min), mixture.sd_u_max)

@@ -93,7 +93,7 @@ class ChainEngine:
         return self._estimate(self._timeline.head_at(t), t)
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
-        """Markers expected in G (n, 3), their SD (n,) m and ids (n,); None while searching."""
+        """Markers expected in G (n, 3), their sd (n,) m and ids (n,); None while searching."""
         if self.tracking in (Tracking.SEARCHING, Tracking.LOST):
             return None
         return self._tracker.shown.markers(self._timeline.head_at(t))

@@ -12,7 +12,7 @@ import numpy as np
 
 from tracker.fusion.chain.constraints import Constraints
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.params import ChainParams, without_walks
+from tracker.fusion.chain.params import ChainParams, without_random_walks
 from tracker.fusion.chain.prior import initial_covariance, reset_pose
 from tracker.fusion.chain.propagate import Coasting, carry, propagate
 from tracker.fusion.chain.start.search import Pose
@@ -50,7 +50,7 @@ class ChainFilter:
         self, layout: ChainLayout, params: ChainParams, buffer: ImuBuffer, tape: Tape | None = None
     ) -> None:
         self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
-        self._held_params = without_walks(params)
+        self._held_params = without_random_walks(params)
         self._constraints = Constraints(layout, params.constraint)
         state = initial_state(layout)
         state.P = initial_covariance(layout, params.prior)
@@ -147,13 +147,13 @@ class ChainFilter:
         return True
 
     def stay(self) -> None:
-        """A wearer whom no image places stays about where he is, and comes to rest now and then;
-        to be used as often as anatomy."""
+        """A wearer whom no image locates stays about where he is, and comes to rest now and then;
+        to be used as often as anatomy (eq. 51)."""
         H = np.eye(6, len(self.state.P))
         self._use(H, -np.concatenate([self.state.p, self.state.v]), STAY_VARIANCE)
 
     def correct(self, seen: Rows) -> None:
-        """One stacked update: what was seen and anatomy, linearised at the same place."""
+        """One stacked update: what was seen and anatomy, linearised at the same state."""
         H, r, variance = self._constraints.rows(self.state)
         variance = variance * self._how_often()
         self._update(*joined(*seen, H, r, variance, self.state.P))

@@ -1,4 +1,4 @@
-"""The chain filter for a glove without a camera: orientation and joints by the IMUs, no place.
+"""The chain filter for a glove without a camera: orientation and joints by the IMUs, no position.
 
 The same state and covariance as with images. It starts from gravity, with no image to say where
 the hand is. That a wearer stays about where he is keeps the double integral of the root's

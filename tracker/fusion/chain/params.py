@@ -42,7 +42,7 @@ class NoiseParams:
     mounting: float = 4e-3  # rad/√s: stays alive, cloth moves
     free_rotation: float = 0.3  # rad/√s: a segment without an IMU, against its parent
     free_root_rotation: float = 0.5  # rad/√s: the hand while its own IMU is silent
-    free_accel: float = 1.0  # m/s²·√s: the same for its place
+    free_accel: float = 1.0  # m/s²·√s: the same for its position
     offset: float = 1e-4  # m/√s: joints and markers
     marker: float = 0.0025  # m, placement and cloth that the offset states do not hold
     pixel_px: float = 1.0
@@ -96,7 +96,7 @@ class ConstraintParams:
 class MatchParams:
     """Correspondence and the state of tracking."""
 
-    lost_after: float = 0.2  # s without enough matches before the room is searched again
+    lost_after: float = 0.2  # s without enough matches before images are searched anew
     min_markers: int = 4
     least_markers: int = 2  # enough where no more can be seen
     coast_limit: float = 1.0  # s of useful inertial position
@@ -135,7 +135,7 @@ class ChainParams:
     bundle: BundleParams = field(default_factory=BundleParams)
 
 
-def without_walks(params: ChainParams) -> ChainParams:
+def without_random_walks(params: ChainParams) -> ChainParams:
     """The same filter whose calibration does not drift, so that what is held stays held."""
     noise = replace(
         params.noise, gyro_bias=0.0, accel_bias=0.0, scale=0.0, mounting=0.0, offset=0.0

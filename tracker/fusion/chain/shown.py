@@ -109,13 +109,14 @@ class ShownHand:
         return self._output.estimate(t, state.R_GB, p_GB, state.scale3(), sensed, sd)
 
     def markers(self, state: ChainState) -> tuple[Array, Array, IntArray]:
-        """Markers of a nominal state in G (M, 3), their SD (M,) m and ids (M,)."""
+        """Markers of a nominal state in G (M, 3), their sd (M,) m and ids (M,)."""
         p_G = marker_positions(state, self._layout)
         return p_G, self.kept.tip_sd[self._layout.marker_segment], np.arange(len(p_G))
 
 
 def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float) -> float:
-    """m² an axis that the root's place gains while its nominal state alone is carried ``tau`` s on.
+    """m² an axis that the root's position gains while its nominal state alone is carried on for
+    ``tau`` s (docs/chain.md, eq. 50).
 
     Velocity's error grows with time; a tilt's error takes gravity for motion, and so does an
     accelerometer's bias, both with its square.

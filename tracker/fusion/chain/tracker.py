@@ -123,7 +123,7 @@ class ChainTracker:
         self.filter.correct(self._recognition.rows(self.state, image, found))
 
     def _search_again(self, image: SeenImage, found: Recognised) -> Recognised:
-        """Move to a better place where the images show one; else all stays as it is."""
+        """Move to a better pose where the images show one; else all stays as it is."""
         count = found.tally.matched
         pose = self._starter.again(self.state, image.blobs, image.pose, count)
         if pose is None:
@@ -161,7 +161,7 @@ class ChainTracker:
         self.wearer.begin(started)
         self._judge.started(frame.t)
         self.shown.kept.one_camera = image.is_mono
-        # 3. Correct it twice: the second pass matches and linearises at a better place.
+        # 3. Correct it twice: the second pass matches and linearises at a better state.
         for _ in range(2):
             found = self._recognition.look(self.state, image)
             self._correct(image, found)

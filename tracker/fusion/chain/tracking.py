@@ -94,7 +94,7 @@ class TrackingJudge:
         self.kept.in_vain_since = np.inf
 
     def started_anywhere(self) -> None:
-        """The hand's posture is known by its IMUs, its place is not."""
+        """The hand's posture is known by its IMUs, its position is not."""
         self.kept.tracking = Tracking.LOST
 
     def forget(self) -> None:

@@ -83,7 +83,7 @@ class VistEngine:
         return self._estimate(self._timeline.head_at(t), t)
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
-        """Markers expected in G (n, 3), their SD (n,) m and ids (n,); None while searching."""
+        """Markers expected in G (n, 3), their sd (n,) m and ids (n,); None while searching."""
         if self._tracker.tracking in (Tracking.SEARCHING, Tracking.LOST):
             return None
         segment = self._layout.chain.marker_segment

@@ -45,7 +45,7 @@ class PreviousMarkers:
     markers: Expected
 
     def at(self, t: float, speed: float) -> Expected:
-        """The same positions, less certain by what a hand of ``speed`` m/s (SD) goes meanwhile."""
+        """The same positions, less certain by what a hand of ``speed`` m/s (sd) goes meanwhile."""
         gone = (speed * (t - self.t)) ** 2
         return replace(self.markers, cov=self.markers.cov + gone * np.eye(3))
 

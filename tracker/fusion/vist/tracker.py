@@ -178,7 +178,7 @@ class VistTracker:
         self.kept.state = from_chain(self._layout, found)
         self.state.P = initial_covariance(self._layout, self._params.prior)
         self._track.tracking, self._track.last_good = Tracking.TRACKING, frame.t
-        for _ in range(2):  # the second pass matches and linearises at a better place
+        for _ in range(2):  # the second pass matches and linearises at a better state
             expected, matched = self._look(self.state, seen, pose, None)
             self._filter.correct(self.state, expected, matched)
         return self._finish(frame, seen, pose, expected, matched)
@@ -186,7 +186,7 @@ class VistTracker:
     def _search_again(
         self, seen: Seen, pose: CameraPose, expected: Expected, matched: Matched
     ) -> tuple[Expected, Matched]:
-        """Move to a better place where the images show one; else all stays as it is."""
+        """Move to a better pose where the images show one; else all stays as it is."""
         chain = as_chain(self._layout, self.state)
         found = self._starter.again(chain, seen, pose, len(matched))
         if found is None:
