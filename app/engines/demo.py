@@ -103,6 +103,7 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         command=tracker.command,
         reference_tracking=tracker,
         camera=CAMERA,
+        image_rate=lambda: spec.fps,
     )
 
 

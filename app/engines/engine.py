@@ -156,6 +156,7 @@ class EngineSetup:
     reference_tracking: ReferenceTracking | None = None
     camera_controls: CameraControls | None = None  # of a device that is open
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
+    image_rate: Callable[[], float] | None = None  # images a second that the camera should give
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms
     has_glove: bool = True
     has_camera: bool = True

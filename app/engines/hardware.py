@@ -98,6 +98,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         has_camera=chosen is not None,
         camera_calibrated=found.rig is not None,
         missing=" ".join(found.missing),
+        image_rate=(lambda: chosen.source.fps) if chosen else None,
     )
 
 

@@ -47,6 +47,8 @@ class Recording(QObject):
     """
 
     changed = Signal(bool)  # whether a file is being written
+    begun = Signal()
+    finished = Signal(object)  # its Path: it is closed now
     failed = Signal(str)
 
     def __init__(
@@ -90,6 +92,7 @@ class Recording(QObject):
         self._setup, self.request, self._began = setup, request, self._clock()
         setup.engine.set_recorder(self._recorder)
         self.changed.emit(True)
+        self.begun.emit()
         return True
 
     def pause(self, on: bool) -> None:
@@ -103,11 +106,13 @@ class Recording(QObject):
 
     def end(self) -> None:
         """End the file; the engine writes what waits and closes it."""
-        if self._setup is None:
+        if self._setup is None or self.request is None:
             return
+        path = self.request.path
         self._setup.engine.set_recorder(None)
         self._setup = self._recorder = self.request = None
         self.changed.emit(False)
+        self.finished.emit(path)
 
 
 def recorder_maker(

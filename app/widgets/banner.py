@@ -7,6 +7,10 @@ from collections.abc import Callable
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
+MOST_ACTIONS = 3
+Action = tuple[str, Callable[[], object]]
+"""The words of a button, and what it does."""
+
 
 class Banner(QFrame):
     """Shows the latest sentence until it is dismissed."""
@@ -16,33 +20,38 @@ class Banner(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("banner")
-        self._label = QLabel()
+        self._sign, self._label = QLabel(), QLabel()
         self._label.setWordWrap(True)
         self._label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self.action = QPushButton()
-        self.action.clicked.connect(self._act)
-        self._do: Callable[[], object] | None = None
+        self.buttons = [QPushButton() for _ in range(MOST_ACTIONS)]
+        self._work: list[Callable[[], object]] = []
+        for i, button in enumerate(self.buttons):
+            button.clicked.connect(lambda _on=False, i=i: self._act(i))
         close = QPushButton(self.tr("Dismiss"))
         close.clicked.connect(self.dismissed)
         row = QHBoxLayout(self)
         row.setContentsMargins(12, 6, 6, 6)
-        row.addWidget(QLabel("▲"))
+        row.addWidget(self._sign)
         row.addWidget(self._label, 1)
-        row.addWidget(self.action)
+        for button in self.buttons:
+            row.addWidget(button)
         row.addWidget(close)
 
-    def show_text(self, text: str, action: tuple[str, Callable[[], object]] | None = None) -> None:
-        """``action``: the words of a button and what it does; it takes the banner away too."""
+    def show_text(self, text: str, *actions: Action, good: bool = False) -> None:
+        """``actions``: the words of a button and what it does; it takes the banner away too.
+        ``good``: there is nothing wrong.
+        """
+        self._sign.setText("✓" if good else "▲")
         self._label.setText(text)
         self.setAccessibleName(text)
-        self._do = action[1] if action is not None else None
-        self.action.setText(action[0] if action is not None else "")
-        self.action.setVisible(action is not None)
+        self._work = [work for _, work in actions]
+        for i, button in enumerate(self.buttons):
+            button.setText(actions[i][0] if i < len(actions) else "")
+            button.setVisible(i < len(actions))
 
-    def _act(self) -> None:
+    def _act(self, i: int) -> None:
         self.dismissed.emit()
-        if self._do is not None:
-            self._do()
+        self._work[i]()
 
     def text(self) -> str:
         return self._label.text()

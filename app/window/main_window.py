@@ -43,6 +43,7 @@ from app.window.message_bar import MessageBar
 from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import Sources
 from app.window.status_bar import StatusBar
+from app.window.takes import Takes
 from app.window.ticker import Ticker
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
 
@@ -68,6 +69,7 @@ class MainWindow(QMainWindow):
         self._make_frame()
         self.docks = make_docks(self, self.panels)
         self.sources = Sources(self.host, self.store, self.messages, self)
+        self.takes = Takes(self.host, self.tasks, self.messages, self.library, self)
         self.reports = self._make_reports(crashes)
         self._make_commands()
         self._make_tool_bar()

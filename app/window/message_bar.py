@@ -2,14 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtWidgets import QToolBar, QWidget
 
-from app.widgets.banner import Banner
-
-Action = tuple[str, Callable[[], object]]
-"""The words of a button, and what it does."""
+from app.widgets.banner import Action, Banner
 
 
 class MessageBar(QToolBar):
@@ -26,7 +21,10 @@ class MessageBar(QToolBar):
         self.addWidget(self.banner)
         self.hide()
 
-    def say(self, text: str, action: Action | None = None) -> None:
-        """Say it in the one place for it, with a button where something can be done."""
-        self.banner.show_text(text, action)
+    def say(self, text: str, *actions: Action, good: bool = False) -> None:
+        """Say it in the one place for it, with a button for each thing that can be done.
+
+        ``good``: there is nothing wrong.
+        """
+        self.banner.show_text(text, *actions, good=good)
         self.show()

@@ -70,8 +70,8 @@ def test_the_next_start_after_a_hard_crash_offers_a_bug_report(crashed, store, q
         assert "Segmentation fault" in watch.found.read_text()
         assert __version__ in watch.found.read_text()
         assert "ended unexpectedly" in window.banner.text()
-        assert window.banner.isVisible() and window.banner.action.isVisible()
-        qtbot.mouseClick(window.banner.action, Qt.MouseButton.LeftButton)
+        assert window.banner.isVisible() and window.banner.buttons[0].isVisible()
+        qtbot.mouseClick(window.banner.buttons[0], Qt.MouseButton.LeftButton)
         assert window.findChild(BugReportDialog) is not None
         assert not window.banner.isVisible()
     finally:
@@ -109,7 +109,7 @@ def test_an_exception_nobody_caught_is_logged_once_and_offered(
         except ValueError as error:
             sys.excepthook(type(error), error, error.__traceback__)
     assert "three fingers are too few" in window.banner.text()
-    assert window.banner.action.isVisible()
+    assert window.banner.buttons[0].isVisible()
     text = watch._path.read_text()
     assert text.count("ValueError: three fingers are too few") == 1
     window.close()

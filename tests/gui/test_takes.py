@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
+from PySide6.QtWidgets import QInputDialog
 
 from app.engines.engine import RecordingRequest
 from app.engines.recording import recorder_maker
 from app.engines.replay.engine import open_replay
+from app.jobs.take_check import check_job
+from app.viewmodels.takes import missing_text, rename, report_text
 from resources import folder
 from tracker.clock import ClockAnchor, seconds
+from tracker.errors import FileError
 from tracker.live.inbox import DetectedFrame
 from tracker.live.runner import LiveTracker
-from tracker.messages import Status
+from tracker.messages import Status, StereoFrame, Tracking
 from tracker.pipeline import Pipeline
 from tracker.session.description import SessionInfo
 from tracker.session.glance import quality, session_summary
@@ -27,7 +32,7 @@ from tracker.vision.detector import Detector
 ENGINE_START = ClockAnchor(1_760_000_000_000_000_000, 7_000_000_000)
 WATCHED = 100.0  # s from the engine's start to Record
 SEEN = 1.0  # s of them, the last, in which devices gave something
-LENGTH = 1.5  # s, of the recording
+LENGTH = 1.2  # s, of the recording
 LOST_BEFORE, LOST_IN_IT = 40, 3  # packets
 
 
@@ -76,11 +81,19 @@ def on_the_clock(message):
 def schedule():
     """Packets, and image pairs with their blobs, in the order of arrival; some packets are lost."""
     sim = simulation()
-    lost = {*range(30, 30 + LOST_BEFORE), *range(150, 150 + LOST_IN_IT)}
+    lost = {*range(30, 30 + LOST_BEFORE), *range(140, 140 + LOST_IN_IT)}
     samples = [s for s in sim.imu_samples() if s.seq not in lost]
-    pairs = [DetectedFrame(*frame_and_blobs(i)) for i in range(round(30 * (SEEN + LENGTH)))]
+    pairs = [pair(*exposure) for exposure in sim.exposures()]
     found = sorted([*samples, *pairs], key=arrival)
     return [m for m in found if arrival(m) < SEEN + LENGTH]
+
+
+def pair(index: int, t: float, t_arrival: float) -> DetectedFrame:
+    """Images are rendered from just before the recording on."""
+    if SEEN - 0.05 < t_arrival < SEEN + LENGTH:
+        return DetectedFrame(*frame_and_blobs(index))
+    blobs = simulation().scene.blobs(t, t_arrival, index)
+    return DetectedFrame(StereoFrame(t, t_arrival, None, None), blobs)
 
 
 def arrival(item) -> float:
@@ -198,3 +211,102 @@ def test_a_replay_opened_first_has_its_transport_in_view_on_a_small_screen(windo
     window.host.adopt(open_replay(take, lambda *_: None))
     qtbot.waitUntil(lambda: bar.visibleRegion().boundingRect() == bar.rect(), timeout=10_000)
     qtbot.waitUntil(lambda: window.host.snapshot().frame is not None, timeout=10_000)
+
+
+class Copying:
+    """A recorder whose file is that of ``take``, once it is closed."""
+
+    def __init__(self, path: Path, take: Path) -> None:
+        self._path, self._take = path, take
+
+    def write(self, message, overloaded: bool = False) -> None:
+        pass
+
+    def close(self) -> None:
+        shutil.copy(self._take, self._path)
+
+
+@pytest.fixture
+def recorded(window, take, qtbot):
+    """The window after a recording, which has been checked."""
+    setup = replace(scripted_setup(ScriptedEngine()), make_recorder=lambda r: Copying(r.path, take))
+    window.host.adopt(setup)
+    window.recording.participant.setText("P07")
+    window.run_command("record")
+    window.run_command("record")
+    qtbot.waitUntil(lambda: "is whole" in window.banner.text(), timeout=30_000)
+    return window
+
+
+def button(window, word: str):
+    return next(b for b in window.banner.buttons if b.text().startswith(word))
+
+
+def test_after_stop_one_line_says_how_the_recording_is(recorded, take):
+    with SessionReader(take) as reader:
+        tracked = quality(reader, 200).tracked
+    text = recorded.banner.text()
+    assert text.startswith("P07_")
+    assert (
+        f"0:0{int(LENGTH)}, {LOST_IN_IT} packets lost, tracked {100 * tracked:.0f} % of the time."
+        in text
+    )
+
+
+def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
+    [path] = recorded.plan.folder.glob("*.mcap")
+    button(recorded, "Rename").click()
+    dialog = recorded.findChild(QInputDialog)
+    dialog.setTextValue("pinch of salt")
+    dialog.accept()
+    [path] = recorded.plan.folder.glob("*.mcap")
+    assert path.name == "pinch-of-salt.mcap"
+    assert recorded.banner.text().startswith("pinch-of-salt is whole")
+    button(recorded, "Show it").click()
+    qtbot.waitUntil(lambda: recorded.host.running, timeout=30_000)
+    assert recorded.host.setup.player.path == path
+
+
+def test_a_name_that_is_taken_leaves_both_files(tmp_path):
+    first, second = tmp_path / "a.mcap", tmp_path / "b.mcap"
+    first.write_text("1")
+    second.write_text("2")
+    with pytest.raises(FileError, match="is there already"):
+        rename(first, "b")
+    with pytest.raises(FileError, match="a letter or a digit"):
+        rename(first, " / ")
+    assert (first.read_text(), second.read_text()) == ("1", "2")
+    assert rename(first, "c.mcap").read_text() == "1"
+
+
+def test_a_file_cut_off_is_not_called_whole(take, tmp_path):
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(take.read_bytes()[: take.stat().st_size * 2 // 3])
+    text = report_text(check_job(cut)(lambda *_: None))
+    assert text.startswith("cut is not whole: byte ")
+
+
+def test_a_recording_says_at_its_start_what_it_lacks_and_is_made_all_the_same(window, engine):
+    window.host.adopt(replace(scripted_setup(engine), image_rate=lambda: 60.0))
+    silent, samples = 2, engine.recent_imu()
+    name = models()[1].imu_names[silent].replace("_", " ")
+    valid = samples[0].valid.copy()
+    valid[silent] = False
+    engine.recent_imu = lambda: [replace(s, valid=valid.copy()) for s in samples]
+    window.run_command("record")
+    assert window.host.recording.request is not None
+    assert "30 images come a second instead of 60" in window.banner.text()
+    assert f"the IMU {name} cannot be heard" in window.banner.text()
+    window.run_command("record")
+
+
+def test_what_is_missing_is_told_and_nothing_else():
+    names = models()[1].imu_names
+    samples = list(simulation().imu_samples())[:100]
+    now = samples[-1].t_arrival
+    fine = Status(now, Tracking.TRACKING, {"frame_rate_hz": 29.0})
+    assert missing_text(fine, samples, names, 30.0) == ""
+    assert missing_text(fine, samples, names, 0.0) == ""
+    gone = Status(now + 5.0, Tracking.TRACKING, {})
+    text = missing_text(gone, samples, names, 30.0)
+    assert "no image comes" in text and "no packet comes" in text

@@ -126,8 +126,8 @@ def quality(reader: SessionReader, instants: int = INSTANTS) -> Quality:
 def _spread(reader: SessionReader, topic: str, instants: int) -> Iterator[RawMessage]:
     """The message of ``topic`` that holds at each of the instants."""
     first, last = reader.span_ns
-    for time in np.linspace(first, last, instants + 1)[1:].astype(np.int64):
-        raw = last_before(reader.source, topic, int(time) + 1)
+    for k in range(1, instants + 1):  # whole numbers: these are too large for a float's
+        raw = last_before(reader.source, topic, first + (last - first) * k // instants + 1)
         if raw is not None:
             yield raw
 

@@ -42,12 +42,15 @@ class _Track:
     count: int = 0
 
 
-def verify(path: Path) -> list[Finding]:
-    """Everything that is wrong with a session. Raises FileError if it is no MCAP at all."""
+def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -> list[Finding]:
+    """Everything that is wrong with a session. Raises FileError if it is no MCAP at all.
+
+    ``progress`` hears which share (0..1) was read, and may raise to end it.
+    """
     with SessionReader(path) as reader:
         out = _container(reader)
         out += _description(reader)
-        tracks, damage = _read_all(reader)
+        tracks, damage = _read_all(reader, progress)
         out += damage
         for topic, track in sorted(tracks.items()):
             out += _judge(topic, track)
@@ -57,7 +60,7 @@ def verify(path: Path) -> list[Finding]:
 
 def verify_one(path: Path, progress: Callable[[float], None]) -> list[Finding]:
     """`verify` as a task of `tracker.workers`."""
-    return verify(path)
+    return verify(path, progress)
 
 
 def is_ok(findings: list[Finding]) -> bool:
@@ -98,11 +101,14 @@ def _description(reader: SessionReader) -> list[Finding]:
     return []
 
 
-def _read_all(reader: SessionReader) -> tuple[dict[str, _Track], list[Finding]]:
+def _read_all(
+    reader: SessionReader, progress: Callable[[float], None]
+) -> tuple[dict[str, _Track], list[Finding]]:
     tracks: dict[str, _Track] = {}
     out: list[Finding] = []
     spans = reader.source.contents.spans
     for i in range(len(spans)):
+        progress(i / len(spans))
         try:
             messages = reader.source.messages_in(spans[i])
         except GlovetrackError as error:

@@ -121,8 +121,12 @@ class LibraryPanel(Panel):
         if not rows:
             self.host.error.emit(self.tr("Choose a session in the library to export it."))
             return
-        part = self.transport.range() if [r.path for r in rows] == [self._replayed()] else None
-        dialog = ExportDialog([r.path for r in rows], part, self)
+        self.ask_export_of([r.path for r in rows])
+
+    def ask_export_of(self, paths: list[Path]) -> None:
+        """Ask how; of the session that is replayed the chosen part is offered."""
+        part = self.transport.range() if paths == [self._replayed()] else None
+        dialog = ExportDialog(paths, part, self)
         dialog.wanted.connect(self.add_export)
         dialog.open()
 

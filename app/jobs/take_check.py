@@ -1,0 +1,32 @@
+"""Looks a recording through once it has ended: whether it is whole, and how it went."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.platform.tasks import Job, JobProgress
+from app.viewmodels.takes import TakeReport
+
+PLACES = 200  # at which tracking is looked at
+
+
+def check_job(path: Path) -> Job:
+    """A job that reads all of the file and gives its `TakeReport`."""
+
+    def run(progress: JobProgress) -> TakeReport:
+        from tracker.errors import GlovetrackError
+        from tracker.session.glance import quality
+        from tracker.session.reader import SessionReader
+        from tracker.session.verify import verify
+
+        try:
+            findings = verify(path, progress)
+            errors = [f"{f.where}: {f.what}" for f in findings if f.severity == "error"]
+            with SessionReader(path) as reader:
+                q, duration = quality(reader, PLACES), reader.duration
+        except GlovetrackError as error:
+            return TakeReport(path, str(error))
+        problem = errors[0] if errors else ""
+        return TakeReport(path, problem, duration, q.packets_lost, q.tracked)
+
+    return run

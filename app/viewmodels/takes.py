@@ -1,0 +1,95 @@
+"""A recording in words: what it is begun without, and how it went."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from app.viewmodels.recording import duration_text
+from tracker.errors import FileError
+from tracker.files import name_part
+from tracker.messages import ImuSample, Status
+
+SILENT = 1.0  # s without a word after which a device or an IMU is called silent
+SLOW = 0.6  # of the images that the camera should give
+
+
+@dataclass(frozen=True)
+class TakeReport:
+    """``problem``: the worst that is wrong with the file, empty where it is whole. ``duration`` s;
+    ``tracked`` 0..1 of that time; None where the file does not tell.
+    """
+
+    path: Path
+    problem: str = ""
+    duration: float = 0.0
+    packets_lost: int | None = None
+    tracked: float | None = None
+
+
+def report_text(report: TakeReport) -> str:
+    """One line: whole, so long, so much lost, tracked so much of the time."""
+    name = report.path.stem
+    if report.problem:
+        return f"{name} is not whole: {report.problem}"
+    parts = [duration_text(report.duration)]
+    if report.packets_lost is not None:
+        lost = report.packets_lost
+        parts.append("1 packet lost" if lost == 1 else f"{lost or 'no'} packets lost")
+    if report.tracked is None:
+        parts.append("not tracked")
+    else:
+        parts.append(f"tracked {100 * report.tracked:.0f} % of the time")
+    return f"{name} is whole: {', '.join(parts)}."
+
+
+def missing_text(
+    status: Status, samples: Sequence[ImuSample], imus: Sequence[str], image_rate: float
+) -> str:
+    """What a recording that begins now will lack; empty where everything comes.
+
+    ``image_rate``: images a second that the camera should give; 0 where that is not known.
+    """
+    missing = [*_missing_images(status, image_rate), *_missing_imus(status, samples, imus)]
+    return f"This recording lacks something: {'; '.join(missing)}." if missing else ""
+
+
+def _missing_images(status: Status, wanted: float) -> list[str]:
+    rate = status.values.get("frame_rate_hz", 0.0)
+    if rate == 0:
+        return ["no image comes from the camera"]
+    if rate < SLOW * wanted:
+        return [f"{rate:.0f} images come a second instead of {wanted:.0f}"]
+    return []
+
+
+def _missing_imus(status: Status, samples: Sequence[ImuSample], imus: Sequence[str]) -> list[str]:
+    lately = [s for s in samples if s.t_arrival > status.t - SILENT]
+    if not lately:
+        return ["no packet comes from the glove"]
+    heard = np.any([s.valid for s in lately], axis=0)
+    silent = [name.replace("_", " ") for name, ok in zip(imus, heard, strict=True) if not ok]
+    if not silent:
+        return []
+    return [f"the IMU{'s' if len(silent) > 1 else ''} {' and '.join(silent)} cannot be heard"]
+
+
+def rename(path: Path, name: str) -> Path:
+    """Give a session another name in its folder. Raises FileError where that cannot be."""
+    stem = name_part(name.strip().removesuffix(path.suffix))
+    target = path.with_name(f"{stem}{path.suffix}")
+    if not stem:
+        raise FileError(f"{path.name} needs a name with a letter or a digit in it.")
+    if target == path:
+        return path
+    if target.exists():
+        raise FileError(f"{target.name} is there already, so {path.name} keeps its name.")
+    try:
+        path.rename(target)
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise FileError(f"{path.name} cannot be named {target.name}: {reason}.") from error
+    return target

@@ -1,0 +1,92 @@
+"""What is said of a recording: what it lacks when it begins, how it went when it has ended."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtWidgets import QInputDialog, QWidget
+
+from app.engines.engine_host import EngineHost
+from app.jobs.take_check import check_job
+from app.panels.library.panel import LibraryPanel
+from app.platform.tasks import RunningJob, TaskOwner
+from app.viewmodels.takes import TakeReport, missing_text, rename, report_text
+from app.window.message_bar import MessageBar
+from tracker.errors import GlovetrackError
+
+
+class Takes(QObject):
+    """Checks each recording in the background and offers what one does with it next."""
+
+    def __init__(
+        self,
+        host: EngineHost,
+        tasks: TaskOwner,
+        messages: MessageBar,
+        library: LibraryPanel,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._host, self._tasks, self._messages = host, tasks, messages
+        self._library, self._window = library, window
+        self._check: RunningJob | None = None
+        host.recording.begun.connect(self._begun)
+        host.recording.finished.connect(self._finished)
+
+    def _begun(self) -> None:
+        """Said once, in nobody's way: it is recorded all the same."""
+        if self._check is not None:
+            self._check.cancel()  # the disk is wanted for the next one
+        setup = self._host.setup
+        if setup is None:
+            return
+        names, engine = setup.glove.imu_names, setup.engine
+        rate = setup.image_rate() if setup.image_rate is not None else 0.0
+        text = missing_text(engine.status(), engine.recent_imu(), names, rate)
+        if text:
+            self._messages.say(text)
+        else:
+            self._messages.hide()  # what it said of the recording before
+
+    def _finished(self, path: Path) -> None:
+        title = self.tr("Checking {}").format(path.name)
+        self._check = self._tasks.run(title, check_job(path), self._checked, self._ended)
+
+    def _ended(self) -> None:
+        self._check = None
+
+    def _checked(self, report: TakeReport) -> None:
+        if self._host.recording.request is not None:
+            return  # the next one is under way
+        path = report.path
+        self._messages.say(
+            report_text(report),
+            (self.tr("Show it"), partial(self._library.replay.emit, path)),
+            (self.tr("Export…"), partial(self._library.ask_export_of, [path])),
+            (self.tr("Rename…"), partial(self._ask_name, report)),
+            good=not report.problem,
+        )
+
+    # --- another name
+
+    def _ask_name(self, report: TakeReport) -> None:
+        dialog = QInputDialog(self._window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.setWindowTitle(self.tr("Rename {}").format(report.path.name))
+        dialog.setLabelText(self.tr("Name of the recording"))
+        dialog.setTextValue(report.path.stem)
+        dialog.textValueSelected.connect(lambda name: self.rename(report, name))
+        dialog.open()
+
+    def rename(self, report: TakeReport, name: str) -> None:
+        """Give it another name and offer the rest again."""
+        try:
+            path = rename(report.path, name)
+        except GlovetrackError as error:
+            self._host.error.emit(str(error))
+            return
+        self._library.rescan()
+        self._checked(replace(report, path=path))
