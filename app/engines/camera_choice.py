@@ -92,7 +92,8 @@ def _choose(
     if chosen.startswith(PAIR):
         left, _, right = chosen.removeprefix(PAIR).partition("|")
         pair = [_find(name, known) for name in (left, right)]
-        two = TwoCameraInput(pair[0].index, pair[1].index, CaptureFormat(width, height, fps))
+        one_eye = CaptureFormat(width, height, fps, backend=pair[0].backend)
+        two = TwoCameraInput(pair[0].index, pair[1].index, one_eye)
         controls = ControlledInput(two, locks)
         return ChosenCamera(controls, f"{pair[0].name} and {pair[1].name}", controls)
     one_eye = CaptureFormat(width, height, fps)
@@ -104,7 +105,8 @@ def _choose(
     camera = _find(chosen.removeprefix(NAME), known)
     if is_plugin(camera.path):
         return ChosenCamera(open_plugin(camera.path, one_eye), camera.name, None)
-    controls = ControlledInput(SideBySideInput(camera.index, side_by_side), locks)
+    wanted = replace(side_by_side, backend=camera.backend)
+    controls = ControlledInput(SideBySideInput(camera.index, wanted), locks)
     return ChosenCamera(controls, camera.name, controls)
 
 
@@ -116,7 +118,10 @@ def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
         # a system that lists no names still opens cameras by number
         return next(named, CameraName(index, f"camera {index}", ""))
     if not cameras:
-        raise DeviceError("No camera was found. Plug in the stereo camera and look again.")
+        raise DeviceError(
+            "No camera was found. Plug in the stereo camera and look again, or, where the system "
+            "lists no cameras, enter its number under Set-up, Camera (0 is the first one)."
+        )
     if not wanted:
         return cameras[0]
     for camera in cameras:

@@ -12,12 +12,13 @@ from typing import Protocol
 
 import cv2
 
+from tracker.sensors.camera_systems import exposure_switch
 from tracker.sensors.image_input import ImageInput, Pair
 
 
 @dataclass(frozen=True)
 class _Property:
-    """How OpenCV calls a control: its value, and the switch of its automatic (V4L2's values)."""
+    """How OpenCV calls a control: its value, and the switch of its automatic."""
 
     value: int
     switch: int | None = None
@@ -26,7 +27,7 @@ class _Property:
 
 
 PROPERTIES = {
-    "exposure": _Property(cv2.CAP_PROP_EXPOSURE, cv2.CAP_PROP_AUTO_EXPOSURE, 1.0, 3.0),
+    "exposure": _Property(cv2.CAP_PROP_EXPOSURE, cv2.CAP_PROP_AUTO_EXPOSURE, *exposure_switch()),
     "gain": _Property(cv2.CAP_PROP_GAIN),
     "white_balance": _Property(cv2.CAP_PROP_WB_TEMPERATURE, cv2.CAP_PROP_AUTO_WB, 0.0, 1.0),
 }

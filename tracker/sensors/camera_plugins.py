@@ -41,8 +41,13 @@ def plugin_cameras() -> list[CameraName]:
 
 
 def all_cameras() -> list[CameraName]:
-    """The system's cameras and those of plug-ins."""
-    return [*list_cameras(), *plugin_cameras()]
+    """The system's cameras and those of plug-ins; a system that lists none is no reason to stop."""
+    try:
+        known = list_cameras()
+    except DeviceError as error:
+        _log.warning("%s", error)
+        known = []
+    return [*known, *plugin_cameras()]
 
 
 def is_plugin(address: str) -> bool:

@@ -9,10 +9,12 @@ from typing import Protocol
 
 import cv2
 import numpy as np
-from cv2_enumerate_cameras import enumerate_cameras
 from numpy.typing import NDArray
 
 from tracker.errors import DeviceError
+from tracker.sensors.camera_systems import CameraName as CameraName
+from tracker.sensors.camera_systems import exposure_switch, is_device_path
+from tracker.sensors.camera_systems import list_cameras as list_cameras
 
 Image = NDArray[np.uint8]
 Pair = tuple[Image, Image]
@@ -36,15 +38,6 @@ class CaptureFormat:
     timeout_ms: int = 1000
 
 
-@dataclass(frozen=True)
-class CameraName:
-    """A camera that the system knows: ``index`` for opening, ``name`` for people."""
-
-    index: int
-    name: str
-    path: str
-
-
 class ImageInput(Protocol):
     """Gives pairs of BGR images (h, w, 3) as fast as they come."""
 
@@ -59,11 +52,6 @@ class ImageInput(Protocol):
         """The next pair; None at the end or when the device is gone."""
 
     def close(self) -> None: ...
-
-
-def list_cameras(backend: int = cv2.CAP_V4L2) -> list[CameraName]:
-    """All cameras of the system by name."""
-    return [CameraName(c.index, c.name, c.path or "") for c in enumerate_cameras(backend)]
 
 
 class SideBySideInput:
@@ -181,7 +169,7 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
     ]
     capture = cv2.VideoCapture()
     # Only FFMPEG knows the timeouts, and another backend refuses to open with them.
-    if isinstance(source, str) and not source.startswith("/dev/"):
+    if isinstance(source, str) and not is_device_path(source):
         capture.open(source, want.backend or cv2.CAP_FFMPEG, timeouts)
     else:
         capture.open(source, want.backend)
@@ -204,8 +192,9 @@ def _apply(put: Callable[[int, float], bool], want: CaptureFormat) -> None:
     ):
         if value:
             put(prop, value)
+    by_hand, _ = exposure_switch()
     locks = (
-        (cv2.CAP_PROP_AUTO_EXPOSURE, 1.0, cv2.CAP_PROP_EXPOSURE, want.exposure),  # V4L2: 1 = manual
+        (cv2.CAP_PROP_AUTO_EXPOSURE, by_hand, cv2.CAP_PROP_EXPOSURE, want.exposure),
         (None, 0.0, cv2.CAP_PROP_GAIN, want.gain),
         (cv2.CAP_PROP_AUTO_WB, 0.0, cv2.CAP_PROP_WB_TEMPERATURE, want.white_balance),
     )

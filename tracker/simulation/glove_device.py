@@ -9,10 +9,8 @@ from __future__ import annotations
 import contextlib
 import math
 import os
-import pty
 import threading
 import time
-import tty
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from tracker import GRAVITY
+from tracker.errors import DeviceError
 from tracker.messages import ImuSample
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.protocol import (
@@ -90,6 +89,14 @@ class SimulatedGlove:
     # ---- the plug
 
     def _plug(self) -> None:
+        """Raises DeviceError on a system without pseudo-terminals."""
+        try:
+            import pty
+            import tty
+        except ImportError as error:  # Windows has neither
+            raise DeviceError(
+                "The simulated glove needs a pseudo-terminal, which this system does not have."
+            ) from error
         self._master, slave = pty.openpty()
         tty.setraw(slave)
         os.set_blocking(self._master, False)

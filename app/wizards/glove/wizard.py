@@ -23,6 +23,9 @@ from app.wizards.glove.choice import SESSION, SIMULATED, ChoicePage
 from app.wizards.glove.feed import GloveFeed, PortFeed, SessionFeed, simulated_feed
 from app.wizards.glove.pages import StillPage, WigglePage
 from app.wizards.sizing import fit_to_screen
+from tracker.errors import DeviceError
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
 from tracker.messages import ImuSample
 from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 from tracker.sensors.protocol import BAUDS
@@ -127,9 +130,17 @@ class GloveSetup(QDialog):
         if port == SESSION:
             self._feed = SessionFeed(self._host)
         elif port == SIMULATED:
-            self._feed = simulated_feed(hand, glove)
+            self._feed = self._simulated(hand, glove)
         else:
             self._feed = PortFeed(port, len(glove.imus), baud=self.choice.baud_of_port())
+
+    def _simulated(self, hand: HandModel, glove: GloveModel) -> GloveFeed | None:
+        """None, with the reason on the page, on a system that cannot."""
+        try:
+            return simulated_feed(hand, glove)
+        except DeviceError as error:
+            self.choice.words.setText(str(error))
+            return None
 
     def _leave(self) -> None:
         feed, self._feed = self._feed, None

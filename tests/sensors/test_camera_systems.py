@@ -1,0 +1,141 @@
+"""Cameras of Linux, Windows and macOS, by fakes of these systems' answers."""
+
+from __future__ import annotations
+
+import sys
+from typing import NamedTuple
+
+import cv2
+import pytest
+
+from app.engines.camera_choice import choose
+from app.storage.settings import AppSettings
+from tracker.errors import DeviceError
+from tracker.sensors.camera_controls import ControlledInput
+from tracker.sensors.camera_plugins import all_cameras
+from tracker.sensors.camera_systems import (
+    CameraName,
+    exposure_switch,
+    is_device_path,
+    list_cameras,
+)
+from tracker.simulation.glove_device import SimulatedGlove
+
+
+class Info(NamedTuple):
+    """A row of `cv2_enumerate_cameras`."""
+
+    index: int
+    name: str
+    path: str | None
+
+
+class System:
+    """Answers per backend; another backend is unknown, as the package says it."""
+
+    def __init__(self, **answers: list[Info] | Exception) -> None:
+        self.answers = {getattr(cv2, f"CAP_{name}"): value for name, value in answers.items()}
+        self.asked: list[int] = []
+
+    def __call__(self, backend: int) -> list[Info]:
+        self.asked.append(backend)
+        if backend not in self.answers:
+            raise NotImplementedError(f"Unsupported backend: {backend}!")
+        answer = self.answers[backend]
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+
+ZED = Info(1, "ZED-M", r"\\?\usb#vid_2b03&pid_f682")
+
+
+@pytest.mark.parametrize(
+    ("system", "name"),
+    [("linux", "V4L2"), ("win32", "DSHOW"), ("win32", "MSMF"), ("darwin", "AVFOUNDATION")],
+)
+def test_each_system_is_asked_in_its_own_way(system: str, name: str) -> None:
+    answers = System(**{name: [ZED]})
+    (camera,) = list_cameras(system, answers)
+    assert camera == CameraName(1, "ZED-M", ZED.path or "", getattr(cv2, f"CAP_{name}"))
+
+
+def test_the_other_way_of_windows_is_tried_where_the_first_has_nothing() -> None:
+    answers = System(DSHOW=[], MSMF=[ZED])
+    assert [c.backend for c in list_cameras("win32", answers)] == [cv2.CAP_MSMF]
+    assert answers.asked == [cv2.CAP_DSHOW, cv2.CAP_MSMF]
+
+
+def test_none_plugged_in_is_no_error() -> None:
+    assert list_cameras("win32", System(DSHOW=[], MSMF=[])) == []
+    assert list_cameras("darwin", System(AVFOUNDATION=[])) == []
+
+
+@pytest.mark.parametrize(
+    ("system", "answers", "words"),
+    [
+        ("darwin", System(), "Unsupported backend"),
+        ("darwin", System(AVFOUNDATION=ImportError("No module named 'AVFoundation'")), "AVFound"),
+        ("win32", System(DSHOW=OSError("COM failed"), MSMF=OSError("COM failed")), "COM failed"),
+        ("freebsd14", System(), "nothing here knows how"),
+    ],
+)
+def test_a_list_that_cannot_be_had_is_said_in_words(
+    system: str, answers: System, words: str
+) -> None:
+    with pytest.raises(DeviceError, match="cannot be listed by name") as said:
+        list_cameras(system, answers)
+    assert words in str(said.value) and "number" in str(said.value)
+
+
+def test_without_a_list_plugins_are_still_offered_and_numbers_open(monkeypatch, caplog) -> None:
+    def refuse() -> list[CameraName]:
+        raise DeviceError("This system's cameras cannot be listed by name (why).")
+
+    monkeypatch.setattr("tracker.sensors.camera_plugins.list_cameras", refuse)
+    assert all_cameras() == []
+    assert "cannot be listed by name" in caplog.text
+    chosen = choose(AppSettings(camera="1"), 64, 48, 30.0)
+    assert chosen.title == "camera 1"
+    with pytest.raises(DeviceError, match="enter its number"):
+        choose(AppSettings(), 64, 48, 30.0)
+
+
+@pytest.mark.parametrize("camera", ["name:ZED-M", "pair:ZED-M|ZED-M", ""])
+def test_a_camera_is_opened_by_the_backend_that_listed_it(camera: str, monkeypatch) -> None:
+    opened: list[tuple[object, int]] = []
+
+    class Capture:
+        def open(self, source: object, backend: int, *_: object) -> bool:
+            opened.append((source, backend))
+            return False
+
+        def isOpened(self) -> bool:
+            return False
+
+        def release(self) -> None: ...
+
+    monkeypatch.setattr("tracker.sensors.image_input.cv2.VideoCapture", Capture)
+    known = [CameraName(1, "ZED-M", "", cv2.CAP_DSHOW)]
+    source = choose(AppSettings(camera=camera), 64, 48, 30.0, known).source
+    assert isinstance(source, ControlledInput)
+    with pytest.raises(DeviceError, match="camera 1 cannot be opened"):
+        source.open()
+    assert opened == [(1, cv2.CAP_DSHOW)]
+
+
+def test_manual_exposure_is_another_number_on_linux() -> None:
+    assert exposure_switch("linux") == (1.0, 3.0)
+    assert exposure_switch("win32") == exposure_switch("darwin") == (0.0, 1.0)
+
+
+def test_only_linux_has_cameras_as_files() -> None:
+    assert is_device_path("/dev/video2", "linux")
+    assert not is_device_path("/dev/video2", "darwin")
+    assert not is_device_path("rtsp://host/stream", "linux")
+
+
+def test_a_system_without_pseudo_terminals_says_that_it_has_no_simulated_glove(monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "pty", None)
+    with pytest.raises(DeviceError, match="needs a pseudo-terminal"):
+        SimulatedGlove(iter(()), 7)

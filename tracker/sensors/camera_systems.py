@@ -1,0 +1,103 @@
+"""What differs between systems when a camera is listed, opened and locked.
+
+Linux was run; Windows and macOS follow OpenCV's and cv2_enumerate_cameras' own words and are tested
+against fakes of their answers.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Protocol
+
+import cv2
+
+from tracker.errors import DeviceError
+
+LINUX, WINDOWS, MACOS = "linux", "win32", "darwin"  # as `sys.platform` begins
+
+
+@dataclass(frozen=True)
+class CameraName:
+    """A camera that the system knows: ``index`` for opening, ``name`` for people.
+
+    An index means something to the ``backend`` that gave it alone.
+    """
+
+    index: int
+    name: str
+    path: str
+    backend: int = cv2.CAP_ANY
+
+
+class Listed(Protocol):
+    """What is used of `cv2_enumerate_cameras.CameraInfo`."""
+
+    @property
+    def index(self) -> int: ...
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def path(self) -> str | None: ...
+
+
+def backends(system: str = sys.platform) -> tuple[int, ...]:
+    """OpenCV's ways to the system's cameras, the preferred one first.
+
+    DirectShow opens at once where Media Foundation may take half a minute (opencv issue 17687).
+    """
+    if system.startswith(LINUX):
+        return (cv2.CAP_V4L2,)
+    if system == WINDOWS:
+        return (cv2.CAP_DSHOW, cv2.CAP_MSMF)
+    if system == MACOS:
+        return (cv2.CAP_AVFOUNDATION,)
+    return ()
+
+
+def exposure_switch(system: str = sys.platform) -> tuple[float, float]:
+    """`cv2.CAP_PROP_AUTO_EXPOSURE` for manual and for automatic: V4L2 has its own numbers."""
+    return (1.0, 3.0) if system.startswith(LINUX) else (0.0, 1.0)
+
+
+def is_device_path(source: str, system: str = sys.platform) -> bool:
+    """Whether a camera's address is a device of the system; only Linux has them as files."""
+    return system.startswith(LINUX) and source.startswith("/dev/")
+
+
+def list_cameras(
+    system: str = sys.platform, enumerate_with: Callable[[int], Iterable[Listed]] | None = None
+) -> list[CameraName]:
+    """All cameras of the system by name, of the first backend that has any.
+
+    Raises DeviceError where the system's cameras cannot be listed; they still open by number.
+    """
+    ask = enumerate_with or _enumerate
+    trouble = "nothing here knows how"
+    answered = False
+    for backend in backends(system):
+        try:
+            found = [CameraName(c.index, c.name, c.path or "", backend) for c in ask(backend)]
+        except (NotImplementedError, ImportError, OSError, RuntimeError) as error:
+            trouble = str(error).rstrip(".!") or type(error).__name__
+            continue
+        answered = True
+        if found:
+            return found
+    if answered:
+        return []
+    raise DeviceError(
+        f"This system's cameras cannot be listed by name ({trouble}). Enter the camera's number "
+        "under Set-up, Camera: 0 is the first one."
+    )
+
+
+def _enumerate(backend: int) -> Iterable[Listed]:
+    """Asked for late: on macOS the package does not load without AVFoundation's bindings."""
+    from cv2_enumerate_cameras import enumerate_cameras
+
+    cameras: Iterable[Listed] = enumerate_cameras(backend)
+    return cameras
