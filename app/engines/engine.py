@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
@@ -55,7 +55,9 @@ class LiveEngine(Protocol):
 
     def keep_state(self) -> None: ...
 
-    def note(self, text: str) -> None: ...
+    def note(
+        self, text: str, t: float | None = None, data: Mapping[str, object] | None = None
+    ) -> None: ...
 
 
 class ReferenceTracking(Protocol):

@@ -10,11 +10,12 @@ import dataclasses
 import logging
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup, RecordingRequest
+from app.engines.notes import Notes
 from app.engines.recording import Recording
 from app.engines.snapshot import Snapshot, nearest
 from app.platform.tasks import JobProgress, TaskOwner
@@ -47,6 +48,9 @@ class EngineHost(QObject):
         self._setup: EngineSetup | None = None
         self.recording = Recording(self)
         self.recording.failed.connect(self.error)
+        self.notes = Notes(self._tell_note, self)
+        self.recording.begun.connect(self.notes.begin)
+        self.recording.finished.connect(lambda _path: self.notes.end())
         self._recent: deque[Estimate] = deque(maxlen=RECENT_ESTIMATES)
         self._status: Status | None = None
         self._status_due = 0.0
@@ -149,10 +153,9 @@ class EngineHost(QObject):
     def toggle_pause(self) -> None:
         self.recording.pause(not self.recording.paused)
 
-    def note(self, text: str) -> None:
-        """A note with the instant of now, to the log and to the file."""
+    def _tell_note(self, text: str, t: float, data: Mapping[str, object]) -> None:
         if self._setup is not None:
-            self._setup.engine.note(text)
+            self._setup.engine.note(text, t, data)
 
     def set_profile(self, profile: ColourProfile) -> None:
         """Look for these colours from now on."""

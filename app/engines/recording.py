@@ -76,6 +76,11 @@ class Recording(QObject):
         return self._recorder.figures if self._recorder is not None else {}
 
     @property
+    def begun_at(self) -> float:
+        """When the recording began, s of the clock."""
+        return self._began
+
+    @property
     def elapsed(self) -> float:
         """s since the recording began; 0 where there is none."""
         return self._clock() - self._began if self.request is not None else 0.0

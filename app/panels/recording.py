@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
+from app.panels.note_list import NoteList
 from app.panels.panel import Panel
 from app.viewmodels.recording import (
     RateMeter,
@@ -45,6 +46,8 @@ class RecordingPanel(Panel):
         column.setSpacing(12)
         column.addLayout(self._form())
         column.addLayout(self._buttons())
+        self.notes = NoteList(host.notes, host.recording)
+        column.addWidget(self.notes)
         column.addLayout(self._figures())
         column.addStretch(1)
         host.recording.changed.connect(self._recording_changed)
@@ -86,6 +89,8 @@ class RecordingPanel(Panel):
         self.note_text = QLineEdit()
         self.note_text.setPlaceholderText(self.tr("Note (Enter adds it)"))
         self.note_text.returnPressed.connect(self._note)
+        self.note_text.textEdited.connect(self._note_begun)
+        self._note_t: float | None = None  # when its first letter was typed
         row = QHBoxLayout()
         row.addWidget(self.record_button)
         row.addWidget(self.pause_button)
@@ -136,8 +141,15 @@ class RecordingPanel(Panel):
     def _note(self) -> None:
         text = self.note_text.text().strip()
         if text:
-            self.host.note(text)
-            self.note_text.clear()
+            self.host.notes.add(text, self._note_t)
+        self.note_text.clear()
+        self._note_t = None
+
+    def _note_begun(self, text: str) -> None:
+        if not text:
+            self._note_t = None
+        elif self._note_t is None:
+            self._note_t = self.host.notes.now()
 
     # --- what it shows
 

@@ -8,6 +8,7 @@ from datetime import datetime
 
 from app.viewmodels.states import BAD, BLUE, GREY, PURPLE, SKY, StateLook
 from tracker.messages import Event
+from tracker.session.notes import wording_of
 
 KINDS: dict[str, StateLook] = {
     "error": StateLook(BAD.colour, BAD.sign, "Problems"),
@@ -16,6 +17,12 @@ KINDS: dict[str, StateLook] = {
     "recording": StateLook(PURPLE, "●", "Recording"),
     "note": StateLook(GREY, "✎", "Notes"),
 }
+
+
+def _words(event: Event) -> str:
+    if event.kind == "note" and wording_of(event) > 0:
+        return f"changed to: {event.text}" if event.text else "a note was deleted"
+    return event.text
 
 
 @dataclass(frozen=True)
@@ -36,7 +43,7 @@ class EventLog:
         """Take an event; its line carries the wall clock's time of arrival."""
         look = KINDS.get(event.kind, KINDS["note"])
         clock = (now or datetime.now()).strftime("%H:%M:%S")
-        entry = LogEntry(event.kind, f"{clock}  {look.sign}  {event.text}", look.colour)
+        entry = LogEntry(event.kind, f"{clock}  {look.sign}  {_words(event)}", look.colour)
         self._entries.append(entry)
         return entry
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QApplication, QInputDialog, QMainWindow, QToolBar, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
@@ -128,6 +128,7 @@ class MainWindow(QMainWindow):
         self.commands = Commands(self)
         self._targets = Targets(
             window=self,
+            takes=self.takes,
             host=self.host,
             sources=self.sources,
             plan=self.plan,
@@ -245,11 +246,6 @@ class MainWindow(QMainWindow):
 
     def toggle_full_screen(self) -> None:
         self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
-
-    def ask_note(self) -> None:
-        text, ok = QInputDialog.getText(self, self.tr("Note"), self.tr("What happened?"))
-        if ok and text.strip():
-            self.host.note(text.strip())
 
     def show_about(self) -> None:
         AboutDialog(self).show()

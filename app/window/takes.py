@@ -70,13 +70,31 @@ class Takes(QObject):
             good=not report.problem,
         )
 
+    # --- notes
+
+    def ask_note(self) -> None:
+        """The note is of the instant at which it is begun, not of that at which it is written."""
+        t = self._host.notes.now()
+        dialog = self._question(self.tr("Note"), self.tr("What happened?"))
+        dialog.textValueSelected.connect(lambda text: self._note(text.strip(), t))
+        dialog.open()
+
+    def _note(self, text: str, t: float) -> None:
+        if text:
+            self._host.notes.add(text, t)
+
+    def _question(self, title: str, words: str) -> QInputDialog:
+        dialog = QInputDialog(self._window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.setWindowTitle(title)
+        dialog.setLabelText(words)
+        return dialog
+
     # --- another name
 
     def _ask_name(self, report: TakeReport) -> None:
-        dialog = QInputDialog(self._window)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setWindowTitle(self.tr("Rename {}").format(report.path.name))
-        dialog.setLabelText(self.tr("Name of the recording"))
+        title = self.tr("Rename {}").format(report.path.name)
+        dialog = self._question(title, self.tr("Name of the recording"))
         dialog.setTextValue(report.path.stem)
         dialog.textValueSelected.connect(lambda name: self.rename(report, name))
         dialog.open()

@@ -18,6 +18,7 @@ from app.window.commands import Command, Commands
 from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import Sources
 from app.window.status_bar import StatusBar
+from app.window.takes import Takes
 from tracker.settings import ENGINES
 
 
@@ -38,8 +39,6 @@ class Window(Protocol):
 
     def set_theme(self, name: str) -> None: ...
 
-    def ask_note(self) -> None: ...
-
     def show_about(self) -> None: ...
 
 
@@ -48,6 +47,7 @@ class Targets:
     """What the commands act on."""
 
     window: Window
+    takes: Takes
     host: EngineHost
     sources: Sources
     plan: RecordingPlan
@@ -108,7 +108,7 @@ def _tracking(on: Targets) -> list[Command]:
         Command("stop", menu, w.tr("S&top"), on.host.stop, "Shift+F5"),
         Command("record", menu, w.tr("&Record"), toggle_recording, "Space", separator=True),
         Command("pause", menu, w.tr("&Pause the recording"), on.host.toggle_pause, "Ctrl+P"),
-        Command("note", menu, w.tr("Add a &note…"), w.ask_note, "N"),
+        Command("note", menu, w.tr("Add a &note…"), on.takes.ask_note, "N"),
         *_engines(on, menu),
     ]
 
@@ -131,6 +131,8 @@ def _replay(on: Targets) -> list[Command]:
         Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space"),
         Command("step_back", menu, w.tr("The image &before"), lambda: bar.step(-1), ","),
         Command("step", menu, w.tr("The &next image"), lambda: bar.step(1), "."),
+        Command("note_before", menu, w.tr("The note &earlier"), lambda: bar.jump(-1), "Ctrl+,"),
+        Command("note_after", menu, w.tr("The note &later"), lambda: bar.jump(1), "Ctrl+."),
         Command("in_point", menu, w.tr("&In point here"), bar.set_in, "I", separator=True),
         Command("out_point", menu, w.tr("&Out point here"), bar.set_out, "O"),
         Command("whole", menu, w.tr("&Whole session"), bar.clear_range),

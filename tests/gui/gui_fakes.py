@@ -172,8 +172,8 @@ class ScriptedEngine:
     def keep_state(self) -> None:
         self.kept_states += 1
 
-    def note(self, text: str) -> None:
-        event = Event(1.0, "note", text)
+    def note(self, text: str, t: float | None = None, data=None) -> None:
+        event = Event(1.0 if t is None else t, "note", text, dict(data or {}))
         self.events.append(event)
         if self.recorder is not None:
             self.recorder.write(event)

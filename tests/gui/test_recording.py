@@ -4,6 +4,9 @@ from datetime import datetime
 
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QInputDialog
 
 from app.engines.engine import RecordingRequest
 from app.engines.recording import PausableRecorder, Recording
@@ -19,7 +22,9 @@ from app.viewmodels.recording import (
     losses_text,
     size_text,
 )
+from tracker.clock import monotonic
 from tracker.messages import Event
+from tracker.session.notes import standing
 
 
 @pytest.fixture
@@ -46,8 +51,7 @@ def test_record_command_makes_a_named_file_and_a_second_press_ends_it(recording,
 
 
 def test_a_note_reaches_the_file(recording, recorders, qtbot):
-    recording.recording.note_text.setText("gripped the cup")
-    recording.recording._note()
+    QTest.keyClicks(recording.recording.note_text, "gripped the cup\r")
     assert [m.text for m in recorders[0].messages if isinstance(m, Event)] == ["gripped the cup"]
     qtbot.waitUntil(lambda: recording.log.model.entries("note", "gripped") != [], timeout=30_000)
 
@@ -177,3 +181,45 @@ def test_rate_meter_measures_growth():
     meter = RateMeter()
     assert meter.add(0.0, 0) == 0.0
     assert meter.add(2.0, 3000) == pytest.approx(1500.0)
+
+
+def notes_in(recorder):
+    return [m for m in recorder.messages if isinstance(m, Event) and m.kind == "note"]
+
+
+def test_a_note_is_of_the_instant_its_key_was_pressed_not_of_its_last_word(recording, recorders):
+    before = monotonic()
+    recording.run_command("note")
+    pressed = monotonic()
+    QTest.qWait(150)
+    dialog = recording.findChild(QInputDialog)
+    dialog.setTextValue("let go")
+    dialog.accept()
+    recording.recording.note_text.setFocus()
+    QTest.keyClick(recording.recording.note_text, "a")
+    typed = monotonic()
+    QTest.qWait(150)
+    QTest.keyClicks(recording.recording.note_text, "nd again")
+    QTest.keyClick(recording.recording.note_text, Qt.Key.Key_Return)
+    first, second = notes_in(recorders[0])
+    assert (first.text, second.text) == ("let go", "and again")
+    assert before <= first.t <= pressed
+    assert pressed < second.t <= typed
+
+
+def test_notes_are_changed_and_taken_back_until_the_recording_ends(recording, recorders):
+    listed = recording.recording.notes
+    for text in ("gripped", "droped", "sneezed"):
+        recording.host.notes.add(text)
+    assert listed.rowCount() == 3 and not listed.isHidden()
+    listed.item(1, 1).setText("dropped")
+    listed.setCurrentCell(2, 1)
+    QTest.keyClick(listed, Qt.Key.Key_Delete)
+    assert [listed.item(i, 1).text() for i in range(listed.rowCount())] == ["gripped", "dropped"]
+    events = notes_in(recorders[0])
+    assert len(events) == 5  # a file is only ever added to
+    held = standing(events)
+    assert [e.text for e in held] == ["gripped", "dropped"]
+    assert held[1].t == events[1].t
+    recording.run_command("record")
+    assert listed.rowCount() == 0

@@ -7,7 +7,8 @@ import pytest
 
 from app.engines.replay.engine import ReplayEngine, open_replay
 from app.engines.replay.references import ReferenceTrack
-from tracker.messages import BlobFrame, Estimate
+from app.panels.library.transport import TransportBar
+from tracker.messages import BlobFrame, Estimate, Event
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
@@ -152,7 +153,7 @@ def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):
 def test_notes_and_events_have_their_place_on_the_timeline(tmp_path, sessions):
     from dataclasses import replace
 
-    from tracker.messages import Event
+    from tracker.session.notes import numbered
     from tracker.session.writer import RecorderParams, SessionRecorder
 
     with SessionReader(sessions["simulated"]) as reader:
@@ -163,7 +164,10 @@ def test_notes_and_events_have_their_place_on_the_timeline(tmp_path, sessions):
     with SessionRecorder(path, info, RecorderParams(sync=False)) as recorder:
         for message in messages:
             recorder.write(message)
-        recorder.write(Event(start + 1.25, "note", "gripped the cup"))
+        recorder.write(Event(start + 1.25, "note", "griped the cup", numbered(0, 0)))
+        recorder.write(Event(start + 2.0, "note", "a mistake", numbered(1, 0)))
+        recorder.write(Event(start + 1.25, "note", "gripped the cup", numbered(0, 1)))
+        recorder.write(Event(start + 2.0, "note", "", numbered(1, 1)))
     setup = open_replay(path, lambda *_: None)
     try:
         [(place, event)] = [e for e in setup.player.events if e[1].kind == "note"]
@@ -171,3 +175,31 @@ def test_notes_and_events_have_their_place_on_the_timeline(tmp_path, sessions):
         assert place == pytest.approx(1.25, abs=0.02)
     finally:
         setup.close()
+
+
+class Held:
+    """A player that stands where it was sent, with these notes (s)."""
+
+    duration, range, playing = 10.0, (0.0, 10.0), False
+
+    def __init__(self, notes) -> None:
+        self.position = 0.0
+        self.events = tuple((at, Event(at, "note", "x")) for at in notes)
+
+    def seek(self, position: float) -> None:
+        self.position = position
+
+    def set_speed(self, speed: float) -> None:
+        pass
+
+
+def test_one_jumps_from_note_to_note(qtbot):
+    bar = TransportBar()
+    qtbot.addWidget(bar)
+    player = Held([2.0, 5.0, 8.0])
+    bar.set_player(player)
+    visited = []
+    for by in (1, 1, 1, 1, -1, -1, -1):
+        bar.jump(by)
+        visited.append(player.position)
+    assert visited == [2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from tracker.channels import Fifo
 from tracker.live.recording import Recorder, RecordingThread
@@ -22,6 +22,10 @@ class Journal:
     def say(self, kind: str, text: str) -> None:
         """A sentence for the log and the recording, stamped now."""
         self.add(Event(self._clock(), kind, text))
+
+    def note(self, text: str, t: float | None, data: Mapping[str, object]) -> None:
+        """A note of the user's, stamped ``t`` (s), or now where that is None."""
+        self.add(Event(self._clock() if t is None else t, "note", text, dict(data)))
 
     def add(self, event: Event) -> None:
         """An event of a device, with its own stamp."""

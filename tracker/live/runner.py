@@ -9,7 +9,7 @@ A recording and a reference engine bring a thread each (`recording`, `reference`
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from tracker.clock import monotonic
 from tracker.fusion.engine import Engine
@@ -141,9 +141,14 @@ class LiveTracker:
         """Record what the engine knows: after a pause in the file, for one."""
         self._loop.record_state()
 
-    def note(self, text: str) -> None:
-        """A timestamped note of the user's."""
-        self._journal.say("note", text)
+    def note(
+        self, text: str, t: float | None = None, data: Mapping[str, object] | None = None
+    ) -> None:
+        """A note of the user's, stamped ``t`` (s of the monotonic clock), or now.
+
+        ``data``: see `tracker.session.notes`.
+        """
+        self._journal.note(text, t, data or {})
 
     # ---- what there is to see
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import islice
 from pathlib import Path
 
@@ -27,6 +27,7 @@ from tracker.messages import (
     StereoFrame,
 )
 from tracker.session.images import PackedFrame
+from tracker.session.notes import standing
 from tracker.session.reader import SessionReader
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.rig import StereoRig, ideal_rig
@@ -62,16 +63,14 @@ class ReplayEngine:
 
     def read_events(self) -> None:
         """Find the notes and events for the timeline; a damaged end has none."""
-        found: list[tuple[float, Event]] = []
+        found: list[Event] = []
         try:
-            for message in self._reader.messages((Event,)):
-                if isinstance(message, Event):
-                    found.append((self.player.clamped(message.t - self.start_t), message))
-                if len(found) >= MAX_EVENTS:
-                    break
+            messages = self._reader.messages((Event,))
+            found += [m for m in islice(messages, MAX_EVENTS) if isinstance(m, Event)]
         except FileError as error:
             self._moment.take(Event(0.0, "error", str(error)))
-        self.player.events = tuple(found)
+        where = self.player.clamped
+        self.player.events = tuple((where(e.t - self.start_t), e) for e in standing(found))
 
     def go_to_first_image(self) -> None:
         """Begin there: blobs may come first whose image was taken before the recording began."""
@@ -132,7 +131,10 @@ class ReplayEngine:
     def set_recorder(self, recorder: Recorder | None) -> None:
         """A replay is not recorded again."""
 
-    def note(self, text: str) -> None:
+    def note(
+        self, text: str, t: float | None = None, data: Mapping[str, object] | None = None
+    ) -> None:
+        """Only the log has it: a file is not written to again."""
         self._moment.take(Event(self.start_t + self.player.position, "note", text))
 
 

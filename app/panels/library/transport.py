@@ -16,6 +16,7 @@ from app.viewmodels.log import KINDS
 from app.viewmodels.recording import position_text
 from app.widgets.timeline import Mark, TimelineBar
 
+SAME_PLACE = 0.6  # s; while it plays one is soon past the note that one jumped to
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 
@@ -47,6 +48,8 @@ class TransportBar(QWidget):
             (QToolButton(), "◂", self.tr("The image before (,)"), lambda: self.step(-1)),
             (self.play_button, self.tr("Pause"), self.tr("Ctrl+Space"), self.toggle),
             (QToolButton(), "▸", self.tr("The next image (.)"), lambda: self.step(1)),
+            (QToolButton(), "◂✎", self.tr("The note before (Ctrl+,)"), lambda: self.jump(-1)),
+            (QToolButton(), "✎▸", self.tr("The next note (Ctrl+.)"), lambda: self.jump(1)),
             (QToolButton(), self.tr("In"), self.tr("Begin the range here (I)"), self.set_in),
             (QToolButton(), self.tr("Out"), self.tr("End the range here (O)"), self.set_out),
             (QToolButton(), self.tr("Whole"), self.tr("No range"), self.clear_range),
@@ -55,7 +58,7 @@ class TransportBar(QWidget):
         for button, text, tip, slot in buttons:
             button.setText(text)
             button.setToolTip(tip)
-            button.setAccessibleName(tip if len(text) == 1 else text)
+            button.setAccessibleName(tip if len(text) <= 2 and not text.isalpha() else text)
             button.clicked.connect(slot)
             row.addWidget(button)
         self.speed = QComboBox()
@@ -101,6 +104,19 @@ class TransportBar(QWidget):
     def seek(self, position: float) -> None:
         if self._player is not None:
             self._player.seek(position)
+
+    def jump(self, by: int) -> None:
+        """To the next note, or the one before where ``by`` is negative."""
+        if self._player is None:
+            return
+        here = self._player.position
+        notes = [at for at, event in self._player.events if event.kind == "note"]
+        if by > 0:
+            beyond = [at for at in notes if at > here + SAME_PLACE]
+        else:
+            beyond = [at for at in notes if at < here - SAME_PLACE]
+        if beyond:
+            self.seek(min(beyond) if by > 0 else max(beyond))
 
     def set_range(self, start: float, stop: float) -> None:
         if self._player is not None:
