@@ -22,11 +22,18 @@ from app.viewmodels.colour_images import (
 )
 from app.viewmodels.colours import HueRow, blob_counts, hue_rows, seen_rows
 from app.widgets.image_shapes import Ring
+from tracker import library
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.errors import ConfigError
 from tracker.files import write_kept
 from tracker.messages import Array, Blobs
-from tracker.vision.colours import ColourProfile, HueRange, load_profile, profile_to_toml
+from tracker.vision.colours import (
+    ColourProfile,
+    HueRange,
+    load_profile,
+    parse_profile,
+    profile_to_toml,
+)
 from tracker.vision.detector import Detector
 
 MASK_STEP = 2
@@ -101,6 +108,11 @@ class MaskShown:
     rings: list[Ring]
     histogram: Array
     intervals: list[tuple[int, int, str]]
+
+
+def factory_colours() -> ColourProfile:
+    """Those that the program comes with."""
+    return parse_profile(library.text("colours", library.DEFAULT_COLOURS))
 
 
 class ColourTuning:

@@ -81,14 +81,15 @@ def blob_counts(
 
 
 def expected_counts(view: Snapshot) -> dict[str, float]:
-    """Hue name to markers that should be seen in one image; empty while searching."""
+    """Hue name to markers that should be seen in one image; empty while searching, and where the
+    tracker has not said what it expects, as in a session."""
     if view.result is None or view.result.tracking != Tracking.TRACKING:
         return {}
     out: dict[str, float] = {}
     for marker in view.setup.glove.markers:
         seen = float(np.nan_to_num(view.result.visible[marker.id]))
         out[marker.hue] = out.get(marker.hue, 0.0) + seen
-    return out
+    return out if any(out.values()) else {}
 
 
 def _count(
@@ -99,10 +100,11 @@ def _count(
         return "–", "no image", IDLE
     n = found[name]
     if not expected or name not in expected:
-        return f"{n:g}", f"{n:g} found", IDLE
+        return f"{n:.0f}", f"{n:.0f} found in an image", IDLE
     m = expected[name]
     wrong = n < 0.5 * m or n > 2 * m + 2
-    return f"{n:g} of {m:.0f}", f"{n:g} found, {m:.0f} expected", WARN if wrong else GOOD
+    words = f"{n:.0f} found in an image, about {m:.0f} expected"
+    return f"{n:.0f} of about {m:.0f}", words, WARN if wrong else GOOD
 
 
 def _overlaps(profile: ColourProfile) -> dict[str, str]:

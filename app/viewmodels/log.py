@@ -47,6 +47,10 @@ class EventLog:
         self._entries.append(entry)
         return entry
 
+    def ends_with(self, text: str) -> bool:
+        """Whether one of the last few events says just this."""
+        return any(e.line.endswith(text) for e in list(self._entries)[-3:])
+
     @staticmethod
     def shows(entry: LogEntry, kind: str, words: str) -> bool:
         """Whether an entry passes the filter; all ``words`` must occur."""

@@ -50,10 +50,5 @@ class Commands:
         self.actions[command.key] = action
         return action
 
-    def adopt(self, key: str, menu: str, action: QAction) -> None:
-        """List an action that something else made (a dock's toggle)."""
-        self.menu(menu).addAction(action)
-        self.actions[key] = action
-
     def enable(self, key: str, on: bool) -> None:
         self.actions[key].setEnabled(on)

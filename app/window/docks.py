@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from PySide6.QtCore import QByteArray, QCoreApplication, Qt
 from PySide6.QtWidgets import QDockWidget, QMainWindow
 
 from app.panels.panel import Panel
 from app.widgets.scrolled import Scrolled
-from app.window.commands import Commands
+from app.window.commands import Command, Commands
 
 LEFT_BELOW = ("sensors", "library", "log")
 RIGHT_BELOW = ("checklist", "calibration", "colours", "recording", "streams")
@@ -30,13 +31,17 @@ def make_docks(window: QMainWindow, panels: Sequence[Panel]) -> dict[str, QDockW
     return docks
 
 
-def list_docks(docks: dict[str, QDockWidget], commands: Commands) -> None:
-    """A command for each, that shows or hides it."""
+def list_docks(
+    docks: dict[str, QDockWidget], commands: Commands, show: Callable[[str], None]
+) -> None:
+    """A command for each, that shows it and brings it to the front; its own button hides it."""
     menu = QCoreApplication.translate("MainWindow", "&View")
     for i, (name, dock) in enumerate(docks.items(), start=1):
-        action = dock.toggleViewAction()
-        action.setShortcut(f"Ctrl+{i}" if i < 10 else f"Ctrl+Alt+{i - 9}")
-        commands.adopt(f"dock_{name}", menu, action)
+        keys = f"Ctrl+{i}" if i < 10 else f"Ctrl+Alt+{i - 9}"
+        title = dock.windowTitle()
+        commands.add(
+            Command(f"dock_{name}", menu, title, partial(show, name), keys, separator=i == 1)
+        )
 
 
 def arrange(window: QMainWindow, docks: dict[str, QDockWidget]) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
@@ -39,15 +41,19 @@ from app.window.docks import (
     restore_geometry,
     restore_layout,
 )
+from app.window.keys import FocusKeys
 from app.window.message_bar import MessageBar
+from app.window.screen import SMALLEST as SMALLEST
+from app.window.screen import fit_to_screen
 from app.window.set_up_dialogs import SetUpDialogs
-from app.window.sources import Sources
+from app.window.sources import DEVICES, Sources
 from app.window.status_bar import StatusBar
 from app.window.takes import Takes
 from app.window.ticker import Ticker
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
+from tracker.messages import Event
 
-SMALLEST = (800, 500)
+USUAL = (1440, 900)
 PRIVATE_PANELS = ("library", "recording", "log")
 """Panels that show file names, and with them the names of people."""
 
@@ -107,15 +113,15 @@ class MainWindow(QMainWindow):
 
     def _make_frame(self) -> None:
         self.setWindowTitle(self.tr("Glovetrack"))
-        self.setMinimumSize(*SMALLEST)
-        self.resize(1440, 900)
+        fit_to_screen(self, USUAL)
         self.setDockNestingEnabled(True)
-        self.messages = MessageBar()
-        self.banner = self.messages.banner
         self.start_page = StartPage()
         self.setCentralWidget(self.start_page)
         self.bar = StatusBar(self.tasks)
         self.setStatusBar(self.bar)
+        self.messages = MessageBar(self)
+        self.messages.said.connect(self._log_said)
+        self.banner = self.messages.banner
 
     def _make_reports(self, crashes: CrashWatch | None) -> BugReports:
         if self.store.notice:
@@ -141,8 +147,9 @@ class MainWindow(QMainWindow):
             colours=self.colours,
         )
         add_commands(self._targets, self.commands)
-        list_docks(self.docks, self.commands)
+        list_docks(self.docks, self.commands, self.show_panel)
         add_help(self._targets, self.commands)
+        self._keys = FocusKeys(list(self.commands.actions.values()), self)
 
     def _make_tool_bar(self) -> None:
         bar = QToolBar(self.tr("Commands"))
@@ -157,20 +164,21 @@ class MainWindow(QMainWindow):
         bar.addSeparator()
         bar.addAction(self.commands.actions["palette"])
         self.addToolBar(bar)
-        self.addToolBarBreak()
-        self.addToolBar(self.messages)
 
     def _connect(self) -> None:
-        host, say = self.host, self.messages.say
+        host = self.host
         host.opened.connect(self._opened)
         host.closed.connect(self._closed)
         host.running_changed.connect(lambda _on: self._enable())
         host.recording.changed.connect(lambda _on: self._enable())
-        for failing in (host.error, self.tasks.failed, self.set_up.error):
-            failing.connect(lambda text: say(text))
+        host.error.connect(lambda text: self.messages.say(text))
+        self.set_up.error.connect(lambda text: self.messages.say(text))
+        self.tasks.failed.connect(self._failed)
+        self.set_up.changed.connect(lambda: self.messages.no_longer(DEVICES))
         self.set_up.restart.connect(self.sources.open_devices)
         self.set_up.changed.connect(self._show_set_up)
         self.sources.devices_asked.connect(self._show_set_up)
+        self.sources.set_up_asked.connect(lambda: self.show_panel("checklist"))
         self.cameras.set_up_asked.connect(self.set_up.open_camera)
         self.start_page.demo.connect(lambda: self.sources.open_demo())
         self.start_page.connect_devices.connect(self.sources.open_devices)
@@ -180,6 +188,20 @@ class MainWindow(QMainWindow):
         self.library.compared.connect(lambda _comparison: self.hand.show_reference())
         self.checklist.action.connect(self.run_command)
         self._enable()
+
+    # --- what there is to say
+
+    def _failed(self, text: str) -> None:
+        """A job has failed; the one that looks for devices can be helped in the set-up."""
+        if self.sources.looking_for_devices:
+            self.sources.tell_of_devices(text)
+        else:
+            self.messages.say(text)
+
+    def _log_said(self, text: str, good: bool) -> None:
+        """A sentence of the banner stands in the log, once."""
+        if not self.log.model.ends_with(text):
+            self.log.add(Event(time.monotonic(), "note" if good else "error", text))
 
     # --- what the engine host tells
 

@@ -140,6 +140,7 @@ class SetUpDialogs(QObject):
     def _restart_devices(self) -> None:
         """What was chosen is used at once where the devices are in use."""
         setup = self._host.setup
+        self.changed.emit()
         if setup is not None and not setup.simulated and setup.player is None:
             self.restart.emit()
 

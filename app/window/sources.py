@@ -60,10 +60,15 @@ def replay_factory(path: Path) -> SetupFactory:
     return build
 
 
+DEVICES = "devices"
+"""What a banner's sentence is about."""
+
+
 class Sources(QObject):
     """Opens what the user asks for; ``messages`` is taken away by what is opened next."""
 
     devices_asked = Signal()
+    set_up_asked = Signal()
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, messages: MessageBar, window: QWidget
@@ -71,6 +76,7 @@ class Sources(QObject):
         super().__init__(window)
         self._host, self._store, self._messages, self._window = host, store, messages, window
         self.baud: int | None = None  # of the glove's line in this run; None: as the settings say
+        self.looking_for_devices = False
         host.opened.connect(self._choose_engine)
 
     def open_demo(self, fps: float = 30.0, camera: SimulatedCamera | None = None) -> None:
@@ -82,6 +88,7 @@ class Sources(QObject):
         if self.baud is not None:
             settings = replace(settings, baud=self.baud)
         self._open(self.tr("Looking for glove and camera"), hardware_factory(settings))
+        self.looking_for_devices = True
         self.devices_asked.emit()
 
     def open_session(self, path: Path) -> None:
@@ -111,10 +118,17 @@ class Sources(QObject):
 
     def _choose_engine(self, setup: EngineSetup) -> None:
         """The one used last; half a rig has the one that can do with it."""
+        self.looking_for_devices = False
         if setup.whole:
             setup.engine.set_engine(self._store.value.engine)
         elif setup.missing:
-            self._messages.say(setup.missing)
+            self.tell_of_devices(setup.missing)
+
+    def tell_of_devices(self, text: str) -> None:
+        """What is missing, with the way to the list that helps; until devices are chosen anew."""
+        self.looking_for_devices = False
+        show = (self.tr("Show the set-up"), self.set_up_asked.emit)
+        self._messages.say(text, show, about=DEVICES)
 
     def set_engine(self, name: str) -> None:
         """Track with another engine, now and after the next start."""
@@ -123,4 +137,5 @@ class Sources(QObject):
 
     def _open(self, title: str, factory: SetupFactory) -> None:
         self._messages.hide()
+        self.looking_for_devices = False
         self._host.open(title, factory)

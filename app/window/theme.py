@@ -122,7 +122,7 @@ def _style_sheet(c: Colours) -> str:
     return f"""
     QMainWindow::separator {{ background: {c.window}; width: 5px; height: 5px; }}
     QMainWindow::separator:hover {{ background: {c.accent}; }}
-    QDockWidget {{ font-weight: 600; titlebar-close-icon: none; titlebar-normal-icon: none; }}
+    QDockWidget {{ font-weight: 600; }}
     QDockWidget::title {{ background: {c.raised}; padding: 5px 8px; text-align: left; }}
     QToolBar {{ border: none; border-bottom: 1px solid {c.border}; padding: 4px 6px;
         spacing: 4px; }}

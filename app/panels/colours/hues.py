@@ -11,7 +11,7 @@ from app.viewmodels.colours import HueRow
 from app.widgets.chip import Chip
 
 COLUMNS = 2
-LONGEST = "● 9.5 of 99"
+LONGEST = "● 19 of about 9 "
 
 
 class ColoursHues(QWidget):

@@ -21,7 +21,7 @@ from app.storage.colour_store import ColourStore
 from app.storage.image_folder import ImageFolder
 from app.storage.settings import SettingsStore
 from app.viewmodels.colour_fits import Fit, FitWork, fit_words, image_fit
-from app.viewmodels.colour_tuning import ColourTuning
+from app.viewmodels.colour_tuning import ColourTuning, factory_colours
 from app.widgets.two_halves import TwoHalves
 from tracker.errors import GlovetrackError
 
@@ -72,6 +72,7 @@ class ColoursPanel(Panel):
         tools.load.connect(self.files.ask_load)
         tools.save.connect(self.files.ask_save)
         tools.shipped.connect(self.start_again)
+        tools.factory.connect(self.factory)
         tools.room.connect(self.check_room)
         tools.take_over.connect(lambda camera: self.files.load(self.keeper.store.path(camera)))
 
@@ -124,11 +125,22 @@ class ColoursPanel(Panel):
             self._apply()
 
     def start_again(self) -> None:
-        """The colours that the program came with."""
+        """The colours that the session began with."""
         if self.tuning is not None:
             words = self.tr("These are the colours from the start.")
             self.tuning.take(self.tuning.setup.profile, words)
             self._apply()
+
+    def factory(self) -> None:
+        """The colours that the program comes with; undone like any other change."""
+        if self.tuning is None:
+            return
+        colours = factory_colours()
+        if colours.hue_names != self.tuning.profile.hue_names:
+            self.host.error.emit(self.tr("The factory colours are not those of this glove."))
+            return
+        self.tuning.take(colours, self.tr("These are the factory colours."))
+        self._apply()
 
     def _moved(self, channel: str, low: int, high: int, held: bool) -> None:
         if self.tuning is not None:

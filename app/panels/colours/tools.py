@@ -22,6 +22,7 @@ class ColoursTools(QWidget):
     load = Signal()
     save = Signal()
     shipped = Signal()
+    factory = Signal()
     room = Signal()
     take_over = Signal(str)  # the name of a camera
 
@@ -94,7 +95,10 @@ class ColoursTools(QWidget):
         menu.addAction(self.tr("Export…"), self.save.emit)
         self._others = menu.addMenu(self.tr("Take over from"))
         menu.addSeparator()
-        menu.addAction(self.tr("Back to the colours from the start"), self.shipped.emit)
+        start = menu.addAction(self.tr("Back to the colours from the start"), self.shipped.emit)
+        start.setToolTip(self.tr("Those that this session began with"))
+        factory = menu.addAction(self.tr("Factory colours"), self.factory.emit)
+        factory.setToolTip(self.tr("Those that the program comes with"))
         return button
 
     def set_cameras(self, cameras: Sequence[str]) -> None:

@@ -1,0 +1,106 @@
+"""Keys, banner and first size: what people press and where things stand."""
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QApplication
+
+from app.viewmodels.colour_tuning import factory_colours
+from app.window.keys import is_single
+from app.window.screen import fit_to_screen
+
+
+@pytest.fixture
+def active(window, qtbot):
+    """The window on a scripted engine, with the keyboard."""
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    return window
+
+
+def press(qtbot, key):
+    qtbot.keyClick(QApplication.focusWidget() or QApplication.activeWindow(), key)
+
+
+def test_space_ticks_the_box_in_focus_and_records_elsewhere(active, qtbot):
+    box = active.cameras.freeze
+    box.setFocus()
+    qtbot.waitUntil(box.hasFocus)
+    press(qtbot, Qt.Key.Key_Space)
+    assert box.isChecked() and active.host.recording.request is None
+    box.clearFocus()
+    qtbot.keyClick(active, Qt.Key.Key_Space)
+    assert active.host.recording.request is not None
+
+
+def test_letters_are_text_where_text_is_typed(active, qtbot):
+    active.show_panel("log")
+    active.log.search.setFocus()
+    qtbot.waitUntil(active.log.search.hasFocus)
+    for key in (Qt.Key.Key_F, Qt.Key.Key_I, Qt.Key.Key_1):
+        press(qtbot, key)
+    assert active.log.search.text().lower() == "fi1"
+    assert not active.cameras.freeze.isChecked()
+    press(qtbot, Qt.Key.Key_Backspace)
+    qtbot.keyClick(active.log.search, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert active.log.search.text().lower() == "fi1", "undo is the field's"
+
+
+@pytest.mark.parametrize(
+    ("keys", "single"),
+    [("Space", True), ("N", True), (",", True), ("Ctrl+N", False), ("F5", False), ("", False)],
+)
+def test_only_keys_that_print_something_give_way(qtbot, keys, single):
+    action = QAction()
+    action.setShortcut(keys)
+    assert is_single(action) == single
+
+
+def test_a_panels_key_shows_it_and_never_hides_it(active, qtbot):
+    dock = active.docks["colours"]
+    for _ in range(3):
+        active.commands.actions["dock_colours"].trigger()
+        assert not dock.isHidden() and not dock.visibleRegion().isEmpty()
+
+
+def test_the_banner_shifts_nothing_is_logged_once_and_goes_with_its_reason(active, qtbot):
+    QApplication.processEvents()
+    before = {name: dock.geometry() for name, dock in active.docks.items()}
+    active.messages.say("A sentence that is so long that it needs two lines. " * 5, about="devices")
+    QApplication.processEvents()
+    assert active.banner.isVisible()
+    assert {name: dock.geometry() for name, dock in active.docks.items()} == before
+    lines = [active.log.list.item(i).text() for i in range(active.log.list.count())]
+    assert sum("so long that it needs" in line for line in lines) == 1
+    active.messages.no_longer("something else")
+    assert active.banner.isVisible()
+    active.set_up.changed.emit()
+    assert not active.banner.isVisible()
+
+
+def test_a_banner_of_missing_devices_leads_to_the_set_up(window, qtbot, monkeypatch):
+    monkeypatch.setattr("app.engines.hardware.serial_ports", list)
+    monkeypatch.setattr("app.engines.camera_choice.all_cameras", list)
+    window.sources.open_devices()
+    qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
+    assert window.banner.buttons[0].isVisible()
+    window.banner.buttons[0].click()
+    assert window.docks["checklist"].isVisible() and not window.banner.isVisible()
+
+
+def test_the_first_window_fits_the_screen(window):
+    room = window.screen().availableSize()
+    fit_to_screen(window, (5 * room.width(), 5 * room.height()))
+    assert window.width() < room.width() and window.height() < room.height()
+
+
+def test_factory_colours_come_back_after_a_sabotage_and_can_be_undone(active, qtbot):
+    panel = active.colours
+    panel.tuning.move("hue", (84, 100), False)
+    spoilt = panel.tuning.profile
+    panel.tools.factory.emit()
+    assert panel.tuning.profile == factory_colours()
+    panel.undo()
+    assert panel.tuning.profile == spoilt
