@@ -127,8 +127,8 @@ class MainWindow(QMainWindow):
         if self.store.notice:
             self.messages.say(self.store.notice)
         private = [self.docks[name] for name in PRIVATE_PANELS]
-        told = ReportSources(self.host, self.store, self.log.model, private)
-        return BugReports(told, self.tasks, self.messages, self, crashes)
+        sources = ReportSources(self.host, self.store, self.log.model, private)
+        return BugReports(sources, self.tasks, self.messages, self, crashes)
 
     def _make_commands(self) -> None:
         self.commands = Commands(self)
