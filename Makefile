@@ -9,7 +9,7 @@
 # make bench        speed and accuracy against the goals, into bench.json; ten minutes for the app
 # make bench-peers  MediaPipe Hands for it, in an environment of its own (it wants numpy 1)
 # make kernels      compiled kernels anew, after changes to them; until then numba compiles the changed
-# make lock         requirements.lock anew, from what is installed
+# make lock         requirements.lock anew, from a fresh environment
 # make clean        removes what was built and measured, and the virtual environment
 #
 # Each sets up what it needs: .venv from requirements.lock, and system packages (by apt-get when run
@@ -70,8 +70,8 @@ $(PEERS)/.ready:
 kernels: $(READY)
 	packaging/kernels.sh $(VENV)
 
-lock: $(READY)
-	packaging/lock.sh $(VENV)
+lock:
+	packaging/lock.sh
 
 clean:
 	rm -rf build dist demo bench bench.json $(VENV) *.egg-info
