@@ -19,6 +19,8 @@ from tracker.messages import (
     Tracking,
 )
 
+SILENT_AFTER = 0.7  # s: with a panel's own period a silence is seen within about a second
+
 
 @dataclass(frozen=True, eq=False)
 class Snapshot:
@@ -38,6 +40,23 @@ class Snapshot:
     calibration: Calibration | None = None
     status: Status | None = None
     imu: Sequence[ImuSample] = field(default_factory=tuple)
+
+    def _silent(self, last_arrival: float) -> bool:
+        """Whether nothing of a stream has come lately; a session is not judged by when it is
+        looked at."""
+        if self.setup.player is not None or self.status is None:
+            return False
+        return self.status.t - last_arrival > SILENT_AFTER
+
+    @property
+    def packets_arrive(self) -> bool:
+        """The glove sends now, not only some time ago."""
+        return len(self.imu) > 0 and not self._silent(self.imu[-1].t_arrival)
+
+    @property
+    def images_arrive(self) -> bool:
+        """The camera gives images now."""
+        return self.frame is not None and not self._silent(self.frame.t_arrival)
 
     def truth(self) -> ReferenceHand | None:
         """The simulated hand at the instant of the estimate; a millisecond's work, so on demand."""

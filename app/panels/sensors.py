@@ -167,7 +167,9 @@ class SensorsPanel(Panel):
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or not self.chips:
             return
-        states = imu_states(view.setup.glove.imu_names, view.imu, view.running)
+        states = imu_states(
+            view.setup.glove.imu_names, view.imu, view.running and view.packets_arrive
+        )
         for chip, state in zip(self.chips, states, strict=True):
             name = state.name.replace("_", " ")
             text = name if state.look is GOOD else f"{name}: {state.text}"

@@ -17,8 +17,6 @@ from tracker.messages import Tracking
 BIAS_DPS = 0.6
 """°/s: gyros known better than this need no rest."""
 
-SILENT_AFTER = 0.7  # s: with the list's own period a line turns within about a second
-
 
 @dataclass(frozen=True)
 class SetUpStep:
@@ -59,30 +57,16 @@ def steps(
     ]
 
 
-def silence(view: Snapshot, last_arrival: float) -> float:
-    """s for which nothing of a stream has come; a session is not judged by when it is looked at."""
-    if view.setup.player is not None or view.status is None:
-        return 0.0
-    return max(0.0, view.status.t - last_arrival)
-
-
 def packets_arrive(view: Snapshot | None) -> bool:
-    return view is not None and len(view.imu) > 0 and silence(view, _newest(view)) < SILENT_AFTER
+    return view is not None and view.packets_arrive
 
 
 def images_arrive(view: Snapshot | None) -> bool:
-    if view is None or view.frame is None:
-        return False
-    return silence(view, view.frame.t_arrival) < SILENT_AFTER
+    return view is not None and view.images_arrive
 
 
-def _newest(view: Snapshot) -> float:
-    return view.imu[-1].t_arrival
-
-
-def _silent_words(what: str, seconds: float) -> str:
-    """A count that does not tick, so that the line can be read."""
-    return f"The {what} was here and is silent{'' if seconds < 10 else ' for a while'}. Plugged in?"
+def _silent_words(what: str) -> str:
+    return f"The {what} was here and is silent. Is it plugged in?"
 
 
 def _glove(view: Snapshot | None) -> SetUpStep:
@@ -90,7 +74,7 @@ def _glove(view: Snapshot | None) -> SetUpStep:
     if view is not None and packets_arrive(view):
         return SetUpStep(name, True, view.setup.glove.name)
     if view is not None and len(view.imu) > 0:
-        reason = _silent_words("glove", silence(view, _newest(view)))
+        reason = _silent_words("glove")
         return SetUpStep(name, False, reason, "hardware", "Look again")
     reason = "No glove answers. Plug it in, or try the demo."
     return SetUpStep(name, False, reason, "hardware", "Look again")
@@ -127,7 +111,7 @@ def _still(view: Snapshot | None) -> SetUpStep:
 def _camera(view: Snapshot | None) -> SetUpStep:
     name = "Camera found"
     if view is not None and view.frame is not None and not images_arrive(view):
-        reason = _silent_words("camera", silence(view, view.frame.t_arrival))
+        reason = _silent_words("camera")
         return SetUpStep(name, False, reason, "hardware", "Look again")
     if view is not None and view.frame is not None:
         dark = [

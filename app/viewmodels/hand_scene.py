@@ -113,7 +113,7 @@ class HandSceneModel:
         return HandScene(
             segment_R=R,
             segment_p=p,
-            segment_state=segment_states(view.setup.hand, estimate, located),
+            segment_state=self._segment_states(view, estimate, located),
             markers=self._markers(R, p),
             marker_state=self._marker_states(view.result, estimate.t),
             tips=estimate.keypoints[self._tip_rows],
@@ -122,15 +122,25 @@ class HandSceneModel:
             R_GC=pose.R_GC,
             p_GC=pose.p_GC,
             trail=self._trail_points(estimate),
-            caption="" if located else self._lost_caption(),
+            caption=self._caption(view, located),
         )
+
+    def _segment_states(self, view: Snapshot, estimate: Estimate, located: bool) -> IntArray:
+        """Lost as a whole where neither glove nor camera says anything any more."""
+        if len(view.imu) > 0 and not (view.packets_arrive or view.images_arrive):
+            return np.full(len(view.setup.hand.segments), int(Validity.LOST), np.int64)
+        return segment_states(view.setup.hand, estimate, located)
 
     def _at_last_place(self, p_GB: Array) -> Array:
         """(S, 3) m: a hand whose place is lost turns and bends where its root stood last."""
         place = self._last[1][0] if self._last is not None else np.zeros(3)
         return np.asarray(p_GB - p_GB[0] + place)
 
-    def _lost_caption(self) -> str:
+    def _caption(self, view: Snapshot, located: bool) -> str:
+        if len(view.imu) > 0 and not (view.packets_arrive or view.images_arrive):
+            return "Nothing arrives: the hand stands as it was last"
+        if located:
+            return ""
         if self._setup.whole:
             return "Position lost: the hand stands where it was last seen"
         return "Place unknown: orientation and finger angles by the IMUs alone"

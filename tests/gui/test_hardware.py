@@ -11,6 +11,8 @@ from gui_fakes import frame_and_blobs, models, simulation
 
 from app.engines.engine import RecordingRequest
 from app.viewmodels.checklist import steps
+from app.viewmodels.sensors import imu_states
+from app.viewmodels.states import IDLE
 from app.wizards.glove.choice import SESSION
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
@@ -19,7 +21,7 @@ from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
 
 IMAGES = 2
-SECONDS = 2.0
+SECONDS = 8.0  # of the film: what has ended is not found
 
 
 @pytest.fixture
@@ -152,6 +154,9 @@ def test_a_device_that_vanishes_turns_its_line_within_a_second(connected, qtbot,
     qtbot.waitUntil(lambda: not _done(connected, "Glove found"), timeout=10_000)
     assert time.monotonic() - gone < 1.5
     assert not _done(connected, "All IMUs answer")
+    view = connected.host.snapshot()
+    states = imu_states(view.setup.glove.imu_names, view.imu, view.packets_arrive)
+    assert {s.look for s in states} == {IDLE}, "no green dot of an IMU that is gone"
 
 
 def test_stop_clears_what_was_live(connected, qtbot):
