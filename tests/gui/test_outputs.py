@@ -59,6 +59,13 @@ def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel
     assert window.outputs._attached == {}
 
 
+def test_who_else_hears_lab_streaming_layer_is_said_beside_its_switch(panel):
+    assert not panel.boxes["lsl"].isChecked()
+    assert "listens on all addresses" in panel.reach.text()
+    assert "listens on all addresses" in panel.boxes["lsl"].toolTip()
+    assert panel.boxes["udp"].toolTip() == ""
+
+
 def test_a_stream_is_switched_on_received_counted_and_off(panel, window, listener, qtbot):
     panel.ports["udp"].setValue(listener.getsockname()[1])
     panel.boxes["udp"].click()
