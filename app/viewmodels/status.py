@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, StateLook
 from tracker.messages import Status
@@ -39,12 +39,21 @@ def fields(status: Status | None) -> list[Field]:
     """The figures of the bar, in its order."""
     v = status.values if status is not None else {}
     return [
-        _rate("imu_rate_hz", "Glove", v, "Packets of the glove each second"),
+        _glove(v),
         _rate("frame_rate_hz", "Camera", v, "Stereo images each second"),
         _rate("estimate_rate_hz", "Hand", v, "Estimates of the hand each second"),
         _latency(v),
         _losses(v),
     ]
+
+
+def _glove(values: dict[str, float]) -> Field:
+    """Its rate, and a warning while its battery is low."""
+    field = _rate("imu_rate_hz", "Glove", values, "Packets of the glove each second")
+    if not values.get("battery_low") or field.look not in (GOOD, IDLE):
+        return field
+    tip = f"{field.tip}\nIts battery is low ({values['battery_v']:.2f} V): charge it soon"
+    return replace(field, text=f"{field.text}, battery low", look=WARN, tip=tip)
 
 
 def _rate(key: str, name: str, values: dict[str, float], tip: str) -> Field:

@@ -20,6 +20,7 @@ from app.viewmodels.status import fields
 from app.widgets.image_shapes import Cross, Ellipse, Line, Ring
 from app.widgets.view3d.orbit import Orbit
 from tracker.messages import Status, Tracking, Validity
+from tracker.sensors.link_figures import LinkFigures
 
 
 @pytest.fixture
@@ -215,6 +216,16 @@ def test_lost_packets_are_a_problem_and_nothing_known_is_a_dash():
     assert shown["losses"].look.word == "problem"
     assert shown["imu_rate_hz"].text == "100 Hz"
     assert shown["latency"].text == "–"
+
+
+@pytest.mark.parametrize(("millivolt", "low"), [(3499, True), (3500, False)])
+def test_a_low_battery_is_a_warning_by_the_links_own_threshold(millivolt, low):
+    values = {"imu_rate_hz": 100.0, **LinkFigures(battery_mV=millivolt).values()}
+    shown = fields(Status(0.0, Tracking.TRACKING, values))[0]
+    assert (shown.look.word, shown.text) == (
+        ("attention", "100 Hz, battery low") if low else ("good", "100 Hz")
+    )
+    assert ("3.50 V" in shown.tip) == low
 
 
 def test_each_stage_has_its_latency():
