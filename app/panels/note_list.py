@@ -16,6 +16,8 @@ from app.engines.notes import Notes
 from app.engines.recording import Recording
 from app.viewmodels.recording import position_text
 
+LEAST_HEIGHT = 110  # px: a heading and two notes
+
 
 class NoteList(QTableWidget):
     """Double-click changes the text, Delete takes the note back."""
@@ -27,6 +29,7 @@ class NoteList(QTableWidget):
         self.setHorizontalHeaderLabels([self.tr("At"), self.tr("Note")])
         self.horizontalHeader().setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         self.verticalHeader().hide()
+        self.setMinimumHeight(LEAST_HEIGHT)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setAccessibleName(self.tr("Notes of this recording"))
         self.setToolTip(self.tr("Double-click to change a note, Delete to take it back"))

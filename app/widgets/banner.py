@@ -42,6 +42,8 @@ class Banner(QFrame):
         ``good``: there is nothing wrong.
         """
         self._sign.setText("✓" if good else "▲")
+        self.setProperty("good", good)
+        self.style().polish(self)
         self._label.setText(text)
         self.setAccessibleName(text)
         self._work = [work for _, work in actions]

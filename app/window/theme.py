@@ -156,6 +156,7 @@ def _style_sheet(c: Colours) -> str:
         border-radius: 4px; font-weight: 600; padding: 6px 16px; }}
     QPushButton[role="primary"]:disabled {{ background: {c.border}; color: {c.faint}; }}
     QFrame#banner {{ background: #6B2A00; border-radius: 4px; }}
+    QFrame#banner[good="true"] {{ background: #0B4F3C; }}
     QFrame#banner QLabel {{ color: #FFE9DC; }}
     QFrame#card {{ background: {c.base}; border: 1px solid {c.border}; border-radius: 6px; }}
     """

@@ -20,7 +20,7 @@ from tracker.clock import ClockAnchor, seconds
 from tracker.errors import FileError
 from tracker.live.inbox import DetectedFrame
 from tracker.live.runner import LiveTracker
-from tracker.messages import Status, StereoFrame, Tracking
+from tracker.messages import BlobFrame, Status, StereoFrame, Tracking
 from tracker.pipeline import Pipeline
 from tracker.session.description import SessionInfo
 from tracker.session.glance import quality, session_summary
@@ -310,3 +310,23 @@ def test_what_is_missing_is_told_and_nothing_else():
     gone = Status(now + 5.0, Tracking.TRACKING, {})
     text = missing_text(gone, samples, names, 30.0)
     assert "no image comes" in text and "no packet comes" in text
+
+
+def test_images_that_were_never_searched_are_shown_all_the_same(take, tmp_path, qtbot):
+    path = tmp_path / "unsearched.mcap"
+    unsynced = RecorderParams(sync=False)
+    with (
+        SessionReader(take) as reader,
+        SessionRecorder(path, reader.info, unsynced) as recorder,
+    ):
+        for m in reader.messages():
+            if not isinstance(m, BlobFrame):
+                recorder.write(m)
+    setup = open_replay(path, lambda *_: None)
+    setup.engine.start()
+    try:
+        qtbot.waitUntil(lambda: setup.engine.latest_frame() is not None, timeout=20_000)
+        image, blobs, _ = setup.engine.latest_frame()
+        assert image.left is not None and blobs.left is None
+    finally:
+        setup.close()

@@ -22,6 +22,9 @@ from tracker.messages import (
 IMAGES_WAITING = 30
 
 
+BLOBS_LATE = 0.3  # s after which images are shown without: nobody had the time to search them
+
+
 class ReplayMoment:
     """Taken by the replay's thread, read by the window's. ``markers``: how many the glove has."""
 
@@ -38,6 +41,7 @@ class ReplayMoment:
         """What belongs to the position that is left; the hand stands until another one comes."""
         self._images: dict[float, StereoFrame] = {}
         self._imu: deque[ImuSample] = deque()
+        self._searched: float | None = None  # t of the last blobs, or of the first image
 
     def take(self, message: Message) -> None:
         """The next message of the file; an image waits for its blobs."""
@@ -48,9 +52,7 @@ class ReplayMoment:
         elif isinstance(message, Estimate):
             self.estimate = message
         elif isinstance(message, StereoFrame):
-            self._images[message.t] = message
-            while len(self._images) > IMAGES_WAITING:
-                self._images.pop(next(iter(self._images)))
+            self._take_image(message)
         elif isinstance(message, BlobFrame):
             self._take_blobs(message)
         elif isinstance(message, Calibration):
@@ -60,10 +62,23 @@ class ReplayMoment:
         elif isinstance(message, Event):
             self._events.append(message)
 
+    def _take_image(self, image: StereoFrame) -> None:
+        self._images[image.t] = image
+        while len(self._images) > IMAGES_WAITING:
+            self._images.pop(next(iter(self._images)))
+        if self._searched is None:
+            self._searched = image.t
+        if image.t - self._searched > BLOBS_LATE:
+            self._show(image, BlobFrame(image.t, image.t_arrival, (), None, None, image.pose))
+
     def _take_blobs(self, blobs: BlobFrame) -> None:
+        self._searched = blobs.t
         image = self._images.pop(blobs.t, None)
         if image is None:
             image = StereoFrame(blobs.t, blobs.t_arrival, None, None, blobs.pose, blobs.index)
+        self._show(image, blobs)
+
+    def _show(self, image: StereoFrame, blobs: BlobFrame) -> None:
         tracking = self.estimate.tracking if self.estimate else Tracking.SEARCHING
         self.frame = (image, blobs, FrameResult.nothing(blobs.t, tracking, self._markers))
 
