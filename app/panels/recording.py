@@ -29,6 +29,7 @@ from app.viewmodels.recording import (
     losses_text,
     size_text,
 )
+from tracker.errors import ConfigError
 
 
 class RecordingPanel(Panel):
@@ -65,6 +66,11 @@ class RecordingPanel(Panel):
         self.task = QLineEdit(plan.task)
         self.task.textChanged.connect(self._plan_changed)
         self.task.setPlaceholderText(self.tr("for example pinch"))
+        self.name_template = QLineEdit(plan.template)
+        self.name_template.setToolTip(
+            self.tr("May hold {participant}, {task}, {date}, {time} and a counter: {n} or {n:03}")
+        )
+        self.name_template.editingFinished.connect(self._name_edited)
         self.folder = QLineEdit(str(plan.folder))
         self.folder.setReadOnly(True)
         choose = QPushButton(self.tr("Change…"))
@@ -76,6 +82,7 @@ class RecordingPanel(Panel):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.ExpandingFieldsGrow)
         form.addRow(self.tr("Participant"), self.participant)
         form.addRow(self.tr("Task"), self.task)
+        form.addRow(self.tr("File name"), self.name_template)
         form.addRow(self.tr("Folder"), row)
         return form
 
@@ -127,6 +134,13 @@ class RecordingPanel(Panel):
     def _plan_changed(self) -> None:
         self._plan.participant, self._plan.task = self.participant.text(), self.task.text()
 
+    def _name_edited(self) -> None:
+        try:
+            self._plan.set_template(self.name_template.text().strip())
+        except ConfigError as error:
+            self.host.error.emit(str(error))
+        self.name_template.setText(self._plan.template)
+
     def _choose_folder(self) -> None:
         folder = QFileDialog.getExistingDirectory(
             self, self.tr("Folder for recordings"), str(self._plan.folder)
@@ -164,7 +178,7 @@ class RecordingPanel(Panel):
         self.record_button.setEnabled(self.host.running)
         self.pause_button.setEnabled(recording)
         self.pause_button.setChecked(self.host.recording.paused and recording)
-        for field in (self.participant, self.task):
+        for field in (self.participant, self.task, self.name_template):
             field.setEnabled(not recording)
 
     def refresh(self, view: Snapshot | None) -> None:

@@ -26,7 +26,7 @@ from tracker.files import disk_error
 from tracker.messages import Event, StereoFrame
 
 EXCERPT_S = 10.0
-PERSONAL_SETTINGS = ("participant", "task", "sessions_folder")
+PERSONAL_SETTINGS = ("participant", "task", "recording_name", "sessions_folder")
 SHORTEST_NAME = 3  # letters; shorter ones stand in too many words
 PIXELS = "camera images"
 

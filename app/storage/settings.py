@@ -36,6 +36,7 @@ class AppSettings:
     sessions_folder: str = ""
     participant: str = ""
     task: str = ""
+    recording_name: str = ""  # the template of file names; empty for the usual one
     wearer: str = ""  # whose calibration is put on at the start
     engine: str = "chain"  # what tracks
     view_3d: str = "auto"  # "auto", "card" or "painted"

@@ -10,8 +10,8 @@ from pathlib import Path
 
 from app.engines.engine import RecordingRequest
 from app.storage.settings import SettingsStore, sessions_folder
+from app.viewmodels.take_names import USUAL, check_template, take_path
 from tracker.errors import FileError
-from tracker.files import free_path, name_part
 
 LOW_BYTES = 5_000_000_000
 STOP_BYTES = 1_000_000_000
@@ -34,6 +34,15 @@ class RecordingPlan:
     def set_folder(self, folder: Path) -> None:
         self._store.update(sessions_folder=str(folder))
 
+    @property
+    def template(self) -> str:
+        return self._store.value.recording_name or USUAL
+
+    def set_template(self, template: str) -> None:
+        """Name recordings by it (see `take_names`). Raises ConfigError for a wrong one."""
+        check_template(template or USUAL)
+        self._store.update(recording_name=template)
+
     def request(self) -> RecordingRequest:
         """A file of now that is not there yet. Raises FileError where the folder cannot be."""
         participant, task = self.participant.strip(), self.task.strip()
@@ -43,14 +52,8 @@ class RecordingPlan:
         except OSError as error:
             reason = error.strerror or str(error)
             raise FileError(f"Nothing can be recorded to {self.folder}: {reason}.") from error
-        path = automatic_path(self.folder, participant, task, datetime.now())
+        path = take_path(self.folder, participant, task, datetime.now(), self.template)
         return RecordingRequest(path, participant, task)
-
-
-def automatic_path(folder: Path, participant: str, task: str, now: datetime) -> Path:
-    """A name that says who, what and when, and that no file has yet."""
-    parts = [name_part(participant), name_part(task), now.strftime("%Y-%m-%d_%H-%M-%S")]
-    return free_path(folder / f"{'_'.join(p for p in parts if p)}.mcap")
 
 
 def free_bytes(folder: Path) -> int:

@@ -16,12 +16,12 @@ from app.viewmodels.recording import (
     STOP_BYTES,
     RateMeter,
     RecordingPlan,
-    automatic_path,
     disk,
     duration_text,
     losses_text,
     size_text,
 )
+from app.viewmodels.take_names import take_path
 from tracker.clock import monotonic
 from tracker.messages import Event
 from tracker.session.notes import standing
@@ -140,14 +140,14 @@ def test_start_after_stop_builds_a_new_engine(window, qtbot):
     assert made[0].stopped == 1 and made[1].started == 1
 
 
-def test_automatic_names_never_meet_an_existing_file(tmp_path):
+def test_names_never_meet_an_existing_file(tmp_path):
     now = datetime(2026, 3, 1, 12, 0, 0)
-    first = automatic_path(tmp_path, "P1", "", now)
+    first = take_path(tmp_path, "P1", "", now)
     assert first.name == "P1_2026-03-01_12-00-00.mcap"
     first.write_text("")
-    second = automatic_path(tmp_path, "P1", "", now)
+    second = take_path(tmp_path, "P1", "", now)
     second.write_text("")
-    third = automatic_path(tmp_path, "P1", "", now)
+    third = take_path(tmp_path, "P1", "", now)
     assert len({first, second, third}) == 3
 
 
@@ -223,3 +223,40 @@ def test_notes_are_changed_and_taken_back_until_the_recording_ends(recording, re
     assert held[1].t == events[1].t
     recording.run_command("record")
     assert listed.rowCount() == 0
+
+
+NOW = datetime(2026, 3, 1, 12, 0, 5)
+
+
+@pytest.mark.parametrize(
+    ("template", "participant", "task", "name"),
+    [
+        ("{participant}_{task}_{n:03}", "P 01", "pinch", "P-01_pinch_001"),
+        ("{participant}_{task}_{n:03}", "", "", "001"),
+        ("{participant}_{task}_{date}_{time}", "P1", "", "P1_2026-03-01_12-00-05"),
+        ("take{n}-{task}", "P1", "a/b", "take1-a-b"),
+    ],
+)
+def test_recordings_are_named_by_a_template(tmp_path, template, participant, task, name):
+    assert take_path(tmp_path, participant, task, NOW, template).name == f"{name}.mcap"
+
+
+def test_the_counter_goes_on_from_the_highest_number_there_is(tmp_path):
+    for taken in ("P1_001", "P1_009", "P2_044", "P1_009_2", "other"):
+        (tmp_path / f"{taken}.mcap").write_text("")
+    assert take_path(tmp_path, "P1", "", NOW, "{participant}_{n:03}").name == "P1_010.mcap"
+    assert take_path(tmp_path, "P2", "", NOW, "{participant}_{n}").name == "P2_45.mcap"
+
+
+def test_a_wrong_template_is_refused_in_words_and_the_last_one_kept(window, store):
+    field = window.recording.name_template
+    for wrong, word in (("{who}_{n}", "{who}"), ("{participant", "not complete")):
+        field.setText(wrong)
+        field.editingFinished.emit()
+        assert word in window.banner.text()
+        assert field.text() == "{participant}_{task}_{date}_{time}"
+    field.setText("{participant}-{n:02}")
+    field.editingFinished.emit()
+    window.recording.participant.setText("P3")
+    assert window.plan.request().path.name == "P3-01.mcap"
+    assert SettingsStore(store.path).value.recording_name == "{participant}-{n:02}"
