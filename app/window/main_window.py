@@ -76,7 +76,7 @@ class MainWindow(QMainWindow):
         self.docks = make_docks(self, self.panels)
         self.sources = Sources(self.host, self.store, self.messages, self)
         self.takes = Takes(self.host, self.tasks, self.messages, self.library, self)
-        self.reports = self._make_reports(crashes)
+        self.reports = bug_reports(self, crashes)
         self._make_commands()
         self._make_tool_bar()
         self._connect()
@@ -122,13 +122,6 @@ class MainWindow(QMainWindow):
         self.messages = MessageBar(self)
         self.messages.said.connect(self._log_said)
         self.banner = self.messages.banner
-
-    def _make_reports(self, crashes: CrashWatch | None) -> BugReports:
-        if self.store.notice:
-            self.messages.say(self.store.notice)
-        private = [self.docks[name] for name in PRIVATE_PANELS]
-        sources = ReportSources(self.host, self.store, self.log.model, private)
-        return BugReports(sources, self.tasks, self.messages, self, crashes)
 
     def _make_commands(self) -> None:
         self.commands = Commands(self)
@@ -283,3 +276,12 @@ class MainWindow(QMainWindow):
         for panel in self.panels:
             panel.shut_down()
         event.accept()
+
+
+def bug_reports(window: MainWindow, crashes: CrashWatch | None) -> BugReports:
+    """What makes reports of this window; a notice of its settings is said."""
+    if window.store.notice:
+        window.messages.say(window.store.notice)
+    private = [window.docks[name] for name in PRIVATE_PANELS]
+    sources = ReportSources(window.host, window.store, window.log.model, private)
+    return BugReports(sources, window.tasks, window.messages, window, crashes)

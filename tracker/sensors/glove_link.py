@@ -87,6 +87,31 @@ class Ranges(NamedTuple):
     gyro_dps: float
 
 
+class Announcements:
+    """What happened to the link, in words, until somebody takes it. ``clock`` gives s."""
+
+    def __init__(self, clock: Callable[[], float]) -> None:
+        self._clock = clock
+        self._events: list[Event] = []
+        self.topics: set[str] = set()
+        """Of which `once` has spoken."""
+
+    def say(self, text: str) -> None:
+        """An event of now."""
+        self._events.append(Event(self._clock(), "device", text))
+
+    def once(self, topic: str, text: str) -> None:
+        """The same, the first time that it is about ``topic``."""
+        if topic not in self.topics:
+            self.topics.add(topic)
+            self.say(text)
+
+    def take(self) -> list[Event]:
+        """All since the last call, oldest first."""
+        events, self._events = self._events, []
+        return events
+
+
 class GloveLink:
     """One glove with ``imu_count`` IMUs. ``open_port`` opens its port or raises OSError."""
 
@@ -101,9 +126,8 @@ class GloveLink:
         self._open_port, self._imu_count, self._clock = open_port, imu_count, clock
         self._port: Port | None = None
         self._writing = threading.RLock()  # two frames must not mix, nor the port go between
-        self._events: list[Event] = []
+        self._words = Announcements(clock)
         self._next_open = float("-inf")
-        self._told: set[str] = set()
         self.state = LinkState.UNPLUGGED
         self.hello: Hello | None = None
         self.decoder = FrameDecoder()
@@ -122,7 +146,7 @@ class GloveLink:
         """Samples and events, after waiting at most ``timeout`` s for bytes."""
         out: list[ImuSample | Event] = []
         if self._port is None and not self._open(timeout):
-            return self._taken(out)
+            return [*out, *self._words.take()]
         try:
             data = self._read(timeout)
             now = self._clock()
@@ -132,7 +156,7 @@ class GloveLink:
             self._watch(now)
         except (serial.SerialException, OSError) as error:
             self._unplugged(error)
-        return self._taken(out)
+        return [*out, *self._words.take()]
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> None:
         """Let a motor run; nothing happens while the glove is away. From any thread."""
@@ -157,9 +181,9 @@ class GloveLink:
         try:
             self._port = self._open_port()
         except (serial.SerialException, OSError) as error:
-            self._once("open", f"The glove's port cannot be opened: {reason(error)}")
+            self._words.once("open", f"The glove's port cannot be opened: {reason(error)}")
             return False
-        self._told.discard("open")
+        self._words.topics.discard("open")
         self.figures.opened += 1
         self.figures.latency_ms = getattr(self._port, "latency_ms", None)
         counters, self.decoder = self.decoder.counters, FrameDecoder()
@@ -171,7 +195,7 @@ class GloveLink:
         self.state, self._since, self._asked = LinkState.GREETING, now, False
         self.hello, self._ranges, self._at_rest = None, None, RangeFromRest()
         self._heard = self._before = None
-        self._told -= {"range", "ranges", "rate"}
+        self._words.topics -= {"range", "ranges", "rate"}
         self._packet_clock = self._new_clock()
         self._send(HelloRequest())
 
@@ -208,7 +232,9 @@ class GloveLink:
             self._port.close()
             self._port = None
         self.state = LinkState.UNPLUGGED
-        self._say(f"The glove was unplugged ({reason(error)}); it is taken up when it returns.")
+        self._words.say(
+            f"The glove was unplugged ({reason(error)}); it is taken up when it returns."
+        )
 
     # ---- frames
 
@@ -221,7 +247,7 @@ class GloveLink:
             case GloveStatus():
                 self._status(frame)
             case ErrorText():
-                self._say(f"The glove says: {frame.text}")
+                self._words.say(f"The glove says: {frame.text}")
         return []
 
     def _greeted(self, hello: Hello, now: float) -> None:
@@ -237,7 +263,7 @@ class GloveLink:
         if hello.accel_range_g and hello.gyro_range_dps:
             self._ranges = Ranges(hello.accel_range_g, hello.gyro_range_dps)
         if hello.imu_count != self._imu_count:
-            self._once(
+            self._words.once(
                 "count",
                 f"This glove has {hello.imu_count} IMUs but the glove file says "
                 f"{self._imu_count}: choose the right glove file.",
@@ -252,9 +278,9 @@ class GloveLink:
         before = place.home
         if place.is_right(glove_id):
             if place.home != before:
-                self._say(f"The glove is back, at {place.path}.")
+                self._words.say(f"The glove is back, at {place.path}.")
             return False
-        self._once(
+        self._words.once(
             f"stranger {glove_id}",
             f"At {place.path} is {'no glove' if glove_id is None else f'glove {glove_id}'}: glove "
             f"{place.glove_id} is looked for. To use another one, choose it under Set-up, Glove.",
@@ -268,7 +294,7 @@ class GloveLink:
 
     def _restarted(self) -> None:
         self.figures.resets += 1
-        self._say("The glove has restarted; it is told to go on.")
+        self._words.say("The glove has restarted; it is told to go on.")
 
     def _begin(self, now: float) -> None:
         self._packet_clock, self._heard, self._began = self._new_clock(), None, now
@@ -279,13 +305,13 @@ class GloveLink:
 
     def _samples(self, frame: Samples, now: float) -> list[ImuSample]:
         if len(frame.raw) != self._imu_count:
-            self._once(
+            self._words.once(
                 "count",
                 f"Packets hold {len(frame.raw)} IMUs but the glove file says {self._imu_count}.",
             )
             return []
         if self.state == LinkState.SILENT:
-            self._say("The glove sends again.")
+            self._words.say("The glove sends again.")
             if now - self._since > LONG_SILENCE:
                 self._packet_clock = self._new_clock()
         if self.state != LinkState.GREETING:  # a glove that was never stopped is still to be asked
@@ -301,17 +327,17 @@ class GloveLink:
         if time_of.jumped:
             self.figures.clock_jumps += 1
             by = time_of.jumped
-            self._say(f"The glove's clock jumped by {by:+.3f} s; its packets are timed anew.")
+            self._words.say(f"The glove's clock jumped by {by:+.3f} s; its packets are timed anew.")
         self.figures.skew_ppm = self._packet_clock.skew_ppm
         self._judge_rate()
         if self._ranges is None:
             self._judge_range(frame, time_of.t_device)
-        return [self._sample(frame, time_of, now)]
+        return [si_sample(frame, time_of, now, self._ranges, self._imu_ok)]
 
     def _judge_rate(self) -> None:
         rate_hz, asked_hz = self._packet_clock.rate_hz, self.params.rate_hz
         if rate_hz is not None and abs(rate_hz / asked_hz - 1) > OTHER_RATE:
-            self._once(
+            self._words.once(
                 "rate",
                 f"The glove sends {rate_hz:.0f} packets a second, not the {asked_hz} it was asked "
                 "for; their times are right all the same.",
@@ -319,7 +345,7 @@ class GloveLink:
 
     def _judge_range(self, frame: Samples, t: float) -> None:
         """A glove that has not said its ranges: gravity tells the accelerometers'."""
-        self._once(
+        self._words.once(
             "ranges",
             "The glove has not said its ranges, so its values are not used yet: hold the hand "
             "still for a second, then gravity tells them.",
@@ -327,42 +353,23 @@ class GloveLink:
         accel_g = self._at_rest.look(frame.raw[:, :3].astype(float), t)
         if accel_g is not None:
             self._ranges = Ranges(accel_g, USUAL_GYRO_DPS)
-            self._once(
+            self._words.once(
                 "range",
                 f"At rest the glove's acceleration fits a range of {accel_g} g, which is used now; "
                 f"for turning {USUAL_GYRO_DPS} deg/s is assumed and may be wrong.",
             )
 
-    def _sample(self, frame: Samples, time_of: PacketTime, now: float) -> ImuSample:
-        """In SI units; nothing is valid while the ranges are unknown."""
-        ranges = self._ranges or Ranges(np.nan, np.nan)
-        raw = frame.raw.astype(float) / 32768.0
-        answers = [bool(self._imu_ok >> j & 1) for j in range(self._imu_count)]
-        valid = np.array(answers) & (self._ranges is not None)
-        accel = raw[:, :3] * (ranges.accel_g * GRAVITY)
-        gyro = raw[:, 3:] * (ranges.gyro_dps * DEGREE)
-        accel[~valid], gyro[~valid] = np.nan, np.nan
-        return ImuSample(
-            t=seconds(nanoseconds(time_of.t)),
-            t_arrival=seconds(nanoseconds(now)),
-            t_device=time_of.t_device,
-            seq=time_of.seq,
-            accel=accel,
-            gyro=gyro,
-            valid=valid,
-        )
-
     def _status(self, status: GloveStatus) -> None:
         self.figures.battery_mV, self.figures.dropped = status.battery_mV, status.dropped
         self.figures.temperature_cC = status.temperature_cC
         if warning := self._battery.look(status.battery_mV):
-            self._say(warning)
+            self._words.say(warning)
         changed = status.imu_ok ^ self._imu_ok
         self._imu_ok = status.imu_ok
         for j in range(self._imu_count):
             if changed >> j & 1:
                 word = "answers again" if status.imu_ok >> j & 1 else "does not answer"
-                self._say(f"IMU {j} of the glove {word}.")
+                self._words.say(f"IMU {j} of the glove {word}.")
 
     def _watch(self, now: float) -> None:
         """What does not come: HELLO, or samples."""
@@ -373,22 +380,32 @@ class GloveLink:
                 self._send(Stop())  # one that streams since an earlier run says HELLO again
                 self._send(HelloRequest())
             if waited > p.boot + p.patience and not self._is_stranger(None, now):
-                self._say("The glove has not said what it is; it is told to start anyway.")
+                self._words.say("The glove has not said what it is; it is told to start anyway.")
                 self._begin(now)
         elif self.state == LinkState.STREAMING and waited > p.silent_after:
             self.state = LinkState.SILENT
-            self._say(f"The glove has been silent for {p.silent_after:g} s.")
+            self._words.say(f"The glove has been silent for {p.silent_after:g} s.")
 
-    # ---- words
 
-    def _say(self, text: str) -> None:
-        self._events.append(Event(self._clock(), "device", text))
+def si_sample(
+    frame: Samples, time_of: PacketTime, now: float, ranges: Ranges | None, imu_ok: int
+) -> ImuSample:
+    """In SI units, arrived at ``now`` (s); bit j of ``imu_ok`` is set where IMU j answers.
 
-    def _once(self, topic: str, text: str) -> None:
-        if topic not in self._told:
-            self._told.add(topic)
-            self._say(text)
-
-    def _taken(self, out: list[ImuSample | Event]) -> list[ImuSample | Event]:
-        events, self._events = self._events, []
-        return out + events
+    Nothing is valid while the ``ranges`` are unknown.
+    """
+    known = ranges or Ranges(np.nan, np.nan)
+    raw = frame.raw.astype(float) / 32768.0
+    valid = np.array([ranges is not None and bool(imu_ok >> j & 1) for j in range(len(raw))])
+    accel = raw[:, :3] * (known.accel_g * GRAVITY)
+    gyro = raw[:, 3:] * (known.gyro_dps * DEGREE)
+    accel[~valid], gyro[~valid] = np.nan, np.nan
+    return ImuSample(
+        t=seconds(nanoseconds(time_of.t)),
+        t_arrival=seconds(nanoseconds(now)),
+        t_device=time_of.t_device,
+        seq=time_of.seq,
+        accel=accel,
+        gyro=gyro,
+        valid=valid,
+    )

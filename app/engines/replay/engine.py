@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
@@ -62,7 +63,8 @@ class ReplayEngine:
         return self.info.rig
 
     def read_events(self) -> None:
-        """Find the notes and events for the timeline; a damaged end has none."""
+        """Find the notes and events for the timeline, and begin where there is something to see; a
+        damaged end has none."""
         found: list[Event] = []
         try:
             messages = self._reader.messages((Event,))
@@ -71,20 +73,9 @@ class ReplayEngine:
             self._moment.take(Event(0.0, "error", str(error)))
         where = self.player.clamped
         self.player.events = tuple((where(e.t - self.start_t), e) for e in standing(found))
-
-    def go_to_first_image(self) -> None:
-        """Begin there: blobs may come first whose image was taken before the recording began."""
-        seen: set[float] = set()
-        try:
-            messages = self._reader.packed_messages((StereoFrame, BlobFrame))
-            for message in islice(messages, MOST_BEFORE_SIGHT):
-                if isinstance(message, PackedFrame):
-                    seen.add(message.t)
-                elif isinstance(message, BlobFrame) and message.t in seen:
-                    self.player.seek(message.t_arrival - self.start_t)
-                    return
-        except FileError as error:
-            self._moment.take(Event(0.0, "error", str(error)))
+        sight = first_sight(self._reader)
+        if sight is not None:
+            self.player.seek(sight - self.start_t)
 
     def start(self) -> None:
         self._thread.start()
@@ -138,6 +129,19 @@ class ReplayEngine:
         self._moment.take(Event(self.start_t + self.player.position, "note", text))
 
 
+def first_sight(reader: SessionReader) -> float | None:
+    """When (s) the first blobs come whose image is in the file, too: blobs may come first whose
+    image was taken before the recording began. None where there are none."""
+    seen: set[float] = set()
+    with suppress(FileError):  # what is damaged has been told by who read it first
+        for message in islice(reader.packed_messages((StereoFrame, BlobFrame)), MOST_BEFORE_SIGHT):
+            if isinstance(message, PackedFrame):
+                seen.add(message.t)
+            elif isinstance(message, BlobFrame) and message.t in seen:
+                return message.t_arrival
+    return None
+
+
 def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
     """Open a session file for the window. Raises FileError in words."""
     progress(-1.0, path.name)
@@ -147,7 +151,6 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
         info = engine.info
         rig = engine.rig
         engine.read_events()
-        engine.go_to_first_image()
     except GlovetrackError:
         engine.close()
         raise
