@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from app.engines.engine_host import EngineHost
@@ -70,7 +70,7 @@ class ChecklistPanel(Panel):
 class _Row:
     """One step's widgets in the grid."""
 
-    def __init__(self, grid: QGridLayout, index: int, action) -> None:  # type: ignore[no-untyped-def]
+    def __init__(self, grid: QGridLayout, index: int, action: SignalInstance) -> None:
         self._sign, self._name, self._reason = QLabel(), QLabel(), QLabel()
         self._reason.setWordWrap(True)
         self._reason.setProperty("role", "faint")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 
@@ -55,7 +55,7 @@ class StartPage(QWidget):
         return grid
 
 
-def _card(title: str, text: str, signal) -> QFrame:  # type: ignore[no-untyped-def]
+def _card(title: str, text: str, signal: SignalInstance) -> QFrame:
     card = QFrame()
     card.setObjectName("card")
     card.setFixedWidth(250)

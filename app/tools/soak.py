@@ -18,6 +18,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
@@ -27,6 +28,9 @@ from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import start_camera
 from app.platform.process_tuning import tune_process
+
+if TYPE_CHECKING:
+    from app.window.main_window import MainWindow
 
 STARTED = psutil.Process().create_time()
 MB = 1e6
@@ -186,7 +190,7 @@ def soak(minutes: float, folder: Path) -> Soak:
         window.close()
 
 
-def _watch(window, out: Soak) -> Soak:  # type: ignore[no-untyped-def]
+def _watch(window: MainWindow, out: Soak) -> Soak:
     from app.window.headless_report import wait_until
 
     if not wait_until(lambda: _tracked(window), START_TIMEOUT):
@@ -209,7 +213,7 @@ def _watch(window, out: Soak) -> Soak:  # type: ignore[no-untyped-def]
     return out
 
 
-def _tracked(window) -> bool:  # type: ignore[no-untyped-def]
+def _tracked(window: MainWindow) -> bool:
     from tracker.messages import Tracking
 
     view = window.host.snapshot()
@@ -218,8 +222,9 @@ def _tracked(window) -> bool:  # type: ignore[no-untyped-def]
     return bool(view.estimate.tracking == Tracking.TRACKING)
 
 
-def _take_status(window, out: Soak) -> None:  # type: ignore[no-untyped-def]
-    values = window.host.snapshot().status.values
+def _take_status(window: MainWindow, out: Soak) -> None:
+    view = window.host.snapshot()
+    values = view.status.values if view is not None and view.status is not None else {}
     out.imu_lost = values.get("imu_lost", float("nan"))
     out.frames_dropped = values.get("frames_dropped", float("nan"))
     out.latency_ms = {k: round(v, 2) for k, v in values.items() if k.startswith("latency")}
