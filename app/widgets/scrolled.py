@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QObject, QSize
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
-SMALLEST = QSize(220, 110)
+SMALLEST = QSize(220, 60)  # px; two such above each other fit on a screen at 200 %
 
 
 class Scrolled(QScrollArea):

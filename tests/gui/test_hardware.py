@@ -14,6 +14,8 @@ from app.viewmodels.checklist import steps
 from app.viewmodels.sensors import imu_states
 from app.viewmodels.states import IDLE
 from app.wizards.glove.choice import SESSION
+from app.wizards.stereo.image_choices import image_choices
+from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
 from tracker.messages import Tracking, Validity
@@ -131,6 +133,7 @@ def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
     qtbot.waitUntil(
         lambda: (s := window.host.setup) is not None and s.player is not None, timeout=60_000
     )
+    window.host.setup.player.play(True)  # its first instants may be those of a search
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
     assert "Place unknown" in window.hand._scene.caption
     assert len(window.host.snapshot().imu) > 0
@@ -165,3 +168,18 @@ def test_stop_clears_what_was_live(connected, qtbot):
     view = connected.host.snapshot()
     assert view.frame is None and view.estimate is None and len(view.imu) == 0
     assert not any(s.done for s in steps(view))
+
+
+def test_the_board_wizard_takes_a_camera_that_is_not_calibrated(window, qtbot, store, film):
+    store.update(port="", camera=str(film), calibration="")
+    window.sources.open_devices()
+    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None, timeout=30_000)
+    in_use = image_choices(window.host, store.value, [])[0]
+    assert in_use.title == "Camera in use"
+    assert in_use.make(BoardSpec()).read()[0].shape == (720, 1280, 3)
+
+
+def test_the_board_wizard_offers_no_camera_in_use_where_there_is_none(glove_alone, store):
+    titles = [c.title for c in image_choices(glove_alone.host, store.value, [])]
+    assert titles == ["Simulated board (demo)"]

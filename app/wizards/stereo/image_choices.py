@@ -74,7 +74,7 @@ def image_choices(
     if settings.camera:
         words = settings.camera.removeprefix(NAME).removeprefix(PAIR).replace("|", " and ")
         found.insert(0, choice(f"Chosen camera: {words}", settings.camera))
-    if setup is None or setup.player is not None:
+    if setup is None or setup.player is not None or not setup.has_camera:
         return [*found, simulated]
     if setup.simulated:
         return [simulated, *found]
