@@ -94,7 +94,7 @@ def _chain_rows(rounds: int, seed: int, inner: int) -> list[BenchRow]:
     state, sample = initial_state(layout), moving_hand(len(glove.imus), rng)
     state.P = initial_covariance(layout, params.prior)
     way = Intervals.single(sample, 0.0, DT)
-    F, P, q = coupled_transition(layout), state.P.copy(), np.zeros(layout.size)
+    F, P, q = coupled_transition(layout), state.P.copy(), np.zeros(layout.blocks.size)
     us = 1e6 * interleaved(
         [
             lambda: propagate.propagate(state, layout, params, way),
@@ -103,7 +103,7 @@ def _chain_rows(rounds: int, seed: int, inner: int) -> list[BenchRow]:
         rounds,
         inner,
     )
-    name = f"propagation, chain, {layout.size} states, nominal state and noise included"
+    name = f"propagation, chain, {layout.blocks.size} states, nominal state and noise included"
     return [row(name, us[0], "µs", "dense F P Fᵀ + Q, F given", us[1], "0.15")]
 
 
@@ -112,8 +112,8 @@ def coupled_transition(layout: ChainLayout) -> Array:
 
     The entries are drawn, as they do not change what a dense product costs.
     """
-    F = np.eye(layout.size)
-    rows, columns = layout.n_dynamic, layout.scale
+    F = np.eye(layout.blocks.size)
+    rows, columns = layout.n_dynamic, layout.blocks.scale
     F[:rows, :columns] += np.random.default_rng(0).normal(0, 1e-3, (rows, columns))
     return F
 

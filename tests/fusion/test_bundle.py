@@ -77,8 +77,8 @@ def test_one_sweep_is_the_least_squares_solution(engine: ChainEngine, sim: Simul
         found = bundle.step(work, state)
 
     rows, n = KeyframeRows(lay, sim.rig, params), lay.n_dynamic
-    moves = np.r_[0:3, lay.theta : n]
-    d, c = len(moves), lay.size - n
+    moves = np.r_[0:3, lay.blocks.theta : n]
+    d, c = len(moves), lay.blocks.size - n
     A, b = np.zeros((3 * d + c, 3 * d + c)), np.zeros(3 * d + c)
     A[3 * d :, 3 * d :] = bundle._information
     b[3 * d :] = -bundle._information @ bundle._off_nominal(state)
@@ -91,9 +91,9 @@ def test_one_sweep_is_the_least_squares_solution(engine: ChainEngine, sim: Simul
         own = np.arange(k * d, (k + 1) * d)
         A[own, own] += np.r_[np.full(3, solver.POSITION_SD**-2), np.full(d - 3, 0.15**-2)]
     dense = np.linalg.solve(A, b)[3 * d :]
-    scale = dense[lay.scale - n : lay.joint - n].reshape(-1, 2)
+    scale = dense[lay.blocks.scale - n : lay.blocks.joint - n].reshape(-1, 2)
     assert np.allclose(found.scale, np.clip(state.scale + scale, 0.6, 1.5), atol=1e-9)
-    marker = dense[lay.marker - n :].reshape(-1, 3)
+    marker = dense[lay.blocks.marker - n :].reshape(-1, 3)
     assert np.allclose(found.marker, state.marker + marker, atol=1e-9)
 
 

@@ -147,7 +147,7 @@ def test_an_earlier_sessions_bones_stay_and_its_sensors_are_doubted(pipeline):
     assert np.nanmin(shown.gyro_bias_sd) > params.gyro_bias
     np.testing.assert_array_equal(renewed.scale, profile.scale)
     n, layout = engine.layout.n_dynamic, engine.layout
-    bones = slice(layout.scale - n, layout.joint - n)
+    bones = slice(layout.blocks.scale - n, layout.blocks.joint - n)
     np.testing.assert_array_equal(renewed.P[bones, bones], profile.P[bones, bones])
 
 
@@ -155,7 +155,7 @@ def test_every_calibration_row_belongs_to_one_segment(hand, glove):
     layout = ChainLayout(hand, glove)
     each = [control.calibration_rows(layout, [name]) for name in layout.names]
     together = np.sort(np.concatenate(each))
-    np.testing.assert_array_equal(together, np.arange(layout.n_dynamic, layout.size))
+    np.testing.assert_array_equal(together, np.arange(layout.n_dynamic, layout.blocks.size))
     assert control.fits(control.profile_of(initial_state(layout), layout), layout)
 
 

@@ -27,9 +27,9 @@ def layout(hand: HandModel, distal_glove: GloveModel) -> ChainLayout:
 def random_state(layout: ChainLayout, size: float = 0.2) -> ChainState:
     rng = np.random.default_rng(5)
     state = initial_state(layout)
-    dx = size * rng.normal(size=layout.size)
-    dx[layout.scale : layout.joint] *= 0.2
-    dx[layout.joint :] *= 0.02
+    dx = size * rng.normal(size=layout.blocks.size)
+    dx[layout.blocks.scale : layout.blocks.joint] *= 0.2
+    dx[layout.blocks.joint :] *= 0.02
     inject(state, layout, dx)
     return state
 
@@ -38,8 +38,8 @@ def numeric(
     f: Callable[[ChainState], Array], state: ChainState, layout: ChainLayout, eps: float = 1e-6
 ) -> Array:
     columns = []
-    for i in range(layout.size):
-        dx = np.zeros(layout.size)
+    for i in range(layout.blocks.size):
+        dx = np.zeros(layout.blocks.size)
         dx[i] = eps
         plus, minus = state.copy(), state.copy()
         inject(plus, layout, dx)
@@ -85,8 +85,10 @@ def test_transition(layout: ChainLayout) -> None:
         turn = so3.log(base.R_GB.swapaxes(1, 2) @ s.R_GB).ravel()
         return np.concatenate([s.p - base.p, s.v - base.v, turn])
 
-    expected = numeric(error, state, layout)[:, : layout.scale]
-    driven = layout.theta + 3 * np.flatnonzero(layout.drive.source >= 0)[:, None] + np.arange(3)
+    expected = numeric(error, state, layout)[:, : layout.blocks.scale]
+    driven = (
+        layout.blocks.theta + 3 * np.flatnonzero(layout.drive.source >= 0)[:, None] + np.arange(3)
+    )
     sensed = np.setdiff1d(np.arange(len(Phi)), driven)
     assert np.allclose(Phi[sensed], expected[sensed], atol=3e-5)
     # how a synergy's flexion turns with orientation is neglected: of the size of rate times dt
@@ -110,8 +112,8 @@ def test_relative_tilt(layout: ChainLayout) -> None:
     state = random_state(layout)
     state.bg[:] = 0
     for rate, columns in (
-        (0.5, (layout.theta, layout.n_dynamic)),
-        (1e-4, (layout.phi, layout.scale)),
+        (0.5, (layout.blocks.theta, layout.n_dynamic)),
+        (1e-4, (layout.blocks.phi, layout.blocks.scale)),
     ):
         three = Around(*map(Moment.of, packets(len(layout.glove.imus), rate)))
         rows = tilt_rows(state, layout, ConstraintParams(), three)

@@ -36,8 +36,8 @@ def case(hand: HandModel, glove: GloveModel) -> Case:
     layout, rng = ChainLayout(hand, glove), np.random.default_rng(21)
     state = initial_state(layout)
     state.p = RIG.pose.p_GC + 0.35 * RIG.pose.R_GC[:, 2]
-    inject(state, layout, 0.02 * rng.normal(size=layout.size))
-    root = 1e-3 * rng.normal(size=(layout.size, layout.size))
+    inject(state, layout, 0.02 * rng.normal(size=layout.blocks.size))
+    root = 1e-3 * rng.normal(size=(layout.blocks.size, layout.blocks.size))
     state.P = root @ root.T
     return layout, state, PixelModel(layout, RIG, NOISE).predict(state, RIG.pose)
 

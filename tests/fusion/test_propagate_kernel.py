@@ -29,7 +29,7 @@ def layout(hand: HandModel, glove: GloveModel) -> ChainLayout:
 
 def a_state(layout: ChainLayout) -> ChainState:
     state = initial_state(layout)
-    inject(state, layout, 0.1 * np.random.default_rng(1).normal(size=layout.size))
+    inject(state, layout, 0.1 * np.random.default_rng(1).normal(size=layout.blocks.size))
     state.P = initial_covariance(layout, ChainParams().prior)
     return state
 
@@ -59,17 +59,17 @@ def test_covariance_moves_as_the_dense_product(
     layout: ChainLayout, silent: tuple[int, ...]
 ) -> None:
     """Phi P Phi^T + Q, with any IMU silent."""
-    rng, dt, n = np.random.default_rng(2), 0.01, layout.size
+    rng, dt, n = np.random.default_rng(2), 0.01, layout.blocks.size
     state, sample = a_state(layout), packet(layout, 0.0, 3, silent)
     A = rng.normal(size=(n, n))
     state.P = A @ A.T
     F, R_GB, P = np.eye(n), state.R_GB, state.P.copy()
-    F[: layout.n_dynamic, : layout.scale] = transition(state, layout, Moment.of(sample), dt)
+    F[: layout.n_dynamic, : layout.blocks.scale] = transition(state, layout, Moment.of(sample), dt)
     expected = F @ P @ F.T
     noise = ChainParams().noise
     q = kernel_noise(layout, bool(sample.valid[0]), dt)
     expected[np.diag_indices(n)] += q
-    block = slice(layout.theta, layout.n_dynamic)
+    block = slice(layout.blocks.theta, layout.n_dynamic)
     sd = noise.gyro, noise.free_rotation, noise.free_root_rotation
     expected[block, block] += turn_noise(layout, R_GB, sample.valid, sd) * dt
     propagate(state, layout, ChainParams(), Intervals.single(sample, 0.0, dt))
@@ -89,7 +89,7 @@ def kernel_noise(layout: ChainLayout, felt: bool, dt: float) -> Array:
         (imus, noise.mounting**2 * dt),
         (imus, noise.accel_bias**2 * dt),
         (2 * len(layout.active), noise.scale**2 * dt),
-        (layout.size - layout.joint, noise.offset**2 * dt),
+        (layout.blocks.size - layout.blocks.joint, noise.offset**2 * dt),
     ]
     return np.concatenate([np.full(count, value) for count, value in blocks])
 

@@ -39,7 +39,7 @@ class Smoother:
             raise ConfigError(f"Smoothing is for the engine chain, not for {settings.engine}.")
         assert info.rig is not None
         layout, params = ChainLayout(info.hand, info.glove), smoothing_params(settings.chain)
-        self._tape, self._size = ChainTape(layout), layout.size
+        self._tape, self._size = ChainTape(layout), layout.blocks.size
         self._engine = ChainEngine(info.hand, info.glove, info.rig, params, self._tape)
         self._blocks = _Shelf()  # (state at the start, messages)
         self._state = self._engine.get_state()

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, P, V
 from tracker.fusion.chain.params import ChainParams, NoiseParams
 from tracker.fusion.chain.propagate import transition
 from tracker.fusion.chain.shown import ShownHand
@@ -76,7 +76,8 @@ class _Shown:
 
 def shown_rows(layout: ChainLayout) -> IntArray:
     """Error states that an estimate depends on: place, orientations, scales and joint offsets."""
-    return np.r_[layout.p : layout.v, layout.theta : layout.n_dynamic, layout.scale : layout.marker]
+    at = layout.blocks
+    return np.r_[P:V, at.theta : layout.n_dynamic, at.scale : at.marker]
 
 
 def smoothing_params(params: ChainParams) -> ChainParams:
@@ -153,7 +154,7 @@ class ChainTape:
         return out[::-1], adjoint
 
     def _smoothed(self, shown: _Shown, adjoint: Array) -> Estimate:
-        dx = np.zeros(self._layout.size)
+        dx = np.zeros(self._layout.blocks.size)
         dx[self._rows] = shown.P_rows @ adjoint
         state = shown.state.copy()
         inject(state, self._layout, dx)

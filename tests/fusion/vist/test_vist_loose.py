@@ -8,7 +8,7 @@ from tracker.errors import ConfigError
 from tracker.fusion.ablations.segment_pose import by_segment, fit_pose
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.kinematics import marker_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import THETA, ChainLayout
 from tracker.fusion.chain.loose import LooseRows
 from tracker.fusion.chain.params import ChainParams, NoiseParams
 from tracker.fusion.chain.pixels import PixelModel, SeenBlobs
@@ -115,8 +115,8 @@ def test_chain_rows_are_derivatives_of_the_pose(chain):
     assert len(r) >= 6
     np.testing.assert_allclose(r, 0, atol=1e-7)
     np.testing.assert_allclose(HP, H @ state.P, atol=1e-12)
-    for column in (0, 1, 2, layout.theta, layout.theta + 1, layout.theta + 2):
-        dx = np.zeros(layout.size)
+    for column in (0, 1, 2, THETA, THETA + 1, THETA + 2):
+        dx = np.zeros(layout.blocks.size)
         dx[column] = 1e-5
         moved = state.copy()
         inject(moved, layout, dx)

@@ -99,7 +99,7 @@ class ChainFilter:
     def adopt(self, state: ChainState) -> None:
         """Go on from a state that has nothing to do with the one before."""
         if self._tape is not None:
-            self._tape.forgotten(self._layout.size)
+            self._tape.forgotten(self._layout.blocks.size)
         self.kept.state = state
 
     def moved_to(self, pose: Pose) -> ChainState:
@@ -119,7 +119,7 @@ class ChainFilter:
         """Segments whose IMUs (k,) were away may stand anywhere: doubt them, their own weight
         aside."""
         for j in imus:
-            rows = self._layout.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
+            rows = self._layout.blocks.theta + 3 * self._layout.imu_segment[j] + np.arange(3)
             self.state.P[rows, rows] += self._params.prior.returned**2
 
     # ---- measurements

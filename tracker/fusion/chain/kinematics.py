@@ -51,7 +51,9 @@ def marker_jacobians(state: ChainState, layout: ChainLayout, rows: IntArray) -> 
     """J_marker_error (n, 3, N) of the markers ``rows``."""
     segment, nominal, offset = marker_points(state, layout)
     markers = Points(segment[rows], nominal[rows], offset[rows])
-    return jacobians(layout.skeleton, layout.blocks, state.body, markers, layout.marker + 3 * rows)
+    return jacobians(
+        layout.skeleton, layout.blocks, state.body, markers, layout.blocks.marker + 3 * rows
+    )
 
 
 def tip_sd(state: ChainState, layout: ChainLayout) -> Array:

@@ -1,9 +1,9 @@
-"""Which segments a filter estimates and where each error state stands in the covariance.
+"""Where each error state of the chain filter stands in the covariance.
 
 Equation numbers here and beside are those of docs/chain.md (this is eq. 2).
 
-Estimated ("active") segments are those with an IMU or a marker and all their ancestors. Error
-state, in this order (blocks of 3 unless said):
+Which segments are estimated is `tracker.fusion.segments`. Error state, in this order (blocks of 3
+unless said):
 
     p, v | theta per active segment | bg, phi, ba per IMU | scale (length, girth) per active segment
     | joint offset per finger base | offset per marker
@@ -19,10 +19,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.glove.model import GloveModel
-from tracker.hand.model import HandModel
+from tracker.fusion.segments import EstimatedSegments
 from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, IntArray
+
+P, V, THETA = 0, 3, 6  # first rows of position, velocity and rotations
 
 
 class Blocks(NamedTuple):
@@ -83,81 +84,14 @@ class Points(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class ChainLayout:
-    """Index arrays of one hand with one glove. Rows of segments here are *active* rows."""
-
-    hand: HandModel
-    glove: GloveModel
-
-    @cached_property
-    def active(self) -> IntArray:
-        """(A,) rows of the hand's segments that are estimated, parents first."""
-        wanted = {0}
-        sensed = [*(i.segment for i in self.glove.imus), *(m.segment for m in self.glove.markers)]
-        for name in sensed:
-            row = self.hand.index[name]
-            while row >= 0:
-                wanted.add(row)
-                row = self.hand.parent[row]
-        return np.array(sorted(wanted), np.int64)
-
-    @cached_property
-    def row_of(self) -> dict[int, int]:
-        """Hand row to active row."""
-        return {int(h): a for a, h in enumerate(self.active)}
-
-    @cached_property
-    def names(self) -> tuple[str, ...]:
-        return tuple(self.hand.segment_names[h] for h in self.active)
-
-    @cached_property
-    def parent(self) -> IntArray:
-        """(A,) active row of each parent, -1 for the root."""
-        return np.array([self.row_of.get(self.hand.parent[h], -1) for h in self.active], np.int64)
-
-    @cached_property
-    def origin(self) -> Array:
-        """(A, 3) joint in the parent's B, m."""
-        return np.array([self.hand.segments[h].origin for h in self.active])
-
-    @cached_property
-    def R_rest(self) -> Array:
-        return np.array([self.hand.segments[h].R_rest for h in self.active])
-
-    @cached_property
-    def imu_segment(self) -> IntArray:
-        """(n,) active row of each IMU."""
-        return np.array([self.row_of[h] for h in self.glove.imu_segment(self.hand)], np.int64)
-
-    @cached_property
-    def imu_position(self) -> Array:
-        """(n, 3) of I in B, m."""
-        return np.array([i.position for i in self.glove.imus], float).reshape(-1, 3)
-
-    @cached_property
-    def R_IB(self) -> Array:
-        """(n, 3, 3) nominal mountings."""
-        return np.array([i.R_BI.T for i in self.glove.imus], float).reshape(-1, 3, 3)
-
-    @cached_property
-    def imu_of(self) -> IntArray:
-        """(A,) IMU on each active segment, -1 if none."""
-        out = np.full(len(self.active), -1, np.int64)
-        for j, s in enumerate(self.imu_segment):
-            out[s] = j
-        return out
+class ChainLayout(EstimatedSegments):
+    """Where the error state of one hand with one glove stands, and what its kernels read."""
 
     @cached_property
     def root_lever(self) -> Array:
         """(3,) nominal position in the root's B of the point whose position is the state."""
         j = self.imu_of[0]
         return self.imu_position[j] if j >= 0 else np.zeros(3)
-
-    @cached_property
-    def marker_segment(self) -> IntArray:
-        """(M,) active row of each marker."""
-        rows = [self.row_of[h] for h in self.glove.marker_segment(self.hand)]
-        return np.array(rows, np.int64)
 
     @cached_property
     def base_of(self) -> IntArray:
@@ -197,18 +131,14 @@ class ChainLayout:
         end[:, 0] = [self.hand.segments[h].length for h in self.active]
         return Points(np.arange(len(self.active)), end, np.zeros_like(end))
 
-    # Where each block starts.
-    p = 0
-    v = 3
-    theta = 6
-
     @cached_property
     def n_dynamic(self) -> int:
-        return 6 + 3 * len(self.active)
+        """Rows that move with the IMU data: p, v and theta."""
+        return THETA + 3 * len(self.active)
 
     @cached_property
     def blocks(self) -> Blocks:
-        """Where the blocks of the error state start, for kernels."""
+        """Where the blocks of the error state start."""
         bg = self.n_dynamic
         phi = bg + 3 * len(self.glove.imus)
         ba = phi + 3 * len(self.glove.imus)
@@ -216,33 +146,4 @@ class ChainLayout:
         joint = scale + 2 * len(self.active)
         marker = joint + 3 * int(np.sum(self.base_of >= 0))
         size = marker + 3 * len(self.glove.markers)
-        return Blocks(self.theta, bg, phi, ba, scale, joint, marker, size)
-
-    @property
-    def bg(self) -> int:
-        return self.blocks.bg
-
-    @property
-    def phi(self) -> int:
-        return self.blocks.phi
-
-    @property
-    def ba(self) -> int:
-        return self.blocks.ba
-
-    @property
-    def scale(self) -> int:
-        return self.blocks.scale
-
-    @property
-    def joint(self) -> int:
-        return self.blocks.joint
-
-    @property
-    def marker(self) -> int:
-        return self.blocks.marker
-
-    @property
-    def size(self) -> int:
-        """Number of error states."""
-        return self.blocks.size
+        return Blocks(THETA, bg, phi, ba, scale, joint, marker, size)

@@ -33,7 +33,7 @@ class LooseRows:
     ) -> tuple[Array, Array, Array, Array]:
         """H (6 s, N), HP (6 s, N), innovation (6 s,) m and rad, noise (6 s, 6 s) of the s segments
         whose pose the markers (M,) matched in both images tell."""
-        lay, N = self._layout, self._layout.size
+        lay, N = self._layout, self._layout.blocks.size
         H, HP, r, R = [np.zeros((0, N))], [np.zeros((0, N))], [np.zeros(0)], [np.zeros((0, 0))]
         both = np.flatnonzero(np.all(match[:, prediction.rows] >= 0, axis=0))
         marker = prediction.rows[both]
@@ -46,7 +46,7 @@ class LooseRows:
                 continue
             H_s = np.zeros((6, N))
             H_s[:3] = prediction.H[both[rows]].mean(axis=0)
-            H_s[3:, lay.theta + 3 * segment : lay.theta + 3 * segment + 3] = np.eye(3)
+            H_s[3:, lay.blocks.theta + 3 * segment : lay.blocks.theta + 3 * segment + 3] = np.eye(3)
             rotation = so3.log(state.R_GB[segment].T @ there.R_GB)
             r_s = np.concatenate([there.centre_G - model_G[rows].mean(axis=0), rotation])
             HP_s = H_s @ state.P

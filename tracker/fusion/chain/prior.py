@@ -11,19 +11,19 @@ from tracker.messages import Array
 
 def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
     """(N, N). Hands differ as wholes: lengths share a common factor, and so do girths."""
-    P = np.zeros((layout.size, layout.size))
-    d = np.zeros(layout.size)
+    P = np.zeros((layout.blocks.size, layout.blocks.size))
+    d = np.zeros(layout.blocks.size)
     d[0:3] = prior.position**2
     d[3:6] = prior.velocity**2
-    d[layout.theta : layout.n_dynamic] = prior.rotation**2
-    d[layout.bg : layout.phi] = prior.gyro_bias**2
-    d[layout.phi : layout.ba] = prior.mounting**2
-    d[layout.ba : layout.scale] = prior.accel_bias**2
-    length = slice(layout.scale, layout.joint, 2)
-    girth = slice(layout.scale + 1, layout.joint, 2)
+    d[layout.blocks.theta : layout.n_dynamic] = prior.rotation**2
+    d[layout.blocks.bg : layout.blocks.phi] = prior.gyro_bias**2
+    d[layout.blocks.phi : layout.blocks.ba] = prior.mounting**2
+    d[layout.blocks.ba : layout.blocks.scale] = prior.accel_bias**2
+    length = slice(layout.blocks.scale, layout.blocks.joint, 2)
+    girth = slice(layout.blocks.scale + 1, layout.blocks.joint, 2)
     d[length], d[girth] = prior.own_length**2, prior.own_girth**2
-    d[layout.joint : layout.marker] = prior.joint**2
-    d[layout.marker :] = prior.marker**2
+    d[layout.blocks.joint : layout.blocks.marker] = prior.joint**2
+    d[layout.blocks.marker :] = prior.marker**2
     np.fill_diagonal(P, d)
     # eq. 19
     P[length, length] += prior.common_length**2

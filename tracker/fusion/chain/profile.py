@@ -28,13 +28,13 @@ class WearerProfile:
     def reversed_in_time(self, layout: ChainLayout) -> WearerProfile:
         """For data played backwards: a gyro's readings change sign, and so does its bias."""
         sign = np.ones(len(self.P))
-        sign[: layout.phi - layout.bg] = -1.0
+        sign[: layout.blocks.phi - layout.blocks.bg] = -1.0
         return replace(self, bg=-self.bg, P=self.P * np.outer(sign, sign))
 
 
 def profile_of(state: ChainState, layout: ChainLayout) -> WearerProfile:
     """What ``state`` knows, whatever its pose."""
-    block = slice(layout.n_dynamic, layout.size)
+    block = slice(layout.n_dynamic, layout.blocks.size)
     return WearerProfile(
         state.bg.copy(),
         state.R_IB.copy(),

@@ -19,14 +19,14 @@ def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
     """Scales, mountings and biases with their standard deviations."""
     sd = np.sqrt(np.maximum(np.diag(state.P), 0.0))
     n = len(layout.active)
-    scale_sd = sd[layout.scale : layout.joint].reshape(n, 2)[:, [0, 1, 1]]
+    scale_sd = sd[layout.blocks.scale : layout.blocks.joint].reshape(n, 2)[:, [0, 1, 1]]
     per_imu = {
         "mounting": (
             so3.log(layout.R_IB.swapaxes(1, 2) @ state.R_IB),
-            sd[layout.phi : layout.ba].reshape(-1, 3),
+            sd[layout.blocks.phi : layout.blocks.ba].reshape(-1, 3),
         ),
-        "gyro_bias": (state.bg, sd[layout.bg : layout.phi].reshape(-1, 3)),
-        "accel_bias": (state.ba, sd[layout.ba : layout.scale].reshape(-1, 3)),
+        "gyro_bias": (state.bg, sd[layout.blocks.bg : layout.blocks.phi].reshape(-1, 3)),
+        "accel_bias": (state.ba, sd[layout.blocks.ba : layout.blocks.scale].reshape(-1, 3)),
     }
     rows: dict[str, Array] = {}
     for name, (value, value_sd) in per_imu.items():
@@ -57,7 +57,9 @@ def hand_length(layout: ChainLayout, state: ChainState) -> tuple[float, float]:
             continue
         last = layout.row_of.get(hand.index[name], last)
         gain[last] += hand.segments[hand.index[name]].length
-    P = state.P[layout.scale : layout.joint : 2, layout.scale : layout.joint : 2]
+    P = state.P[
+        layout.blocks.scale : layout.blocks.joint : 2, layout.blocks.scale : layout.blocks.joint : 2
+    ]
     return float(gain @ state.scale[:, 0]), max(float(gain @ P @ gain), 0.0) ** 0.5
 
 

@@ -123,8 +123,12 @@ def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, t
     """
     variance = np.diagonal(state.P)
     velocity = float(variance[3:6].mean())
-    tilt = float(variance[layout.theta : layout.theta + 3].mean())
-    bias = float(variance[layout.ba : layout.ba + 3].mean()) if layout.imu_of[0] >= 0 else 0.0
+    tilt = float(variance[layout.blocks.theta : layout.blocks.theta + 3].mean())
+    bias = (
+        float(variance[layout.blocks.ba : layout.blocks.ba + 3].mean())
+        if layout.imu_of[0] >= 0
+        else 0.0
+    )
     pull = GRAVITY**2 * tilt + bias
     return velocity * tau**2 + pull * tau**4 / 4 + noise.accel**2 * tau**3 / 3
 

@@ -112,7 +112,7 @@ def initial_state(layout: ChainLayout) -> ChainState:
         scale=np.ones((a, 2)),
         joint=np.zeros((int(np.sum(layout.base_of >= 0)), 3)),
         marker=np.zeros((len(layout.glove.markers), 3)),
-        P=np.zeros((layout.size, layout.size)),
+        P=np.zeros((layout.blocks.size, layout.blocks.size)),
     )
 
 

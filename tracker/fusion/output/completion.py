@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.segments import EstimatedSegments
 from tracker.geometry.kernels import joint_angles3, mul3, rotate, tmul3
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntMatrix, IntVector, Matrix, Stack, Vector
@@ -41,12 +41,12 @@ class ActiveSegments(NamedTuple):
 
 
 class Completion:
-    """Index arrays of one layout and the kernel over them."""
+    """Index arrays of one hand with one glove and the kernel over them."""
 
-    def __init__(self, layout: ChainLayout) -> None:
-        hand = layout.hand
+    def __init__(self, segments: EstimatedSegments) -> None:
+        hand = segments.hand
         row = np.full(len(hand.segments), -1, np.int64)
-        row[layout.active] = np.arange(len(layout.active))
+        row[segments.active] = np.arange(len(segments.active))
         links = [[hand.angle_index[s.angle], hand.angle_index[s.of]] for s in hand.synergies]
         self.tables = HandTables(
             np.array(hand.parent, np.int64),

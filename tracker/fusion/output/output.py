@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.output.completion import ActiveSegments, Completion, HandTables, complete
+from tracker.fusion.segments import EstimatedSegments
 from tracker.geometry.kernels import quats
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
@@ -49,15 +49,15 @@ class Sensed:
 class HandOutput:
     """Builds estimates for one hand with one glove."""
 
-    def __init__(self, layout: ChainLayout) -> None:
-        self._layout = layout
-        hand = layout.hand
-        self.complete = Completion(layout)
-        self._keypoint_count = len(layout.glove.keypoint_names(hand))
+    def __init__(self, segments: EstimatedSegments) -> None:
+        self._segments = segments
+        hand = segments.hand
+        self.complete = Completion(segments)
+        self._keypoint_count = len(segments.glove.keypoint_names(hand))
         self._keypoints = Keypoints(
-            layout.glove.keypoint_segments(hand),
+            segments.glove.keypoint_segments(hand),
             np.concatenate(
-                [hand.keypoint_offset, *(k.position[None] for k in layout.glove.keypoints)]
+                [hand.keypoint_offset, *(k.position[None] for k in segments.glove.keypoints)]
             ),
             self._far_ends(),
             *self._ancestors(),
@@ -86,7 +86,7 @@ class HandOutput:
 
     def _far_ends(self) -> IntArray:
         """(K,) parent of the segment whose base a keypoint is: measured if either is. -1: none."""
-        hand = self._layout.hand
+        hand = self._segments.hand
         out = np.full(self._keypoint_count, -1, np.int64)
         for k, s in enumerate(hand.keypoint_segment):
             if not np.any(hand.keypoint_offset[k]):
@@ -95,7 +95,7 @@ class HandOutput:
 
     def _ancestors(self) -> tuple[IntArray, IntArray]:
         """Per segment: active row of itself or its nearest active ancestor, and steps to it."""
-        hand, row_of = self._layout.hand, self._layout.row_of
+        hand, row_of = self._segments.hand, self._segments.row_of
         row, steps = np.zeros((2, len(hand.segments)), np.int64)
         for i in range(len(row)):
             if i in row_of:
@@ -105,7 +105,7 @@ class HandOutput:
         return row, steps
 
     def _nothing(self, t: float) -> Estimate:
-        hand, k = self._layout.hand, self._keypoint_count
+        hand, k = self._segments.hand, self._keypoint_count
         n, j = len(hand.segments), len(hand.joint_names)
         return Estimate(
             t=t,

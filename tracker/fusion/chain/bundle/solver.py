@@ -62,7 +62,7 @@ class Bundle:
         n = layout.n_dynamic
         before = initial_covariance(layout, params.prior)[n:, n:]
         self._information = np.asarray(np.linalg.inv(before), float)
-        self._moves = np.r_[0:3, layout.theta : n]
+        self._moves = np.r_[0:3, layout.blocks.theta : n]
         self._stiff: Array = np.full(len(self._moves), params.bundle.orientation**-2)
         self._stiff[:3] = POSITION_SD**-2
 
@@ -174,7 +174,7 @@ class Bundle:
         lay = self._layout
         change = np.linalg.solve(work.N, work.g)  # eq. 47
         for k, back in enumerate(work.back):
-            pose = np.zeros(lay.size)
+            pose = np.zeros(lay.blocks.size)
             pose[self._moves] = back[:, -1] - back[:, :-1] @ change
             moved = replace(calibration.copy(), p=work.p[k].copy(), R_GB=work.R_GB[k])
             inject(moved, lay, pose)
@@ -199,9 +199,9 @@ class Bundle:
     def _profile(self, solved: ChainState, P: Array) -> WearerProfile:
         """What was found, with the fittings' wobble added to its covariance."""
         lay, n = self._layout, self._layout.n_dynamic
-        rows = np.arange(lay.phi - n, lay.ba - n)
+        rows = np.arange(lay.blocks.phi - n, lay.blocks.ba - n)
         P[rows, rows] += self._params.wobble**2
-        full = np.zeros((lay.size, lay.size))
+        full = np.zeros((lay.blocks.size, lay.blocks.size))
         full[n:, n:] = P
         return profile_of(replace(solved, P=full), lay)
 
@@ -212,7 +212,7 @@ def adopt(state: ChainState, layout: ChainLayout, found: WearerProfile) -> None:
     The IMUs stay where they are in G, so each segment turns with its mounting; what was
     known of the pose stays as sure as it was and forgets what it had to do with the calibration.
     """
-    n, first = layout.n_dynamic, layout.phi
+    n, first = layout.n_dynamic, layout.blocks.phi
     R_BB = state.R_IB.swapaxes(1, 2) @ found.R_IB  # new B to old B
     R = state.R_GB.copy()
     R[layout.imu_segment] = R[layout.imu_segment] @ R_BB  # eq. 48

@@ -36,14 +36,14 @@ def calibration_rows(layout: ChainLayout, segments: Sequence[str]) -> IntArray:
         if name not in layout.names:
             raise ConfigError(f"There is no segment {name!r} whose calibration is estimated.")
         a = layout.names.index(name)
-        block(layout.scale, a, 2)
+        block(layout.blocks.scale, a, 2)
         if (j := int(layout.imu_of[a])) >= 0:
-            for start in (layout.bg, layout.phi, layout.ba):
+            for start in (layout.blocks.bg, layout.blocks.phi, layout.blocks.ba):
                 block(start, j)
         if (b := int(layout.base_of[a])) >= 0:
-            block(layout.joint, b)
+            block(layout.blocks.joint, b)
         for m in np.flatnonzero(layout.marker_segment == a):
-            block(layout.marker, int(m))
+            block(layout.blocks.marker, int(m))
     return np.sort(np.concatenate(rows)) if rows else np.zeros(0, np.int64)
 
 
@@ -92,9 +92,9 @@ def renewed(
     P = profile.P.copy()
     diagonal = np.arange(len(P))
     for first, last, sd in (
-        (layout.bg, layout.phi, params.gyro_bias),
-        (layout.phi, layout.ba, params.mounting),
-        (layout.ba, layout.scale, params.accel_bias),
+        (layout.blocks.bg, layout.blocks.phi, params.gyro_bias),
+        (layout.blocks.phi, layout.blocks.ba, params.mounting),
+        (layout.blocks.ba, layout.blocks.scale, params.accel_bias),
     ):
         rows = diagonal[first - n : last - n]
         P[rows, rows] += sd**2

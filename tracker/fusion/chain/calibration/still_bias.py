@@ -22,7 +22,7 @@ def with_gyro_bias(
     known = np.flatnonzero(np.all(np.isfinite(bias), axis=1) & np.isfinite(sd))
     bg, P = profile.bg.copy(), profile.P.copy()
     for j in known:
-        rows = layout.bg - layout.n_dynamic + 3 * j + np.arange(3)
+        rows = layout.blocks.bg - layout.n_dynamic + 3 * j + np.arange(3)
         P[rows, :] = 0.0
         P[:, rows] = 0.0
         P[rows, rows] = float(np.hypot(sd[j], FLOOR)) ** 2

@@ -87,14 +87,14 @@ def along_the_ray(P: Array, p: Array, pose: CameraPose, share: float) -> None:
 
 def keep_size(P: Array, layout: ChainLayout) -> None:
     """One camera cannot tell a small hand that is near from a large one farther away."""
-    rows = slice(layout.scale, layout.joint)
+    rows = slice(layout.blocks.scale, layout.blocks.joint)
     P[rows, :] *= SIZE_KEPT  # eq. 43
     P[:, rows] *= SIZE_KEPT
 
 
 def release_size(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
     """The second camera is there: the size may be learned."""
-    rows = slice(layout.scale, layout.joint)
+    rows = slice(layout.blocks.scale, layout.blocks.joint)
     P[rows, rows] += initial_covariance(layout, prior)[rows, rows]
 
 

@@ -168,5 +168,5 @@ class Starter:
         for j in np.flatnonzero(valid):
             if sd[j].max() < STILL_GYRO and np.abs(mean[j]).max() < MAX_BIAS:
                 state.bg[j] = mean[j]
-                rows = self._layout.bg + 3 * j + np.arange(3)
+                rows = self._layout.blocks.bg + 3 * j + np.arange(3)
                 state.P[rows, rows] = STILL_BIAS_SD**2
