@@ -112,8 +112,8 @@ class TomlTable:
             raise self.fail(key, f"has length {norm:.4g}; it must be 1 within {tolerance:g}")
         return value / norm
 
-    def names(self, key: str, among: Iterable[str]) -> tuple[str, ...]:
-        value = self._take(key, ...)
+    def names(self, key: str, among: Iterable[str], default: Any = ...) -> tuple[str, ...]:
+        value = self._take(key, default)
         choices = list(among)
         if not isinstance(value, list) or not all(v in choices for v in value):
             raise self.fail(key, f"must be a list out of {', '.join(choices)}")

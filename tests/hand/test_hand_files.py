@@ -34,6 +34,16 @@ def test_reference_hand_has_the_names_of_the_conventions(hand: HandModel) -> Non
         ("[segments.index_distal]", "[segments.tail]", "unknown segment"),
         ('of = "index_pip_flexion"', 'of = "index_dip_flexion"', "loop"),
         ("ratio = 0.67", 'ratio = "much"', "number"),
+        ("length = 0.183", 'length = 0.183\nlength_to = "tail"', "one of dorsum"),
+        ("length = 0.183", 'length = 0.183\nlength_to = "little_distal"', "add up"),
+        (
+            "[joints.index_pip]",
+            '[joints.index_pip]\nstiff = ["abduction"]',
+            "only where that is free",
+        ),
+        ("[joints.index_mcp]", '[joints.index_mcp]\nstiff = ["twist"]', "out of abduction"),
+        ("[joints.index_pip]", "[joints.index_pip]\nfist = 1.5", "between 0 and 1"),
+        ("[joints.index_pip]", "[joints.index_pip]\ngrip = 1", "grip is not a key"),
     ],
 )
 def test_a_wrong_file_is_refused_in_words(old: str, new: str, words: str) -> None:
@@ -59,3 +69,29 @@ def test_the_left_hand_mirrors_the_right(hand: HandModel) -> None:
     right_points = hand.keypoints(*hand.forward(angles, np.eye(3), np.zeros(3)))
     left_points = left.keypoints(*left.forward(angles * sign, np.eye(3), np.zeros(3)))
     assert np.allclose(left_points, right_points * mirror, atol=1e-9)
+
+
+def test_what_a_file_does_not_say_of_its_joints_is_as_usual(hand: HandModel) -> None:
+    joints = {j.name: j for j in hand.joints}
+    assert [n for n, j in joints.items() if j.stiff] == ["thumb_mcp"]
+    assert joints["thumb_cmc"].fist < joints["index_mcp"].fist == joints["little_dip"].fist
+    assert [hand.segment_names[row] for row in hand.length_path] == [
+        "dorsum", "middle_proximal", "middle_intermediate", "middle_distal",
+    ]  # fmt: skip
+    assert hand.segment_names[hand.root] == "dorsum"
+
+
+def test_a_file_may_say_which_joints_are_stiff_and_how_they_bend_in_a_fist() -> None:
+    text = TEXT.replace("[joints.index_mcp]", '[joints.index_mcp]\nstiff = ["abduction"]', 1)
+    text = text.replace("[joints.thumb_mcp]", "[joints.thumb_mcp]\nstiff = []\nfist = 0.7", 1)
+    joints = {j.name: j for j in parse_hand(text).joints}
+    assert [n for n, j in joints.items() if j.stiff] == ["index_mcp"]
+    assert joints["thumb_mcp"].fist == 0.7
+
+
+def test_length_may_be_measured_along_another_finger(hand: HandModel) -> None:
+    parts = ("dorsum", "index_proximal", "index_intermediate", "index_distal")
+    length = sum(hand.segments[hand.index[p]].length for p in parts)
+    text = TEXT.replace("length = 0.183", f'length = {length}\nlength_to = "index_distal"', 1)
+    other = parse_hand(text)
+    assert [other.segment_names[row] for row in other.length_path] == list(parts)

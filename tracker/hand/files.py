@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from tracker.geometry import so3
 from tracker.hand.model import HandModel, Joint, Segment, Synergy
-from tracker.hand.names import AXES, SEGMENTS
+from tracker.hand.names import AXES, FIST, LENGTH_ALONG, SEGMENTS, STIFF
 from tracker.toml_reader import TomlTable, read_text, read_toml
 
 ROOT = "dorsum"
@@ -30,12 +31,13 @@ def parse_hand(text: str, name: str = "hand.toml") -> HandModel:
     tables = root.tables("segments")
     raw = {n: _segment(root, n, t) for n, t in tables.items()}
     segments = _sorted(root, raw)
+    length_to = root.text("length_to", [n for n in LENGTH_ALONG if n in raw][-1], among=raw)
     joints = _joints(root, raw)
-    hand = HandModel(hand_name, side, length, segments, joints, ())
-    synergies = _synergies(root, hand)
+    hand = HandModel(hand_name, side, length, length_to, segments, joints, ())
+    hand = replace(hand, synergies=_synergies(root, hand))
     root.finish()
-    hand = HandModel(hand_name, side, length, segments, joints, synergies)
-    _check_length(root, hand)
+    if root.has("length_to") or length_to == LENGTH_ALONG[-1]:
+        _check_length(root, hand)
     return hand
 
 
@@ -100,8 +102,13 @@ def _joints(root: TomlTable, segments: dict[str, Segment]) -> tuple[Joint, ...]:
         limits_deg = t.table("limits_deg")
         limits = {a: _limit(limits_deg, a) for a in axes}
         limits_deg.finish()
+        can_be_stiff = "abduction" in axes and "twist" not in axes
+        stiff = t.names("stiff", ("abduction",), list(STIFF.get(child, ())) if can_be_stiff else [])
+        if stiff and not can_be_stiff:
+            raise t.fail("stiff", "may hold abduction only where that is free and twist is not")
+        fist = t.number("fist", FIST[child], low=0, high=1)
         t.finish()
-        joints.append(Joint(name, child, axes, limits))
+        joints.append(Joint(name, child, axes, limits, stiff, fist))
     return tuple(joints)
 
 
@@ -134,12 +141,10 @@ def _synergies(root: TomlTable, hand: HandModel) -> tuple[Synergy, ...]:
 
 
 def _check_length(root: TomlTable, hand: HandModel) -> None:
-    parts = (ROOT, "middle_proximal", "middle_intermediate", "middle_distal")
-    if not all(p in hand.index for p in parts):
-        return
-    total = sum(hand.segments[hand.index[p]].length for p in parts)
+    parts = [hand.segments[row] for row in hand.length_path]
+    total = sum(s.length for s in parts)
     if abs(total / hand.length - 1) > 0.02:
         raise root.fail(
             "length",
-            f"is {hand.length:g} m but the dorsum and the middle finger add up to {total:.4g} m",
+            f"is {hand.length:g} m but {', '.join(s.name for s in parts)} add up to {total:.4g} m",
         )

@@ -30,12 +30,18 @@ class Segment:
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """The joint at a segment's origin; ``limits`` (rad) per free axis name."""
+    """The joint at a segment's origin; ``limits`` (rad) per free axis name.
+
+    ``stiff`` are free axes that hardly turn, ``fist`` the share of the upper limit of flexion that
+    it takes in a fist.
+    """
 
     name: str
     child: str
     axes: tuple[str, ...]
     limits: dict[str, tuple[float, float]]
+    stiff: tuple[str, ...]
+    fist: float
 
 
 @dataclass(frozen=True)
@@ -50,11 +56,13 @@ class Synergy:
 
 @dataclass(frozen=True, eq=False)
 class HandModel:
-    """A skeleton of one side at nominal size."""
+    """A skeleton of one side at nominal size; ``length_to`` names the segment at whose far end its
+    length ends."""
 
     name: str
     side: str  # "right" or "left"
-    length: float  # wrist to middle fingertip, m
+    length: float  # wrist to a fingertip, the middle finger's where the file says no other; m
+    length_to: str
     segments: tuple[Segment, ...]
     joints: tuple[Joint, ...]
     synergies: tuple[Synergy, ...]
@@ -72,6 +80,19 @@ class HandModel:
     def parent(self) -> tuple[int, ...]:
         """Row of each segment's parent, -1 for the root."""
         return tuple(-1 if s.parent is None else self.index[s.parent] for s in self.segments)
+
+    @cached_property
+    def root(self) -> int:
+        """Row of the segment without a parent."""
+        return self.parent.index(-1)
+
+    @cached_property
+    def length_path(self) -> tuple[int, ...]:
+        """Rows of the segments along which the hand's length is measured, from the root on."""
+        path = [self.index[self.length_to]]
+        while self.parent[path[0]] >= 0:
+            path.insert(0, self.parent[path[0]])
+        return tuple(path)
 
     @cached_property
     def joint_of(self) -> dict[str, Joint]:

@@ -20,6 +20,17 @@ CHAINS = {
     **{f: (f"{f}_proximal", f"{f}_intermediate", f"{f}_distal") for f in FINGERS},
 }
 
+STIFF = {"thumb_proximal": ("abduction",)}
+"""Free axes that hardly turn, by the joint's child, where a hand file does not say."""
+
+FIST = dict.fromkeys(CHAINS["thumb"], 0.4) | {
+    segment: 0.9 for finger in FINGERS for segment in CHAINS[finger]
+}
+"""Share of a joint's upper limit of flexion that it takes in a fist, by its child, likewise."""
+
+LENGTH_ALONG = ("dorsum", *CHAINS["middle"])
+"""Segments that the hand's length is measured along, as far as a hand has them, likewise."""
+
 # keypoint -> (segment it belongs to, whether it is that segment's tip)
 KEYPOINTS: dict[str, tuple[str, bool]] = {
     "wrist": ("dorsum", False),

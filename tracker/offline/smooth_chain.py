@@ -91,7 +91,7 @@ def smoothing_params(params: ChainParams) -> ChainParams:
     constraint = replace(
         c,
         rotation=4 * c.rotation,
-        thumb_abduction=4 * c.thumb_abduction,
+        stiff_abduction=4 * c.stiff_abduction,
         synergy=4 * c.synergy,
         limit=8 * c.limit,
         tilt=0.7 * c.tilt,

@@ -66,14 +66,14 @@ class HeldObject:
             raise ConfigError(f"The hand can hold a {', '.join(OBJECTS)}, but no {self.kind!r}.")
 
     def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
-        i = self.hand.index["dorsum"]
+        i = self.hand.root
         return self._in_dorsum().moved(R_GB[i], p_GB[i])
 
     def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
         return _NO_BALLS
 
     def _in_dorsum(self) -> Solids:
-        root = self.hand.segments[self.hand.index["dorsum"]]
+        root = self.hand.segments[self.hand.root]
         grey, reach = np.array([150.0, 160.0, 165.0]), root.length + 0.012
         one = np.array([NOBODY])
         if self.kind in ("box", "phone"):

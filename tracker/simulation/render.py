@@ -80,7 +80,7 @@ class Renderer:
         self._order = np.argsort(wearer.marker_segment, kind="stable")
         segment = wearer.marker_segment[self._order]
         markers = [wearer.glove.markers[i] for i in self._order]
-        root, normal = wearer.hand.index["dorsum"], wearer.marker_normal[self._order]
+        root, normal = wearer.hand.root, wearer.marker_normal[self._order]
         flat = [s == root or abs(m.normal[0]) > 0.5 for s, m in zip(segment, markers, strict=True)]
         fabric = np.array([fabric_bgr(m.hue) for m in markers], float).reshape(-1, 3)
         return SewnPatches(

@@ -89,7 +89,7 @@ class SimulatedScene:
             np.ascontiguousarray(glove.marker_size, float),
             np.array([SQUARE if m.shape == "square" else CIRCLE for m in glove.markers], np.int64),
             np.ascontiguousarray(wearer.marker_segment, np.int64),
-            (wearer.marker_segment == wearer.hand.index["dorsum"]).astype(np.int64),
+            (wearer.marker_segment == wearer.hand.root).astype(np.int64),
         )
 
     def pose(self, t: float) -> CameraPose:

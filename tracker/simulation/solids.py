@@ -108,7 +108,7 @@ class BodyShape:
         hand, glove = wearer.hand, wearer.glove
         nominal = np.array([_surface(hand.segments[i].radius, glove, s) for i, s in
                             enumerate(hand.segment_names)])  # fmt: skip
-        root = hand.index["dorsum"]
+        root = hand.root
         girth = wearer.scale[:, 1]
         length = np.array([s.length for s in hand.segments]) * wearer.scale[:, 0]
         radius = nominal * girth

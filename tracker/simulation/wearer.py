@@ -81,7 +81,7 @@ class Wearer:
         girth = (1 + common) * (1 + rng.normal(0, p.girth, n))
         self.scale: Array = np.column_stack([length, girth, girth])
         origin = np.array([s.origin for s in self.hand.segments]) * self.scale[self._parent]
-        on_root = self._parent == self.hand.index["dorsum"]
+        on_root = self._parent == self.hand.root
         origin += on_root[:, None] * rng.normal(0, p.joint_offset, (n, 3))
         self._origin = origin
         rest = np.array([s.R_rest for s in self.hand.segments])

@@ -183,8 +183,8 @@ def _axes(layout: ChainLayout, params: ConstraintParams) -> list[Axis]:
         out.append(Axis(child, E_Z, E_Y, params.rotation))  # eq. 32
         if "abduction" not in free:
             out.append(Axis(child, E_X, E_Y, params.rotation))  # eq. 33
-        elif name == "thumb_proximal":
-            out.append(Axis(child, E_X, E_Y, params.thumb_abduction))
+        elif joint is not None and "abduction" in joint.stiff:
+            out.append(Axis(child, E_X, E_Y, params.stiff_abduction))
         if "flexion" not in free:
             out.append(Axis(child, E_X, E_Z, params.rotation))  # eq. 34
     return out

@@ -84,7 +84,7 @@ class ConstraintParams:
     """
 
     rotation: float = 0.15  # rad: no twist, no abduction of a hinge
-    thumb_abduction: float = 0.12  # rad, soft
+    stiff_abduction: float = 0.12  # rad, of a joint that hardly abducts
     synergy: float = 0.13  # rad, for a segment seen only by markers
     limit: float = 0.05  # rad, beyond a joint's limit
     tilt: float = 0.5  # m/s², a finger's accelerometer against the chain's

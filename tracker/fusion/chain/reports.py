@@ -47,16 +47,13 @@ def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
 
 
 def hand_length(layout: ChainLayout, state: ChainState) -> tuple[float, float]:
-    """Wrist to middle fingertip (m) and its standard deviation, from the length scales."""
+    """The hand's length (m) and its standard deviation, from the length scales."""
     hand = layout.hand
     gain = np.zeros(len(layout.active))
-    chain = ("dorsum", "middle_proximal", "middle_intermediate", "middle_distal")
     last = 0
-    for name in chain:
-        if name not in hand.index:
-            continue
-        last = layout.row_of.get(hand.index[name], last)
-        gain[last] += hand.segments[hand.index[name]].length
+    for row in hand.length_path:
+        last = layout.row_of.get(row, last)
+        gain[last] += hand.segments[row].length
     P = state.P[
         layout.blocks.scale : layout.blocks.joint : 2, layout.blocks.scale : layout.blocks.joint : 2
     ]

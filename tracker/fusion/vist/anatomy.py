@@ -30,7 +30,7 @@ class Anatomy:
         self._layout, self._params = layout, params
         chain = layout.chain
         shared = Constraints(
-            chain, ConstraintParams(rotation=params.rotation, thumb_abduction=SOFT)
+            chain, ConstraintParams(rotation=params.rotation, stiff_abduction=SOFT)
         )
         self.axes: tuple[Axis, ...] = tuple(a for a in shared.axes if a.sd != SOFT)
         self.children = np.flatnonzero(chain.parent >= 0)

@@ -43,16 +43,15 @@ def calibration_of(layout: VistLayout, state: VistState) -> Calibration:
 
 
 def hand_length(layout: VistLayout, state: VistState) -> tuple[float, float]:
-    """Wrist to middle fingertip (m) and its standard deviation, from the length scales.
+    """The hand's length (m) and its standard deviation, from the length scales.
 
     A segment without a state counts with the scale of the one before it.
     """
     hand, row_of = layout.hand, layout.chain.row_of
     gain, last = np.zeros(layout.n), 0
-    for name in ("dorsum", "middle_proximal", "middle_intermediate", "middle_distal"):
-        if name in hand.index:
-            last = row_of.get(hand.index[name], last)
-            gain[last] += hand.segments[hand.index[name]].length
+    for row in hand.length_path:
+        last = row_of.get(row, last)
+        gain[last] += hand.segments[row].length
     rows = np.arange(LAM, layout.size, ERRORS)
     variance = float(gain @ state.P[np.ix_(rows, rows)] @ gain)
     return float(gain @ state.scale[:, 0]), float(np.sqrt(max(variance, 0.0)))

@@ -89,13 +89,13 @@ def _level(up_B: Array) -> Array:
 
 
 def _typical(layout: ChainLayout, share: float) -> Array:
-    """Joint angles of a posture with every flexion at ``share`` of its limit."""
+    """Joint angles of a posture with every flexion at ``share`` of a fist's."""
     hand = layout.hand
     out = np.zeros(len(hand.joint_names))
-    for i, name in enumerate(hand.joint_names):
-        if name.endswith("_flexion"):
-            reach = 0.4 if name.startswith("thumb") else 0.9
-            out[i] = share * reach * hand.angle_limits[i, 1]
+    for joint in hand.joints:
+        if "flexion" in joint.axes:
+            i = hand.angle_index[f"{joint.name}_flexion"]
+            out[i] = share * joint.fist * hand.angle_limits[i, 1]
     return out
 
 
