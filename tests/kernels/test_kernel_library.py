@@ -242,3 +242,12 @@ def test_the_decorator_keeps_name_and_words():
 
     assert (half.__name__, half.__doc__) == ("half", "Half of x.")
     assert half(3.0) == 1.5
+
+
+def test_a_library_knows_whether_it_was_compiled_from_the_source_of_today():
+    library = library_with(lambda x, k: 0.0)
+    assert library.is_current()  # none of its kernels was made yet
+    library.kernel(total, {})
+    assert library.is_current()
+    library.kernel(total, {"fastmath": True})
+    assert not library.is_current()

@@ -37,8 +37,12 @@ def kernel(function: F | None = None, /, **options: Any) -> F | Callable[[F], F]
 
 
 def are_compiled() -> bool:
-    """Whether there is a library of kernels, so that a first call waits for no compiler."""
-    return _library() is not None
+    """Whether no first call of a kernel imported so far waits for a compiler: there is a library,
+    and it was compiled from today's source. Takes some 20 ms; a kernel that is newer than the
+    library, and so unknown to it, is not missed.
+    """
+    library = _library()
+    return library is not None and library.is_current()
 
 
 def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:

@@ -2,14 +2,37 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from typing import Any
 
 import numba
+from numba.core.caching import FunctionCache
+
+_log = logging.getLogger(__name__)
 
 
 def compiled(function: Callable[..., Any], options: dict[str, Any], *, cache: bool = True) -> Any:
     """numba's function, which compiles for the types it meets and keeps that on the disk."""
-    made = numba.njit(cache=cache, nogil=True, **options)(function)
+    made = numba.njit(nogil=True, **options)(function)
+    if cache and not numba.config.DISABLE_JIT:
+        made._cache = KernelCache(function)
     made.options = options
     return made
+
+
+class KernelCache(FunctionCache):
+    """What numba keeps on the disk, emptied where it names what is no longer there.
+
+    Its entries are pickles of argument types, and those of a named tuple its class: once that was
+    renamed or moved, numba cannot read them and would raise what pickle raises.
+    """
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The function compiled for ``sig`` earlier; None where there is none that can be read."""
+        try:
+            return super().load_overload(sig, target_context)
+        except (AttributeError, ImportError) as error:
+            _log.debug("compiled anew, %s: %s", self._name, error)
+            self.flush()
+            return None

@@ -35,6 +35,7 @@ class Library:
         self._kernel_type = kernel_type
         self._filling = threading.Lock()
         self._entries: dict[str, tuple[Function, str, str]] = {}
+        self._made: dict[str, Any] = {}
         for module, table in compiled:
             for line in table.splitlines()[1:]:
                 symbol, made_of, name, *words = line.split(" ")
@@ -45,7 +46,13 @@ class Library:
         made = self._kernel_type(self)
         functools.update_wrapper(made, function)
         made.py_func, made.options, made.fallback = function, options, None
+        self._made[_name(made)] = made
         return made
+
+    def is_current(self) -> bool:
+        """Whether all that it holds of the kernels made so far was compiled from their source."""
+        held = [made for name, made in list(self._made.items()) if name in self._entries]
+        return all(self._is_of_its_source(made) for made in held)
 
     # --- what a kernel asks
 
@@ -65,11 +72,13 @@ class Library:
 
     def _fill(self, kernel: Any) -> None:
         """Give a kernel its compiled function, if that was made from the same source."""
-        name = f"{kernel.__module__}.{kernel.__qualname__}"
-        if name in self._entries:
-            compiled, made_of, words = self._entries[name]
-            if made_of == fingerprint(kernel.py_func, kernel.options):
-                kernel.add(words, compiled)
+        if _name(kernel) in self._entries and self._is_of_its_source(kernel):
+            compiled, _, words = self._entries[_name(kernel)]
+            kernel.add(words, compiled)
+
+    def _is_of_its_source(self, kernel: Any) -> bool:
+        _, made_of, _ = self._entries[_name(kernel)]
+        return made_of == fingerprint(kernel.py_func, kernel.options)
 
     def _fallback(self, kernel: Any) -> Function:
         """What runs for arguments that the library has nothing for."""
@@ -94,6 +103,10 @@ class Library:
             else:
                 kernel.jit = compiled(kernel.py_func, kernel.options)
         return kernel.jit
+
+
+def _name(kernel: Any) -> str:
+    return f"{kernel.__module__}.{kernel.__qualname__}"
 
 
 def load() -> Library | None:
