@@ -41,6 +41,7 @@ from app.window.docks import (
     restore_geometry,
     restore_layout,
 )
+from app.window.drops import Drops
 from app.window.keys import FocusKeys
 from app.window.message_bar import MessageBar
 from app.window.screen import SMALLEST as SMALLEST
@@ -75,6 +76,7 @@ class MainWindow(QMainWindow):
         self._make_frame()
         self.docks = make_docks(self, self.panels)
         self.sources = Sources(self.host, self.store, self.messages, self)
+        Drops(self, self.sources.take_over)
         self.takes = Takes(self.host, self.tasks, self.messages, self.library, self)
         self.reports = bug_reports(self, crashes)
         self._make_commands()

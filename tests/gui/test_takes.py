@@ -8,7 +8,9 @@ from pathlib import Path
 
 import pytest
 from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
-from PySide6.QtWidgets import QInputDialog
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QInputDialog
 
 from app.engines.engine import RecordingRequest
 from app.engines.recording import recorder_maker
@@ -330,3 +332,24 @@ def test_images_that_were_never_searched_are_shown_all_the_same(take, tmp_path, 
         assert image.left is not None and blobs.left is None
     finally:
         setup.close()
+
+
+def dropped(window, *names: str) -> bool:
+    """Whether the window takes these files, dragged onto it and let go."""
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(name) for name in names])
+    left, keys = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    copy = Qt.DropAction.CopyAction
+    enter = QDragEnterEvent(QPoint(50, 50), copy, data, left, keys)
+    QApplication.sendEvent(window, enter)
+    drop = QDropEvent(QPointF(50, 50), copy, data, left, keys)
+    QApplication.sendEvent(window, drop)
+    return enter.isAccepted() and drop.isAccepted()
+
+
+def test_a_session_dragged_onto_the_window_is_opened(window, take, qtbot):
+    assert not dropped(window, "/tmp/holiday.jpg")
+    assert window.host.setup is None and not window.host.opening
+    assert dropped(window, str(take))
+    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    assert window.host.setup.player.path == take
