@@ -104,23 +104,30 @@ class Quality:
 
 def quality(reader: SessionReader, instants: int = INSTANTS) -> Quality:
     """Looks at ``instants`` of them, evenly spread: an hour takes no longer than a minute."""
-    status_there = topics.STATUS in reader.topic_names
-    topic = topics.STATUS if status_there else topics.hand(reader.info.side, "states")
-    if topic not in reader.topic_names:
-        return Quality(None, None)
-    words: list[Tracking] = []
-    counts: list[float] = []  # lost so far: at the first status, then at each instant
+    states = topics.hand(reader.info.side, "states")  # at each change; a status is once a second
+    topic = states if states in reader.topic_names else topics.STATUS
+    words = [
+        tracking_of(said.message)
+        for raw in _spread(reader, topic, instants)
+        for said in motion.unpack_diagnostics(raw.data)[1]
+        if said.name in ("tracker", "tracking")
+    ]
+    tracked = sum(w == Tracking.TRACKING for w in words) / len(words) if words else None
+    return Quality(tracked, _packets_lost(reader))
+
+
+def _packets_lost(reader: SessionReader) -> int | None:
+    """From the first status to the last: older recordings counted from the engine's start on."""
     first = next(ordered(reader.source, frozenset([topics.STATUS])), None)
-    for raw in [*([first] if first else []), *_spread(reader, topic, instants)]:
-        for said in motion.unpack_diagnostics(raw.data)[1]:
-            if said.name in ("tracker", "tracking") and raw is not first:
-                words.append(tracking_of(said.message))
-            if "imu_lost" in said.values:
-                counts.append(float(said.values["imu_lost"]))
-    lost = round(counts[-1] - counts[0]) if counts else None
-    if not words:
-        return Quality(None, lost)
-    return Quality(sum(w == Tracking.TRACKING for w in words) / len(words), lost)
+    last = last_before(reader.source, topics.STATUS, reader.span_ns[1] + 1)
+    counts = [
+        float(said.values["imu_lost"])
+        for raw in (first, last)
+        if raw is not None
+        for said in motion.unpack_diagnostics(raw.data)[1]
+        if "imu_lost" in said.values
+    ]
+    return round(counts[-1] - counts[0]) if counts else None
 
 
 def _spread(reader: SessionReader, topic: str, instants: int) -> Iterator[RawMessage]:
