@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer
 from PySide6.QtWidgets import QInputDialog, QWidget
 
 from app.engines.engine_host import EngineHost
@@ -16,6 +16,10 @@ from app.platform.tasks import RunningJob, TaskOwner
 from app.viewmodels.takes import TakeReport, missing_text, rename, report_text
 from app.window.message_bar import MessageBar
 from tracker.errors import GlovetrackError
+
+ABOUT = "take"
+STARTING_MS = 2000  # after its start an engine's rates say nothing yet
+AGAIN_MS = 500  # until what was missing comes
 
 
 class Takes(QObject):
@@ -33,23 +37,43 @@ class Takes(QObject):
         self._host, self._tasks, self._messages = host, tasks, messages
         self._library, self._window = library, window
         self._check: RunningJob | None = None
+        self._said = False
+        self._running = QElapsedTimer()
+        self._again = QTimer(self)
+        self._again.timeout.connect(self._say_what_is_missing)
+        host.running_changed.connect(lambda on: self._running.start() if on else None)
         host.recording.begun.connect(self._begun)
         host.recording.finished.connect(self._finished)
 
     def _begun(self) -> None:
-        """Said once, in nobody's way: it is recorded all the same."""
+        """What is missing is said once, in nobody's way: it is recorded all the same."""
+        self._said = False
         if self._check is not None:
             self._check.cancel()  # the disk is wanted for the next one
+        self._messages.hide()  # what it said of the recording before
+        self._again.start(AGAIN_MS)
+        if self._running.isValid() and self._running.elapsed() < STARTING_MS:
+            return  # devices that have just been opened are not silent
+        self._say_what_is_missing()
+
+    def _say_what_is_missing(self) -> None:
+        """As long as it is true."""
         setup = self._host.setup
-        if setup is None:
+        if setup is None or self._host.recording.request is None:
+            self._again.stop()
+            self._messages.no_longer(ABOUT)
+            return
+        if self._running.isValid() and self._running.elapsed() < STARTING_MS:
             return
         names, engine = setup.glove.imu_names, setup.engine
         rate = setup.image_rate() if setup.image_rate is not None else 0.0
         text = missing_text(engine.status(), engine.recent_imu(), names, rate)
-        if text:
-            self._messages.say(text)
-        else:
-            self._messages.hide()  # what it said of the recording before
+        if not text:
+            self._again.stop()
+            self._messages.no_longer(ABOUT)
+        elif not self._said:
+            self._said = True
+            self._messages.say(text, about=ABOUT)
 
     def _finished(self, path: Path) -> None:
         title = self.tr("Checking {}").format(path.name)

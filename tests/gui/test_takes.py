@@ -288,8 +288,12 @@ def test_a_file_cut_off_is_not_called_whole(take, tmp_path):
     assert text.startswith("cut is not whole: byte ")
 
 
-def test_a_recording_says_at_its_start_what_it_lacks_and_is_made_all_the_same(window, engine):
-    window.host.adopt(replace(scripted_setup(engine), image_rate=lambda: 60.0))
+def test_a_recording_says_what_it_lacks_while_it_does_and_is_made_all_the_same(
+    qtbot, window, engine
+):
+    """Not while the devices have only just been opened: then nothing has come yet."""
+    wanted_hz = [60.0]
+    window.host.adopt(replace(scripted_setup(engine), image_rate=lambda: wanted_hz[0]))
     silent, samples = 2, engine.recent_imu()
     name = models()[1].imu_names[silent].replace("_", " ")
     valid = samples[0].valid.copy()
@@ -297,8 +301,12 @@ def test_a_recording_says_at_its_start_what_it_lacks_and_is_made_all_the_same(wi
     engine.recent_imu = lambda: [replace(s, valid=valid.copy()) for s in samples]
     window.run_command("record")
     assert window.host.recording.request is not None
-    assert "30 images come a second instead of 60" in window.banner.text()
+    assert window.banner.text() == ""
+    qtbot.waitUntil(lambda: "30 images come a second" in window.banner.text(), timeout=10_000)
+    assert "instead of 60" in window.banner.text()
     assert f"the IMU {name} cannot be heard" in window.banner.text()
+    engine.recent_imu, wanted_hz[0] = (lambda: samples), 30.0
+    qtbot.waitUntil(lambda: not window.messages.isVisibleTo(window), timeout=10_000)
     window.run_command("record")
 
 
