@@ -356,7 +356,7 @@ def dropped(window, *names: str) -> bool:
 
 
 def test_a_session_dragged_onto_the_window_is_opened(window, take, qtbot):
-    assert not dropped(window, "/tmp/holiday.jpg")
+    assert not dropped(window, "holiday.jpg")
     assert window.host.setup is None and not window.host.opening
     assert dropped(window, str(take))
     qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
