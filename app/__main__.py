@@ -17,13 +17,18 @@ WINDOW = {
 def main(argv: Sequence[str] | None = None) -> int:
     """No word, ``demo``, ``devices`` or a session opens the window; other words are commands.
 
-    Qt is imported for the window alone, so that ``glovetrack info`` starts at once.
+    Qt is imported for the window, and for ``remote`` that talks to it, so that ``glovetrack info``
+    starts at once.
     """
     words = list(sys.argv[1:] if argv is None else argv)
     if not words or words[0] in WINDOW or words[0].endswith(".mcap"):
         from app.window.start import open_window
 
         return open_window([*WINDOW.get(words[0], words[:1]), *words[1:]] if words else [])
+    if words[0] == "remote":
+        from app.window.remote_command import main as remote
+
+        return remote(words[1:])
     from tracker.cli import main as run_command
 
     return run_command(words)

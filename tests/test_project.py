@@ -141,6 +141,7 @@ THREADS = {
     "tracker/simulation/camera_device.py": "the simulated camera is a process of its own",
     "tracker/simulation/glove_device.py": "the simulated glove has a chip of its own",
     "tracker/streaming/attach.py": "looks at the latest estimate",
+    "tracker/streaming/remote/doors.py": "stamps requests as they arrive",
     "tracker/streaming/server_thread.py": "the event loop of a server",
     "tracker/streaming/streams.py": "one for each output, which may hang",
     "tracker/workers.py": "many sessions on all cores",

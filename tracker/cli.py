@@ -43,7 +43,8 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="glovetrack",
         description="Hand tracking with a sensor glove and a stereo camera. Without a command, or "
-        "with a session file, the window opens; 'glovetrack demo' opens it on simulated sensors.",
+        "with a session file, the window opens; 'glovetrack demo' opens it on simulated sensors, "
+        "'glovetrack devices' on the glove and the camera, 'glovetrack remote' controls it.",
     )
     parser.add_argument("--version", action="version", version=f"glovetrack {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)

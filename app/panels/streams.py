@@ -24,7 +24,9 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
+from app.jobs.remote import RemoteControl
 from app.panels.panel import Panel
+from app.panels.remote import RemoteBox
 from app.viewmodels.streams import (
     MOTORS,
     REACH,
@@ -44,9 +46,16 @@ class StreamsPanel(Panel):
     name = "streams"
     period = 0.5
 
-    def __init__(self, host: EngineHost, outputs: Outputs, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        host: EngineHost,
+        outputs: Outputs,
+        remote: RemoteControl,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(host, parent)
         self._outputs = outputs
+        self.remote = RemoteBox(remote)
         inside = QWidget()
         column = QVBoxLayout(inside)
         column.setContentsMargins(8, 8, 8, 8)
@@ -55,6 +64,7 @@ class StreamsPanel(Panel):
         column.addLayout(self._table())
         column.addWidget(self._reach())
         column.addWidget(self._haptics())
+        column.addWidget(self.remote)
         column.addStretch(1)
         scroll = QScrollArea()
         scroll.setWidget(inside)
@@ -248,3 +258,4 @@ class StreamsPanel(Panel):
 
     def refresh(self, view: Snapshot | None) -> None:
         self._show()
+        self.remote.show_state()

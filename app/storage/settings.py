@@ -50,6 +50,7 @@ class AppSettings:
     camera_locks: str = ""  # see `tracker.sensors.camera_controls.locks_text`
     calibration: str = ""  # path of the stereo calibration
     streams: dict[str, Any] = field(default_factory=dict)  # of `StreamParams`
+    remote: dict[str, Any] = field(default_factory=dict)  # of `RemoteParams`
     haptics: dict[str, Any] = field(default_factory=dict)  # of `app.jobs.outputs.HapticRule`
     board: str = ""  # of the stereo calibration: kind, squares across and down, side in m
 

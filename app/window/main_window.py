@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.jobs.outputs import Outputs
+from app.jobs.remote import RemoteControl
 from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
@@ -72,6 +73,7 @@ class MainWindow(QMainWindow):
         self.plan = RecordingPlan(self.store)
         self.set_up = SetUpDialogs(self.host, self.store, self.tasks, self)
         self.outputs = Outputs(self.host, self.store, self.tasks, self)
+        self.remote = RemoteControl(self.host, self.plan, self.store, self.tasks, self)
         self._make_panels()
         self._make_frame()
         self.docks = make_docks(self, self.panels)
@@ -99,7 +101,7 @@ class MainWindow(QMainWindow):
         self.calibration = CalibrationPanel(self.host, self.store)
         self.colours = ColoursPanel(self.host, self.store, self.tasks)
         self.recording = RecordingPanel(self.host, self.plan)
-        self.streams = StreamsPanel(self.host, self.outputs)
+        self.streams = StreamsPanel(self.host, self.outputs, self.remote)
         self.panels: list[Panel] = [
             self.cameras,
             self.hand,
@@ -275,6 +277,7 @@ class MainWindow(QMainWindow):
         self.host.end()
         self.tasks.shut_down()  # last: a recording that ends has the library read again
         self.outputs.shut_down()
+        self.remote.shut_down()
         for panel in self.panels:
             panel.shut_down()
         event.accept()

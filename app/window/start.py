@@ -20,6 +20,7 @@ from tracker import __version__
 from tracker.errors import GlovetrackError
 from tracker.sensors.protocol import BAUDS
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
+from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
 
 if TYPE_CHECKING:
     from app.platform.crash import CrashWatch
@@ -38,6 +39,7 @@ def open_window(argv: Sequence[str]) -> int:
     args = parser.parse_args(argv)
     try:
         args.streams = with_streams(StreamParams(), args.stream, args.stream_host)
+        with_doors(RemoteParams(), args.remote, args.remote_host)
     except GlovetrackError as error:
         parser.error(str(error))
     if not has_screen():
@@ -88,6 +90,8 @@ def _show(
     # window's own timer gives Python the chance to see the signal.
     signal.signal(signal.SIGINT, lambda *_: window.close())
     window.outputs.use(args.streams)
+    window.remote.use(args.remote, args.remote_host)
+    instance.answer = window.remote.answer_line
     window.sources.baud = args.baud
     window.show()
     if args.demo:
@@ -118,6 +122,13 @@ def _parser() -> argparse.ArgumentParser:
         help=f"outputs to turn on for this run: {', '.join(STREAMS)}",
     )
     parser.add_argument("--stream-host", default="", metavar="HOST", help="to or at which address")
+    parser.add_argument(
+        "--remote",
+        default="",
+        metavar="NAME[:PORT],…",
+        help=f"let other programs start, stop and note in this run: {', '.join(DOORS)}",
+    )
+    parser.add_argument("--remote-host", default="", metavar="HOST", help="listen at which address")
     parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
     parser.add_argument(
         "--headless-report",

@@ -28,6 +28,6 @@ def bundle(messages: Sequence[bytes]) -> bytes:
 
 
 def _string(text: str) -> bytes:
-    """Zero-terminated and padded to a multiple of four bytes."""
-    data = text.encode("ascii")
+    """Zero-terminated and padded to four bytes; UTF-8, which holds the ASCII of OSC 1.0."""
+    data = text.encode("utf-8", "replace")
     return data + bytes(4 - len(data) % 4)

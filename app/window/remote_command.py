@@ -1,0 +1,83 @@
+"""``glovetrack remote start|stop|note TEXT``: steer the window that is open, from a script."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from app.platform.single_instance import ask
+from tracker.errors import GlovetrackError
+from tracker.hand.names import CHAINS
+from tracker.streaming.remote.client import ask as ask_over_udp
+from tracker.streaming.remote.params import RemoteParams
+from tracker.streaming.remote.request import USUAL_AMPLITUDE, USUAL_MS
+from tracker.terminal import add_json, check_json, finish, printable
+
+NOBODY = "No window is open. Open one with `glovetrack`."
+_NOT_SAID = ("json", "force", "to")
+
+
+def main(argv: Sequence[str]) -> int:
+    """Exit status 0 done, 1 not done (with a sentence), 2 wrong usage."""
+    args = _parser().parse_args(argv)
+    words = {k: v for k, v in vars(args).items() if k not in _NOT_SAID}
+    try:
+        check_json(args)
+        answer = _asked(words, args.to)
+        if answer["ok"]:
+            lines = [answer["text"], *([answer["file"]] if "file" in answer else [])]
+            finish(args, answer, lines)
+            return 0
+    except GlovetrackError as error:
+        answer = {"error": str(error)}
+    print(f"glovetrack: {printable(str(answer.get('error')))}", file=sys.stderr)
+    return 1
+
+
+def _asked(words: dict[str, Any], to: tuple[str, int] | None) -> dict[str, Any]:
+    """The window's answer. Raises GlovetrackError where there is none."""
+    said = ask_over_udp(words, *to) if to is not None else ask(words)
+    try:
+        answer = json.loads(said or "")
+    except ValueError as error:
+        raise GlovetrackError(NOBODY) from error
+    if not isinstance(answer, dict) or "ok" not in answer:
+        raise GlovetrackError(NOBODY)
+    return answer
+
+
+def _address(text: str) -> tuple[str, int]:
+    """Raises ValueError, which the parser puts in words."""
+    host, colon, port = text.partition(":")
+    if not host or (colon and not 1 <= int(port) <= 65535):
+        raise ValueError(text)
+    return host, int(port) if colon else RemoteParams.udp_port
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="glovetrack remote",
+        description="Control the window that is open, as if its keys were pressed.",
+    )
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument(
+        "--to",
+        type=_address,
+        metavar="HOST[:PORT]",
+        help="the window of another computer, whose remote control by UDP is switched on",
+    )
+    add_json(common)
+    asked = parser.add_subparsers(dest="do", metavar="WHAT", required=True)
+    asked.add_parser("start", parents=[common], help="begin a recording")
+    asked.add_parser("stop", parents=[common], help="end it")
+    asked.add_parser("status", parents=[common], help="whether devices run and what is recorded")
+    note = asked.add_parser("note", parents=[common], help="add a note, of now")
+    note.add_argument("text", metavar="TEXT")
+    vibrate = asked.add_parser("vibrate", parents=[common], help="let a motor of the glove run")
+    vibrate.add_argument("finger", choices=tuple(CHAINS))
+    vibrate.add_argument("--amplitude", type=int, default=USUAL_AMPLITUDE, metavar="0..255")
+    vibrate.add_argument("--duration", dest="duration_ms", type=int, default=USUAL_MS, metavar="MS")
+    return parser

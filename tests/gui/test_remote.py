@@ -1,0 +1,279 @@
+"""The window controlled from outside: by its doors, by its own socket, by the command."""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import subprocess
+import sys
+import threading
+import time
+import uuid
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from gui_fakes import scripted_setup
+from PySide6.QtNetwork import QLocalSocket
+from pythonosc.osc_message import OscMessage
+from pythonosc.osc_message_builder import OscMessageBuilder
+
+from app.jobs.remote import MOTOR_HZ
+from app.platform.single_instance import Instance, ask
+from app.storage.settings import SettingsStore
+from app.window.remote_command import main
+from tracker.clock import monotonic
+from tracker.streaming.remote.client import ask as ask_over_udp
+
+ROOT = Path(__file__).resolve().parents[2]
+HERE = "127.0.0.1"
+
+
+def open_at(window, qtbot, name: str) -> int:
+    """Open a door at a free port as a user does; the port."""
+    kind = socket.SOCK_STREAM if name == "websocket" else socket.SOCK_DGRAM
+    with socket.socket(socket.AF_INET, kind) as s:
+        s.bind((HERE, 0))
+        port = s.getsockname()[1]
+    box = window.streams.remote
+    box.ports[name].setValue(port)
+    box.boxes[name].click()
+    qtbot.waitUntil(lambda: window.remote.counts(name) is not None, timeout=10_000)
+    return port
+
+
+def meanwhile(qtbot, work):
+    """What ``work`` gives in a thread while the window goes on."""
+    out = []
+    thread = threading.Thread(target=lambda: out.append(work()))
+    thread.start()
+    qtbot.waitUntil(lambda: not thread.is_alive(), timeout=15_000)
+    return out[0]
+
+
+def test_nothing_listens_until_it_is_asked_for(window):
+    assert not any(box.isChecked() for box in window.streams.remote.boxes.values())
+    assert not [t for t in threading.enumerate() if "remote" in t.name]
+
+
+def test_start_note_and_stop_by_udp_are_as_the_keys(window, engine, qtbot):
+    recorders = []
+    window.host.adopt(scripted_setup(engine, recorders))
+    port = open_at(window, qtbot, "udp")
+
+    def say(**words):
+        return json.loads(meanwhile(qtbot, lambda: ask_over_udp(words, HERE, port)))
+
+    started = say(do="start", id=1)
+    path = window.host.recording.request.path
+    assert started == {
+        "ok": True, "do": "start", "text": f"Recording {path.name}.", "file": path.name, "id": 1,
+    }  # fmt: skip
+    assert window.commands.actions["record"].text() == "Stop &recording"
+    again = say(do="start")
+    assert not again["ok"] and again["error"] == f"{path.name} is being recorded already."
+    before = monotonic()
+    assert say(do="note", text="the cup")["ok"]
+    (note,) = window.host.notes.standing.values()
+    assert note.text == "the cup" and before <= note.t <= monotonic()
+    assert say(do="status")["recording"] is True
+    stopped = say(do="stop")
+    assert stopped["file"] == path.name and window.host.recording.request is None
+    assert recorders[0].closed
+    assert say(do="stop") == {"ok": False, "do": "stop", "error": "Nothing is being recorded."}
+    window.streams.refresh(None)
+    cells = window.streams.remote.cells["udp"]
+    assert cells["sent"].text() == "6" and "127.0.0.1:" in cells["state"].toolTip()
+
+
+def test_a_note_is_of_its_arrival_though_the_window_was_busy(window, engine, qtbot):
+    window.host.adopt(scripted_setup(engine))
+    port = open_at(window, qtbot, "udp")
+    window.run_command("record")
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+        t = monotonic()
+        client.sendto(b"note late", (HERE, port))
+        time.sleep(0.6)  # the window's thread is busy
+        qtbot.waitUntil(lambda: bool(window.host.notes.standing), timeout=5_000)
+        (note,) = window.host.notes.standing.values()
+        assert note.t - t < 0.5
+        client.settimeout(5)
+        assert json.loads(client.recv(9999))["ok"]
+
+
+def test_why_it_cannot_be_recorded_is_answered(window, engine, qtbot, tmp_path):
+    port = open_at(window, qtbot, "udp")
+
+    def start():
+        return json.loads(meanwhile(qtbot, lambda: ask_over_udp({"do": "start"}, HERE, port)))
+
+    assert start()["error"] == "Nothing can be recorded: no device is running."
+    window.host.adopt(scripted_setup(engine))
+    (tmp_path / "file").write_text("no folder")
+    window.store.update(sessions_folder=str(tmp_path / "file" / "below"))
+    answer = start()
+    assert not answer["ok"] and "Nothing can be recorded to" in answer["error"]
+    assert "Nothing can be recorded to" in window.banner.text(), "as when the key is pressed"
+
+
+def test_osc_and_web_socket_control_it_too(window, engine, qtbot):
+    pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
+    from websockets.sync.client import connect
+
+    window.host.adopt(scripted_setup(engine))
+    osc, web = open_at(window, qtbot, "osc"), open_at(window, qtbot, "websocket")
+
+    def by_osc():
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+            client.settimeout(10)
+            client.sendto(OscMessageBuilder("/glovetrack/start").build().dgram, (HERE, osc))
+            return OscMessage(client.recv(9999))
+
+    def by_page():
+        with connect(f"ws://{HERE}:{web}/") as page:
+            page.send("stop")
+            return json.loads(page.recv(timeout=10))
+
+    answer = meanwhile(qtbot, by_osc)
+    assert answer.params[:2] == ["start", 1]
+    assert answer.params[3] == window.host.recording.request.path.name
+    assert meanwhile(qtbot, by_page)["ok"] and window.host.recording.request is None
+
+
+def test_a_finger_vibrates_and_not_too_often(window, engine, qtbot):
+    buzzed = []
+    setup = replace(scripted_setup(engine), vibrate=lambda *command: buzzed.append(command))
+    window.host.adopt(setup)
+    line = json.dumps({"do": "vibrate", "finger": "middle", "amplitude": 90, "duration_ms": 40})
+    assert json.loads(window.remote.answer_line(line))["ok"]
+    assert buzzed == [(2, 90, 40)]
+    answers = [json.loads(window.remote.answer_line(line)) for _ in range(500)]
+    assert "at most 50 requests" in answers[-1]["error"]
+    assert len(buzzed) < 4 * MOTOR_HZ
+    window.host.stop()
+    assert "No glove with motors" in json.loads(window.remote.answer_line(line))["error"]
+
+
+def test_what_is_open_is_open_again_at_the_next_start_and_others_are_warned_of(
+    window, qtbot, store
+):
+    open_at(window, qtbot, "udp")
+    assert SettingsStore(store.path).value.remote["udp"] is True
+    box = window.streams.remote
+    assert not box.opened.isVisibleTo(window.streams)
+    box.address.setText("0.0.0.0")
+    box.address.editingFinished.emit()
+    assert box.opened.isVisibleTo(window.streams)
+    qtbot.waitUntil(lambda: "0.0.0.0" in box.cells["udp"]["state"].toolTip(), timeout=10_000)
+    box.boxes["udp"].click()
+    qtbot.waitUntil(
+        lambda: not [t for t in threading.enumerate() if "remote" in t.name], timeout=10_000
+    )
+
+
+def test_a_port_that_is_taken_is_said_in_the_panel(window, qtbot):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind((HERE, 0))
+        window.remote.set_port("udp", taken.getsockname()[1])
+        window.remote.switch("udp", True)
+        qtbot.waitUntil(lambda: "udp" in window.remote.problems, timeout=10_000)
+    cells = window.streams.remote.cells["udp"]
+    assert "not open" in cells["state"].text() and "No remote control" in cells["state"].toolTip()
+
+
+def test_the_command_line_opens_doors_for_one_run(window, qtbot):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as s:
+        s.bind((HERE, 0))
+        port = s.getsockname()[1]
+    window.remote.use(f"udp:{port}")
+    qtbot.waitUntil(lambda: window.remote.counts("udp") is not None, timeout=10_000)
+    assert window.streams.remote.boxes["udp"].isChecked()
+    assert window.store.value.remote == {}, "the next start is as it was"
+
+
+def said_to(qtbot, name: str, words: dict) -> bytes:
+    """The answer of the local socket, which this thread serves too; empty where it hangs up."""
+    socket = QLocalSocket()
+    socket.connectToServer(name)
+    socket.write(json.dumps(words).encode() + b"\n")
+    gone = QLocalSocket.LocalSocketState.UnconnectedState
+    qtbot.waitUntil(lambda: socket.canReadLine() or socket.state() == gone, timeout=10_000)
+    return bytes(socket.readAll().data())
+
+
+def test_the_windows_own_socket_takes_requests_and_still_takes_sessions(window, engine, qtbot):
+    name = f"glovetrack-test-{uuid.uuid4().hex}"
+    instance = Instance(name)
+    try:
+        assert said_to(qtbot, name, {"remote": {"do": "status"}}) == b"", "no window yet"
+        instance.answer = window.remote.answer_line
+        window.host.adopt(scripted_setup(engine))
+        answer = json.loads(said_to(qtbot, name, {"remote": {"do": "start"}}))
+        assert answer["file"] == str(window.host.recording.request.path)
+        wrong = json.loads(said_to(qtbot, name, {"remote": {"do": "explode"}}))
+        assert not wrong["ok"] and "can be asked" in wrong["error"]
+        assert said_to(qtbot, name, {"open": ""}) == b"taken\n"
+        assert ask({"do": "status"}, name + "x") is None
+    finally:
+        instance.close()
+
+
+FIRST = """
+import sys
+sys.path.insert(0, {tests!r})
+from gui_fakes import ScriptedEngine, scripted_setup
+from app.window.main_window import MainWindow
+from app.window.sources import Sources
+
+Sources.open_devices = lambda self: self._host.adopt(scripted_setup(ScriptedEngine()))
+from app.__main__ import main
+sys.exit(main(["devices"]))
+"""
+
+
+@pytest.mark.timeout(180)
+def test_the_command_controls_the_window_of_another_process(tmp_path):
+    """Start, note, stop as a lab's script does; the window is a process of its own."""
+    env = {
+        **os.environ,
+        "QT_QPA_PLATFORM": "offscreen",
+        "PYTHONPATH": str(ROOT),
+        "HOME": str(tmp_path),
+        **{f"XDG_{k}_HOME": str(tmp_path / k) for k in ("CONFIG", "STATE", "DATA", "CACHE")},
+    }
+
+    def remote(*words: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, "-m", "app", "remote", *words]
+        return subprocess.run(command, env=env, capture_output=True, text=True, check=False)
+
+    alone = remote("start")
+    assert alone.returncode == 1 and "No window is open" in alone.stderr
+    script = FIRST.format(tests=str(ROOT / "tests" / "gui"))
+    with subprocess.Popen([sys.executable, "-c", script], env=env) as first:
+        try:
+            deadline = time.monotonic() + 60
+            while not (
+                (status := remote("status", "--json", "-")).returncode == 0
+                and json.loads(status.stdout)["running"]
+            ):
+                assert first.poll() is None and time.monotonic() < deadline
+            started = remote("start")
+            assert started.returncode == 0 and "Recording " in started.stdout
+            path = Path(started.stdout.splitlines()[-1])
+            assert path.exists()
+            assert "being recorded already" in remote("start").stderr
+            assert "Noted in" in remote("note", "the cup is taken").stdout
+            stopped = json.loads(remote("stop", "--json", "-").stdout)
+            assert stopped["ok"] and stopped["file"] == str(path)
+            assert remote("stop").returncode == 1
+        finally:
+            first.terminate()
+            first.wait(30)
+
+
+@pytest.mark.parametrize("words", [[], ["dance"], ["note"], ["stop", "--to", "host:x"]])
+def test_wrong_usage_is_told_as_by_every_command(words):
+    with pytest.raises(SystemExit) as ended:
+        main(words)
+    assert ended.value.code == 2

@@ -1,0 +1,188 @@
+"""Remote control through real sockets."""
+
+from __future__ import annotations
+
+import json
+import socket
+import time
+from collections.abc import Iterator
+from concurrent.futures import Future
+
+import pytest
+
+pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
+from pythonosc.osc_message import OscMessage
+from pythonosc.osc_message_builder import OscMessageBuilder
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import connect
+
+from tracker.clock import monotonic
+from tracker.streaming.publisher import StreamError
+from tracker.streaming.remote.client import ask
+from tracker.streaming.remote.doors import (
+    Door,
+    WebSocketDoor,
+    is_loopback,
+    osc_door,
+    udp_door,
+)
+from tracker.streaming.remote.request import MOST_BYTES, Reply, Request
+
+HERE = "127.0.0.1"
+
+
+class Window:
+    """Acts at once, unless it is busy."""
+
+    def __init__(self) -> None:
+        self.asked: list[Request] = []
+        self.waiting: list[Future[Reply]] = []
+        self.busy = False
+
+    def answer(self, request: Request) -> Future[Reply]:
+        self.asked.append(request)
+        future: Future[Reply] = Future()
+        if self.busy:
+            self.waiting.append(future)
+        else:
+            future.set_result(Reply(True, request.do, "Done.", id=request.id))
+        return future
+
+
+@pytest.fixture
+def desk() -> Window:
+    return Window()
+
+
+@pytest.fixture
+def udp(desk: Window) -> Iterator[Door]:
+    door = udp_door(desk.answer, HERE, 0)
+    yield door
+    door.close()
+
+
+@pytest.fixture
+def web(desk: Window) -> Iterator[WebSocketDoor]:
+    door = WebSocketDoor(desk.answer, HERE, 0)
+    yield door
+    door.close()
+
+
+@pytest.fixture
+def client() -> Iterator[socket.socket]:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
+        out.settimeout(5)
+        yield out
+
+
+def test_a_datagram_is_done_and_answered(udp: Door, desk: Window) -> None:
+    before = monotonic()
+    answer = json.loads(ask({"do": "note", "text": "now", "id": 4}, HERE, udp.port))
+    assert answer == {"ok": True, "do": "note", "text": "Done.", "id": 4}
+    assert [r.text for r in desk.asked] == ["now"]
+    assert before <= desk.asked[0].t <= monotonic()
+    assert udp.counts().asked == 1 and len(udp.counts().peers) == 1
+
+
+def test_a_request_is_stamped_as_it_arrives_however_busy_the_window_is(
+    udp: Door, desk: Window, client: socket.socket, wait_for
+) -> None:
+    desk.busy = True
+    client.sendto(b"note first", (HERE, udp.port))
+    wait_for(lambda: desk.asked)
+    time.sleep(0.3)
+    client.sendto(b"note second", (HERE, udp.port))
+    wait_for(lambda: len(desk.asked) == 2)
+    assert 0.25 < desk.asked[1].t - desk.asked[0].t < 3.0
+    for future, text in zip(desk.waiting, ("a", "b"), strict=True):
+        future.set_result(Reply(True, "note", text))
+    assert [json.loads(client.recv(9999))["text"] for _ in range(2)] == ["a", "b"]
+
+
+def test_nonsense_is_answered_in_words_and_an_answer_not_at_all(
+    udp: Door, desk: Window, client: socket.socket
+) -> None:
+    client.sendto(b'{"ok": true}', (HERE, udp.port))
+    client.sendto(b"\xff", (HERE, udp.port))
+    assert "JSON or plain words" in json.loads(client.recv(9999))["error"]
+    client.sendto(bytes(MOST_BYTES + 1), (HERE, udp.port))
+    assert "at most 2048 bytes" in json.loads(client.recv(9999))["error"]
+    assert desk.asked == []
+
+
+def test_a_flood_is_held_back(udp: Door, desk: Window, client: socket.socket, wait_for) -> None:
+    for _ in range(3000):
+        client.sendto(b"note x", (HERE, udp.port))
+    wait_for(lambda: udp.counts().refused > 100)
+    assert len(desk.asked) < 200
+    time.sleep(0.3)  # its allowance fills again
+    client.settimeout(0.1)
+    with pytest.raises(TimeoutError):
+        while True:
+            client.recv(9999)  # the answers of before
+    assert json.loads(ask({"do": "status"}, HERE, udp.port))["ok"]
+
+
+def test_a_foreign_osc_program_is_understood_and_answered(
+    desk: Window, client: socket.socket
+) -> None:
+    door = osc_door(desk.answer, HERE, 0)
+    try:
+        builder = OscMessageBuilder("/glovetrack/note")
+        builder.add_arg("cup")
+        client.sendto(builder.build().dgram, (HERE, door.port))
+        answer = OscMessage(client.recv(9999))
+    finally:
+        door.close()
+    assert answer.address == "/glovetrack/reply"
+    assert answer.params == ["note", 1, "Done.", ""]
+    assert desk.asked[0].text == "cup"
+
+
+def test_a_web_socket_is_answered_in_turn(web: WebSocketDoor, desk: Window) -> None:
+    with connect(f"ws://{HERE}:{web.port}/") as page:
+        page.send('{"do": "start"}')
+        assert json.loads(page.recv(timeout=5)) == {"ok": True, "do": "start", "text": "Done."}
+        page.send("nonsense")
+        assert not json.loads(page.recv(timeout=5))["ok"]
+        assert web.counts().clients == 1
+    assert [r.do for r in desk.asked] == ["start"]
+
+
+def test_a_page_of_another_site_controls_nothing(web: WebSocketDoor) -> None:
+    with pytest.raises(InvalidStatus) as refused:
+        connect(f"ws://{HERE}:{web.port}/", origin="https://example.com")
+    assert refused.value.response.status_code == 403
+
+
+@pytest.mark.parametrize("said", ["x" * (MOST_BYTES + 1), None])
+def test_a_client_that_sends_too_much_is_disconnected(web: WebSocketDoor, said) -> None:
+    """One message that is too long, or too many of them."""
+    with connect(f"ws://{HERE}:{web.port}/") as page, pytest.raises(ConnectionClosed):
+        for _ in range(1 if said else 2000):
+            page.send(said or "status")
+        for _ in range(2000):
+            page.recv(timeout=5)
+
+
+@pytest.mark.parametrize("kind", [udp_door, osc_door, WebSocketDoor])
+def test_only_this_computer_is_listened_to_and_the_port_is_freed(kind, desk: Window) -> None:
+    door = kind(desk.answer, HERE, 0)
+    port = door.port
+    with pytest.raises(StreamError, match=r"No .* at 127\.0\.0\.1"):
+        kind(desk.answer, HERE, port)
+    kind(desk.answer, "127.0.0.2", port).close()  # another address is free: it is not taken up
+    door.close()
+    door.close()
+    kind(desk.answer, HERE, port).close()
+
+
+def test_a_window_that_does_not_answer_is_said_to(client: socket.socket) -> None:
+    client.bind((HERE, 0))
+    with pytest.raises(StreamError, match="Is remote control by UDP switched on"):
+        ask({"do": "status"}, HERE, client.getsockname()[1], wait=0.2)
+
+
+def test_what_is_open_to_others_is_known() -> None:
+    assert all(map(is_loopback, ("127.0.0.1", "localhost", "::1", "127.3.2.1")))
+    assert not any(map(is_loopback, ("0.0.0.0", "192.168.1.5", "::", "lab-pc")))

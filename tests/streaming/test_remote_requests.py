@@ -1,0 +1,186 @@
+"""What may be asked and what is answered, without sockets."""
+
+from __future__ import annotations
+
+import json
+from concurrent.futures import Future
+from functools import partial
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tracker.errors import ConfigError
+from tracker.streaming.osc_decode import message
+from tracker.streaming.osc_encode import message as osc_message
+from tracker.streaming.remote import osc
+from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
+from tracker.streaming.remote.reception import (
+    ACTS_HZ,
+    MOST_PEERS,
+    MOST_WAITING,
+    PER_PEER_HZ,
+    Reception,
+)
+from tracker.streaming.remote.request import (
+    MOST_BYTES,
+    MOST_TEXT,
+    Reply,
+    Request,
+    RequestError,
+    parse,
+)
+
+
+def test_words_and_json_ask_for_the_same() -> None:
+    assert parse(b"start", 1.0) == parse(b'{"do": "start"}', 1.0) == Request("start", 1.0)
+    note = Request("note", 2.0, text="the cup is taken")
+    assert parse("note the cup is taken\n", 2.0) == note
+    assert parse('{"do": "note", "text": "the cup is taken"}', 2.0) == note
+    assert parse("vibrate index", 3.0) == Request("vibrate", 3.0, finger="index")
+
+
+def test_an_id_comes_back() -> None:
+    asked = parse('{"do": "stop", "id": "a-7"}', 0.0)
+    assert asked is not None
+    said = json.loads(Reply(True, "stop", "Done.", Path("/home/p/x.mcap"), id=asked.id).as_json())
+    assert said == {"ok": True, "do": "stop", "text": "Done.", "file": "x.mcap", "id": "a-7"}
+
+
+def test_only_this_computers_user_is_told_the_folder() -> None:
+    reply = Reply(True, "start", "Recording.", Path("/home/p/x.mcap"))
+    assert json.loads(reply.as_json())["file"] == "x.mcap"
+    assert json.loads(reply.as_json(with_folder=True))["file"] == str(Path("/home/p/x.mcap"))
+
+
+@pytest.mark.parametrize(
+    ("said", "why"),
+    [
+        (b"", "can be asked is start, stop"),
+        (b"explode", "can be asked"),
+        (b"start now", "start knows no field 'text'"),
+        (b"note", "needs a text"),
+        (b'{"do": "note", "text": "  "}', "needs a text"),
+        (b'{"do": "note", "text": 3}', "text is a text"),
+        (b'{"do": ["note"]}', "can be asked"),
+        (b"vibrate toe", "finger is one of thumb"),
+        (b"vibrate", "needs a finger"),
+        (b'{"do": "vibrate", "finger": "index", "amplitude": 256}', "from 0 to 255"),
+        (b'{"do": "vibrate", "finger": "index", "amplitude": NaN}', "whole number"),
+        (b'{"do": "vibrate", "finger": "index", "duration_ms": true}', "whole number"),
+        (b'{"do": "start", "id": {}}', "id is"),
+        (b'{"do": "start", "id": ' + b"9" * 500 + b"}", "id is"),
+        (b'{"do": "note", "text": "' + b"x" * (MOST_TEXT + 1) + b'"}', "at most 500"),
+        (b"x" * (MOST_BYTES + 1), "at most 2048 bytes"),
+        (b"{" * 2000, "JSON or plain words"),
+        (b"\xff\xfe", "JSON or plain words"),
+    ],
+)
+def test_what_cannot_be_meant_is_refused_in_words(said: bytes, why: str) -> None:
+    with pytest.raises(RequestError, match=why):
+        parse(said, 0.0)
+
+
+@given(st.binary(max_size=300))
+def test_no_bytes_do_harm(data: bytes) -> None:
+    for read in (parse, osc.parse):
+        try:
+            read(data, 0.0)
+        except RequestError:
+            continue
+
+
+def test_a_note_cannot_steer_a_terminal() -> None:
+    asked = parse(json.dumps({"do": "note", "text": "a\x1b[2Jb\nc"}), 0.0)
+    assert asked is not None and asked.text == "a [2Jb c"
+
+
+def test_an_answer_is_not_answered() -> None:
+    """Two programs that answer each other would never end."""
+    assert parse(Reply(False, "", "What?").as_json(), 0.0) is None
+    assert osc.parse(osc.encode(Reply(False, "", "What?")), 0.0) is None
+
+
+def test_osc_asks_for_the_same_and_is_answered() -> None:
+    note = osc.parse(osc_message("/glovetrack/note", "grün"), 1.0)
+    assert note == Request("note", 1.0, text="grün")
+    motor = osc.parse(osc_message("/glovetrack/vibrate", "thumb", 90.0, 40), 1.0)
+    assert motor == Request("vibrate", 1.0, finger="thumb", amplitude=90, duration_ms=40)
+    said = osc.encode(Reply(True, "start", "Recording a.", Path("/x/a.mcap")))
+    assert message(said) == ("/glovetrack/reply", ["start", 1, "Recording a.", "a.mcap"])
+
+
+def test_a_button_of_an_osc_surface_acts_when_pressed_alone() -> None:
+    assert osc.parse(osc_message("/glovetrack/start", 1.0), 0.0) == Request("start", 0.0)
+    assert osc.parse(osc_message("/glovetrack/start", 0.0), 0.0) is None
+
+
+@pytest.mark.parametrize(
+    "data", [osc_message("/other"), osc_message("/glovetrack/note", "a", "b"), b"note hello"]
+)
+def test_strange_osc_is_refused(data: bytes) -> None:
+    with pytest.raises(RequestError):
+        osc.parse(data, 0.0)
+
+
+class Desk:
+    """Somebody who acts, or who lets wait."""
+
+    def __init__(self, acts: bool = True) -> None:
+        self.acts, self.asked, self.now = acts, [], 100.0
+        self.reception = Reception(self.answer, lambda: self.now)
+
+    def answer(self, request: Request) -> Future[Reply]:
+        self.asked.append(request)
+        future: Future[Reply] = Future()
+        if self.acts:
+            future.set_result(Reply(True, request.do, "Done."))
+        return future
+
+    def say(self, text: str, peer: str = "a") -> Reply | None:
+        t = self.reception.admit(peer)
+        if t is None:
+            return None
+        future = self.reception.take(partial(parse, text, t))
+        return future.result(0) if future is not None and future.done() else None
+
+
+def test_nobody_can_ask_faster_than_is_of_use() -> None:
+    """The bucket holds two seconds' worth and fills at its rate."""
+    desk = Desk()
+    answers = [desk.say("vibrate index") for _ in range(1000)]
+    assert sum(a is not None for a in answers) == 2 * PER_PEER_HZ
+    desk.now += 0.5
+    answers = [desk.say("vibrate index") for _ in range(1000)]
+    assert sum(a is not None for a in answers) == 0.5 * PER_PEER_HZ
+    assert desk.say("vibrate index", peer="b") is not None, "another one is not to suffer for it"
+
+
+def test_notes_are_taken_slower_and_the_rest_is_told_why() -> None:
+    desk = Desk()
+    answers = [desk.say("note hello") for _ in range(100)]
+    taken = [a for a in answers if a is not None and a.ok]
+    assert len(taken) == len(desk.asked) == 2 * ACTS_HZ
+    assert answers[-1] is not None and "At most 10 requests a second" in answers[-1].text
+    counts = desk.reception.counts("x", None)
+    assert (counts.asked, counts.refused) == (20, 80)
+
+
+def test_what_waits_and_who_is_known_are_bounded() -> None:
+    desk = Desk(acts=False)
+    for k in range(10 * MOST_WAITING):
+        desk.now += 0.2
+        desk.say("status", peer=f"10.0.0.{k}")
+    assert len(desk.asked) == MOST_WAITING
+    assert len(desk.reception.counts("x", None).peers) == MOST_PEERS
+
+
+def test_nothing_is_open_and_the_command_line_opens_it() -> None:
+    assert not any(getattr(RemoteParams(), name) for name in DOORS)
+    assert RemoteParams().host == "127.0.0.1"
+    params = with_doors(RemoteParams(), "udp, OSC:9000", "0.0.0.0")
+    assert params == RemoteParams(udp=True, osc=True, osc_port=9000, host="0.0.0.0")
+    for words in ("tcp", "udp:0", "osc:x"):
+        with pytest.raises(ConfigError):
+            with_doors(RemoteParams(), words)

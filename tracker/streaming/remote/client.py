@@ -1,0 +1,34 @@
+"""Asks a window on another computer, or in another session of this one, over UDP."""
+
+from __future__ import annotations
+
+import json
+import socket
+from typing import Any
+
+from tracker.streaming.publisher import StreamError
+from tracker.streaming.remote.params import RemoteParams
+
+ANSWER_BYTES = 65536
+
+
+def ask(
+    words: dict[str, Any], host: str, port: int = RemoteParams.udp_port, wait: float = 5.0
+) -> str:
+    """Send one request and wait ``wait`` s for its answer, as JSON. Raises StreamError.
+
+    It is sent once: a start whose answer was lost would be refused the second time.
+    """
+    nowhere = f"No window answers at {host}:{port}"
+    try:
+        family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
+        with socket.socket(family, kind) as asking:
+            asking.settimeout(wait)
+            asking.connect(address)
+            asking.send(json.dumps(words).encode())
+            return asking.recv(ANSWER_BYTES).decode("utf-8")
+    except (OSError, UnicodeError, OverflowError) as error:
+        reason = str(error) or type(error).__name__
+        raise StreamError(
+            f"{nowhere}: {reason}. Is remote control by UDP switched on there?"
+        ) from error

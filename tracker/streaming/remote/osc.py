@@ -1,0 +1,50 @@
+"""Requests and answers as OSC: ``/glovetrack/note "the cup is taken"``.
+
+An answer goes to the port that asked: ``/glovetrack/reply do ok sentence file``. Values stand in
+the order of `request.FIELDS`; those at the end may be left out.
+"""
+
+from __future__ import annotations
+
+from tracker.streaming import osc_decode, osc_encode
+from tracker.streaming.osc_decode import OscError
+from tracker.streaming.remote.request import (
+    FIELDS,
+    MOST_BYTES,
+    Reply,
+    Request,
+    RequestError,
+    from_fields,
+)
+
+ROOT = "/glovetrack/"
+REPLY = f"{ROOT}reply"
+
+
+def parse(data: bytes, t: float) -> Request | None:
+    """None for an answer, which is not answered again. Raises RequestError in words."""
+    if len(data) > MOST_BYTES:
+        raise RequestError(f"A request has at most {MOST_BYTES} bytes.")
+    try:
+        address, values = osc_decode.message(data)
+    except OscError as error:
+        raise RequestError(f"This is no OSC message: {error}.") from error
+    if address == REPLY:
+        return None
+    do = address.removeprefix(ROOT)
+    if not address.startswith(ROOT) or do not in FIELDS:
+        addresses = ", ".join(ROOT + name for name in FIELDS)
+        raise RequestError(f"The OSC addresses are {addresses}.")
+    if not FIELDS[do] and len(values) == 1:  # of a button: one when pressed, zero when let go
+        if values[0] in (0, ""):
+            return None
+        values = []
+    if len(values) > len(FIELDS[do]):
+        raise RequestError(f"{address} has {len(FIELDS[do])} values, not {len(values)}.")
+    return from_fields({"do": do, **dict(zip(FIELDS[do], values, strict=False))}, t)
+
+
+def encode(reply: Reply) -> bytes:
+    """The answer as one message."""
+    name = reply.file.name if reply.file is not None else ""
+    return osc_encode.message(REPLY, reply.do, int(reply.ok), reply.text, name)

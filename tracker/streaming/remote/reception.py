@@ -1,0 +1,108 @@
+"""Between a socket and who acts: bounds how often anybody asks, and counts.
+
+Nothing that comes from outside makes it hold more than a fixed amount: peers are forgotten oldest
+first, requests that wait for their answer are limited.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+from concurrent.futures import Future
+from dataclasses import dataclass
+
+from tracker.clock import monotonic
+from tracker.streaming.remote.request import Reply, Request, RequestError
+
+PER_PEER_HZ, ALL_HZ = 100.0, 300.0  # five motors 20 times a second are the most that is of use
+ACTS_HZ = 10.0  # of what is not vibration: each makes a line in the log
+MOST_PEERS = 64
+MOST_WAITING = 64
+UNHURRIED = ("vibrate", "status")  # not counted as acts
+
+Answer = Callable[[Request], "Future[Reply]"]
+"""Who acts: called in a door's thread; the future is fulfilled in any."""
+
+
+class Allowance:
+    """A bucket that fills at ``rate_hz`` and holds two seconds of it."""
+
+    def __init__(self, rate_hz: float, t: float) -> None:
+        self._rate, self._most = rate_hz, 2.0 * rate_hz
+        self._left, self._t = self._most, t
+
+    def take(self, t: float) -> bool:
+        """Whether one more is allowed at ``t`` s; it is taken then."""
+        self._left = min(self._most, self._left + self._rate * max(0.0, t - self._t))
+        self._t = max(self._t, t)
+        if self._left < 1.0:
+            return False
+        self._left -= 1.0
+        return True
+
+
+@dataclass(frozen=True)
+class DoorCounts:
+    """What came in; ``peers``: who asked, the latest last, with s since then."""
+
+    name: str
+    asked: int
+    refused: int  # not understood, or too many
+    peers: tuple[tuple[str, float], ...]
+    clients: int | None  # connected now; None where there are no connections
+
+
+class Reception:
+    """One door's; all calls of `take` come from its one thread."""
+
+    def __init__(self, answer: Answer, clock: Callable[[], float] = monotonic) -> None:
+        self._answer, self._clock = answer, clock
+        self._all, self._acts = Allowance(ALL_HZ, clock()), Allowance(ACTS_HZ, clock())
+        self._peers: OrderedDict[str, tuple[Allowance, float]] = OrderedDict()
+        self._places = threading.BoundedSemaphore(MOST_WAITING)
+        self.asked = self.refused = 0
+
+    def admit(self, peer: str) -> float | None:
+        """The time at which a message of ``peer`` arrived; None where it is one too many."""
+        t = self._clock()
+        allowance, _ = self._peers.pop(peer, (None, 0.0))
+        allowance = allowance or Allowance(PER_PEER_HZ, t)
+        self._peers[peer] = (allowance, t)
+        while len(self._peers) > MOST_PEERS:
+            self._peers.popitem(last=False)
+        if allowance.take(t) and self._all.take(t):
+            return t
+        self.refused += 1
+        return None
+
+    def take(self, read: Callable[[], Request | None]) -> Future[Reply] | None:
+        """Have what ``read`` gives acted on; None where there is nothing to answer."""
+        try:
+            request = read()
+        except RequestError as error:
+            return self._refuse(Reply(False, "", str(error)))
+        if request is None:
+            return None
+        if request.do not in UNHURRIED and not self._acts.take(request.t):
+            sentence = f"At most {ACTS_HZ:.0f} requests a second are taken."
+            return self._refuse(Reply(False, request.do, sentence, id=request.id))
+        if not self._places.acquire(blocking=False):
+            sentence = "The window is busy: requests wait for their answers already."
+            return self._refuse(Reply(False, request.do, sentence, id=request.id))
+        self.asked += 1
+        future = self._answer(request)
+        future.add_done_callback(lambda _done: self._places.release())
+        return future
+
+    def _refuse(self, reply: Reply) -> Future[Reply]:
+        self.refused += 1
+        out: Future[Reply] = Future()
+        out.set_result(reply)
+        return out
+
+    def counts(self, name: str, clients: int | None) -> DoorCounts:
+        """From any thread."""
+        now = self._clock()
+        peers = tuple((peer, now - t) for peer, (_, t) in list(self._peers.items()))
+        return DoorCounts(name, self.asked, self.refused, peers, clients)

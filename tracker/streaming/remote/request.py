@@ -1,0 +1,170 @@
+"""What may be asked from outside and what is answered, without any socket.
+
+    {"do": "note", "text": "the cup is taken", "id": 7}
+    {"ok": true, "do": "note", "text": "Noted.", "id": 7}
+    {"ok": false, "do": "stop", "error": "Nothing is being recorded.", "id": 8}
+
+A datagram may also be plain words: ``start``, ``note the cup is taken``. Another thing to ask for
+is a line in `FIELDS` and in the receiver; a word or a field that is not known is an error in words,
+so that a client learns what this version can do.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from tracker.errors import GlovetrackError
+from tracker.hand.names import CHAINS
+
+MOST_BYTES = 2048  # of a request
+MOST_TEXT = 500  # characters of a note
+MOST_ID = 64  # characters of an id
+MOST_AMPLITUDE, USUAL_AMPLITUDE = 255, 200
+MOST_MS, USUAL_MS = 2000, 80  # of one vibration: who hangs up cannot leave a motor running
+FIELDS: Mapping[str, tuple[str, ...]] = {
+    "start": (),
+    "stop": (),
+    "note": ("text",),
+    "status": (),
+    "vibrate": ("finger", "amplitude", "duration_ms"),
+}
+"""The words, and what each may say besides ``do`` and ``id``."""
+
+
+class RequestError(GlovetrackError):
+    """What was asked cannot be understood."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """``t``: when it arrived, s of the host's monotonic clock; ``id`` comes back in the answer."""
+
+    do: str
+    t: float
+    text: str = ""
+    finger: str = ""
+    amplitude: int = USUAL_AMPLITUDE
+    duration_ms: int = USUAL_MS
+    id: str | int | None = None
+
+
+@dataclass(frozen=True)
+class Reply:
+    """``text`` is a sentence, of what was done or, where not ``ok``, of why it was not.
+
+    ``more`` holds values for programs, ready for JSON.
+    """
+
+    ok: bool
+    do: str
+    text: str
+    file: Path | None = None
+    more: Mapping[str, Any] = field(default_factory=dict)
+    id: str | int | None = None
+
+    def as_json(self, with_folder: bool = False) -> str:
+        """One line. Where the file lies is told to this computer's own user alone."""
+        out: dict[str, Any] = {"ok": self.ok, "do": self.do}
+        out["text" if self.ok else "error"] = self.text
+        if self.file is not None:
+            out["file"] = str(self.file) if with_folder else self.file.name
+        out |= self.more
+        if self.id is not None:
+            out["id"] = self.id
+        return json.dumps(out, allow_nan=False)
+
+
+def parse(data: bytes | str, t: float) -> Request | None:
+    """A request of JSON or of plain words; None for an answer, which is not answered again.
+
+    Raises RequestError in words.
+    """
+    if len(data) > MOST_BYTES:
+        raise RequestError(f"A request has at most {MOST_BYTES} bytes.")
+    try:
+        text = data.decode("utf-8") if isinstance(data, bytes) else data
+        said = json.loads(text) if text.lstrip().startswith("{") else _words(text)
+    except (ValueError, RecursionError) as error:
+        raise RequestError("A request is JSON or plain words, in UTF-8.") from error
+    return None if "ok" in said else from_fields(said, t)
+
+
+def _words(text: str) -> dict[str, Any]:
+    """``note the cup is taken`` or ``vibrate index`` as fields."""
+    do, _, rest = text.strip().partition(" ")
+    said: dict[str, Any] = {"do": do.lower()}
+    fields = FIELDS.get(said["do"], ())
+    if rest.strip():
+        said[fields[0] if fields else "text"] = rest.strip()
+    return said
+
+
+def from_fields(said: Mapping[str, Any], t: float) -> Request:
+    """A request that holds nothing but what may be said. Raises RequestError in words."""
+    do = said.get("do")
+    if not isinstance(do, str) or do not in FIELDS:
+        raise RequestError(f"What can be asked is {', '.join(FIELDS)}, as the field do.")
+    known = (*FIELDS[do], "do", "id")
+    strange = [key for key in said if key not in known]
+    if strange:
+        raise RequestError(f"{do} knows no field {_shown(strange[0])}.")
+    values = {key: _CHECKS[key](value) for key, value in said.items() if key != "do"}
+    request = Request(do, t, **values)
+    if do == "note" and not request.text:
+        raise RequestError("A note needs a text.")
+    if do == "vibrate" and not request.finger:
+        raise RequestError(f"vibrate needs a finger: {', '.join(CHAINS)}.")
+    return request
+
+
+def _shown(text: str) -> str:
+    return repr(text[:40])
+
+
+def _text(value: object) -> str:
+    """One line that steers no terminal. Raises RequestError."""
+    if not isinstance(value, str):
+        raise RequestError("text is a text.")
+    clean = "".join(c if c.isprintable() else " " for c in value).strip()
+    if len(clean) > MOST_TEXT:
+        raise RequestError(f"A note has at most {MOST_TEXT} characters.")
+    return clean
+
+
+def _finger(value: object) -> str:
+    if not isinstance(value, str) or value not in CHAINS:
+        raise RequestError(f"finger is one of {', '.join(CHAINS)}.")
+    return value
+
+
+def _whole(name: str, low: int, high: int) -> Callable[[object], int]:
+    def check(value: object) -> int:
+        if isinstance(value, float) and value.is_integer():
+            value = int(value)  # surfaces of OSC send floats
+        if type(value) is not int or not low <= value <= high:
+            raise RequestError(f"{name} is a whole number from {low} to {high}.")
+        return value
+
+    return check
+
+
+def _id(value: object) -> str | int | None:
+    """Small, since it is sent back."""
+    if value is None or (isinstance(value, str) and len(value) <= MOST_ID):
+        return value
+    if type(value) is int and abs(value) < 2**63:
+        return value
+    raise RequestError(f"id is a whole number or a text of at most {MOST_ID} characters.")
+
+
+_CHECKS: Mapping[str, Callable[[object], Any]] = {
+    "text": _text,
+    "finger": _finger,
+    "amplitude": _whole("amplitude", 0, MOST_AMPLITUDE),
+    "duration_ms": _whole("duration_ms", 1, MOST_MS),
+    "id": _id,
+}
