@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import time
-from dataclasses import replace
-
-import numpy as np
+from functools import partial
 
 from app.engines.demo_camera import DURATION, demo_spec, start_camera
-from app.engines.engine import EngineSetup, RecordingRequest, ReferenceHand
+from app.engines.engine import EngineSetup, ReferenceHand
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -16,25 +14,21 @@ from tracker import library
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError
-from tracker.geometry import so3
-from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
-from tracker.messages import Estimate, Message, Validity
 from tracker.pipeline import Pipeline
 from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo
-from tracker.session.writer import SessionRecorder
+from tracker.session.recording.process import RecorderProcesses
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.simulation.demo import DemoSpec, build
 from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.scenario import Simulation
-from tracker.simulation.scenario import Truth as SimulatedTruth
+from tracker.simulation.truth_recorder import Prepare, WithTruth
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 
 LEAD = 0.25  # s until the devices begin: a recording asked for at once misses nothing
 CAMERA_TIMEOUT = 120.0
-TRUTHS_AT_ONCE = 25
 CAMERA = "simulated camera"
 
 
@@ -77,16 +71,19 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
     device.begin(t_0)
     tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
     info = _info(spec, simulation, pipeline, colours_text)
+    recorders = RecorderProcesses(Prepare(spec))
+    recorders.warm()
 
     def truth(t: float) -> ReferenceHand:
         true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
         return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
 
-    record = recorder_maker(tracker, info)
+    def close() -> None:
+        device.stop()
+        recorders.close()
 
-    def make_recorder(request: RecordingRequest) -> Recorder:
-        return TruthfulRecorder(record(request), simulation, t_0)
-
+    companion = WithTruth(spec, t_0)
+    record = partial(recorders.record, companion=companion)
     return EngineSetup(
         name="demo",
         engine=tracker,
@@ -95,8 +92,8 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         rig=simulation.rig,
         profile=profile,
         anchor=info.anchor,
-        close=device.stop,
-        make_recorder=make_recorder,
+        close=close,
+        make_recorder=recorder_maker(tracker, info, record),
         truth=truth,
         simulated=True,
         vibrate=link.vibrate,
@@ -123,45 +120,3 @@ def _info(
         engine=pipeline.settings.engine,
         simulated=True,
     )
-
-
-class TruthfulRecorder:
-    """Writes beside each estimate what the hand truly did."""
-
-    def __init__(self, inner: SessionRecorder, simulation: Simulation, t_0: float) -> None:
-        self._inner, self._simulation, self._t_0 = inner, simulation, t_0
-        self._waiting: list[Estimate] = []
-        self._segments = simulation.glove.keypoint_segments(simulation.hand)
-
-    def write(self, message: Message, overloaded: bool = False) -> None:
-        self._inner.write(message, overloaded)
-        if isinstance(message, Estimate):
-            self._waiting.append(message)
-            if len(self._waiting) >= TRUTHS_AT_ONCE:
-                self._write_truths()
-
-    def _write_truths(self) -> None:
-        """Truth for many instants costs no more than for one."""
-        t = np.array([e.t for e in self._waiting]) - self._t_0
-        truths = self._simulation.truths(np.clip(t, 0.0, DURATION - 0.1))
-        for estimate, true in zip(self._waiting, truths, strict=True):
-            self._inner.write_truth(self._with_truth(estimate, true))
-        self._waiting.clear()
-
-    def _with_truth(self, estimate: Estimate, true: SimulatedTruth) -> Estimate:
-        """The estimate's shape with the true values."""
-        return replace(
-            estimate,
-            keypoints=true.keypoints.copy(),
-            angles=true.angles.copy(),
-            segment_R=true.R_GB.copy(),
-            segment_p=true.p_GB.copy(),
-            keypoint_q=so3.quat_from_matrix(true.R_GB)[self._segments],
-            keypoint_state=np.full(len(true.keypoints), Validity.MEASURED, np.int64),
-            angle_state=np.full(len(true.angles), Validity.MEASURED, np.int64),
-        )
-
-    def close(self) -> None:
-        if self._waiting:
-            self._write_truths()
-        self._inner.close()

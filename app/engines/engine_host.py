@@ -205,6 +205,7 @@ class EngineHost(QObject):
             return None
         for event in setup.engine.take_events():
             self.happened.emit(event)
+        self.recording.look()
         if self._spent and setup.player is None:
             return Snapshot(setup=setup, running=False)  # what was live is no more
         estimate = setup.engine.latest_estimate()

@@ -28,6 +28,7 @@ from tracker.sensors.glove_port import GlovePort
 from tracker.sensors.protocol import BAUDS
 from tracker.sensors.sources import CameraSource, NoCamera, NoGlove
 from tracker.session.description import SessionInfo
+from tracker.session.recording.process import RecorderProcesses
 from tracker.settings import Settings
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
@@ -78,6 +79,8 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     chosen = found.camera
     camera: CameraSource = StereoCamera(chosen.source, found.rig) if chosen else NoCamera()
     tracker = LiveTracker(pipeline, profile, make_detector, link or NoGlove(), camera)
+    recorders = RecorderProcesses()
+    recorders.warm()
     return EngineSetup(
         name=found.name,
         engine=tracker,
@@ -86,8 +89,8 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         rig=pipeline.rig,
         profile=profile,
         anchor=info.anchor,
-        close=lambda: None,
-        make_recorder=recorder_maker(tracker, info),
+        close=recorders.close,
+        make_recorder=recorder_maker(tracker, info, recorders.record),
         vibrate=link.vibrate if link else None,
         command=tracker.command,
         reference_tracking=tracker if found.whole else None,

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
+from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
@@ -16,7 +18,6 @@ from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
 from tracker.messages import Calibration, EngineState, Event, Message, Status
 from tracker.session.description import SessionInfo
-from tracker.session.writer import SessionRecorder
 from tracker.vision.colours import profile_to_toml
 
 
@@ -27,17 +28,34 @@ class PausableRecorder:
         self._inner = inner
         self.paused = False
         self.written = 0  # messages so far
+        self.broken = False  # nothing more is written; the engine has said why
         self.figures: Mapping[str, float] = {}  # of the last status: the recording's own
 
-    def write(self, message: Message, overloaded: bool = False) -> None:
+    def write(self, message: Message, overloaded: bool = False) -> bool:
         if isinstance(message, Status):
             self.figures = message.values
-        if not self.paused or isinstance(message, Event | Calibration | EngineState):
-            self._inner.write(message, overloaded)
-            self.written += 1
+        if self.paused and not isinstance(message, Event | Calibration | EngineState):
+            return True
+        with self._watched():
+            taken = self._inner.write(message, overloaded)
+        self.written += 1
+        return taken
+
+    def flush(self) -> None:
+        with self._watched():
+            self._inner.flush()
 
     def close(self) -> None:
-        self._inner.close()
+        with self._watched():
+            self._inner.close()
+
+    @contextmanager
+    def _watched(self) -> Iterator[None]:
+        try:
+            yield
+        except (GlovetrackError, OSError):
+            self.broken = True
+            raise
 
 
 class Recording(QObject):
@@ -109,6 +127,11 @@ class Recording(QObject):
             self._setup.engine.keep_state()  # it has gone on meanwhile
         self.changed.emit(True)
 
+    def look(self) -> None:
+        """End a recording whose file takes no more, so that another one can begin."""
+        if self._recorder is not None and self._recorder.broken:
+            self.end()
+
     def end(self) -> None:
         """End the file; the engine writes what waits and closes it."""
         if self._setup is None or self.request is None:
@@ -121,14 +144,18 @@ class Recording(QObject):
 
 
 def recorder_maker(
-    tracker: LiveTracker, info: SessionInfo, clock: Callable[[], float] = monotonic
-) -> Callable[[RecordingRequest], SessionRecorder]:
+    tracker: LiveTracker,
+    info: SessionInfo,
+    record: Callable[[Path, SessionInfo], Recorder],
+    clock: Callable[[], float] = monotonic,
+) -> Callable[[RecordingRequest], Recorder]:
     """Recordings begin when they are asked for, with the engine, settings and colours of then.
 
-    ``clock`` gives s of the monotonic clock that ``info.anchor`` tells of.
+    ``record`` begins a file; ``clock`` gives s of the monotonic clock that ``info.anchor`` tells
+    of.
     """
 
-    def make_recorder(request: RecordingRequest) -> SessionRecorder:
+    def make_recorder(request: RecordingRequest) -> Recorder:
         named = replace(
             info,
             anchor=info.anchor.at(clock()),
@@ -138,6 +165,6 @@ def recorder_maker(
             settings_text=to_toml(tracker.settings),
             colours_text=profile_to_toml(tracker.profile),
         )
-        return SessionRecorder(request.path, named)
+        return record(request.path, named)
 
     return make_recorder

@@ -87,7 +87,7 @@ def losses_text(values: Mapping[str, float]) -> str:
     """What a recording's status counts as lost."""
     lost = round(values.get("imu_lost", 0))
     thinned = round(values.get("pictures_thinned", 0))
-    overflow = round(values.get("imu_overflow", 0))
+    overflow = round(values.get("imu_overflow", 0) + values.get("messages_unrecorded", 0))
     out = [f"{lost} packets", f"{thinned} images not recorded"]
     if overflow:
         out.append(f"{overflow} messages that the computer had no time for")

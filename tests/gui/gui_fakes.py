@@ -191,9 +191,13 @@ class MemoryRecorder:
         self.path, self.messages, self.closed = path, [], False
         path.write_bytes(b"")
 
-    def write(self, message, overloaded: bool = False) -> None:
+    def write(self, message, overloaded: bool = False) -> bool:
         assert not self.closed
         self.messages.append(message)
+        return True
+
+    def flush(self) -> None:
+        assert not self.closed
 
     def close(self) -> None:
         self.closed = True

@@ -116,7 +116,7 @@ def take(tmp_path_factory) -> Path:
         Nothing(),
         clock=clock,
     )
-    record = recorder_maker(tracker, session_info(), clock)
+    record = recorder_maker(tracker, session_info(), SessionRecorder, clock)
     recording = False
     for item in schedule():
         if arrival(item) >= SEEN and not recording:
@@ -221,7 +221,10 @@ class Copying:
     def __init__(self, path: Path, take: Path) -> None:
         self._path, self._take = path, take
 
-    def write(self, message, overloaded: bool = False) -> None:
+    def write(self, message, overloaded: bool = False) -> bool:
+        return True
+
+    def flush(self) -> None:
         pass
 
     def close(self) -> None:

@@ -91,10 +91,14 @@ class Tape:
         self.messages: list[Message] = []
         self.closed, self._limit = False, limit
 
-    def write(self, message: Message, overloaded: bool = False) -> None:
+    def write(self, message: Message, overloaded: bool = False) -> bool:
         if len(self.messages) >= self._limit:
             raise FileError("The disk is full.")
         self.messages.append(message)
+        return True
+
+    def flush(self) -> None:
+        pass
 
     def close(self) -> None:
         self.closed = True

@@ -59,4 +59,6 @@ class Journal:
     def figures(self) -> dict[str, float]:
         """How the disk keeps up."""
         disk = self._disk
-        return {} if disk is None else {"pictures_thinned": disk.thinned}
+        if disk is None:
+            return {}
+        return {"pictures_thinned": disk.thinned, "messages_unrecorded": disk.overflowed}

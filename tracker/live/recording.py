@@ -12,12 +12,20 @@ from tracker.errors import GlovetrackError
 from tracker.messages import Message, StereoFrame
 
 MAX_IMAGES_WAITING = 24  # 130 MB at 720p
+MAX_WAITING = 20_000  # messages: a minute
+BATCH = 0.04  # s that messages wait to go together: each wake-up of a thread disturbs the others
+LOOK_EVERY = 0.25  # s, where there is nothing to write, to see whether the recorder is still there
 
 
 class Recorder(Protocol):
-    """Takes messages to disk; see `tracker.session.writer.SessionRecorder`."""
+    """Takes messages to disk; see `tracker.session.writer.SessionRecorder`.
 
-    def write(self, message: Message, overloaded: bool = False) -> None: ...
+    ``write`` is False where an image was left out. ``flush`` comes after every few messages.
+    """
+
+    def write(self, message: Message, overloaded: bool = False) -> bool: ...
+
+    def flush(self) -> None: ...
 
     def close(self) -> None: ...
 
@@ -27,9 +35,10 @@ class RecordingThread:
 
     def __init__(self, recorder: Recorder, say: Callable[[str, str], None]) -> None:
         self._recorder, self._say = recorder, say
-        self._queue: Fifo[tuple[Message, bool]] = Fifo(20_000)
+        self._queue: Fifo[tuple[Message, bool]] = Fifo(MAX_WAITING)
         self._images = 0
         self._lock = threading.Lock()
+        self._ending = threading.Event()
         self.thinned = 0
         self._thread = threading.Thread(target=self._run, name="glovetrack-disk", daemon=True)
         self._thread.start()
@@ -41,23 +50,28 @@ class RecordingThread:
             with self._lock:
                 overloaded = self._images >= MAX_IMAGES_WAITING
                 self._images += not overloaded
+                self.thinned += overloaded
             if overloaded:
-                self.thinned += 1
                 message = replace(message, left=None, right=None)
         self._queue.put((message, overloaded))
+
+    @property
+    def overflowed(self) -> int:
+        """Messages lost because the recorder was a minute behind."""
+        return self._queue.overflowed
 
     def finish(self) -> None:
         """Write what waits, then close the file."""
         self._queue.close()
+        self._ending.set()
         if self._thread is not threading.current_thread():
             self._thread.join()
 
     def _run(self) -> None:
         try:
             while True:
-                item = self._queue.get(None)
-                if item is not None:
-                    self._write(*item)
+                self._write_waiting()
+                self._ending.wait(BATCH)
         except Closed:
             self._close()
         except (GlovetrackError, OSError) as error:
@@ -65,11 +79,19 @@ class RecordingThread:
             self._close()
             self._say("error", f"The recording has ended: {error}")
 
+    def _write_waiting(self) -> None:
+        """All that waits, together. Raises Closed at the end."""
+        first = self._queue.get(LOOK_EVERY)
+        for item in (first, *self._queue.drain()) if first is not None else ():
+            self._write(*item)
+        self._recorder.flush()
+
     def _write(self, message: Message, overloaded: bool) -> None:
-        self._recorder.write(message, overloaded)
+        taken = self._recorder.write(message, overloaded)
         if isinstance(message, StereoFrame) and not overloaded:
             with self._lock:
                 self._images -= 1
+                self.thinned += not taken
 
     def _close(self) -> None:
         try:

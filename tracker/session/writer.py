@@ -37,6 +37,7 @@ class RecorderParams:
     stop_free_gb: float = 1.0
     check_disk_s: float = 2.0
     sync: bool = True  # hold against a loss of power too
+    sync_beside: bool = False  # in a thread of its own: writing does not wait for the disk
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,8 @@ class SessionRecorder:
     def _open(self) -> McapOutput:
         p = self.params
         chunk_ns = round(p.chunk_s * 1e9)
-        return McapOutput(self.path, p.compression, p.chunk_bytes, chunk_ns, p.sync)
+        sync = (p.sync, p.sync_beside)
+        return McapOutput(self.path, p.compression, p.chunk_bytes, chunk_ns, *sync)
 
     def _write_start(self, out: McapOutput) -> None:
         now = self.info.anchor.wall_ns
@@ -115,28 +117,33 @@ class SessionRecorder:
     def closed(self) -> bool:
         return self._out is None
 
-    def write(self, message: Message, overloaded: bool = False) -> None:
-        """Take one message. While ``overloaded``, images are left out and counted.
+    def write(self, message: Message, overloaded: bool = False) -> bool:
+        """Take one message. While ``overloaded``, images are left out and counted: False.
 
         FrameResult has no place in a session: it follows from the rest.
         """
-        self._guarded(lambda out: self._write(out, message, overloaded))
-
-    def _write(self, out: McapOutput, message: Message, overloaded: bool) -> None:
-        if isinstance(message, EngineState):
-            data = engine_state.pack(message.engine, message.state)
-            when = self.info.anchor.wall(message.t)
-            out.attach_bytes(engine_state.NAME, engine_state.MEDIA_TYPE, data, when)
-            return
         if isinstance(message, StereoFrame):
+            self._thinned += overloaded
+            self._frames += not overloaded
             if overloaded:
-                self._thinned += 1
-                return
-            self._frames += 1
-        self._put(out, self._encoder.encoded(message))
+                return False
+        if isinstance(message, EngineState):
+            self.write_state(message.t, engine_state.pack(message.engine, message.state))
+        else:
+            self._guarded(lambda out: self._put(out, self._encoder.encoded(message)))
+        return True
+
+    def write_state(self, t: float, data: bytes) -> None:
+        """An EngineState, packed by `tracker.session.engine_state`."""
+        name, kind, when = engine_state.NAME, engine_state.MEDIA_TYPE, self.info.anchor.wall(t)
+        self._guarded(lambda out: out.attach_bytes(name, kind, data, when))
+
+    def flush(self) -> None:
+        """Nothing: what is taken is in the file, or in the chunk that is filled next."""
 
     def write_packed(self, frame: PackedFrame) -> None:
-        """Images of another session, byte for byte."""
+        """Images that are compressed already, byte for byte."""
+        self._frames += 1
         self._guarded(lambda out: self._put(out, self._encoder.packed_images(frame)))
 
     def write_camera(

@@ -10,6 +10,7 @@ from mcap.writer import CompressionType, Writer
 from tracker import __version__
 from tracker.session.mcap.disk import WholeRecordFile
 from tracker.session.mcap.input import McapInput, RawMessage
+from tracker.session.mcap.sync import SyncBeside
 from tracker.session.ros.definitions import definition
 
 COMPRESSION = {
@@ -33,7 +34,8 @@ class McapOutput:
     """An MCAP being written.
 
     ``chunk_ns``: the longest log time that may stay unwritten, and that a chunk spans. Messages
-    that come late, behind others of a later log time, go into chunks of their own.
+    that come late, behind others of a later log time, go into chunks of their own. ``sync``: have
+    the disk hold each chunk against a loss of power, too; ``sync_beside``: without waiting for it.
     """
 
     def __init__(
@@ -43,6 +45,7 @@ class McapOutput:
         chunk_bytes: int = 64 * 1024,
         chunk_ns: int = 400_000_000,
         sync: bool = True,
+        sync_beside: bool = False,
     ) -> None:
         self._file = WholeRecordFile(path)
         self._writer = Writer(
@@ -53,6 +56,7 @@ class McapOutput:
         )
         self._writer.start("ros2", f"glovetrack {__version__}")
         self._chunk_ns, self._sync = chunk_ns, sync
+        self._beside = SyncBeside(self._file.sync) if sync and sync_beside else None
         self._schemas: dict[str, int] = {}
         self._channels: dict[str, int] = {}
         self._chunk_bytes = chunk_bytes
@@ -112,7 +116,9 @@ class McapOutput:
     def close_chunk(self) -> None:
         """Write what is held back, down to the disk."""
         self._write_waiting()
-        if self._sync:
+        if self._beside is not None:
+            self._beside.soon()
+        elif self._sync:
             self._file.sync()
 
     def _write_waiting(self) -> None:
@@ -130,6 +136,7 @@ class McapOutput:
     def finish(self) -> None:
         """Write the summary and close the file, the file itself in any case."""
         try:
+            self._end_sync()
             self._write_waiting()
             self._writer.finish()
             if self._sync:
@@ -139,7 +146,13 @@ class McapOutput:
 
     def abandon(self) -> None:
         """Close the file as it is; `recover` makes a regular one of it."""
+        self._end_sync()
         self._file.close()
+
+    def _end_sync(self) -> None:
+        beside, self._beside = self._beside, None
+        if beside is not None:
+            beside.end()
 
 
 class Copier:

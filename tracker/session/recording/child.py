@@ -1,0 +1,171 @@
+"""The recorder's process: waits for recordings to begin, and writes one after the other.
+
+It ends with the pipe. A window that is killed closes the pipe, too: what has come through it by
+then is written, and the file is finished.
+"""
+
+from __future__ import annotations
+
+import queue
+import signal
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from enum import Enum, auto
+from functools import partial
+from multiprocessing.connection import Connection
+from typing import Any
+
+import cv2
+
+from tracker.errors import FileError, GlovetrackError
+from tracker.session.recording.compression import ImageCompression
+from tracker.session.recording.image_slots import ImageInSlot, SlotReader, SlotsOpened
+from tracker.session.recording.wire import (
+    Begin,
+    Begun,
+    End,
+    Ended,
+    Failed,
+    Item,
+    PackedState,
+    Sink,
+)
+from tracker.session.writer import SessionRecorder
+
+MOST_WAITING = 2000
+"""Batches: more than a minute of them; a disk that takes longer holds the window's side back."""
+
+
+class _Signal(Enum):
+    ENDS = auto()  # the window's process has gone, or wants this one to
+    IMAGE = auto()  # an image pair is compressed
+
+
+class _Inbox:
+    """What came through the pipe, read at once: the pipe holds little, and the window may die."""
+
+    def __init__(self, pipe: Connection) -> None:
+        self._pipe = pipe
+        self._items: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        self._room = threading.Semaphore(MOST_WAITING)
+        threading.Thread(target=self._read, name="glovetrack-pipe", daemon=True).start()
+
+    def _read(self) -> None:
+        try:
+            while True:
+                self._items.put(self._pipe.recv())
+                self._room.acquire()
+        except (EOFError, OSError):
+            self._items.put(_Signal.ENDS)
+
+    def get(self) -> Any:
+        """The next thing; waits for it."""
+        item = self._items.get()
+        if not isinstance(item, _Signal):
+            self._room.release()
+        return item
+
+    def tell(self, what: _Signal) -> None:
+        """To be called from any thread or signal."""
+        self._items.put(what)
+
+
+def serve(pipe: Connection, prepare: Callable[[], object] | None) -> None:
+    """Run until the pipe closes; ``prepare`` is called first."""
+    inbox = _Inbox(pipe)
+    for name in ("SIGINT", "SIGHUP"):  # meant for the window, which then ends this process
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, lambda *_: inbox.tell(_Signal.ENDS))
+    cv2.setNumThreads(1)
+    if prepare is not None:
+        prepare()
+    while (item := inbox.get()) is not _Signal.ENDS:
+        if isinstance(item, Begin) and not _recorded(item, pipe, inbox):
+            return
+
+
+def _recorded(begin: Begin, pipe: Connection, inbox: _Inbox) -> bool:
+    """One recording; False where this process is to end after it."""
+    try:
+        recorder = SessionRecorder(begin.path, begin.info, begin.params)
+    except (GlovetrackError, OSError) as error:
+        _reply(pipe, Failed(_in_words(error)))
+        return True
+    _reply(pipe, Begun(recorder.path))
+    recording = _Recording(recorder, begin, pipe, inbox)
+    goes_on = recording.run()
+    if goes_on:
+        _reply(pipe, Ended())
+    return goes_on
+
+
+def _reply(pipe: Connection, what: object) -> None:
+    with suppress(OSError):  # nobody is there to hear it
+        pipe.send(what)
+
+
+def _in_words(error: Exception) -> GlovetrackError:
+    return error if isinstance(error, GlovetrackError) else FileError(str(error))
+
+
+class _Recording:
+    """Writes what comes out of the inbox until the end, or until writing fails."""
+
+    def __init__(
+        self, recorder: SessionRecorder, begin: Begin, pipe: Connection, inbox: _Inbox
+    ) -> None:
+        self._recorder, self._pipe, self._inbox = recorder, pipe, inbox
+        self._sink: Sink = begin.companion(recorder) if begin.companion else recorder
+        self._readers: dict[int, SlotReader] = {}
+        p = begin.params
+        self._images = ImageCompression(p.images, p.jpeg_quality, lambda: inbox.tell(_Signal.IMAGE))
+        self._failed = False
+
+    def run(self) -> bool:
+        """Whether the window is still there at the end."""
+        try:
+            while True:
+                item = self._inbox.get()
+                if isinstance(item, End) or item is _Signal.ENDS:
+                    self._guarded(self._finish)
+                    return isinstance(item, End)
+                self._guarded(partial(self._take, item))
+        finally:
+            self._images.close()
+            for reader in self._readers.values():
+                reader.close()
+
+    def _guarded(self, work: Callable[[], None]) -> None:
+        """Do ``work`` unless something has failed before; tell the window what fails."""
+        if self._failed:
+            return
+        try:
+            work()
+        except (GlovetrackError, OSError) as error:
+            self._failed = True
+            _reply(self._pipe, Failed(_in_words(error)))
+
+    def _take(self, item: list[Item] | _Signal) -> None:
+        if isinstance(item, list):
+            for message in item:
+                self._write(message)
+        for frame in self._images.take():
+            self._recorder.write_packed(frame)
+
+    def _write(self, item: Item) -> None:
+        match item:
+            case ImageInSlot():
+                self._images.put(self._readers[item.memory], item)
+            case SlotsOpened():
+                self._readers[item.number] = SlotReader(item)
+            case PackedState():
+                self._recorder.write_state(item.t, item.data)
+            case _:
+                self._sink.write(item)
+
+    def _finish(self) -> None:
+        for frame in self._images.take_all():
+            self._recorder.write_packed(frame)
+        self._sink.close()

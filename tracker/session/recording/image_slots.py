@@ -1,0 +1,128 @@
+"""Images on their way to the recorder's process: places in shared memory, one image pair each.
+
+The first byte of each place's mark is 1 while the pair is on its way; who makes the pair sets it,
+who has encoded the pair clears it. One thread puts; any thread of the other process clears.
+"""
+
+from __future__ import annotations
+
+from multiprocessing.shared_memory import SharedMemory
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import CameraPose, StereoFrame
+from tracker.shared_memory import NoSharedMemory, attached, forget_name, new_memory
+
+MOST_BYTES = 134_000_000
+"""Of all places together: 24 pairs at 1280×720, 0.4 s at 60 a second."""
+MOST_SLOTS, FEWEST_SLOTS = 24, 2
+
+Image = NDArray[np.uint8]
+Shape = tuple[int, ...]
+
+
+class SlotsOpened(NamedTuple):
+    """New memory that the following images lie in."""
+
+    number: int
+    name: str
+    slots: int
+    slot_bytes: int
+
+
+class ImageInSlot(NamedTuple):
+    """A `StereoFrame` whose images are in shared memory: ``shapes`` of left and right."""
+
+    memory: int  # number of the SlotsOpened
+    slot: int
+    t: float
+    t_arrival: float
+    shapes: tuple[Shape | None, Shape | None]
+    pose: CameraPose | None
+    exposure: int  # index of the StereoFrame
+
+
+class ImageSlots:
+    """The side that hands images over; ``opened`` tells the other one where they lie.
+
+    Raises NoSharedMemory where not even two pairs have room.
+    """
+
+    def __init__(self, number: int, slot_bytes: int) -> None:
+        slots = min(MOST_SLOTS, max(FEWEST_SLOTS, MOST_BYTES // max(slot_bytes, 1)))
+        while True:
+            try:
+                self._memory = new_memory(slots * (slot_bytes + 1))
+                break
+            except NoSharedMemory:
+                slots //= 2
+                if slots < FEWEST_SLOTS:
+                    raise
+        self.opened = SlotsOpened(number, self._memory.name, slots, slot_bytes)
+
+    def put(self, frame: StereoFrame) -> ImageInSlot | None:
+        """Copy the images into a free place; None where there is none."""
+        slots, marks = self.opened.slots, _bytes(self._memory)
+        slot = next((i for i in range(slots) if not marks[i]), None)
+        if slot is None:
+            return None
+        at = slots + slot * self.opened.slot_bytes
+        shapes: list[Shape | None] = []
+        for image in (frame.left, frame.right):
+            shapes.append(None if image is None else image.shape)
+            if image is not None:
+                np.copyto(np.ndarray(image.shape, np.uint8, marks, at), image)
+                at += image.nbytes
+        marks[slot] = 1
+        left, right = shapes
+        return ImageInSlot(
+            self.opened.number,
+            slot,
+            frame.t,
+            frame.t_arrival,
+            (left, right),
+            frame.pose,
+            frame.index,
+        )
+
+    def close(self) -> None:
+        """Give the memory back once the other side has, too."""
+        forget_name(self._memory)  # if the other side never came to attach to it
+        self._memory.close()
+
+
+class SlotReader:
+    """The side that takes images out."""
+
+    def __init__(self, opened: SlotsOpened) -> None:
+        self._opened, self._memory = opened, attached(opened.name)
+
+    def images(self, image: ImageInSlot) -> dict[str, Image]:
+        """(h, w, 3) BGR by camera, still in shared memory: valid until `free`."""
+        at = self._opened.slots + image.slot * self._opened.slot_bytes
+        out = {}
+        for camera, shape in zip(("left", "right"), image.shapes, strict=True):
+            if shape is not None:
+                out[camera] = np.ndarray(shape, np.uint8, _bytes(self._memory), at)
+                at += out[camera].nbytes
+        return out
+
+    def free(self, image: ImageInSlot) -> None:
+        """The place may be used again."""
+        _bytes(self._memory)[image.slot] = 0
+
+    def close(self) -> None:
+        self._memory.close()
+
+
+def _bytes(memory: SharedMemory) -> memoryview:
+    if memory.buf is None:
+        raise ValueError("the shared memory is closed")
+    return memory.buf
+
+
+def bytes_of(frame: StereoFrame) -> int:
+    """Of both images."""
+    return sum(i.nbytes for i in (frame.left, frame.right) if i is not None)

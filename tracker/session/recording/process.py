@@ -1,0 +1,191 @@
+"""The recorder's process as the window's sees it."""
+
+from __future__ import annotations
+
+import multiprocessing as mp
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from tracker.errors import FileError, GlovetrackError
+from tracker.session.description import SessionInfo
+from tracker.session.recording.child import serve
+from tracker.session.recording.remote import RemoteRecorder
+from tracker.session.recording.wire import Begin, Begun, End, Ended, Failed, Sink
+from tracker.session.writer import RecorderParams, SessionRecorder
+
+BEGIN_TIMEOUT = 30.0  # s, for a process that is just starting on a busy machine, too
+END_TIMEOUT = 120.0  # s, for a disk that is slow
+LEAVE_TIMEOUT = 5.0  # s
+
+
+class RecorderProcess:
+    """Writes one recording after the other; all calls from one thread at a time.
+
+    ``prepare`` is called there first; it and what it holds travel to the process.
+    """
+
+    def __init__(self, prepare: Callable[[], object] | None = None) -> None:
+        context = mp.get_context("spawn")
+        self._pipe, theirs = context.Pipe()
+        self._process = context.Process(
+            target=serve, args=(theirs, prepare), name="glovetrack-recorder", daemon=True
+        )
+        self._process.start()
+        theirs.close()
+        self._told: Failed | None = None
+        self.path = Path()
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid or 0
+
+    @property
+    def alive(self) -> bool:
+        """Whether it can be asked for a recording."""
+        return not self._pipe.closed and self._process.is_alive()
+
+    def begin(self, begin: Begin) -> Path:
+        """Open a file; its path. Raises FileError as `SessionRecorder` does."""
+        self.path, self._told = begin.path, None
+        self._send(begin)
+        reply = self._reply(BEGIN_TIMEOUT)
+        if isinstance(reply, Begun):
+            self.path = reply.path
+            return self.path
+        if isinstance(reply, Failed):
+            raise reply.error
+        raise self._gone()
+
+    def send(self, items: list[Any]) -> None:
+        """Hand over a batch; may wait for the process. Raises what has failed there."""
+        self.check()
+        self._send(items)
+
+    def check(self) -> None:
+        """Raises what has failed there."""
+        while self._told is None and self._reply_waits(0.0):
+            reply = self._reply(0.0)
+            if isinstance(reply, Failed):
+                self._told = reply
+                raise reply.error
+
+    def end(self) -> None:
+        """Wait until the file is closed. Raises what has failed there and was not told yet."""
+        self._send(End())
+        failed: Failed | None = None
+        while True:
+            reply = self._reply(END_TIMEOUT)
+            if isinstance(reply, Ended):
+                break
+            if not isinstance(reply, Failed):
+                raise self._gone()
+            failed = reply
+        if failed is not None and self._told is None:
+            raise failed.error
+
+    def _send(self, what: object) -> None:
+        try:
+            self._pipe.send(what)
+        except OSError as error:
+            raise self._gone() from error
+
+    def _reply(self, timeout: float) -> Any:
+        """None where none comes."""
+        try:
+            return self._pipe.recv() if self._reply_waits(timeout) else None
+        except (EOFError, OSError) as error:
+            raise self._gone() from error
+
+    def _reply_waits(self, timeout: float) -> bool:
+        try:
+            return self._pipe.poll(timeout)
+        except OSError as error:
+            raise self._gone() from error
+
+    def _gone(self) -> FileError:
+        """The process ended, or answers no more; it is given up."""
+        with suppress(OSError):
+            self._pipe.close()
+        self._process.join(0.5)
+        if self._process.is_alive():
+            self._process.kill()
+            why = "does not answer any more"
+        else:
+            code = self._process.exitcode or 0
+            why = f"was ended by signal {-code}" if code < 0 else f"has ended (exit code {code})"
+        there = f" What it has written is in {self.path}; Recover makes it whole."
+        return FileError(
+            f"The recorder's process {why}.{there if self.path.is_file() else ''} "
+            "You can record again at once."
+        )
+
+    def close(self) -> None:
+        """End the process; a recording that is under way is finished first."""
+        with suppress(OSError):
+            self._pipe.close()
+        if self._process.is_alive():
+            self._process.terminate()
+        self._process.join(LEAVE_TIMEOUT)
+        if self._process.is_alive():
+            self._process.kill()
+            self._process.join()
+
+
+class RecorderProcesses:
+    """A process that waits for the next recording, and more where several run at once.
+
+    Methods may be called from any thread.
+    """
+
+    def __init__(self, prepare: Callable[[], object] | None = None) -> None:
+        self._prepare = prepare
+        self._lock = threading.Lock()
+        self._idle: list[RecorderProcess] = []
+        self._closed = False
+
+    def warm(self) -> None:
+        """Have a process ready, so that a recording begins at once."""
+        with self._lock:
+            self._idle = [p for p in self._idle if p.alive]
+            if not self._idle and not self._closed:
+                self._idle.append(RecorderProcess(self._prepare))
+
+    def record(
+        self,
+        path: Path,
+        info: SessionInfo,
+        params: RecorderParams | None = None,
+        companion: Callable[[SessionRecorder], Sink] | None = None,
+    ) -> RemoteRecorder:
+        """Begin a file as `SessionRecorder` does, in another process."""
+        self.warm()
+        with self._lock:
+            process = self._idle.pop() if self._idle else RecorderProcess(self._prepare)
+        params = replace(params or RecorderParams(), sync_beside=True)
+        try:
+            process.begin(Begin(Path(path), info, params, companion))
+        except GlovetrackError:
+            self._back(process)
+            raise
+        return RemoteRecorder(process, params.images != "none", lambda: self._back(process))
+
+    def _back(self, process: RecorderProcess) -> None:
+        """It has done its work, or failed at it."""
+        with self._lock:
+            wanted = process.alive and not self._idle and not self._closed
+            if wanted:
+                self._idle.append(process)
+        if not wanted:
+            process.close()
+            self.warm()
+
+    def close(self) -> None:
+        """End all that wait; one that records ends with its recording."""
+        with self._lock:
+            self._closed, waiting, self._idle = True, self._idle, []
+        for process in waiting:
+            process.close()

@@ -1,0 +1,66 @@
+"""What passes between the window's process and the recorder's, through one pipe.
+
+To the recorder: `Begin`, then lists of `Item`, then `End`. Back: `Begun`, at most one `Failed` at
+any time, and `Ended` in answer to `End`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+from tracker.errors import GlovetrackError
+from tracker.messages import Message
+from tracker.session.description import SessionInfo
+from tracker.session.recording.image_slots import ImageInSlot, SlotsOpened
+from tracker.session.writer import RecorderParams, SessionRecorder
+
+
+class Sink(Protocol):
+    """Takes messages; a `SessionRecorder`, or something around one."""
+
+    def write(self, message: Message, overloaded: bool = False) -> bool: ...
+
+    def close(self) -> None: ...
+
+
+class PackedState(NamedTuple):
+    """An EngineState as bytes: the recorder need not know engines."""
+
+    t: float
+    data: bytes
+
+
+Item = Message | ImageInSlot | SlotsOpened | PackedState
+
+
+@dataclass(frozen=True)
+class Begin:
+    """``companion`` is put around the recorder there: it adds what only a simulation knows."""
+
+    path: Path
+    info: SessionInfo
+    params: RecorderParams
+    companion: Callable[[SessionRecorder], Sink] | None = None
+
+
+class End(NamedTuple):
+    """Write what is there and close the file."""
+
+
+class Begun(NamedTuple):
+    """The file is open."""
+
+    path: Path
+
+
+class Failed(NamedTuple):
+    """Nothing more is written; the error is what a recorder in the same process would raise."""
+
+    error: GlovetrackError
+
+
+class Ended(NamedTuple):
+    """The file is closed, and whole unless something failed before."""
