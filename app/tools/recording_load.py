@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import multiprocessing
 import os
 import sys
 import tempfile
@@ -122,11 +123,11 @@ def _status(window: MainWindow) -> dict[str, float]:
 
 
 def _times() -> tuple[dict[str, float], dict[str, float]]:
-    """s of the processor so far: of this process and its children, of this process's threads."""
+    """s of the processor so far: of the program's processes, of this one's threads."""
     me = psutil.Process()
     processes = {"window": _cpu(me)}
-    for child in me.children():
-        processes[f"child {child.pid}"] = _cpu(child)
+    for child in multiprocessing.active_children():
+        processes[child.name.removeprefix("glovetrack-")] = _cpu(psutil.Process(child.pid))
     names = {t.native_id: t.name for t in threading.enumerate()}
     threads: dict[str, float] = {}
     for t in me.threads():

@@ -19,6 +19,7 @@ from resources import folder
 from tracker import __version__
 from tracker.errors import GlovetrackError
 from tracker.sensors.protocol import BAUDS
+from tracker.shared_memory import NoSharedMemory
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
 from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
 
@@ -55,12 +56,18 @@ def open_window(argv: Sequence[str]) -> int:
     app.setApplicationVersion(__version__)
     app.setDesktopFileName("glovetrack")
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
-    if args.headless_report is not None:
-        camera = start_camera(fps=args.fps)  # before the window is even imported
-        from app.window.headless_report import headless_report
+    try:
+        return _run(app, args) if args.headless_report is None else _report(app, args)
+    except NoSharedMemory as error:
+        print(error, file=sys.stderr)
+        return 1
 
-        return headless_report(app, args.headless_report, args.out, args.fps, camera, args.streams)
-    return _run(app, args)
+
+def _report(app: QApplication, args: argparse.Namespace) -> int:
+    camera = start_camera(fps=args.fps)  # before the window is even imported
+    from app.window.headless_report import headless_report
+
+    return headless_report(app, args.headless_report, args.out, args.fps, camera, args.streams)
 
 
 def _run(app: QApplication, args: argparse.Namespace) -> int:

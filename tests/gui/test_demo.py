@@ -10,6 +10,7 @@ from gui_fakes import models
 from app.engines.demo import demo_setup
 from app.window.headless_report import KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
+from tracker.session.mcap.recover import needs_recovery
 from tracker.session.reader import SessionReader
 
 
@@ -76,6 +77,27 @@ def test_a_camera_process_that_is_killed_is_said_and_the_glove_goes_on(demo, qtb
     before = demo.host.snapshot().estimate.t
     qtbot.waitUntil(lambda: demo.host.snapshot().estimate.t > before + 0.5, timeout=20_000)
     assert demo.host.running
+
+
+@pytest.mark.timeout(180)
+def test_a_recorder_process_that_is_killed_is_said_and_the_next_recording_is_whole(
+    demo, qtbot, tmp_path
+):
+    demo.recording.set_folder(tmp_path)
+    demo.commands.actions["record"].trigger()
+    first = demo.host.recording.request.path
+    qtbot.wait(800)
+    [recorder] = [p for p in multiprocessing.active_children() if "recorder" in p.name]
+    recorder.kill()
+    entries = demo.log.model.entries
+    qtbot.waitUntil(lambda: entries("error", "was ended by signal 9") != [], timeout=20_000)
+    qtbot.waitUntil(lambda: demo.host.recording.request is None, timeout=20_000)
+    assert needs_recovery(first)
+    second = _recorded(demo, qtbot, tmp_path)
+    assert second != first
+    with SessionReader(second) as reader:
+        assert reader.source.contents.finished
+        assert {StereoFrame, Estimate} <= {type(m) for m in reader.messages()}
 
 
 @pytest.mark.timeout(180)

@@ -23,6 +23,7 @@ from app.viewmodels.recording import (
 )
 from app.viewmodels.take_names import take_path
 from tracker.clock import monotonic
+from tracker.errors import FileError
 from tracker.messages import Event
 from tracker.session.notes import standing
 
@@ -69,6 +70,23 @@ def test_closing_the_window_while_recording_closes_the_file(recording, engine, r
     recording.close()
     assert recorders[0].closed
     assert engine.stopped == 1
+
+
+def test_a_recording_whose_file_takes_no_more_ends_and_the_next_one_may_begin(
+    recording, engine, recorders
+):
+    def full(message, overloaded=False):
+        raise FileError("The disk is full.")
+
+    recorders[0].write = full
+    with pytest.raises(FileError):
+        engine.recorder.write(engine.latest_estimate())
+    recording.host.snapshot()
+    assert recording.host.recording.request is None and recorders[0].closed
+    assert recording.recording.record_button.text() == "Record"
+    recording.recording.task.setText("again")
+    recording.commands.actions["record"].trigger()
+    assert recording.host.recording.request is not None and len(recorders) == 2
 
 
 def test_pause_holds_back_streams_and_keeps_notes(engine, tmp_path, recorders):

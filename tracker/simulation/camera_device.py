@@ -12,7 +12,6 @@ import multiprocessing as mp
 import time
 from collections.abc import Sequence
 from multiprocessing.connection import Connection
-from multiprocessing.shared_memory import SharedMemory
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +19,7 @@ from numpy.typing import NDArray
 
 from tracker.clock import nanoseconds, seconds
 from tracker.messages import Event, StereoFrame
+from tracker.shared_memory import attached, forget_name, new_memory
 from tracker.simulation.demo import DemoSpec, build
 
 SLOTS = 6
@@ -37,14 +37,14 @@ class _Drawn(NamedTuple):
 
 
 class SimulatedCamera:
-    """Images of a `DemoSpec` in real time, from `begin` on.
+    """Images of a `DemoSpec` in real time, from `begin` on. Raises NoSharedMemory.
 
     Getting ready takes the process a second or two; meanwhile others may get ready too.
     """
 
     def __init__(self, spec: DemoSpec, width: int = 1280, height: int = 720) -> None:
         self._t_0, self._shape = 0.0, (SLOTS, 2, height, width, 3)
-        self._memory = SharedMemory(create=True, size=int(np.prod(self._shape)))
+        self._memory = new_memory(int(np.prod(self._shape)))
         self._events: list[Event] = []
         self._closed = False
         context = mp.get_context("spawn")
@@ -124,13 +124,13 @@ class SimulatedCamera:
         self._pipe.close()
         self._process.terminate()
         self._process.join(5.0)
+        forget_name(self._memory)  # where the process ended before it came to attach to it
         self._memory.close()
-        self._memory.unlink()
 
 
 def _draw_for_ever(spec: DemoSpec, name: str, shape: tuple[int, ...], pipe: Connection) -> None:
     """The other process: draws until the pipe closes."""
-    memory = SharedMemory(name=name)
+    memory = attached(name)
     try:
         images: NDArray[np.uint8] = np.ndarray(shape, np.uint8, buffer=memory.buf)
         _draw(spec, images, pipe)

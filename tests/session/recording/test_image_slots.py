@@ -1,0 +1,76 @@
+"""Images in shared memory: places are taken, given back, and no more than the system has."""
+
+from __future__ import annotations
+
+import errno
+import os
+
+import numpy as np
+import pytest
+
+from tests.session.recording.conftest import shared_names
+from tracker import shared_memory
+from tracker.messages import StereoFrame
+from tracker.session.recording.image_slots import ImageSlots, SlotReader, bytes_of
+
+
+def frame(seed: int) -> StereoFrame:
+    left, right = np.random.default_rng(seed).integers(0, 256, (2, 6, 8, 3), dtype=np.uint8)
+    return StereoFrame(1.0, 2.0, left, right, index=seed)
+
+
+@pytest.fixture
+def slots():
+    before = shared_names()
+    made = ImageSlots(0, bytes_of(frame(0)))
+    yield made
+    made.close()
+    assert shared_names() <= before
+
+
+def test_every_place_can_be_taken_once_and_again_after_it_is_freed(slots) -> None:
+    reader, sent = SlotReader(slots.opened), [frame(k) for k in range(slots.opened.slots)]
+    put = [slots.put(f) for f in sent]
+    assert slots.put(frame(99)) is None
+    for image, f in zip(put, sent, strict=True):
+        images = reader.images(image)
+        assert np.array_equal(images["left"], f.left)
+        assert np.array_equal(images["right"], f.right)
+    del images
+    reader.free(put[3])
+    again = slots.put(frame(99))
+    assert again.slot == put[3].slot and again.exposure == 99
+    reader.close()
+
+
+def test_the_name_is_gone_once_both_sides_are_there(slots) -> None:
+    name = slots.opened.name
+    assert not shared_names() or name in shared_names()
+    reader = SlotReader(slots.opened)
+    assert name not in shared_names()
+    reader.close()
+
+
+def test_memory_of_which_nobody_heard_leaves_nothing(slots) -> None:
+    """The fixture looks: the other side never attached."""
+
+
+@pytest.mark.skipif(not hasattr(os, "posix_fallocate"), reason="the system's own way to say no")
+def test_a_system_with_little_room_gives_fewer_places_and_none_in_words(monkeypatch) -> None:
+    before, take, asked = shared_names(), os.posix_fallocate, []
+
+    def little(handle: int, start: int, size: int) -> None:
+        asked.append(size)
+        if size > room:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        take(handle, start, size)
+
+    monkeypatch.setattr(shared_memory.os, "posix_fallocate", little)
+    room = 7 * (bytes_of(frame(0)) + 1)
+    few = ImageSlots(0, bytes_of(frame(0)))
+    assert few.opened.slots == 6  # 24, 12, 6
+    few.close()
+    room = 10
+    with pytest.raises(shared_memory.NoSharedMemory, match="no .* MB of shared memory left"):
+        ImageSlots(0, bytes_of(frame(0)))
+    assert shared_names() <= before

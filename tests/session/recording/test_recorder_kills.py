@@ -1,0 +1,191 @@
+"""SIGKILL of either process: at most half a second is lost, and nothing is left in memory."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import random
+import signal
+import time
+from ctypes import c_long
+from pathlib import Path
+
+import psutil
+import pytest
+
+from tests.session.conftest import ANCHOR, RESOURCES, MessageMaker
+from tests.session.recording.conftest import shared_names
+from tracker.live.recording import RecordingThread
+from tracker.messages import ImuSample
+from tracker.session.description import SessionInfo, describe
+from tracker.session.mcap.recover import needs_recovery, recover
+from tracker.session.reader import SessionReader
+from tracker.session.recording.process import RecorderProcesses
+from tracker.session.verify import is_ok, verify
+from tracker.vision.rig import ideal_rig
+
+PERIOD = 0.01  # s from packet to packet, in real time
+MOST_LOST = 0.5  # s
+
+pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="a signal of POSIX")
+
+
+def info() -> SessionInfo:
+    return describe(
+        (RESOURCES / "hands" / "reference-right.toml").read_text(),
+        (RESOURCES / "gloves" / "vist-small.toml").read_text(),
+        ANCHOR,
+        rig=ideal_rig(64, 48),
+    )
+
+
+def stream(thread: RecordingThread, maker: MessageMaker, told, until: float = 1e9) -> None:
+    """A live run; ``told`` is the last packet put. Packets' times are those that pass."""
+    begun, k = time.monotonic(), 0
+    while k * PERIOD < until:
+        time.sleep(max(0.0, begun + k * PERIOD - time.monotonic()))
+        thread.put(maker.imu(1e3 * PERIOD * k, k))
+        thread.put(maker.estimate(1e3 * PERIOD * k))
+        if k % 3 == 0:
+            thread.put(maker.image(1e3 * PERIOD * k, k))
+        told.value = k
+        k += 1
+
+
+def packets(path: Path) -> list[int]:
+    with SessionReader(path) as reader:
+        return [m.seq for m in reader.messages((ImuSample,))]
+
+
+def lost_s(path: Path, last: int) -> float:
+    """Of what was put; nothing is missing in between."""
+    found = packets(path)
+    assert found == list(range(len(found)))
+    return (last + 1 - len(found)) * PERIOD
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_recorder_that_is_killed_is_said_and_the_next_one_records_at_once(
+    tmp_path, recorders, seed
+) -> None:
+    path, said, told = tmp_path / "a.mcap", [], c_long(-1)
+    processes, maker = recorders(), MessageMaker(info())
+    recorder = processes.record(path, maker.info)
+    thread = RecordingThread(recorder, lambda *words: said.append(words))
+    stream(thread, maker, told, 0.7 + random.Random(seed).uniform(0, 0.5))
+    os.kill(recorder.pid, signal.SIGKILL)
+    last = told.value
+    deadline = time.monotonic() + 10
+    while not said and time.monotonic() < deadline:
+        thread.put(maker.imu(1e4, 9999))
+        time.sleep(0.01)
+    thread.finish()
+    [(kind, text)] = said
+    assert kind == "error" and "was ended by signal 9" in text and str(path) in text
+    assert needs_recovery(path)
+    assert lost_s(recover(path).path, last) <= MOST_LOST
+
+    again = processes.record(tmp_path / "b.mcap", maker.info)
+    assert again.pid != recorder.pid
+    for k in range(20):
+        again.write(maker.imu(10.0 * k, k))
+    again.close()
+    assert is_ok(verify(tmp_path / "b.mcap"))
+
+
+def test_a_recorder_killed_while_it_waits_is_replaced(tmp_path, recorders) -> None:
+    processes, about = recorders(), info()
+    first = processes.record(tmp_path / "a.mcap", about)
+    first.close()
+    os.kill(first.pid, signal.SIGKILL)
+    deadline = time.monotonic() + 5
+    while psutil.pid_exists(first.pid) and time.monotonic() < deadline:
+        multiprocessing.active_children()  # reaps it
+        time.sleep(0.01)
+    second = processes.record(tmp_path / "b.mcap", about)
+    second.close()
+    assert second.pid != first.pid
+
+
+def victim(path: Path, told: c_long, pid: c_long) -> None:
+    """A window that records for ever."""
+    maker = MessageMaker(info())
+    recorder = RecorderProcesses().record(path, maker.info)
+    pid.value = recorder.pid
+    stream(RecordingThread(recorder, lambda *_: None), maker, told)
+
+
+@pytest.fixture
+def window(tmp_path):
+    """``window()`` begins one and gives (process, the recorder's pid, last packet put)."""
+    context, begun = multiprocessing.get_context("spawn"), []
+
+    def begin(path: Path):
+        told, pid = (context.Value(c_long, -1, lock=False) for _ in range(2))
+        process = context.Process(target=victim, args=(path, told, pid))
+        process.start()
+        begun.append((process, pid))
+        deadline = time.monotonic() + 60
+        while told.value < 80 and time.monotonic() < deadline:
+            time.sleep(0.01)
+        assert process.is_alive() and pid.value > 0
+        return process, pid.value, told
+
+    yield begin
+    for process, pid in begun:
+        process.kill()
+        process.join()
+        if psutil.pid_exists(pid.value):
+            os.kill(pid.value, signal.SIGKILL)
+
+
+def has_ended(pid: int, timeout: float) -> bool:
+    deadline = time.monotonic() + timeout
+    while psutil.pid_exists(pid) and time.monotonic() < deadline:
+        if psutil.Process(pid).status() == psutil.STATUS_ZOMBIE:
+            return True  # its parent is dead, and nobody here may reap it
+        time.sleep(0.02)
+    return not psutil.pid_exists(pid)
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGHUP, signal.SIGINT])
+def test_of_a_window_that_is_killed_the_file_is_finished(tmp_path, window, number) -> None:
+    """A terminal that closes, or Ctrl+C in it, is told to both processes at once."""
+    path, before = tmp_path / "a.mcap", shared_names()
+    process, pid, told = window(path)
+    if number != signal.SIGKILL:
+        os.kill(pid, number)
+    os.kill(process.pid, signal.SIGKILL if number != signal.SIGHUP else number)
+    process.join(20)
+    assert has_ended(pid, 20.0)
+    assert not needs_recovery(path)
+    assert is_ok(verify(path))
+    assert lost_s(path, told.value) <= MOST_LOST
+    assert shared_names() <= before
+
+
+def test_of_both_killed_at_once_a_file_is_left_that_can_be_recovered(tmp_path, window) -> None:
+    path, before = tmp_path / "a.mcap", shared_names()
+    process, pid, told = window(path)
+    os.kill(pid, signal.SIGKILL)
+    os.kill(process.pid, signal.SIGKILL)
+    process.join(20)
+    assert has_ended(pid, 20.0)
+    assert needs_recovery(path)
+    assert lost_s(recover(path).path, told.value) <= MOST_LOST
+    assert shared_names() <= before
+
+
+def test_a_recorder_told_to_end_finishes_its_file(tmp_path, recorders) -> None:
+    """As at the end of a login session, where every process is told to end."""
+    path, about = tmp_path / "a.mcap", info()
+    recorder, maker = recorders().record(path, about), MessageMaker(about)
+    for k in range(50):
+        recorder.write(maker.imu(10.0 * k, k))
+    recorder.flush()
+    time.sleep(0.2)
+    os.kill(recorder.pid, signal.SIGTERM)
+    assert has_ended(recorder.pid, 20.0)
+    assert not needs_recovery(path) and packets(path) == list(range(50))
+    with pytest.raises(Exception, match="has ended"):
+        recorder.close()
