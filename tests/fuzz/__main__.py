@@ -1,0 +1,61 @@
+"""Fuzz one target for as long as one likes: ``python -m tests.fuzz --minutes 60 records``.
+
+Needs Atheris (``pip install atheris``), which follows the branches that inputs take; it is no part
+of the environment. What fails, takes over 2 s or over 1 GB ends the run and is left in ``--found``:
+put it into ``tests/fuzz/found/<target>/``, where it is a test from then on.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+import atheris
+
+import tracker
+
+SECONDS, MEGABYTES = 2, 1000  # for one input
+
+
+def compiled() -> list[str]:
+    """Modules of the engine that hold kernels: numba compiles no function that Atheris changed."""
+    root = Path(tracker.__file__).parent
+    files = [path for path in root.rglob("*.py") if "@kernel" in path.read_text("utf-8")]
+    return [".".join(path.relative_to(root.parent).with_suffix("").parts) for path in files]
+
+
+def main() -> None:
+    with atheris.instrument_imports(include=["tracker", "tomllib", "json"], exclude=compiled()):
+        from tests.fuzz.examples import examples
+        from tests.fuzz.targets import INFO, TARGETS, TOPICS
+    parser = argparse.ArgumentParser(prog="python -m tests.fuzz")
+    parser.add_argument("target", choices=sorted(TARGETS))
+    parser.add_argument("--minutes", type=float, default=60.0)
+    parser.add_argument("--longest", type=int, default=20_000, help="bytes of an input")
+    parser.add_argument("--corpus", type=Path, default=Path("fuzz-corpus"), help="what was learnt")
+    parser.add_argument("--found", type=Path, default=Path("fuzz-found"))
+    args = parser.parse_args()
+    corpus, found = args.corpus / args.target, args.found / args.target
+    for folder in (corpus, found):
+        folder.mkdir(parents=True, exist_ok=True)
+    for k, example in enumerate(examples(args.target, INFO, TOPICS)):
+        (corpus / f"example-{k}").write_bytes(example)
+    atheris.Setup(
+        [
+            sys.argv[0],
+            str(corpus),
+            f"-max_total_time={round(60 * args.minutes)}",
+            f"-timeout={SECONDS}",
+            f"-rss_limit_mb={MEGABYTES}",
+            f"-max_len={args.longest}",
+            f"-artifact_prefix={found}/",
+            "-print_final_stats=1",
+        ],
+        TARGETS[args.target],
+    )
+    atheris.Fuzz()
+
+
+if __name__ == "__main__":
+    main()
