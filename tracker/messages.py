@@ -250,6 +250,17 @@ class Event:
     data: dict[str, object] = field(default_factory=dict)
 
 
+class Shed(IntEnum):
+    """What is left out on a computer that is too slow (`Status` has it as ``load_shed``); each
+    includes those before."""
+
+    NOTHING = 0
+    VIEW_RATE = 1
+    OVERLAYS = 2
+    WHOLE_SEARCHES = 3
+    IMAGES = 4
+
+
 @dataclass(frozen=True)
 class Status:
     """Rates, latencies and losses at one instant; names are stable, see docs/architecture.md."""

@@ -14,6 +14,7 @@ from tracker.messages import (
     Estimate,
     FrameResult,
     ImuSample,
+    Shed,
     Status,
     StereoFrame,
     Tracking,
@@ -40,6 +41,13 @@ class Snapshot:
     calibration: Calibration | None = None
     status: Status | None = None
     imu: Sequence[ImuSample] = field(default_factory=tuple)
+
+    @property
+    def shed(self) -> Shed:
+        """What a live engine leaves out because the computer is too slow."""
+        if self.setup.player is not None or self.status is None:
+            return Shed.NOTHING
+        return Shed(int(self.status.values.get("load_shed", 0.0)))
 
     def _silent(self, last_arrival: float) -> bool:
         """Whether nothing of a stream has come lately; a session is not judged by when it is

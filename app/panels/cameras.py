@@ -11,12 +11,12 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.image_folder import Image
-from app.viewmodels.camera_overlay import Layers, hand_box, overlay
+from app.viewmodels.camera_overlay import NO_LAYERS, Layers, hand_box, overlay
 from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.image_view import ImageView
-from tracker.messages import StereoFrame
+from tracker.messages import Shed, StereoFrame
 
 BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
 
@@ -126,6 +126,10 @@ class CamerasPanel(Panel):
     def layers(self) -> Layers:
         return Layers(**{name: box.isChecked() for name, box in self._layer_boxes.items()})
 
+    def _drawn_layers(self, view: Snapshot) -> Layers:
+        """None of them while the computer is too slow."""
+        return NO_LAYERS if view.shed >= Shed.OVERLAYS else self.layers()
+
     def _shown_hues(self) -> tuple[str, ...] | None:
         """Names of the hues whose masks are wanted; None for the image itself."""
         if not self.masks.isChecked():
@@ -164,13 +168,13 @@ class CamerasPanel(Panel):
         view = self._view
         if view is None or view.frame is None:
             return
-        key = (view.frame, self.layers(), self._shown_hues(), self.sides.currentIndex())
+        key = (view.frame, self._drawn_layers(view), self._shown_hues(), self.sides.currentIndex())
         if key != self._shown:
             self._shown = key
             self._show(view, view.frame)
 
     def _show(self, view: Snapshot, frame: StereoFrame) -> None:
-        layers, colours = self.layers(), hue_colours(view.setup.profile)
+        layers, colours = self._drawn_layers(view), hue_colours(view.setup.profile)
         for widget, image, right in (
             (self.left, frame.left, False),
             (self.right, frame.right, True),

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
+from tracker.messages import Shed
 
 
 class Panel(QWidget):
@@ -13,6 +14,7 @@ class Panel(QWidget):
 
     name = ""  # stable, for layouts and tests
     period = 1 / 30
+    spared_at: Shed | None = None  # from where on it is refreshed less often
 
     def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
         super().__init__(parent)

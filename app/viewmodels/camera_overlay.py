@@ -39,6 +39,9 @@ class Layers:
     skeleton: bool = True
 
 
+NO_LAYERS = Layers(False, False, False, False, False, False)
+
+
 def overlay(view: Snapshot, layers: Layers, colours: dict[str, str], right: bool) -> list[Shape]:
     """All shapes for one side; ``colours`` maps hue names to what they look like."""
     shapes: list[Shape] = []

@@ -6,7 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 from datetime import datetime
 
-from app.viewmodels.states import BAD, BLUE, GREY, PURPLE, SKY, StateLook
+from app.viewmodels.states import BAD, BLUE, GREY, ORANGE, PURPLE, SKY, StateLook
 from tracker.messages import Event
 from tracker.session.notes import wording_of
 
@@ -14,6 +14,7 @@ KINDS: dict[str, StateLook] = {
     "error": StateLook(BAD.colour, BAD.sign, "Problems"),
     "device": StateLook(BLUE, "■", "Devices"),
     "tracking": StateLook(SKY, "◆", "Tracking"),
+    "load": StateLook(ORANGE, "▼", "Computer"),
     "recording": StateLook(PURPLE, "●", "Recording"),
     "note": StateLook(GREY, "✎", "Notes"),
 }

@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass, replace
 
 from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, StateLook
-from tracker.messages import Status
+from tracker.live.load import BEGINS
+from tracker.messages import Shed, Status
 
 LATENCY_WARN_MS = 60.0
 LATENCY_BAD_MS = 120.0
@@ -15,6 +16,12 @@ STAGES = {
     "filter": "The engine's step for a message",
     "imu": "A packet's arrival to its estimate",
     "total": "An image's arrival to the estimate made of it",
+}
+SHED = {
+    Shed.VIEW_RATE: "3D images",
+    Shed.OVERLAYS: "overlays",
+    Shed.WHOLE_SEARCHES: "whole searches",
+    Shed.IMAGES: "camera images",
 }
 
 
@@ -44,7 +51,18 @@ def fields(status: Status | None) -> list[Field]:
         _rate("estimate_rate_hz", "Hand", v, "Estimates of the hand each second"),
         _latency(v),
         _losses(v),
+        _shed(v),
     ]
+
+
+def _shed(values: dict[str, float]) -> Field:
+    """What is left out on a computer that is too slow; no text where that is nothing."""
+    level = int(values.get("load_shed", 0.0))
+    if level <= 0:
+        return Field("shed", "", "", IDLE, "")
+    names = ", ".join(SHED[step] for step in SHED if step <= level)
+    said = "\n".join(BEGINS[step] for step in SHED if step <= level)
+    return Field("shed", "Left out:", names, WARN, said)
 
 
 def _glove(values: dict[str, float]) -> Field:

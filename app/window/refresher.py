@@ -12,6 +12,7 @@ from app.panels.panel import Panel
 SPARE = 4.0
 """A panel rests this many times as long as its last refresh took: on a busy machine the image
 slows down, not the tracking."""
+SPARING = 4.0  # times its period that a panel waits which is spared
 REST_S = 5.0  # after a failure
 _log = logging.getLogger(__name__)
 
@@ -43,8 +44,13 @@ class Refresher:
                 continue
             began = self._clock()
             fine = self._refresh(panel, view)
-            rest = panel.period - self._tick / 2 if fine else REST_S
+            rest = self._period(panel, view) - self._tick / 2 if fine else REST_S
             self._due[panel.name] = now + max(rest, SPARE * (self._clock() - began))
+
+    def _period(self, panel: Panel, view: Snapshot) -> float:
+        """s; longer where the engine says that the computer is too slow for all panels."""
+        spared = panel.spared_at is not None and view.shed >= panel.spared_at
+        return panel.period * (SPARING if spared else 1.0)
 
     def _refresh(self, panel: Panel, view: Snapshot | None) -> bool:
         """Whether that went well."""

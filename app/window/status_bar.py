@@ -20,6 +20,7 @@ class StatusBar(QStatusBar):
         self.chips = {f.key: Chip() for f in fields(None)}
         for chip in self.chips.values():
             self.addWidget(chip)
+        self.chips["shed"].hide()
         self.recording = Chip()
         self._task_name = QLabel()
         self._bar = QProgressBar()
@@ -36,7 +37,8 @@ class StatusBar(QStatusBar):
         look = tracking_look(status, running)
         self.tracking.show_state(look.colour, look.sign, look.word)
         for field in fields(status if running else None):
-            text = f"{field.name} {field.text}"
+            text = f"{field.name} {field.text}".strip()
+            self.chips[field.key].setVisible(bool(text))
             self.chips[field.key].show_state(field.look.colour, field.look.sign, text, field.tip)
 
     def show_latencies(self) -> None:

@@ -59,6 +59,7 @@ class ScriptedEngine:
         self.profiles: list = []
         self.engines: list[str] = []
         self.kept_states = 0
+        self.values: dict[str, float] = {}  # of the status, beside what is always there
         self.recorder = None
         self.started = self.stopped = 0
         self.lost: tuple[int, ...] = ()
@@ -152,7 +153,7 @@ class ScriptedEngine:
             "imu_lost": 0.0,
             "frames_dropped": 0.0,
         }
-        return Status(1.0, self.tracking, values)
+        return Status(1.0, self.tracking, values | self.values)
 
     def take_events(self) -> list[Event]:
         events, self.events = self.events, []

@@ -14,7 +14,7 @@ from app.viewmodels.camera_overlay import DIM, EDGE_PX, Layers, overlay
 from app.viewmodels.colours import hue_colours
 from app.widgets.flow_layout import FlowLayout
 from app.widgets.image_shapes import Cross, Ring
-from tracker.messages import CameraPose
+from tracker.messages import CameraPose, Shed
 
 
 @pytest.fixture
@@ -52,6 +52,15 @@ def test_a_mask_shows_its_hue_alone_and_each_can_be_switched(cameras, engine):
     assert painted("red") > 0.8 and painted("blue") > 0.8
     cameras.hue_boxes["blue"].click()
     assert painted("red") > 0.8 and painted("blue") == 0.0
+
+
+def test_a_slow_computer_shows_images_without_overlays(cameras, engine, qtbot):
+    qtbot.waitUntil(lambda: len(cameras.left._shapes) > 0)
+    engine.values["load_shed"] = float(Shed.OVERLAYS)
+    qtbot.waitUntil(lambda: len(cameras.left._shapes) == 0)
+    assert cameras.left._array is not None
+    engine.values["load_shed"] = float(Shed.VIEW_RATE)
+    qtbot.waitUntil(lambda: len(cameras.left._shapes) > 0)
 
 
 def test_layers_change_on_a_frozen_image(cameras, engine, qtbot):

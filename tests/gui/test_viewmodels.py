@@ -228,6 +228,16 @@ def test_a_low_battery_is_a_warning_by_the_links_own_threshold(millivolt, low):
     assert ("3.50 V" in shown.tip) == low
 
 
+def test_what_is_left_out_of_a_slow_computer_is_said_in_words():
+    def shown(level: float):
+        return fields(Status(0.0, Tracking.TRACKING, {"load_shed": level}))[-1]
+
+    assert shown(0.0).text == shown(0.0).name == ""
+    assert (shown(1.0).name, shown(1.0).text) == ("Left out:", "3D images")
+    assert shown(4.0).text == "3D images, overlays, whole searches, camera images"
+    assert shown(3.0).look.word == "attention" and len(shown(3.0).tip.splitlines()) == 3
+
+
 def test_each_stage_has_its_latency():
     values = {"latency_total_ms": 7.8, "latency_total_p99_ms": 24.3, "latency_detect_ms": 1.01}
     shown = {f.key: f for f in fields(Status(0.0, Tracking.TRACKING, values))}["latency"]

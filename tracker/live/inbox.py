@@ -16,10 +16,11 @@ MAX_FRAMES_BEHIND = 3  # with more the hand would be shown late
 
 @dataclass(frozen=True, eq=False)
 class DetectedFrame:
-    """An image and what the detector found in it."""
+    """An image, what the detector found in it, and how many before it nobody had time for."""
 
     frame: StereoFrame
     blobs: BlobFrame
+    missed: int = 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,5 +71,5 @@ class Inbox:
         return self._skipped
 
     def figures(self) -> dict[str, float]:
-        """What was lost because the engine is far behind."""
-        return {"imu_overflow": self._items.overflowed}
+        """What was lost because the engine is far behind, and what waits for it."""
+        return {"imu_overflow": self._items.overflowed, "engine_waiting": len(self._items)}

@@ -19,6 +19,7 @@ from tracker.live.frame_results import FrameResults
 from tracker.live.imu_history import ImuHistory
 from tracker.live.inbox import DetectedFrame, EngineCommand
 from tracker.live.journal import Journal
+from tracker.live.load import LoadWatch
 from tracker.live.recording import Recorder
 from tracker.live.reference import ReferenceEngine
 from tracker.live.telemetry import Telemetry, counted_since
@@ -93,6 +94,7 @@ class LiveLoop:
         self.calibration: Calibration | None = None
         self.frames = FrameResults()
         self.history = ImuHistory(telemetry)
+        self.load = LoadWatch()
         self.predicted: RegionPrediction | None = None  # for the vision thread
         self._order = order or ArrivalOrder()
         self._reference: ReferenceEngine | None = None
@@ -122,7 +124,9 @@ class LiveLoop:
             self.journal.record(sample)
             self._show(self.pipeline.feed_imu(sample), record=True)
         self._feed_reference(sample)
-        self.telemetry.took("imu", self.clock() - sample.t_arrival)
+        now = self.clock()
+        self.telemetry.took("imu", now - sample.t_arrival)
+        self.load.packet(now, now - sample.t)
 
     def _feed_frame(self, found: DetectedFrame) -> None:
         with self._pipeline_lock:
@@ -133,6 +137,8 @@ class LiveLoop:
         self._feed_reference(blobs)
         if self.history.silent(blobs.t_arrival, SILENCE):
             self._show(self.pipeline.predict(blobs.t), record=False)
+        now = self.clock()
+        self.load.image(now, now - found.frame.t_arrival, found.missed)
 
     def _feed_reference(self, message: ImuSample | BlobFrame) -> None:
         reference = self._reference
@@ -160,6 +166,8 @@ class LiveLoop:
         pipeline, frames = self.pipeline, self.frames
         for text in pipeline.take_words():
             self.journal.say("device", text)
+        for text in self.load.take_words():
+            self.journal.say("load", text)
         for result in pipeline.take_results():
             found = frames.match(result)
             if found is not None:

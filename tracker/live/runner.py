@@ -52,7 +52,9 @@ class LiveTracker:
         camera: CameraSource,
         recorder: Recorder | None = None,
         clock: Callable[[], float] = monotonic,
+        turn: Callable[[str], None] = lambda name: None,
     ) -> None:
+        """``clock`` gives s; ``turn`` may hold threads back, see `ThreadGroup`."""
         self._glove, self._camera = glove, camera
         self._journal, telemetry = Journal(clock), Telemetry()
         self._loop = LiveLoop(pipeline, self._journal, telemetry, clock)
@@ -60,11 +62,12 @@ class LiveTracker:
         self._vision = Vision(profile, make_detector, self._inbox, self._loop)
         self._glove_reader = GloveReader(glove, self._inbox, self._journal)
         self._camera_reader = CameraReader(camera, self._vision.images, self._journal, telemetry)
-        self._threads = ThreadGroup(self._journal.say)
+        self._threads = ThreadGroup(self._journal.say, turn)
         for part in (
             self._vision,
             self._loop,
             self._loop.history,
+            self._loop.load,
             self._inbox,
             self._journal,
             self._glove_reader,

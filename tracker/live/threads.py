@@ -10,10 +10,16 @@ from tracker.errors import GlovetrackError
 
 
 class ThreadGroup:
-    """``say`` gets a kind and a sentence when a thread fails. Methods are for one owner."""
+    """``say`` gets a kind and a sentence when a thread fails. Methods are for one owner.
 
-    def __init__(self, say: Callable[[str, str], None]) -> None:
-        self._say = say
+    ``turn`` is called with a thread's name before each of its steps, in that thread: whoever gives
+    it may hold threads back, as a busy computer does.
+    """
+
+    def __init__(
+        self, say: Callable[[str, str], None], turn: Callable[[str], None] = lambda name: None
+    ) -> None:
+        self._say, self._turn = say, turn
         self._stopping = threading.Event()
         self._threads: list[threading.Thread] = []
 
@@ -43,6 +49,7 @@ class ThreadGroup:
     def _run(self, name: str, step: Callable[[], None]) -> None:
         try:
             while not self._stopping.is_set():
+                self._turn(name)
                 step()
         except Closed:
             return

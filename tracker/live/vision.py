@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from tracker.channels import Latest
 from tracker.live.inbox import DetectedFrame, Inbox
 from tracker.live.loop import LiveLoop
-from tracker.messages import StereoFrame
+from tracker.messages import Shed, StereoFrame
 from tracker.sensors.image_watch import SilenceWatch
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import DetectionHints, Detector, detect_frame
 from tracker.vision.region_prediction import SearchPlan
 
 WAIT = 0.05  # s that a step waits for an image
+SHED_INTERVAL = 0.09  # s between images that are searched, where the image rate is shed
 
 
 class Vision:
@@ -36,29 +38,42 @@ class Vision:
         self._inbox, self._loop = inbox, loop
         self._plan = SearchPlan()
         self._silence = SilenceWatch("camera")
+        self._last = -math.inf  # stamp of the last image that was searched
+        self._shed = self._missed = 0
 
     def step(self) -> None:
         """Detect in the newest image, if one comes within `WAIT`. Raises Closed at the end."""
         loop = self._loop
         frame = self.images.get(WAIT)
         self._notice_silence(frame)
-        if frame is None:
+        if frame is None or self._is_shed(frame):
             return
         if self._detector.profile is not self.profile:
             self._detector = self._make_detector(self.profile)
         started = loop.clock()
         blobs = detect_frame(self._detector, frame, self._hints(frame))
         loop.telemetry.took("detect", loop.clock() - started)
-        self._inbox.put_frame(DetectedFrame(frame, blobs))
+        before, self._missed = self._missed, self.images.dropped + self._inbox.skipped
+        self._inbox.put_frame(DetectedFrame(frame, blobs, self._missed - before))
+
+    def _is_shed(self, frame: StereoFrame) -> bool:
+        """Whether this image is left out because the computer is too slow."""
+        if self._loop.load.level >= Shed.IMAGES and 0 <= frame.t - self._last < SHED_INTERVAL:
+            self._shed += 1
+            return True
+        self._last = frame.t
+        return False
 
     def figures(self) -> dict[str, float]:
-        """Images that were never looked at, or whose blobs came too late."""
-        return {"frames_dropped": self.images.dropped + self._inbox.skipped}
+        """Images that were never searched, or whose blobs came too late."""
+        return {"frames_dropped": self.images.dropped + self._inbox.skipped + self._shed}
 
     def _hints(self, frame: StereoFrame) -> tuple[DetectionHints, DetectionHints] | None:
         """Where to look for markers; None for the whole image."""
         loop, names = self._loop, self.profile.hue_names
-        return self._plan.hints(loop.predicted, loop.pipeline.rig, frame.t, frame.pose, names)
+        sparing = loop.load.level >= Shed.WHOLE_SEARCHES
+        predicted, rig = loop.predicted, loop.pipeline.rig
+        return self._plan.hints(predicted, rig, frame.t, frame.pose, names, sparing)
 
     def _notice_silence(self, frame: StereoFrame | None) -> None:
         """A device may hang in a call that never returns: here it is noticed all the same."""

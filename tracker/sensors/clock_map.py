@@ -29,7 +29,7 @@ class ClockMap:
     def __init__(self, params: ClockMapParams | None = None) -> None:
         self._params = params or ClockMapParams()
         self._lowest: deque[Point] = deque()
-        self._bucket = -1
+        self._bucket: int | None = None  # of the last packet; a wrapped count may be below zero
         self._line: tuple[float, float, float] | None = None  # (t_device, offset, skew)
         self._last_host = float("-inf")
 

@@ -15,6 +15,7 @@ from tracker.vision.detector import DetectionHints
 from tracker.vision.rig import NEAREST, StereoIntrinsics, StereoRig
 
 MARGIN_PX = 12.0
+SPARING_EVERY, SPARING_LONGEST = 30, 0.3  # of a `SearchPlan` on a computer that is too slow
 SPEED_SD = 0.5  # m/s by which a hand may differ from the speed it had
 SHORTEST, LONGEST = 0.005, 0.1  # s between two predictions that give a speed
 CLOSE = 0.05  # m; nearer than this a radius in pixels means nothing
@@ -114,10 +115,13 @@ def seen_soon(
 
 
 class SearchPlan:
-    """Regions around what is expected, and every few images the whole, to see what is not."""
+    """Regions around what is expected, and every few images the whole, to see what is not.
+
+    On a computer that is too slow the whole is searched seldom, and older predictions serve.
+    """
 
     def __init__(self, every: int = 6, longest: float = 0.1) -> None:
-        self._every, self._longest = every, longest
+        self._limits = (every, longest)
         self._since_whole = 0
 
     def hints(
@@ -127,18 +131,16 @@ class SearchPlan:
         t: float,
         pose: CameraPose | None,
         hue_names: tuple[str, ...],
+        sparing: bool = False,
     ) -> tuple[DetectionHints, DetectionHints] | None:
         """For the image at ``t``; None where it should be searched whole.
 
         That is every ``every``-th, any without a prediction not older than ``longest`` s, and any
-        in which nothing at all is expected.
+        in which nothing at all is expected. ``sparing``: on a computer that is too slow.
         """
+        every, longest = (SPARING_EVERY, SPARING_LONGEST) if sparing else self._limits
         self._since_whole += 1
-        if (
-            prediction is None
-            or abs(t - prediction.t) > self._longest
-            or self._since_whole >= self._every
-        ):
+        if prediction is None or abs(t - prediction.t) > longest or self._since_whole >= every:
             self._since_whole = 0
             return None
         sides = prediction.hints(rig, t, pose or rig.pose, hue_names)

@@ -20,7 +20,7 @@ from app.viewmodels.hand_scene import HandScene, HandSceneModel, followed, view_
 from app.viewmodels.states import VALIDITY
 from app.widgets.view3d.view_3d import View3D
 from tracker.errors import GlovetrackError
-from tracker.messages import Validity
+from tracker.messages import Shed, Validity
 
 FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 """From behind the hand and above it, as its owner sees it."""
@@ -29,6 +29,7 @@ FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 class HandPanel(Panel):
     name = "hand"
     period = 1 / 30
+    spared_at = Shed.VIEW_RATE
 
     def __init__(
         self,

@@ -19,7 +19,9 @@ from tracker.errors import FileError
 
 MAGIC = b"\x89MCAP0\r\n"
 LIMIT = 256 * 2**20
-BAD_RECORD = (McapError, struct.error, ValueError, EOFError, IndexError, MemoryError)
+BAD_RECORD = (
+    *(McapError, struct.error, ValueError, EOFError, IndexError, MemoryError, OverflowError),
+)
 """What a record that is not what it says raises when it is taken apart."""
 SAVED = "`glovetrack recover` saves the rest of it."
 LATEST = 2**63 - 1

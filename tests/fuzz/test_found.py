@@ -1,0 +1,59 @@
+"""What fuzzing found stays read or refused, and what is damaged at random is too."""
+
+from __future__ import annotations
+
+import time
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.fuzz.examples import examples
+from tests.fuzz.targets import INFO, TARGETS, TOPICS
+
+FOUND = Path(__file__).with_name("found")
+SECONDS, BYTES = 2.0, 10**9
+CASES = sorted(p.relative_to(FOUND).as_posix() for p in FOUND.rglob("*") if p.is_file())
+
+
+def read(name: str, data: bytes) -> None:
+    """Within the time and the memory that a file of this size may take."""
+    tracemalloc.start()
+    began = time.process_time()
+    TARGETS[name](data)
+    took = time.process_time() - began
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert took < SECONDS and peak < BYTES
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_what_was_found_is_read_or_refused(case: str) -> None:
+    read(case.split("/")[0], (FOUND / case).read_bytes())
+
+
+@pytest.mark.parametrize("name", sorted(TARGETS))
+def test_examples_and_their_damage_are_read_or_refused(name: str) -> None:
+    """Bytes changed, cut out, doubled and swelled; seldom deep, but here in every run."""
+    rng = np.random.default_rng(sorted(TARGETS).index(name))
+    for example in examples(name, INFO, TOPICS):
+        read(name, example)
+        for _ in range(6):
+            read(name, damaged(example, rng))
+
+
+def damaged(data: bytes, rng: np.random.Generator) -> bytes:
+    out = bytearray(data)
+    for _ in range(int(rng.integers(1, 5))):
+        at, length = int(rng.integers(len(out) + 1)), int(rng.integers(1, 9))
+        kind = rng.integers(4)
+        if kind == 0:
+            out[at : at + length] = rng.bytes(length)
+        elif kind == 1:
+            del out[at : at + length]
+        elif kind == 2:
+            out[at:at] = out[at : at + 40]
+        else:
+            out[at : at + length] = b"\xff" * length
+    return bytes(out)

@@ -1,0 +1,59 @@
+"""How often panels are refreshed, on a clock that is given."""
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+
+from app.engines.engine_host import EngineHost
+from app.engines.snapshot import Snapshot
+from app.panels.panel import Panel
+from app.platform.tasks import TaskOwner
+from app.window.refresher import SPARING, Refresher
+from tracker.messages import Shed
+
+TICK = 0.005
+
+
+class Counting(Panel):
+    period = 0.05
+
+    def __init__(self, host: EngineHost, name: str, spared_at: Shed | None) -> None:
+        self.name, self.spared_at = name, spared_at
+        super().__init__(host)
+        self.times = 0
+
+    def refresh(self, view: Snapshot | None) -> None:
+        self.times += 1
+
+
+@pytest.fixture
+def host(qapp):
+    host = EngineHost(TaskOwner())
+    yield host
+    host.shut_down()
+
+
+def refreshed(host: EngineHost, qtbot, shed: float) -> tuple[int, int]:
+    """How often in 10 s a panel was that is spared from the first step on, and one that never."""
+    engine = ScriptedEngine()
+    engine.values["load_shed"] = shed
+    host.adopt(scripted_setup(engine))
+    panels = [Counting(host, "spared", Shed.VIEW_RATE), Counting(host, "other", None)]
+    for panel in panels:
+        qtbot.addWidget(panel)
+        panel.resize(50, 50)
+        panel.show()
+    now = 0.0
+    refresher = Refresher(panels, TICK, lambda text: None, lambda: now)
+    view = host.snapshot()
+    for _ in range(2000):
+        now += TICK
+        refresher.refresh(view)
+    return panels[0].times, panels[1].times
+
+
+def test_only_what_can_be_spared_waits_on_a_slow_computer(host, qtbot):
+    both = refreshed(host, qtbot, 0.0)
+    assert both[0] == both[1] == pytest.approx(10 / Counting.period, rel=0.1)
+    spared, other = refreshed(host, qtbot, float(Shed.VIEW_RATE))
+    assert other == both[1]
+    assert spared == pytest.approx(other / SPARING, rel=0.1)

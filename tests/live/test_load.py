@@ -1,0 +1,85 @@
+"""What is left out of a computer that is too slow: lags in, one decision out."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.live.load import BEGINS, ENDS, LoadParams, LoadWatch
+from tracker.messages import Shed
+
+P = LoadParams()
+
+
+def fed(watch: LoadWatch, start: float, seconds: float, lag: float) -> list[tuple[float, Shed]]:
+    """(s, level) after each packet of a glove at 100 Hz whose estimates are ``lag`` late."""
+    out = []
+    for t in np.arange(start, start + seconds, 0.01):
+        watch.packet(float(t), lag)
+        out.append((float(t), watch.level))
+    return out
+
+
+def test_a_computer_that_keeps_up_leaves_nothing_out() -> None:
+    watch = LoadWatch()
+    for k in range(600):
+        watch.packet(0.01 * k, 0.02)
+        if k % 3 == 0:
+            watch.image(0.01 * k, 0.05, missed=0)
+    assert watch.level == Shed.NOTHING and watch.take_words() == []
+
+
+def test_one_hitch_is_not_load() -> None:
+    watch = LoadWatch()
+    fed(watch, 0.0, 2.0, 0.01)
+    fed(watch, 2.3, 0.02, 0.3)
+    assert {level for _, level in fed(watch, 2.32, 3.0, 0.01)} == {Shed.NOTHING}
+
+
+def test_each_lag_sheds_in_the_order_and_says_so() -> None:
+    feeds = {
+        "packets": lambda watch, t: watch.packet(t, 2 * P.packet_lag),
+        "images": lambda watch, t: watch.image(t, 2 * P.image_lag, 0),
+        "missed images": lambda watch, t: watch.image(t, 0.0, 3),
+    }
+    for name, feed in feeds.items():
+        watch, levels = LoadWatch(), []
+        for k in range(100):
+            feed(watch, 0.05 * k)
+            levels.append(watch.level)
+        assert levels == sorted(levels) and set(levels) == set(Shed), name
+        assert watch.take_words() == [BEGINS[s] for s in sorted(BEGINS)], name
+        firsts = [0.05 * levels.index(s) for s in Shed]
+        assert np.all(np.diff(firsts) >= P.begin - 1e-9), name
+
+
+def test_it_is_taken_up_again_late_and_in_the_reverse_order() -> None:
+    watch = LoadWatch()
+    fed(watch, 0.0, 3.0, 0.2)
+    watch.take_words()
+    levels = [level for _, level in fed(watch, 3.0, 20.0, 0.005)]
+    assert levels == sorted(levels, reverse=True) and levels[-1] == Shed.NOTHING
+    assert watch.take_words() == [ENDS[s] for s in sorted(ENDS, reverse=True)]
+    held = [levels.count(s) for s in (Shed.OVERLAYS, Shed.VIEW_RATE)]
+    assert min(held) >= 100 * P.end - 1
+
+
+def test_a_lag_about_the_limit_does_not_flicker() -> None:
+    """Between what is little and what is too much it stays as it is."""
+    watch, rng = LoadWatch(), np.random.default_rng(1)
+    fed(watch, 0.0, 1.2, 0.2)
+    levels = []
+    for k in range(2000):
+        watch.packet(1.2 + 0.01 * k, P.packet_lag * float(rng.uniform(0.6, 1.0)))
+        levels.append(watch.level)
+    settled = levels[300:]  # once the load before is forgotten
+    assert set(settled) == {settled[0]} and settled[0] > Shed.NOTHING
+
+
+def test_silence_and_another_clock_are_no_load() -> None:
+    watch = LoadWatch()
+    fed(watch, 0.0, 1.2, 0.2)
+    assert watch.strain(1.2) > 1
+    assert watch.strain(60.0) == 0.0
+    other = LoadWatch()
+    fed(other, 0.0, 5.0, 1e5)
+    assert other.level == Shed.NOTHING

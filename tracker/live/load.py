@@ -1,0 +1,117 @@
+"""What is left out while the computer is too slow, in the one order that costs least truth.
+
+First what is only looked at, then what tracking can do with less of, never a packet of the glove:
+a late image is old, a lost packet is lost motion.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from tracker.messages import Shed
+
+BEGINS = {
+    Shed.VIEW_RATE: "The computer is too slow: the 3D view is drawn less often.",
+    Shed.OVERLAYS: "The computer is too slow: camera images are shown without overlays.",
+    Shed.WHOLE_SEARCHES: "The computer is too slow: images are searched only where markers are "
+    "expected.",
+    Shed.IMAGES: "The computer is too slow: fewer images are searched. No packet of the glove is "
+    "left out.",
+}
+ENDS = {
+    Shed.VIEW_RATE: "The computer keeps up again: nothing is left out any more.",
+    Shed.OVERLAYS: "Camera images have their overlays again.",
+    Shed.WHOLE_SEARCHES: "Images are searched as a whole again.",
+    Shed.IMAGES: "All images are searched again.",
+}
+
+
+@dataclass(frozen=True)
+class LoadParams:
+    """Times in s. ``memory`` is that of the means that are judged."""
+
+    packet_lag: float = 0.06  # from a packet's instant to its estimate
+    image_lag: float = 0.12  # from an image's arrival to the filter
+    missed: float = 0.5  # share of images that the vision thread never came to
+    memory: float = 0.4
+    begin: float = 0.5  # of too much, before more is shed
+    end: float = 3.0  # of little, before the last is taken up again
+    little: float = 0.5  # share of the limits above
+    other_clock: float = 60.0  # a lag beyond it is between two clocks, not in this computer
+
+
+class _Mean:
+    """Of the last moments, weighed by age."""
+
+    def __init__(self, memory: float) -> None:
+        self._memory = memory
+        self._weight = self._sum = 0.0
+        self._last = -math.inf
+
+    def take(self, now: float, value: float) -> None:
+        keep = math.exp(-max(now - self._last, 0.0) / self._memory)
+        self._weight, self._sum = keep * self._weight + 1.0, keep * self._sum + value
+        self._last = now
+
+    def value(self, now: float) -> float:
+        """0 where nothing has come for long: silence is a device's affair."""
+        if now - self._last > 5 * self._memory:
+            return 0.0
+        return self._sum / self._weight
+
+
+class LoadWatch:
+    """Judges by lags alone; all times (s) are given. For one thread; ``level`` for any."""
+
+    def __init__(self, params: LoadParams | None = None) -> None:
+        self._params = params = params or LoadParams()
+        self._packets, self._images, self._missed = (_Mean(params.memory) for _ in range(3))
+        self._quiet_since = self._strained_since = math.inf
+        self.level = Shed.NOTHING
+        self._words: list[str] = []
+
+    def packet(self, now: float, lag: float) -> None:
+        """A packet has become an estimate, ``lag`` after its instant."""
+        if lag < self._params.other_clock:
+            self._packets.take(now, lag)
+        self._judge(now)
+
+    def image(self, now: float, lag: float, missed: int) -> None:
+        """An image has come to the filter ``lag`` after its arrival; ``missed`` before it never."""
+        if lag < self._params.other_clock:
+            self._images.take(now, lag)
+            self._missed.take(now, missed / (1 + missed))
+        self._judge(now)
+
+    def strain(self, now: float) -> float:
+        """The largest of the means over its limit: above 1 is too much."""
+        p = self._params
+        return max(
+            self._packets.value(now) / p.packet_lag,
+            self._images.value(now) / p.image_lag,
+            self._missed.value(now) / p.missed,
+        )
+
+    def take_words(self) -> list[str]:
+        """Sentences since the last call, for the log."""
+        words, self._words = self._words, []
+        return words
+
+    def figures(self) -> dict[str, float]:
+        """How far it has gone, as a number of `Shed`."""
+        return {"load_shed": float(self.level)}
+
+    def _judge(self, now: float) -> None:
+        """One step at a time, up soon and down late, so that nothing flickers."""
+        p, strain = self._params, self.strain(now)
+        self._strained_since = min(self._strained_since, now) if strain > 1 else math.inf
+        self._quiet_since = min(self._quiet_since, now) if strain < p.little else math.inf
+        if now - self._strained_since >= p.begin and self.level < Shed.IMAGES:
+            self.level = Shed(self.level + 1)
+            self._words.append(BEGINS[self.level])
+            self._strained_since = now
+        elif now - self._quiet_since >= p.end and self.level > Shed.NOTHING:
+            self._words.append(ENDS[self.level])
+            self.level = Shed(self.level - 1)
+            self._quiet_since = now
