@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -30,9 +31,17 @@ class ExportRequest:
     options: ExportOptions = field(default_factory=ExportOptions)
 
 
-def free_target(folder: Path, source: Path, form: str) -> Path:
-    """Named as the session, with a number where that is taken: no file is written over."""
-    return free_path(folder / f"{source.stem}.{form}")
+def free_target(folder: Path, source: Path, form: str, taken: Collection[Path] = ()) -> Path:
+    """Named as the session, with a number where that is taken: no file is written over.
+
+    ``taken``: what others in the queue will be called.
+    """
+    wanted = target = folder / f"{source.stem}.{form}"
+    n = 1
+    while free_path(target) != target or target in taken:
+        n += 1
+        target = wanted.with_name(f"{wanted.stem}_{n}{wanted.suffix}")
+    return target
 
 
 def export_job(request: ExportRequest) -> Job:

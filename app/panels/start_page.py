@@ -2,26 +2,58 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal, SignalInstance
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt, Signal, SignalInstance
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.panels.library.session_table import pixmap
+from app.viewmodels.library import THUMBNAIL_WIDTH
+from app.viewmodels.recent import MOST, Earlier, RecentSession
+from app.widgets.scrolled import Scrolled
+
+CARD = 250  # px, of a card's width
+NARROW = 190  # px that it needs at least
+ROW = 44
 
 
 class StartPage(QWidget):
-    """Three ways in, each with a sentence that says what happens."""
+    """Three ways in, each with a sentence that says what happens, and what was done lately."""
 
     demo = Signal()
     connect_devices = Signal()
     open_session = Signal()
+    library_asked = Signal()
+    recent_asked = Signal(object)  # Path
+    recover = Signal(object)  # Path
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(24, 24, 24, 24)
+        inside = QWidget()
+        column = QVBoxLayout(inside)
+        column.setContentsMargins(16, 16, 16, 16)
         column.addStretch(2)
         column.addWidget(self._heading(), 0, Qt.AlignmentFlag.AlignHCenter)
-        column.addSpacing(16)
+        column.addSpacing(12)
+        column.addLayout(_centred(self._unfinished()))
         column.addLayout(self._cards())
+        column.addSpacing(12)
+        column.addLayout(_centred(self._recent()))
         column.addStretch(3)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(Scrolled(inside))
 
     def _heading(self) -> QLabel:
         label = QLabel(self.tr("Glovetrack"))
@@ -51,14 +83,111 @@ class StartPage(QWidget):
         grid.setColumnStretch(0, 1)
         for i, (title, text, signal) in enumerate(cards):
             grid.addWidget(_card(title, text, signal), 0, i + 1)
+            grid.setColumnStretch(i + 1, CARD)  # all of the room up to its own width
         grid.setColumnStretch(len(cards) + 1, 1)
         return grid
+
+    def _unfinished(self) -> QFrame:
+        """A recording that was cut off, with the button that helps."""
+        self.unfinished = QFrame()
+        self.unfinished.setObjectName("card")
+        self.unfinished_text = QLabel()
+        self.unfinished_text.setWordWrap(True)
+        self.recover_button = QPushButton(self.tr("Recover"))
+        self.recover_button.setProperty("role", "primary")
+        self.recover_button.clicked.connect(self._recover)
+        row = QHBoxLayout(self.unfinished)
+        row.addWidget(self.unfinished_text, 1)
+        row.addWidget(self.recover_button)
+        self.unfinished.hide()
+        self._cut_off: Path | None = None
+        return self.unfinished
+
+    def _recent(self) -> QWidget:
+        part = QWidget()
+        self.recent = QListWidget()
+        self.recent.setIconSize(QSize(THUMBNAIL_WIDTH, ROW - 4))
+        self.recent.setFrameShape(QFrame.Shape.NoFrame)
+        self.recent.setAccessibleName(self.tr("Recent sessions"))
+        self.recent.itemClicked.connect(self._chosen)
+        self.recent.itemActivated.connect(self._chosen)
+        self.recent_heading = QLabel(self.tr("Recent sessions"))
+        self.recent_heading.setProperty("role", "faint")
+        self.library_button = QPushButton(self.tr("Library"))
+        self.library_button.setToolTip(self.tr("All recorded sessions"))
+        self.library_button.clicked.connect(self.library_asked)
+        top = QHBoxLayout()
+        top.addWidget(self.recent_heading, 1)
+        top.addWidget(self.library_button)
+        column = QVBoxLayout(part)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addLayout(top)
+        column.addWidget(self.recent)
+        self.show_earlier(Earlier((), ()))
+        return part
+
+    # --- what it shows
+
+    def show_earlier(self, earlier: Earlier) -> None:
+        """What was done lately."""
+        self.recent.clear()
+        for session in earlier.recent:
+            self.recent.addItem(_item(session))
+        some = bool(earlier.recent)
+        self.recent.setVisible(some)
+        self.recent_heading.setVisible(some)
+        self.recent.setFixedHeight(min(len(earlier.recent), MOST) * (ROW + 4) + 4)
+        self._show_unfinished(earlier.unfinished)
+
+    def _show_unfinished(self, paths: tuple[Path, ...]) -> None:
+        self._cut_off = paths[0] if paths else None
+        self.unfinished.setVisible(bool(paths))
+        self.recover_button.setEnabled(bool(paths))
+        if not paths:
+            return
+        text = self.tr("The recording {} was cut off. What it holds can be recovered.")
+        text = text.format(paths[0].name)
+        if len(paths) > 1:
+            text += " " + self.tr("{} more stand in the library.").format(len(paths) - 1)
+        self.unfinished_text.setText(text)
+
+    # --- what the user does
+
+    def _chosen(self, item: QListWidgetItem) -> None:
+        self.recent_asked.emit(item.data(Qt.ItemDataRole.UserRole))
+
+    def _recover(self) -> None:
+        if self._cut_off is not None:
+            self.recover_button.setEnabled(False)  # until it has been looked at anew
+            self.recover.emit(self._cut_off)
+
+
+def _item(session: RecentSession) -> QListWidgetItem:
+    row = session.row
+    item = QListWidgetItem(f"{row.name}\n{row.duration}, {session.age}")
+    item.setToolTip(str(row.path))
+    item.setData(Qt.ItemDataRole.UserRole, row.path)
+    item.setSizeHint(QSize(0, ROW + 4))
+    if session.details.image is not None:
+        item.setIcon(QIcon(pixmap(session.details.image)))
+    return item
+
+
+def _centred(widget: QWidget) -> QHBoxLayout:
+    """As wide as the cards, in the middle."""
+    widget.setMaximumWidth(3 * CARD + 2 * 16)
+    row = QHBoxLayout()
+    row.addStretch(1)
+    row.addWidget(widget, 3 * CARD)
+    row.addStretch(1)
+    return row
 
 
 def _card(title: str, text: str, signal: SignalInstance) -> QFrame:
     card = QFrame()
     card.setObjectName("card")
-    card.setFixedWidth(250)
+    card.setMinimumWidth(NARROW)
+    card.setMaximumWidth(CARD)
     column = QVBoxLayout(card)
     column.setContentsMargins(16, 16, 16, 16)
     column.setSpacing(12)

@@ -34,6 +34,11 @@ class AppSettings:
     geometry: str = ""  # base64 of QWidget.saveGeometry
     layout: str = ""  # base64 of QMainWindow.saveState
     sessions_folder: str = ""
+    recent: list[str] = field(default_factory=list)  # sessions opened or recorded last
+    library_columns: list[int] = field(default_factory=list)  # their widths, px
+    export: dict[str, Any] = field(default_factory=dict)  # the last `ExportChoice`
+    export_presets: dict[str, Any] = field(default_factory=dict)  # others, by name
+    export_folder: str = ""  # the last one
     participant: str = ""
     task: str = ""
     recording_name: str = ""  # the template of file names; empty for the usual one

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from app.storage.session_tags import read_tags
 from app.viewmodels.recording import duration_text, size_text
 from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
 from tracker.errors import GlovetrackError
@@ -32,10 +33,13 @@ class SessionRow:
     look: StateLook
     integrity: str
     problem: str
-    stamp: tuple[int, int] = (
-        0,
-        0,
-    )  # time of change in ns, and size: another content, another stamp
+    stamp: tuple[int, int] = (0, 0)  # time of change in ns, and size: other content, other stamp
+    tags: tuple[str, ...] = ()
+
+    def holds(self, words: str, quality: str = "") -> bool:
+        """Whether each of the words stands in its name, tags, date or quality."""
+        text = " ".join((self.name, *self.tags, self.when, self.integrity, quality)).casefold()
+        return all(word in text for word in words.casefold().split())
 
     @property
     def recoverable(self) -> bool:
@@ -77,6 +81,7 @@ def session_row(path: Path, recording: Path | None = None) -> SessionRow:
         integrity,
         problem,
         (stat.st_mtime_ns, stat.st_size),
+        read_tags(path),
     )
 
 

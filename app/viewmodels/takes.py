@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from app.storage.session_tags import move_tags
 from app.viewmodels.recording import duration_text
 from tracker.errors import FileError
 from tracker.files import name_part
@@ -89,6 +90,7 @@ def rename(path: Path, name: str) -> Path:
         raise FileError(f"{target.name} is there already, so {path.name} keeps its name.")
     try:
         path.rename(target)
+        move_tags(path, target)
     except OSError as error:
         reason = error.strerror or str(error)
         raise FileError(f"{path.name} cannot be named {target.name}: {reason}.") from error

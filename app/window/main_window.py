@@ -45,6 +45,7 @@ from app.window.docks import (
 from app.window.drops import Drops
 from app.window.keys import FocusKeys
 from app.window.message_bar import MessageBar
+from app.window.recent import RecentSessions
 from app.window.screen import SMALLEST as SMALLEST
 from app.window.screen import fit_to_screen
 from app.window.set_up_dialogs import SetUpDialogs
@@ -81,6 +82,9 @@ class MainWindow(QMainWindow):
         Drops(self, self.sources.take_over)
         self.takes = Takes(self.host, self.tasks, self.messages, self.library, self)
         self.reports = bug_reports(self, crashes)
+        self.recent = RecentSessions(
+            self.start_page, self.host, self.store, self.tasks, self.messages, self.library
+        )
         self._make_commands()
         self._make_tool_bar()
         self._connect()
@@ -180,6 +184,7 @@ class MainWindow(QMainWindow):
         self.start_page.demo.connect(lambda: self.sources.open_demo())
         self.start_page.connect_devices.connect(self.sources.open_devices)
         self.start_page.open_session.connect(lambda: self.sources.choose_session(self.plan))
+        self.start_page.library_asked.connect(lambda: self.show_panel("library"))
         self.library.replay.connect(self.sources.open_session)
         self.log.report.connect(self.reports.ask)
         self.library.compared.connect(lambda _comparison: self.hand.show_reference())

@@ -145,9 +145,10 @@ def _style_sheet(c: Colours) -> str:
         selection-color: {c.on_accent}; border: 1px solid {c.border}; }}
     QHeaderView::section {{ background: {c.raised}; padding: 4px 6px; border: none;
         border-right: 1px solid {c.border}; border-bottom: 1px solid {c.border}; }}
-    QCheckBox::indicator:unchecked, QRadioButton::indicator:unchecked {{ width: 12px; height: 12px;
+    QCheckBox::indicator:unchecked, QListView::indicator:unchecked,
+    QRadioButton::indicator:unchecked {{ width: 12px; height: 12px;
         background: {c.base}; border: 1px solid {c.faint}; }}
-    QCheckBox::indicator:unchecked {{ border-radius: 2px; }}
+    QCheckBox::indicator:unchecked, QListView::indicator:unchecked {{ border-radius: 2px; }}
     QRadioButton::indicator:unchecked {{ border-radius: 6px; }}
     QRadioButton::indicator:checked {{ width: 5px; height: 5px; border-radius: 6px;
         background: {c.base}; border: 4px solid {c.accent}; }}

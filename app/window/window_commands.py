@@ -76,7 +76,7 @@ def _file(on: Targets) -> list[Command]:
 
     def export_selected() -> None:
         w.show_panel("library")
-        on.library.ask_export()
+        on.library.ask_export(opened_first=True)
 
     return [
         Command("demo", menu, w.tr("Start the &demo"), on.sources.open_demo, "Ctrl+D"),

@@ -202,7 +202,7 @@ def test_tracked_again_both_are_seen_and_compared(replayed, window, qtbot):
     first = [table.table.item(0, j).text() for j in range(4)]
     assert all(text.endswith("mm") for text in first[1:])
     table.close()
-    source = replayed._replayed()
+    source = replayed._opened_paths()[0]
     with SessionReader(source.with_name("P01_pinch_vist.mcap")) as reader:
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
     player = window.host.setup.player

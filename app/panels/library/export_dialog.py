@@ -17,20 +17,28 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
+    QListWidget,
+    QListWidgetItem,
     QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.jobs.export import ExportRequest, free_target
+from app.panels.library.export_presets import Presets
+from app.storage.settings import SettingsStore
+from app.viewmodels.export_choice import WORDS, ExportChoice, choice_from
 from app.viewmodels.recording import position_text
-from tracker.session.export.options import AXES_NAMES, FORMATS, PERSONAL, UNITS, ExportOptions
+from tracker.session.export.options import AXES_NAMES, FORMATS, UNITS
 
 MAX_RATE_HZ = 2000.0
 
 
 class ExportDialog(QDialog):
-    """Says ``wanted`` once per session. ``part`` (s) is the range chosen in the replay, or None."""
+    """Says ``wanted`` once per session and format. ``part`` (s) is the range chosen in the replay.
+
+    The choice and the folder are remembered in the settings.
+    """
 
     wanted = Signal(object)  # ExportRequest
 
@@ -38,25 +46,35 @@ class ExportDialog(QDialog):
         self,
         sources: Sequence[Path],
         part: tuple[float, float] | None,
+        store: SettingsStore,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._sources, self._part = tuple(sources), part
+        self._sources, self._part, self._store = tuple(sources), part, store
         names = (
             sources[0].name if len(sources) == 1 else self.tr("{} sessions").format(len(sources))
         )
         self.setWindowTitle(self.tr("Export {}").format(names))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self._make_fields()
+        self.presets = Presets(store, self.choice, self.show_choice)
         column = QVBoxLayout(self)
+        column.addWidget(self.presets)
         column.addLayout(self._form())
         column.addWidget(self._buttons())
-        self.setMinimumWidth(460)
+        self.setMinimumWidth(480)
+        self.show_choice(choice_from(store.value.export))
 
     def _make_fields(self) -> None:
-        self.format = QComboBox()
-        self.format.addItems(FORMATS)
-        self.folder = QLineEdit(str(self._sources[0].parent))
+        self.formats = QListWidget()
+        self.formats.setAccessibleName(self.tr("Formats"))
+        for name in FORMATS:
+            item = QListWidgetItem(WORDS[name], self.formats)
+            item.setData(Qt.ItemDataRole.UserRole, name)
+            item.setCheckState(Qt.CheckState.Unchecked)
+        self.formats.itemChanged.connect(lambda _item: self._enable())
+        folder = Path(self._store.value.export_folder or self._sources[0].parent)
+        self.folder = QLineEdit(str(folder if folder.is_dir() else self._sources[0].parent))
         self.range = QCheckBox(self.tr("the whole session"))
         if self._part is not None:
             start, stop = (position_text(p) for p in self._part)
@@ -73,7 +91,7 @@ class ExportDialog(QDialog):
 
     def _choice(self, names: Sequence[str]) -> QComboBox:
         box = QComboBox()
-        box.addItem(self.tr("as usual for the format"), None)
+        box.addItem(self.tr("as usual for the format"), "")
         for name in names:
             box.addItem(name, name)
         return box
@@ -87,7 +105,7 @@ class ExportDialog(QDialog):
         folder = QLabel(self.tr("F&older"))
         folder.setBuddy(self.folder)
         form = QFormLayout()
-        form.addRow(self.tr("&Format"), self.format)
+        form.addRow(self.tr("&Formats"), self.formats)
         form.addRow(folder, row)
         form.addRow(self.tr("&Range"), self.range)
         form.addRow(self.tr("R&ate"), self.rate)
@@ -104,6 +122,10 @@ class ExportDialog(QDialog):
         buttons.rejected.connect(self.close)
         return buttons
 
+    def _enable(self) -> None:
+        if hasattr(self, "start"):
+            self.start.setEnabled(bool(self._chosen()))
+
     def _choose_folder(self) -> None:
         folder = QFileDialog.getExistingDirectory(
             self, self.tr("Folder for the export"), self.folder.text()
@@ -111,24 +133,53 @@ class ExportDialog(QDialog):
         if folder:
             self.folder.setText(folder)
 
+    # --- the choice
+
+    def _items(self) -> list[QListWidgetItem]:
+        return [self.formats.item(i) for i in range(self.formats.count())]
+
+    def _chosen(self) -> tuple[str, ...]:
+        checked = Qt.CheckState.Checked
+        found = [i for i in self._items() if i.checkState() == checked]
+        return tuple(i.data(Qt.ItemDataRole.UserRole) for i in found)
+
+    def choice(self) -> ExportChoice:
+        """As the fields have it."""
+        return ExportChoice(
+            formats=self._chosen(),
+            rate=self.rate.value(),
+            axes=self.axes.currentData(),
+            units=self.units.currentData(),
+            anonymous=self.anonymous.isChecked(),
+        )
+
+    def show_choice(self, choice: ExportChoice) -> None:
+        """Fill the fields."""
+        for item in self._items():
+            on = item.data(Qt.ItemDataRole.UserRole) in choice.formats
+            item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
+        self.rate.setValue(choice.rate)
+        self.axes.setCurrentIndex(self.axes.findData(choice.axes))
+        self.units.setCurrentIndex(self.units.findData(choice.units))
+        self.anonymous.setChecked(choice.anonymous)
+
+    # --- the export
+
     def _start(self) -> None:
+        choice, folder = self.choice(), self.folder.text().strip()
+        self._store.update(export=choice.as_dict(), export_folder=folder)
+        taken: set[Path] = set()
         for source in self._sources:
-            self.wanted.emit(self.request(source))
+            for form in choice.formats:
+                request = self._request(source, form, choice, taken)
+                taken.add(request.target)
+                self.wanted.emit(request)
         self.close()
 
-    def request(self, source: Path) -> ExportRequest:
-        """What is chosen, for one session; an existing file is never written over."""
-        form = self.format.currentText()
-        target = free_target(Path(self.folder.text()), source, form)
-        return ExportRequest(
-            source,
-            form,
-            target,
-            self._part if self.range.isChecked() else None,
-            ExportOptions(
-                rate=self.rate.value() or None,
-                axes=self.axes.currentData(),
-                units=self.units.currentData(),
-                anonymous=PERSONAL if self.anonymous.isChecked() else (),
-            ),
-        )
+    def _request(
+        self, source: Path, form: str, choice: ExportChoice, taken: set[Path]
+    ) -> ExportRequest:
+        """One session in one format; an existing file is never written over."""
+        target = free_target(Path(self.folder.text()), source, form, taken)
+        part = self._part if self.range.isChecked() else None
+        return ExportRequest(source, form, target, part, choice.options)

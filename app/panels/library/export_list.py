@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.jobs.export import ExportQueue, QueueItem
+from app.panels.library.session_files import open_folder
 
 
 class ExportList(QWidget):
@@ -41,7 +42,10 @@ class ExportList(QWidget):
         clear.clicked.connect(queue.forget_ended)
         row = QHBoxLayout()
         row.addWidget(self.cancel_button)
+        self.folder_button = QPushButton(self.tr("Open folder"))
+        self.folder_button.clicked.connect(self.show_folder)
         row.addWidget(clear)
+        row.addWidget(self.folder_button)
         row.addStretch(1)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 6, 0, 0)
@@ -84,6 +88,13 @@ class ExportList(QWidget):
     def _enable(self) -> None:
         item = self._selected()
         self.cancel_button.setEnabled(item is not None and item.open)
+        self.folder_button.setEnabled(item is not None)
+
+    def show_folder(self) -> None:
+        """Where the file is, or will be, in the system's file manager."""
+        item = self._selected()
+        if item is not None:
+            open_folder(item.request.target.parent)
 
     def cancel_selected(self) -> None:
         item = self._selected()

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QTabWidget, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup, Player
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.jobs.export import ExportQueue, ExportRequest
+from app.jobs.export import ExportRequest
 from app.jobs.library_scan import LibraryScan
-from app.jobs.recovery import recover_job
 from app.panels.library.comparing import Comparing
-from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.export_list import ExportList
+from app.panels.library.exporting import Exporting
+from app.panels.library.session_files import SessionFiles, open_folder
 from app.panels.library.session_page import SessionPage
 from app.panels.library.track_dialog import TrackDialog
 from app.panels.library.transport import TransportBar
@@ -41,15 +43,20 @@ class LibraryPanel(Panel):
         super().__init__(host, parent)
         self._store, self._tasks = store, tasks
         self._player: Player | None = None
-        self.exports = ExportQueue(tasks, self)
+        self._exporting = Exporting(tasks, store, self)
+        self.exports = self._exporting.queue
+        self.files = SessionFiles(host, tasks, self)
+        self._looked = False
         self.transport = TransportBar()
         self.page = SessionPage()
         self.table, self.buttons = self.page.table, self.page.buttons
+        self.table.set_widths(store.value.library_columns)
         self._scan = LibraryScan(tasks, self)
         self._comparing = Comparing(host, tasks, self)
         self.tabs = QTabWidget()
         self.tabs.setDocumentMode(True)
         self.tabs.addTab(self.page, self.tr("Sessions"))
+        self.tabs.setCornerWidget(self.page.search)
         self.tabs.addTab(ExportList(self.exports), self.tr("Exports"))
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 4, 8, 8)
@@ -60,6 +67,8 @@ class LibraryPanel(Panel):
 
     def _connect(self) -> None:
         self.exports.changed.connect(self._name_exports)
+        self._exporting.begun.connect(lambda: self.tabs.setCurrentIndex(1))
+        self.files.changed.connect(self.rescan)
         self.host.opened.connect(self._opened)
         self.host.closed.connect(lambda: self._set_player(None))
         self.host.recording.changed.connect(lambda on: None if on else self.rescan())
@@ -71,14 +80,26 @@ class LibraryPanel(Panel):
         self._comparing.ended.connect(self.rescan)
 
     def _do(self, asked: str) -> None:
-        {
-            "replay": self._replay_selected,
+        paths = [row.path for row in self.table.selected()]
+        whole_list: dict[str, Callable[[], object]] = {
+            "refresh": self.rescan,
             "track": self.ask_track,
             "compare": self.compare_selected,
             "export": self.ask_export,
-            "recover": self._recover_selected,
-            "refresh": self.rescan,
-        }[asked]()
+        }
+        selected: dict[str, Callable[[], object]] = {
+            "replay": self._replay_selected,
+            "recover": lambda: self.files.recover(paths[0]),
+            "rename": lambda: self.files.ask_name(paths[0]),
+            "tags": lambda: self.files.ask_tags(paths),
+            "bin": lambda: self.files.bin(paths),
+        }
+        if asked == "folder":
+            open_folder(paths[0].parent if paths else sessions_folder(self._store.value))
+        elif asked in whole_list:
+            whole_list[asked]()
+        elif paths:
+            selected[asked]()
 
     def title(self) -> str:
         return self.tr("Library && replay")
@@ -93,9 +114,16 @@ class LibraryPanel(Panel):
 
     def rescan(self) -> None:
         """Look into the folder again, in the background."""
+        self._looked = True
         request = self.host.recording.request
         recording = request.path if request is not None else None
         self._scan.begin(sessions_folder(self._store.value), recording)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """What is in the folder is there when one first looks."""
+        super().showEvent(event)
+        if not self._looked:
+            self.rescan()
 
     def _show_rows(self, rows: list[SessionRow], known: dict[Path, Details]) -> None:
         self.table.show_rows(rows, known)
@@ -116,37 +144,37 @@ class LibraryPanel(Panel):
 
     # --- exports
 
-    def ask_export(self) -> None:
-        rows = self.table.selected()
-        if not rows:
+    def ask_export(self, opened_first: bool = False) -> None:
+        """The selected sessions, or the one that is open.
+
+        ``opened_first``: that one, unless others are chosen where the focus is.
+        """
+        chosen, opened = [row.path for row in self.table.selected()], self._opened_paths()
+        first = opened_first and not self.table.hasFocus()
+        paths = (opened or chosen) if first else (chosen or opened)
+        if not paths:
             self.host.error.emit(self.tr("Choose a session in the library to export it."))
             return
-        self.ask_export_of([r.path for r in rows])
+        self.ask_export_of(paths)
 
     def ask_export_of(self, paths: list[Path]) -> None:
         """Ask how; of the session that is replayed the chosen part is offered."""
-        part = self.transport.range() if paths == [self._replayed()] else None
-        dialog = ExportDialog(paths, part, self)
-        dialog.wanted.connect(self.add_export)
-        dialog.open()
+        self._exporting.ask(
+            paths, self.transport.range() if paths == self._opened_paths() else None
+        )
 
-    def _replayed(self) -> Path | None:
-        return self._player.path if self._player is not None else None
-
-    def add_export(self, request: ExportRequest) -> None:
-        """Queue an export; the tab shows it and can cancel it."""
-        self.exports.add(request)
-        self.tabs.setCurrentIndex(1)
+    def _opened_paths(self) -> list[Path]:
+        return [self._player.path] if self._player is not None else []
 
     def export(self, source: Path, form: str, target: Path) -> None:
         """Export a whole session as the format usually is."""
-        self.add_export(ExportRequest(source, form, target))
+        self._exporting.add(ExportRequest(source, form, target))
 
     # --- track again, compare, recover
 
     def ask_track(self) -> None:
         row = self.selected()
-        path = row.path if row is not None else self._replayed()
+        path = row.path if row is not None else next(iter(self._opened_paths()), None)
         if path is None:
             self.host.error.emit(self.tr("Choose a session in the library to track it again."))
             return
@@ -159,14 +187,6 @@ class LibraryPanel(Panel):
         rows = self.table.selected()
         if len(rows) == 2:
             self._comparing.compare(rows[1].path, rows[0].path)
-
-    def _recover_selected(self) -> None:
-        """Make a whole file of one that was cut off; the original stays."""
-        row = self.selected()
-        if row is not None:
-            self._tasks.run(
-                self.tr("Recovering {}").format(row.name), recover_job(row.path), ended=self.rescan
-            )
 
     # --- replay
 
@@ -181,3 +201,9 @@ class LibraryPanel(Panel):
 
     def refresh(self, view: Snapshot | None) -> None:
         self.transport.refresh()
+
+    def shut_down(self) -> None:
+        """Remember how wide the columns are."""
+        widths = self.table.widths()
+        if widths != self._store.value.library_columns:
+            self._store.update(library_columns=widths)

@@ -1,24 +1,48 @@
-"""The recorded sessions and what can be done with the selected ones."""
+"""The recorded sessions, a search among them, and what can be done with the selected ones."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+from functools import partial
+
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLineEdit,
+    QMenu,
+    QPushButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.panels.library.session_table import SessionTable
 from app.viewmodels.library import SessionRow
+from app.widgets.flow_layout import FlowLayout
+
+SEARCH = 280  # px
 
 
 class SessionPage(QWidget):
-    """Says what is ``asked``: replay, track, compare, export, recover or refresh."""
+    """Says what is ``asked``: a key of `buttons` or of `actions`."""
 
     asked = Signal(str)
+    search: QLineEdit
+    """Not laid out here: it stands beside the tabs, where it takes no line of its own."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.table = SessionTable()
         self.table.cellDoubleClicked.connect(lambda _row, _column: self.asked.emit("replay"))
         self.table.itemSelectionChanged.connect(self.enable)
+        self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.table.customContextMenuRequested.connect(self._show_menu)
+        self.search = QLineEdit()
+        self.search.setFixedWidth(SEARCH)
+        self.search.setPlaceholderText(self.tr("Search by name, tag, date or quality"))
+        self.search.setClearButtonEnabled(True)
+        self.search.setAccessibleName(self.tr("Search"))
+        self.search.textChanged.connect(self.table.show_only)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 6, 0, 0)
         column.addWidget(self.table, 1)
@@ -26,7 +50,7 @@ class SessionPage(QWidget):
         self.enable()
 
     def _buttons(self) -> QHBoxLayout:
-        row = QHBoxLayout()
+        flow = FlowLayout(spacing=6)
         self.buttons: dict[str, QPushButton] = {}
         for key, text in (
             ("replay", self.tr("Replay")),
@@ -37,11 +61,39 @@ class SessionPage(QWidget):
             ("refresh", self.tr("Refresh")),
         ):
             self.buttons[key] = QPushButton(text)
-            self.buttons[key].clicked.connect(lambda _on=False, key=key: self.asked.emit(key))
-            row.addWidget(self.buttons[key])
+            self.buttons[key].clicked.connect(partial(self._ask, key))
+            flow.addWidget(self.buttons[key])
         self.buttons["compare"].setToolTip(self.tr("Choose two sessions of one movement"))
-        row.addStretch(1)
+        flow.addWidget(self._more())
+        row = QHBoxLayout()
+        row.addLayout(flow, 1)
         return row
+
+    def _more(self) -> QToolButton:
+        self.menu = QMenu(self)
+        self.actions_of: dict[str, QAction] = {}
+        for key, text, shortcut in (
+            ("rename", self.tr("Rename…"), "F2"),
+            ("tags", self.tr("Tags…"), "Ctrl+T"),
+            ("folder", self.tr("Open folder"), ""),
+            ("bin", self.tr("Move to the bin"), "Del"),
+        ):
+            action = self.actions_of[key] = self.menu.addAction(text)
+            action.setShortcut(QKeySequence(shortcut))
+            action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            action.triggered.connect(partial(self._ask, key))
+            self.table.addAction(action)  # its keys work where the table has the focus
+        more = QToolButton()
+        more.setText(self.tr("More"))
+        more.setMenu(self.menu)
+        more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        return more
+
+    def _ask(self, key: str, _checked: bool = False) -> None:
+        self.asked.emit(key)
+
+    def _show_menu(self, place: QPoint) -> None:
+        self.menu.popup(self.table.viewport().mapToGlobal(place))
 
     def enable(self) -> None:
         rows = self.table.selected()
@@ -54,6 +106,8 @@ class SessionPage(QWidget):
             ("recover", one and rows[0].recoverable),
         ):
             self.buttons[key].setEnabled(on)
+        for key, on in (("rename", one), ("tags", bool(rows)), ("bin", bool(rows))):
+            self.actions_of[key].setEnabled(on)
 
     def selected(self) -> SessionRow | None:
         """The first of the selected sessions."""

@@ -1,4 +1,4 @@
-"""The table of recorded sessions: image, name, length, integrity and quality."""
+"""The table of recorded sessions: image, name, length, integrity, quality and tags."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QSize, Qt
 from PySide6.QtGui import QIcon, QImage, QKeyEvent, QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -20,14 +20,16 @@ from PySide6.QtWidgets import (
 from app.viewmodels.library import THUMBNAIL_WIDTH, Details, SessionRow
 
 ROW_HEIGHT = 44
-QUALITY = 5
+QUALITY, TAGS = 5, 6
+WIDTHS = (260, 130, 70, 80, 110, 200, 140)  # px, until the user has chosen others
+NARROWEST = 48  # px
 
 
 class SessionTable(QTableWidget):
     """Rows are replaced as a whole by `show_rows`; `show_details` fills in what comes later."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(0, 6, parent)
+        super().__init__(0, len(WIDTHS), parent)
         self._rows: list[SessionRow] = []
         self._no_image = QIcon(_empty())
         self.setHorizontalHeaderLabels(
@@ -38,6 +40,7 @@ class SessionTable(QTableWidget):
                 self.tr("Size"),
                 self.tr("File"),
                 self.tr("Quality"),
+                self.tr("Tags"),
             ]
         )
         vertical = self.verticalHeader()
@@ -50,9 +53,32 @@ class SessionTable(QTableWidget):
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setTabKeyNavigation(False)
         header = self.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header.setMinimumSectionSize(NARROWEST)
+        header.setStretchLastSection(True)
+        self._wanted = ""
+        self.set_widths(WIDTHS)
         self.setAccessibleName(self.tr("Recorded sessions"))
+
+    def set_widths(self, widths: Sequence[int]) -> None:
+        """Of the columns, px; the usual ones where they are not of this table."""
+        good = len(widths) == len(WIDTHS) and all(NARROWEST <= w <= 2000 for w in widths)
+        for column, width in enumerate(widths if good else WIDTHS):
+            self.setColumnWidth(column, width)
+
+    def widths(self) -> list[int]:
+        return [self.columnWidth(column) for column in range(self.columnCount())]
+
+    def show_only(self, words: str) -> None:
+        """Hide the sessions in which these words do not all stand."""
+        self._wanted = words
+        for i in range(len(self._rows)):
+            self._show_or_hide(i)
+
+    def _show_or_hide(self, i: int) -> None:
+        quality = self.item(i, QUALITY)
+        held = self._rows[i].holds(self._wanted, quality.text() if quality else "")
+        self.setRowHidden(i, not held)
 
     def show_rows(self, rows: Sequence[SessionRow], known: dict[Path, Details]) -> None:
         """``known``: what was found inside files earlier. The selection stays where it can."""
@@ -62,7 +88,8 @@ class SessionTable(QTableWidget):
         self.setRowCount(len(rows))
         for i, row in enumerate(rows):
             integrity = f"{row.look.sign} {row.integrity}"
-            for j, text in enumerate((row.name, row.when, row.duration, row.size, integrity, "")):
+            cells = (row.name, row.when, row.duration, row.size, integrity, "")
+            for j, text in enumerate((*cells, ", ".join(row.tags))):
                 item = QTableWidgetItem(text)
                 item.setToolTip(row.problem or str(row.path))
                 if j == 0:
@@ -70,9 +97,21 @@ class SessionTable(QTableWidget):
                 self.setItem(i, j, item)
             if row.path in known:
                 self.show_details(row.path, known[row.path])
+            self._show_or_hide(i)
         again = [i for i, row in enumerate(rows) if row.path in before]
-        for i in again or ([0] if rows else []):
-            self.selectRow(i)
+        seen = [i for i in range(len(rows)) if not self.isRowHidden(i)]
+        self._select(again or seen[:1])
+
+    def _select(self, rows: Sequence[int]) -> None:
+        """All of them; `selectRow` by itself would leave the last one alone."""
+        model, chosen = self.selectionModel(), QItemSelection()
+        for i in rows:
+            index = self.model().index(i, 0)
+            chosen.select(index, index)
+        flags = QItemSelectionModel.SelectionFlag
+        model.select(chosen, flags.ClearAndSelect | flags.Rows)
+        if rows:
+            model.setCurrentIndex(self.model().index(rows[0], 0), flags.NoUpdate)
 
     def show_details(self, path: Path, details: Details) -> None:
         row = next((i for i, r in enumerate(self._rows) if r.path == path), None)
@@ -85,11 +124,12 @@ class SessionTable(QTableWidget):
         quality.setText(sign + details.quality)
         quality.setToolTip(details.quality)
         if details.image is not None:
-            name.setIcon(QIcon(_pixmap(details.image)))
+            name.setIcon(QIcon(pixmap(details.image)))
 
     def selected(self) -> list[SessionRow]:
-        """The selected rows from top to bottom."""
+        """The selected rows from top to bottom; none that the search hides."""
         chosen = sorted({index.row() for index in self.selectedIndexes()})
+        chosen = [i for i in chosen if not self.isRowHidden(i)]
         return [self._rows[i] for i in chosen if i < len(self._rows)]
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -107,7 +147,7 @@ def _empty() -> QPixmap:
     return pixmap
 
 
-def _pixmap(image: NDArray[np.uint8]) -> QPixmap:
+def pixmap(image: NDArray[np.uint8]) -> QPixmap:
     """Of (h, w, 3) BGR."""
     height, width = image.shape[:2]
     pixels = np.ascontiguousarray(image)

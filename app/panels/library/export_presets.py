@@ -1,0 +1,79 @@
+"""Named sets of formats and options, kept in the settings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QInputDialog, QLabel, QPushButton, QWidget
+
+from app.storage.settings import SettingsStore
+from app.viewmodels.export_choice import ExportChoice, choice_from
+
+LONGEST = 60  # characters of a name
+
+
+class Presets(QWidget):
+    """A box to choose from; ``read`` gives the choice in the fields, ``show`` fills them."""
+
+    def __init__(
+        self,
+        store: SettingsStore,
+        read: Callable[[], ExportChoice],
+        show: Callable[[ExportChoice], None],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._store, self._read, self._show = store, read, show
+        self.box = QComboBox()
+        self.box.setAccessibleName(self.tr("Preset"))
+        self.box.currentIndexChanged.connect(self._chosen)
+        self.save_button = QPushButton(self.tr("Keep as…"))
+        self.save_button.clicked.connect(self._ask_name)
+        self.remove_button = QPushButton(self.tr("Remove"))
+        self.remove_button.clicked.connect(self._remove)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(QLabel(self.tr("Preset")))
+        row.addWidget(self.box, 1)
+        row.addWidget(self.save_button)
+        row.addWidget(self.remove_button)
+        self._fill("")
+
+    def _fill(self, chosen: str) -> None:
+        with QSignalBlocker(self.box):
+            self.box.clear()
+            self.box.addItem(self.tr("none: as below"), "")
+            for name in sorted(self._store.value.export_presets):
+                self.box.addItem(name, name)
+            self.box.setCurrentIndex(max(0, self.box.findData(chosen)))
+        self.remove_button.setEnabled(bool(self.box.currentData()))
+
+    def _chosen(self) -> None:
+        name = self.box.currentData()
+        self.remove_button.setEnabled(bool(name))
+        if name:
+            self._show(choice_from(self._store.value.export_presets.get(name)))
+
+    def _ask_name(self) -> None:
+        dialog = QInputDialog(self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.setWindowTitle(self.tr("Keep these formats and options"))
+        dialog.setLabelText(self.tr("Name of the preset"))
+        dialog.setTextValue(self.box.currentData() or "")
+        dialog.textValueSelected.connect(self.keep)
+        dialog.open()
+
+    def keep(self, name: str) -> None:
+        """Keep what is chosen under this name, instead of what it stood for."""
+        name = " ".join(name.split())[:LONGEST]
+        if name:
+            kept = {**self._store.value.export_presets, name: self._read().as_dict()}
+            self._store.update(export_presets=kept)
+            self._fill(name)
+
+    def _remove(self) -> None:
+        name = self.box.currentData()
+        kept = {k: v for k, v in self._store.value.export_presets.items() if k != name}
+        self._store.update(export_presets=kept)
+        self._fill("")

@@ -1,0 +1,111 @@
+"""What is done to session files: another name, tags, made whole, to the bin, folder shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QFile, QObject, Qt, QUrl, Signal
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QInputDialog, QWidget
+
+from app.engines.engine_host import EngineHost
+from app.jobs.recovery import recover_job
+from app.platform.tasks import TaskOwner
+from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
+from app.viewmodels.takes import rename
+from tracker.errors import FileError, GlovetrackError
+
+
+class SessionFiles(QObject):
+    """Asks and does it; ``changed`` when the folder is another one now."""
+
+    changed = Signal()
+
+    def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._host, self._tasks, self._window = host, tasks, parent
+
+    def ask_name(self, path: Path) -> None:
+        dialog = self._question(self.tr("Rename {}").format(path.name), self.tr("Name"), path.stem)
+        dialog.textValueSelected.connect(lambda name: self.rename(path, name))
+        dialog.open()
+
+    def ask_tags(self, paths: Sequence[Path]) -> None:
+        """The words of the first one are offered; all of them get what is written."""
+        words = self.tr("Tags, with commas between")
+        title = self.tr("Tags of {}").format(paths[0].name)
+        if len(paths) > 1:
+            title = self.tr("Tags of {} sessions").format(len(paths))
+        dialog = self._question(title, words, ", ".join(read_tags(paths[0])))
+        dialog.textValueSelected.connect(lambda text: self.tag(paths, text))
+        dialog.open()
+
+    def _question(self, title: str, words: str, text: str) -> QInputDialog:
+        dialog = QInputDialog(self._window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.setWindowTitle(title)
+        dialog.setLabelText(words)
+        dialog.setTextValue(text)
+        return dialog
+
+    def rename(self, path: Path, name: str) -> None:
+        """Give it another name in its folder."""
+        self._try(lambda: rename(self._free(path), name))
+
+    def tag(self, paths: Sequence[Path], text: str) -> None:
+        """Put these words on all of them, instead of those they had."""
+
+        def write() -> None:
+            for path in paths:
+                write_tags(path, tags_of_text(text))
+
+        self._try(write)
+
+    def bin(self, paths: Sequence[Path]) -> None:
+        """To the system's bin, from which they can be taken back; without a question therefore."""
+
+        def move() -> None:
+            for path in paths:
+                to_bin(self._free(path))
+
+        self._try(move)
+
+    def recover(self, path: Path) -> None:
+        """Make a whole file of one that was cut off; the original stays."""
+        title = self.tr("Recovering {}").format(path.stem)
+        self._tasks.run(title, recover_job(path), ended=self.changed.emit)
+
+    def _free(self, path: Path) -> Path:
+        """Raises FileError for a session that is open or being recorded."""
+        setup, request = self._host.setup, self._host.recording.request
+        if request is not None and request.path == path:
+            raise FileError(f"{path.name} is being recorded.")
+        if setup is not None and setup.player is not None and setup.player.path == path:
+            raise FileError(f"{path.name} is open: close it first (Ctrl+W).")
+        return path
+
+    def _try(self, work: Callable[[], object]) -> None:
+        try:
+            work()
+        except GlovetrackError as error:
+            self._host.error.emit(str(error))
+        self.changed.emit()
+
+
+def to_bin(path: Path) -> None:
+    """A session and its tags. Raises FileError where there is no bin: it stays then."""
+    if not moved_to_bin(path):
+        raise FileError(f"{path.name} cannot be moved to the bin, so it stays where it is.")
+    if (tags := tags_path(path)).exists():
+        moved_to_bin(tags)
+
+
+def moved_to_bin(path: Path) -> bool:
+    moved = QFile.moveToTrash(str(path))
+    return bool(moved[0] if isinstance(moved, tuple) else moved)
+
+
+def open_folder(folder: Path) -> None:
+    """In the system's file manager."""
+    QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder)))

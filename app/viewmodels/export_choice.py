@@ -1,0 +1,78 @@
+"""What is exported and how, as it is remembered and kept under a name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from tracker.session.export.options import (
+    AXES_NAMES,
+    FORMATS,
+    PERSONAL,
+    RATES,
+    UNITS,
+    ExportOptions,
+)
+
+WORDS = {
+    "csv": "Table for spreadsheets and everything else (CSV)",
+    "parquet": "Table for Python and R (Parquet)",
+    "h5": "Arrays for MATLAB and Python (HDF5)",
+    "c3d": "Motion capture (C3D)",
+    "trc": "OpenSim markers (TRC)",
+    "mot": "OpenSim joint angles (MOT)",
+    "sto": "OpenSim joint angles (STO)",
+    "bvh": "Animation skeleton (BVH)",
+    "glb": "Animated hand in 3D (glTF)",
+    "urdf": "Robot model of the hand (URDF)",
+    "mp4": "Film with the hand drawn in (MP4)",
+    "png": "Folder of images with the hand drawn in (PNG)",
+    "mcap": "Session, whole or the chosen part (MCAP)",
+}
+"""What each format is for, by its name on the command line."""
+
+
+@dataclass(frozen=True)
+class ExportChoice:
+    """``rate`` Hz, 0 as recorded; ``axes`` and ``units`` empty: as usual for the format."""
+
+    formats: tuple[str, ...] = ("csv",)
+    rate: float = 0.0
+    axes: str = ""
+    units: str = ""
+    anonymous: bool = False
+
+    @property
+    def options(self) -> ExportOptions:
+        return ExportOptions(
+            rate=self.rate or None,
+            axes=self.axes or None,
+            units=self.units or None,
+            anonymous=PERSONAL if self.anonymous else (),
+        )
+
+    def as_dict(self) -> dict[str, Any]:
+        """For the settings."""
+        return {**asdict(self), "formats": list(self.formats)}
+
+
+def choice_from(data: object) -> ExportChoice:
+    """Of the settings; what another version or a hand has written there keeps its default."""
+    found = data if isinstance(data, Mapping) else {}
+    usual = ExportChoice()
+    names = found.get("formats")
+    known = [n for n in FORMATS if isinstance(names, list) and n in names]
+    rate = found.get("rate")
+    low, high = RATES
+    return ExportChoice(
+        formats=tuple(known) or usual.formats,
+        rate=float(rate) if isinstance(rate, int | float) and low <= rate <= high else usual.rate,
+        axes=_of(found.get("axes"), AXES_NAMES),
+        units=_of(found.get("units"), tuple(UNITS)),
+        anonymous=found.get("anonymous") is True,
+    )
+
+
+def _of(value: object, known: tuple[str, ...]) -> str:
+    return value if isinstance(value, str) and value in known else ""

@@ -1,0 +1,90 @@
+"""What the start page offers of earlier work: the sessions used last, and a recording cut off."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+from app.viewmodels.library import Details, SessionRow, details, session_row
+
+MOST = 5
+LOOKED_AT = 20  # of the newest files, for a recording that was cut off
+SUFFIX = ".mcap"
+
+
+@dataclass(frozen=True, eq=False)
+class RecentSession:
+    """``age`` in words, of the file."""
+
+    row: SessionRow
+    age: str
+    details: Details
+
+
+@dataclass(frozen=True, eq=False)
+class Earlier:
+    """``unfinished``: recordings that were cut off and not recovered since, newest first."""
+
+    recent: tuple[RecentSession, ...]
+    unfinished: tuple[Path, ...]
+
+
+def with_recent(known: Sequence[str], path: Path) -> list[str]:
+    """The paths used last, ``path`` first."""
+    name = str(path.absolute())
+    return [name, *(p for p in known if p != name)][:MOST]
+
+
+def newest(folder: Path) -> list[Path]:
+    """Sessions of a folder, newest first."""
+    try:
+        found = [(p.stat().st_mtime, p) for p in folder.glob(f"*{SUFFIX}")]
+    except OSError:
+        return []
+    return [p for _, p in sorted(found, reverse=True)]
+
+
+def look_back(
+    known: Sequence[str], folder: Path, now: datetime, progress: Callable[[float, str], None]
+) -> Earlier:
+    """Look into the sessions used last, then the newest ones of the folder."""
+    here = newest(folder)
+    candidates = list(dict.fromkeys([*(Path(p) for p in known if Path(p).is_file()), *here]))
+    recent: list[RecentSession] = []
+    for path in candidates:
+        if len(recent) == MOST:
+            break
+        progress(-1.0, path.name)
+        row = session_row(path)
+        if not row.problem:
+            when = datetime.fromtimestamp(row.stamp[0] / 1e9)
+            recent.append(RecentSession(row, age_text(when, now), details(path)))
+    cut = []
+    for path in here[:LOOKED_AT]:
+        progress(-1.0, path.name)
+        if is_unfinished(path):
+            cut.append(path)
+    return Earlier(tuple(recent), tuple(cut))
+
+
+def is_unfinished(path: Path) -> bool:
+    """Whether it was cut off and nobody has recovered it yet."""
+    recovered = path.with_name(f"{path.stem}_recovered{SUFFIX}")
+    return not recovered.exists() and session_row(path).recoverable
+
+
+def age_text(when: datetime, now: datetime) -> str:
+    """``5 minutes ago``, ``yesterday``, then the date."""
+    minutes = int((now - when).total_seconds() // 60)
+    days = (now.date() - when.date()).days
+    if minutes < 1:
+        return "just now"
+    if minutes < 60:
+        return f"{minutes} minute{'s' if minutes > 1 else ''} ago"
+    if days <= 0:
+        return f"today, {when:%H:%M}"
+    if days == 1:
+        return f"yesterday, {when:%H:%M}"
+    return f"{days} days ago" if days < 14 else f"{when:%Y-%m-%d}"

@@ -1,0 +1,71 @@
+"""What the start page shows of earlier work, and how a recording that was cut off is recovered."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from app.engines.engine import EngineSetup
+from app.engines.engine_host import EngineHost
+from app.jobs.recovery import recover_job
+from app.panels.library.panel import LibraryPanel
+from app.panels.start_page import StartPage
+from app.platform.tasks import JobProgress, TaskOwner
+from app.storage.settings import SettingsStore, sessions_folder
+from app.viewmodels.recent import Earlier, look_back, newest, with_recent
+from app.window.message_bar import MessageBar
+
+
+class RecentSessions(QObject):
+    """Remembers what is opened and recorded; looks back when the window starts."""
+
+    def __init__(
+        self,
+        page: StartPage,
+        host: EngineHost,
+        store: SettingsStore,
+        tasks: TaskOwner,
+        messages: MessageBar,
+        library: LibraryPanel,
+    ) -> None:
+        super().__init__(page)
+        self._page, self._store, self._tasks = page, store, tasks
+        self._messages, self._library = messages, library
+        host.opened.connect(self._opened)
+        host.recording.finished.connect(self._remember)
+        page.recover.connect(self.recover)
+        page.recent_asked.connect(library.replay)
+        self.look()
+
+    def look(self) -> None:
+        """Anew, in the background; a first start has nothing to look at."""
+        known, folder = tuple(self._store.value.recent), sessions_folder(self._store.value)
+        if not known and not newest(folder):
+            return
+
+        def job(progress: JobProgress) -> Earlier:
+            return look_back(known, folder, datetime.now(), progress)
+
+        self._tasks.run(self.tr("Looking for earlier sessions"), job, self._page.show_earlier)
+
+    def _opened(self, setup: EngineSetup) -> None:
+        if setup.player is not None:
+            self._remember(setup.player.path)
+
+    def _remember(self, path: Path) -> None:
+        self._store.update(recent=with_recent(self._store.value.recent, path))
+
+    def recover(self, path: Path) -> None:
+        """Make a whole file of it, in the background; the original stays."""
+        title = self.tr("Recovering {}").format(path.name)
+        self._tasks.run(title, recover_job(path), self._recovered, self.look)
+
+    def _recovered(self, path: Path) -> None:
+        show = (self.tr("Show it"), partial(self._library.replay.emit, path))
+        export = (self.tr("Export…"), partial(self._library.ask_export_of, [path]))
+        text = self.tr("What could be read of the recording is in {}.").format(path.name)
+        self._messages.say(text, show, export, good=True)
+        self._library.rescan()

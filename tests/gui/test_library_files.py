@@ -1,0 +1,269 @@
+"""Order in the library: search, names, tags, the bin, columns; several formats and presets."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+
+import pytest
+from PySide6.QtCore import QObject, Qt, QUrl, Slot
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog
+
+from app.jobs.export import DONE, free_target
+from app.panels.library.export_dialog import ExportDialog
+from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
+from app.storage.settings import SettingsStore
+from app.viewmodels.export_choice import WORDS, ExportChoice, choice_from
+from app.window.main_window import MainWindow
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
+from tracker.session.export.options import FORMATS
+
+NAMES = ("P01_pinch", "P01_fist", "P02_pinch")
+
+
+@pytest.fixture(scope="module")
+def tracked(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("files")
+    simulated, out = folder / "simulated.mcap", folder / "tracked.mcap"
+    simulate(simulated, SimulateOptions(seed=3, duration=1.5, fps=30, images=False))
+    track(simulated, out, TrackOptions("chain", with_sensors=True))
+    return out
+
+
+@pytest.fixture
+def folder(tmp_path, tracked, store):
+    folder = tmp_path / "sessions"
+    folder.mkdir()
+    for name in NAMES:
+        shutil.copy(tracked, folder / f"{name}.mcap")
+    return folder
+
+
+@pytest.fixture
+def library(folder, window, qtbot):
+    window.show_panel("library")
+    qtbot.waitUntil(lambda: window.library.table.rowCount() == len(NAMES), timeout=20_000)
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=20_000)
+    return window.library
+
+
+def shown(library) -> set[str]:
+    table = library.table
+    rows = [i for i in range(table.rowCount()) if not table.isRowHidden(i)]
+    return {table.item(i, 0).text() for i in rows}
+
+
+def select(library, *names: str) -> None:
+    table = library.table
+    texts = [table.item(i, 0).text() for i in range(table.rowCount())]
+    table._select([texts.index(name) for name in names])
+    assert {row.name for row in library.table.selected()} == set(names)
+
+
+def answer(window, text: str) -> None:
+    dialog = QApplication.instance().activeModalWidget() or window.findChild(QInputDialog)
+    assert isinstance(dialog, QInputDialog)
+    dialog.setTextValue(text)
+    dialog.accept()
+
+
+def test_the_library_is_filled_when_it_is_first_shown(library):
+    assert shown(library) == set(NAMES)
+    assert all(library.table.columnWidth(i) >= 48 for i in range(library.table.columnCount()))
+
+
+def test_a_search_leaves_what_holds_all_its_words(library, qtbot):
+    library.page.search.setFocus()
+    qtbot.keyClicks(library.page.search, "pinch p01")
+    assert shown(library) == {"P01_pinch"}
+    assert {row.name for row in library.table.selected()} <= {"P01_pinch"}
+    library.page.search.clear()
+    assert shown(library) == set(NAMES)
+
+
+def test_tags_are_kept_beside_the_session_and_found(library, window, folder, qtbot):
+    path = folder / "P01_fist.mcap"
+    before = hashlib.sha256(path.read_bytes()).hexdigest()
+    select(library, "P01_fist")
+    library.page.actions_of["tags"].trigger()
+    answer(window, "good,  left hand , good")
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=20_000)
+    assert read_tags(path) == ("good", "left hand")
+    assert hashlib.sha256(path.read_bytes()).hexdigest() == before
+    library.page.search.setText("good")
+    assert shown(library) == {"P01_fist"}
+    library.page.search.clear()
+    library.files.tag([path], "")
+    assert not tags_path(path).exists()
+
+
+def test_a_session_gets_another_name_with_its_tags(library, window, folder, qtbot):
+    write_tags(folder / "P02_pinch.mcap", ["keep"])
+    select(library, "P02_pinch")
+    library.table.setFocus()
+    library.page.actions_of["rename"].trigger()
+    answer(window, "P02 grasp")
+    qtbot.waitUntil(lambda: "P02-grasp" in shown(library), timeout=20_000)
+    assert read_tags(folder / "P02-grasp.mcap") == ("keep",)
+    assert not (folder / "P02_pinch.mcap").exists()
+    library.files.rename(folder / "P01_fist.mcap", "P01_pinch")
+    assert "is there already" in window.banner.text()
+
+
+def test_the_bin_takes_a_session_and_its_tags(library, window, folder, qtbot, monkeypatch):
+    """Where the system has no bin the file stays."""
+    binned = []
+
+    def move(path):
+        binned.append(path)
+        path.unlink()
+        return True
+
+    monkeypatch.setattr("app.panels.library.session_files.moved_to_bin", move)
+    write_tags(folder / "P01_fist.mcap", ["x"])
+    select(library, "P01_fist", "P02_pinch")
+    library.page.actions_of["bin"].trigger()
+    qtbot.waitUntil(lambda: shown(library) == {"P01_pinch"}, timeout=20_000)
+    assert {p.name for p in binned} == {"P01_fist.mcap", "P01_fist.tags.json", "P02_pinch.mcap"}
+    monkeypatch.setattr("app.panels.library.session_files.moved_to_bin", lambda _path: False)
+    library.files.bin([folder / "P01_pinch.mcap"])
+    assert "stays where it is" in window.banner.text()
+    assert (folder / "P01_pinch.mcap").exists()
+
+
+def test_what_is_open_is_neither_renamed_nor_binned(library, window, folder, qtbot):
+    window.sources.open_session(folder / "P01_fist.mcap")
+    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    for work in (
+        lambda: library.files.bin([folder / "P01_fist.mcap"]),
+        lambda: library.files.rename(folder / "P01_fist.mcap", "other"),
+    ):
+        work()
+        assert "is open: close it first" in window.banner.text()
+    assert (folder / "P01_fist.mcap").exists()
+
+
+def test_columns_stay_as_wide_as_they_were_made(library, window, store, qtbot):
+    library.table.setColumnWidth(0, 333)
+    window.close()
+    again = MainWindow(SettingsStore(store.path))
+    qtbot.addWidget(again)
+    assert again.library.table.columnWidth(0) == 333
+    again.close()
+
+
+class FileManager(QObject):
+    """Stands for the system's."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.urls: list[QUrl] = []
+
+    @Slot(QUrl)
+    def show(self, url: QUrl) -> None:
+        self.urls.append(url)
+
+
+def ended(library) -> bool:
+    items = library.exports.items
+    return bool(items) and not any(i.open for i in items)
+
+
+def export_dialog(window) -> ExportDialog:
+    return window.findChild(ExportDialog)
+
+
+def tick(dialog, *names: str) -> None:
+    for item in dialog._items():
+        on = item.data(Qt.ItemDataRole.UserRole) in names
+        item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
+
+
+def press_export(qtbot, dialog) -> None:
+    button = dialog.start
+    assert dialog.findChild(QDialogButtonBox).buttonRole(button).name == "AcceptRole"
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+
+
+def test_an_open_session_from_anywhere_is_exported_in_several_formats(
+    library, window, tracked, store, tmp_path, qtbot
+):
+    """It lies outside of the library's folder, and another one is selected there."""
+    window.sources.open_session(tracked)
+    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    select(library, "P01_pinch")
+    window.setFocus()
+    window.run_command("export")
+    dialog = export_dialog(window)
+    assert dialog.windowTitle() == f"Export {tracked.name}"
+    assert [i.text() for i in dialog._items()] == [WORDS[f] for f in FORMATS]
+    tick(dialog)
+    assert not dialog.start.isEnabled()
+    tick(dialog, "csv", "trc")
+    out = tmp_path / "out"
+    out.mkdir()
+    dialog.folder.setText(str(out))
+    press_export(qtbot, dialog)
+    qtbot.waitUntil(lambda: ended(library), timeout=30_000)
+    assert [i.look for i in library.exports.items] == [DONE, DONE]
+    assert (out / "tracked.csv").exists() and (out / "tracked.trc").exists()
+    kept = SettingsStore(store.path).value
+    assert kept.export_folder == str(out) and kept.export["formats"] == ["csv", "trc"]
+    manager = FileManager()
+    QDesktopServices.setUrlHandler("file", manager, "show")
+    try:
+        qtbot.mouseClick(library.tabs.widget(1).folder_button, Qt.MouseButton.LeftButton)
+        assert [u.toLocalFile() for u in manager.urls] == [str(out)]
+    finally:
+        QDesktopServices.unsetUrlHandler("file")
+
+
+def test_a_preset_brings_formats_and_options_back(library, window, store, qtbot):
+    select(library, "P01_pinch")
+    library.ask_export()
+    dialog = export_dialog(window)
+    tick(dialog, "trc", "mot")
+    dialog.units.setCurrentIndex(dialog.units.findData("mm"))
+    dialog.rate.setValue(60.0)
+    dialog.presets.keep(" OpenSim  at 60 ")
+    tick(dialog, "csv")
+    dialog.rate.setValue(0.0)
+    dialog.presets.box.setCurrentIndex(0)
+    dialog.presets.box.setCurrentText("OpenSim at 60")
+    assert dialog.choice() == ExportChoice(("trc", "mot"), 60.0, "", "mm")
+    dialog.close()
+    library.ask_export()
+    again = [d for d in window.findChildren(ExportDialog) if d is not dialog][-1]
+    assert again.presets.box.findText("OpenSim at 60") > 0
+    again.presets.box.setCurrentText("OpenSim at 60")
+    qtbot.mouseClick(again.presets.remove_button, Qt.MouseButton.LeftButton)
+    assert SettingsStore(store.path).value.export_presets == {}
+    again.close()
+
+
+def test_what_settings_hold_of_a_choice_may_be_anything():
+    for data in (None, 3, {"formats": "csv"}, {"formats": ["exe"], "rate": "fast", "axes": 1}):
+        assert choice_from(data) == ExportChoice()
+    choice = ExportChoice(("csv", "bvh"), 30.0, "unity", "cm", True)
+    assert choice_from(json.loads(json.dumps(choice.as_dict()))) == choice
+
+
+def test_two_exports_in_the_queue_never_have_one_name(tmp_path):
+    first = free_target(tmp_path, tmp_path / "a" / "x.mcap", "csv")
+    second = free_target(tmp_path, tmp_path / "b" / "x.mcap", "csv", {first})
+    assert (first.name, second.name) == ("x.csv", "x_2.csv")
+    second.touch()
+    third = free_target(tmp_path, tmp_path / "x.mcap", "csv", {first})
+    assert third.name == "x_3.csv"
+
+
+def test_tags_that_cannot_be_read_are_none(tmp_path):
+    session = tmp_path / "a.mcap"
+    for text in ("", "[]", '{"tags": 3}', '{"tags": [1, "b"]}', "{" * 70000):
+        tags_path(session).write_text(text)
+        assert read_tags(session) == (("b",) if '"b"' in text else ())
+    assert tags_of_text(" a b ,, c,a b") == ("a b", "c")

@@ -1,0 +1,127 @@
+"""The start page: what was done lately, what was cut off, and no cards above each other."""
+
+from __future__ import annotations
+
+import itertools
+import shutil
+from datetime import datetime, timedelta
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QFrame
+
+from app.viewmodels.recent import age_text, look_back, with_recent
+from app.window.main_window import MainWindow
+from tracker.offline.simulate import SimulateOptions, simulate
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory):
+    path = tmp_path_factory.mktemp("start") / "simulated.mcap"
+    simulate(path, SimulateOptions(seed=3, duration=1.0, fps=10, images=True))
+    return path
+
+
+@pytest.fixture
+def sessions(store, session, tmp_path):
+    """A folder with a whole session and one that was cut off."""
+    folder = tmp_path / "sessions"
+    folder.mkdir()
+    shutil.copy(session, folder / "P01_pinch.mcap")
+    data = session.read_bytes()
+    (folder / "P02_fist.mcap").write_bytes(data[: int(0.7 * len(data))])
+    return folder
+
+
+@pytest.fixture
+def started(sessions, store, qtbot, no_leaks):
+    """A window that finds these at its start."""
+    window = MainWindow(store)
+    qtbot.addWidget(window)
+    window.resize(1366, 768)
+    window.show()
+    qtbot.waitUntil(lambda: window.start_page.recent.count() > 0, timeout=20_000)
+    yield window
+    window.close()
+
+
+def texts(window) -> list[str]:
+    recent = window.start_page.recent
+    return [recent.item(i).text() for i in range(recent.count())]
+
+
+def test_earlier_sessions_stand_on_the_start_page_and_open_by_a_click(started, sessions, qtbot):
+    page = started.start_page
+    row = next(i for i, text in enumerate(texts(started)) if text.startswith("P01_pinch"))
+    item = page.recent.item(row)
+    assert item.text().split("\n")[1].startswith("0:0")
+    assert not item.icon().isNull()
+    place = page.recent.visualItemRect(item).center()
+    qtbot.mouseClick(page.recent.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    qtbot.waitUntil(lambda: started.host.running, timeout=30_000)
+    assert started.host.setup.player.path == sessions / "P01_pinch.mcap"
+    assert started.store.value.recent == [str(sessions / "P01_pinch.mcap")]
+
+
+def test_a_recording_that_was_cut_off_is_recovered_from_the_start_page(started, sessions, qtbot):
+    page = started.start_page
+    assert page.unfinished.isVisible() and "P02_fist.mcap" in page.unfinished_text.text()
+    qtbot.mouseClick(page.recover_button, Qt.MouseButton.LeftButton)
+    made = sessions / "P02_fist_recovered.mcap"
+    qtbot.waitUntil(lambda: made.name in started.banner.text(), timeout=20_000)
+    qtbot.waitUntil(lambda: not page.unfinished.isVisible(), timeout=20_000)
+    assert made.exists() and (sessions / "P02_fist.mcap").exists()
+    assert any(text.startswith("P02_fist_recovered") for text in texts(started))
+
+
+def test_a_first_start_shows_the_three_ways_alone_and_the_library_by_its_button(window, qtbot):
+    page = window.start_page
+    assert not page.recent.isVisible() and not page.unfinished.isVisible()
+    assert window.tasks.tasks == ()
+    qtbot.mouseClick(page.library_button, Qt.MouseButton.LeftButton)
+    assert window.library.isVisible() and page.isVisible()
+
+
+@pytest.mark.parametrize("width", [650, 700, 830, 1366])
+def test_no_card_lies_over_another(started, qtbot, width):
+    page = started.start_page
+    page.setParent(None)
+    page.resize(width, 500)
+    page.show()
+    QApplication.processEvents()
+    cards = [c for c in page.findChildren(QFrame, "card") if c is not page.unfinished]
+    assert len(cards) == 3
+    places = sorted((c.geometry() for c in cards), key=lambda g: g.x())
+    for a, b in itertools.pairwise(places):
+        assert a.right() < b.left()
+    assert places[-1].right() <= width
+    started.setCentralWidget(page)
+
+
+def test_what_is_used_last_comes_first_and_once():
+    known: list[str] = []
+    for name in "abcdefa":
+        known = with_recent(known, Path(f"/x/{name}.mcap"))
+    assert [p[-6] for p in known] == ["a", "f", "e", "d", "c"]
+
+
+def test_a_session_that_is_gone_is_not_offered(tmp_path, sessions):
+    gone = str(tmp_path / "gone.mcap")
+    found = look_back([gone], sessions, datetime.now(), lambda *_: None)
+    assert {r.row.path.name for r in found.recent} == {"P01_pinch.mcap", "P02_fist.mcap"}
+    assert [p.name for p in found.unfinished] == ["P02_fist.mcap"]
+
+
+def test_ages_are_told_as_people_do():
+    now = datetime(2026, 5, 20, 15, 0)
+    for ago, text in (
+        (timedelta(seconds=5), "just now"),
+        (timedelta(minutes=1), "1 minute ago"),
+        (timedelta(minutes=50), "50 minutes ago"),
+        (timedelta(hours=3), "today, 12:00"),
+        (timedelta(hours=20), "yesterday, 19:00"),
+        (timedelta(days=3), "3 days ago"),
+        (timedelta(days=60), "2026-03-21"),
+    ):
+        assert age_text(now - ago, now) == text
