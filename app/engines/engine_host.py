@@ -112,6 +112,7 @@ class EngineHost(QObject):
             return
         self.recording.end()
         self._setup.engine.stop()
+        self.recording.look()  # its file is closed by now
         self.running = False
         self._spent = True
         self.running_changed.emit(False)

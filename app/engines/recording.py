@@ -29,6 +29,7 @@ class PausableRecorder:
         self.paused = False
         self.written = 0  # messages so far
         self.broken = False  # nothing more is written; the engine has said why
+        self.closed = False  # the file is whole, or as whole as it gets
         self.figures: Mapping[str, float] = {}  # of the last status: the recording's own
 
     def write(self, message: Message, overloaded: bool = False) -> bool:
@@ -46,8 +47,11 @@ class PausableRecorder:
             self._inner.flush()
 
     def close(self) -> None:
-        with self._watched():
-            self._inner.close()
+        try:
+            with self._watched():
+                self._inner.close()
+        finally:
+            self.closed = True
 
     @contextmanager
     def _watched(self) -> Iterator[None]:
@@ -77,6 +81,7 @@ class Recording(QObject):
         self._setup: EngineSetup | None = None
         self._recorder: PausableRecorder | None = None
         self._began = 0.0
+        self._closing: tuple[Path, PausableRecorder] | None = None  # its disk is behind
         self.request: RecordingRequest | None = None
 
     @property
@@ -107,6 +112,13 @@ class Recording(QObject):
         """Begin a file; False, with `failed`, where that is impossible."""
         if setup.make_recorder is None or self.request is not None:
             return False
+        self.look()
+        if self._closing is not None:
+            self.failed.emit(
+                f"{self._closing[0].name} is still being written to its end; "
+                "then another recording can begin."
+            )
+            return False
         try:
             self._recorder = PausableRecorder(setup.make_recorder(request))
         except (GlovetrackError, OSError) as error:
@@ -128,19 +140,33 @@ class Recording(QObject):
         self.changed.emit(True)
 
     def look(self) -> None:
-        """End a recording whose file takes no more, so that another one can begin."""
+        """End a recording whose file takes no more; tell of one that is closed by now.
+
+        To be called now and then.
+        """
         if self._recorder is not None and self._recorder.broken:
             self.end()
+        if self._closing is not None and self._closing[1].closed:
+            path, self._closing = self._closing[0], None
+            self.finished.emit(path)
+
+    @property
+    def closing(self) -> bool:
+        """Whether a recording that has ended is still being written."""
+        return self._closing is not None
 
     def end(self) -> None:
-        """End the file; the engine writes what waits and closes it."""
-        if self._setup is None or self.request is None:
+        """End the file; the engine writes what waits and closes it, before or after this returns.
+
+        `finished` comes when it is closed, by `look`.
+        """
+        if self._setup is None or self.request is None or self._recorder is None:
             return
-        path = self.request.path
+        self._closing = self.request.path, self._recorder
         self._setup.engine.set_recorder(None)
         self._setup = self._recorder = self.request = None
         self.changed.emit(False)
-        self.finished.emit(path)
+        self.look()
 
 
 def recorder_maker(

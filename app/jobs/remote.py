@@ -209,6 +209,8 @@ class RemoteControl(QObject):
         path, elapsed = recording.request.path, recording.elapsed
         recording.end()
         text = f"{path.name} has ended after {duration_text(elapsed)}."
+        if recording.closing:
+            text += " It is still being written to its end."
         return Reply(True, request.do, text, path, {"duration_s": round(elapsed, 3)})
 
     def _note(self, request: Request) -> Reply:

@@ -122,6 +122,24 @@ def test_the_time_recorded_counts_from_the_record_command_to_the_stop(engine, tm
     assert recording.elapsed == 0.0 and recording.request is None
 
 
+def test_a_disk_that_is_behind_is_not_waited_for(engine, tmp_path, qapp, monkeypatch):
+    recording, finished, said = Recording(), [], []
+    recording.finished.connect(finished.append)
+    recording.failed.connect(said.append)
+    setup, path = scripted_setup(engine), tmp_path / "a.mcap"
+    assert recording.begin(setup, RecordingRequest(path, "", ""))
+    behind = engine.recorder
+    monkeypatch.setattr(engine, "set_recorder", lambda recorder: None)
+    recording.end()
+    assert recording.request is None and recording.closing and finished == []
+    assert not recording.begin(setup, RecordingRequest(tmp_path / "b.mcap", "", ""))
+    assert "a.mcap is still being written" in said[0]
+    behind.close()
+    recording.look()
+    assert finished == [path] and not recording.closing
+    assert recording.begin(setup, RecordingRequest(tmp_path / "b.mcap", "", ""))
+
+
 def test_what_was_typed_is_there_at_the_next_start(store, tmp_path):
     plan = RecordingPlan(store)
     plan.participant, plan.task = " P01 ", "pinch"

@@ -13,7 +13,7 @@ from tests.conftest import RESOURCES
 from tracker.errors import FileError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.live.runner import LiveTracker
+from tracker.live.runner import PATIENCE, LiveTracker
 from tracker.messages import (
     BlobFrame,
     EngineState,
@@ -189,6 +189,35 @@ def test_a_full_disk_ends_the_recording_and_not_the_tracking(
     tracker.stop()
     assert tape.closed and estimate is not None and estimate.t > 1.5
     assert any("The disk is full." in e.text for e in events if e.kind == "error")
+
+
+class SlowTape(Tape):
+    """Its end takes until it is let go."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.let_go = threading.Event()
+
+    def close(self) -> None:
+        self.let_go.wait(30)
+        super().close()
+
+
+def test_the_end_of_a_recording_is_not_waited_for_long(
+    sim: Simulation, profile: ColourProfile
+) -> None:
+    slow = SlowTape()
+    tracker, stream = live(sim, profile, slow)
+    run_to_the_end(tracker, stream)
+    began = time.monotonic()
+    tracker.set_recorder(None)
+    assert time.monotonic() - began < PATIENCE + 2.0  # not the 30 s that its end would take
+    assert not slow.closed
+    slow.let_go.set()
+    tracker.stop()  # waits to the end
+    assert slow.closed
+    said = [e.text for e in tracker.take_events() if e.kind == "recording"]
+    assert said[-1] == "The recording is finished."
 
 
 def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: ColourProfile) -> None:

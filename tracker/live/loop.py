@@ -20,7 +20,7 @@ from tracker.live.imu_history import ImuHistory
 from tracker.live.inbox import DetectedFrame, EngineCommand
 from tracker.live.journal import Journal
 from tracker.live.load import LoadWatch
-from tracker.live.recording import Recorder
+from tracker.live.recording import Recorder, RecordingThread
 from tracker.live.reference import ReferenceEngine
 from tracker.live.telemetry import Telemetry, counted_since
 from tracker.messages import (
@@ -99,6 +99,7 @@ class LiveLoop:
         self._order = order or ArrivalOrder()
         self._reference: ReferenceEngine | None = None
         self._pipeline_lock = threading.RLock()
+        self._finishing: list[RecordingThread] = []
         self._next_report = 0.0
         self._at_start: dict[str, float] = {}  # figures when the recording began
 
@@ -263,14 +264,17 @@ class LiveLoop:
         p = self.pipeline
         return Pipeline(p.hand, p.glove, p.calibrated_rig, replace(p.settings, engine=engine))
 
-    def set_recorder(self, recorder: Recorder | None) -> None:
-        """Record into ``recorder`` from now on; the last one is finished and closed."""
+    def set_recorder(self, recorder: Recorder | None, patience: float | None = None) -> None:
+        """Record into ``recorder`` from now on; the last one is finished and closed.
+
+        That is waited for ``patience`` s, then it goes on by itself; None waits to the end, also of
+        those before.
+        """
         with self._pipeline_lock:
             self._record_status()
             before = self.journal.detach()
-        if before is not None:
-            before.finish()
-            self.journal.say("recording", "The recording is finished.")
+        self._finishing += [before] if before is not None else []
+        self._finishing = [r for r in self._finishing if not r.finish(patience)]
         if recorder is not None:
             with self._pipeline_lock:
                 self._at_start = self.telemetry.values(self.clock())

@@ -60,12 +60,16 @@ class RecordingThread:
         """Messages lost because the recorder was a minute behind."""
         return self._queue.overflowed
 
-    def finish(self) -> None:
-        """Write what waits, then close the file."""
+    def finish(self, patience: float | None = None) -> bool:
+        """Write what waits, then close the file; whether that is done within ``patience`` s.
+
+        None waits for as long as it takes. May be called again.
+        """
         self._queue.close()
         self._ending.set()
         if self._thread is not threading.current_thread():
-            self._thread.join()
+            self._thread.join(patience)
+        return not self._thread.is_alive()
 
     def _run(self) -> None:
         try:
@@ -96,5 +100,6 @@ class RecordingThread:
     def _close(self) -> None:
         try:
             self._recorder.close()
+            self._say("recording", "The recording is finished.")
         except (GlovetrackError, OSError) as error:
             self._say("error", f"The recording could not be finished: {error}")

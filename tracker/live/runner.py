@@ -37,6 +37,7 @@ from tracker.settings import Settings
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
+PATIENCE = 0.3  # s that the end of a recording is waited for
 WAIT = 0.05  # s that the engine thread waits before it looks whether it should end
 
 
@@ -92,7 +93,7 @@ class LiveTracker:
         self._vision.images.close()
         self._threads.join()
         self.set_reference(None)
-        self.set_recorder(None)
+        self._loop.set_recorder(None)
         self._glove.close()
         self._camera.close()
 
@@ -137,8 +138,11 @@ class LiveTracker:
         self._inbox.put(EngineCommand(work))
 
     def set_recorder(self, recorder: Recorder | None) -> None:
-        """Record into ``recorder`` from now on; the last one is finished and closed."""
-        self._loop.set_recorder(recorder)
+        """Record into ``recorder`` from now on; the last one is finished and closed.
+
+        A disk that is far behind is waited for `PATIENCE` s only; `stop` waits to the end.
+        """
+        self._loop.set_recorder(recorder, PATIENCE)
 
     def keep_state(self) -> None:
         """Record what the engine knows: after a pause in the file, for one."""
