@@ -6,6 +6,8 @@ import time
 from pathlib import Path
 
 from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
     QFileDialog,
     QFormLayout,
     QHBoxLayout,
@@ -18,9 +20,11 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
+from app.jobs.record_key import RecordKey
 from app.panels.note_list import NoteList
 from app.panels.panel import Panel
 from app.viewmodels.recording import (
+    COUNTDOWNS,
     RateMeter,
     RecordingPlan,
     disk,
@@ -37,10 +41,14 @@ class RecordingPanel(Panel):
     period = 0.5
 
     def __init__(
-        self, host: EngineHost, plan: RecordingPlan, parent: QWidget | None = None
+        self,
+        host: EngineHost,
+        plan: RecordingPlan,
+        key: RecordKey,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(host, parent)
-        self._plan = plan
+        self._plan, self._key = plan, key
         self._rate, self._messages = RateMeter(), RateMeter()
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 12, 12, 12)
@@ -53,6 +61,7 @@ class RecordingPanel(Panel):
         column.addStretch(1)
         host.recording.changed.connect(self._recording_changed)
         host.running_changed.connect(lambda _on: self._enable())
+        key.counted.connect(lambda _left: self._enable())
         self._enable()
 
     def title(self) -> str:
@@ -84,7 +93,27 @@ class RecordingPanel(Panel):
         form.addRow(self.tr("Task"), self.task)
         form.addRow(self.tr("File name"), self.name_template)
         form.addRow(self.tr("Folder"), row)
+        form.addRow(self.tr("Countdown"), self._countdown())
         return form
+
+    def _countdown(self) -> QHBoxLayout:
+        self.countdown = QComboBox()
+        for seconds in COUNTDOWNS:
+            words = self.tr("{} s").format(seconds) if seconds else self.tr("none")
+            self.countdown.addItem(words, seconds)
+        self.countdown.setCurrentIndex(self.countdown.findData(self._plan.countdown))
+        self.countdown_sound = QCheckBox(self.tr("with a beep"))
+        self.countdown_sound.setChecked(self._plan.countdown_sound)
+        self.countdown.currentIndexChanged.connect(lambda _i: self._countdown_changed())
+        self.countdown_sound.toggled.connect(lambda _on: self._countdown_changed())
+        row = QHBoxLayout()
+        row.addWidget(self.countdown)
+        row.addWidget(self.countdown_sound)
+        row.addStretch(1)
+        return row
+
+    def _countdown_changed(self) -> None:
+        self._plan.set_countdown(self.countdown.currentData(), self.countdown_sound.isChecked())
 
     def _buttons(self) -> QHBoxLayout:
         self.record_button = QPushButton(self.tr("Record"))
@@ -128,8 +157,8 @@ class RecordingPanel(Panel):
     # --- what the user does
 
     def toggle(self) -> None:
-        """Begin a file, or end it."""
-        self.host.toggle_recording(self._plan.request)
+        """Begin a file, or end it, as the key does."""
+        self._key.press()
 
     def _plan_changed(self) -> None:
         self._plan.participant, self._plan.task = self.participant.text(), self.task.text()
@@ -174,7 +203,10 @@ class RecordingPanel(Panel):
 
     def _enable(self) -> None:
         recording = self.host.recording.request is not None
-        self.record_button.setText(self.tr("Stop") if recording else self.tr("Record"))
+        words = self.tr("Stop") if recording else self.tr("Record")
+        if self._key.left:
+            words = self.tr("Not now ({})").format(self._key.left)
+        self.record_button.setText(words)
         self.record_button.setEnabled(self.host.running)
         self.pause_button.setEnabled(recording)
         self.pause_button.setChecked(self.host.recording.paused and recording)

@@ -42,6 +42,8 @@ class AppSettings:
     participant: str = ""
     task: str = ""
     recording_name: str = ""  # the template of file names; empty for the usual one
+    countdown: int = 0  # s before a recording begins
+    countdown_sound: bool = False
     wearer: str = ""  # whose calibration is put on at the start
     engine: str = "chain"  # what tracks
     view_3d: str = "auto"  # "auto", "card" or "painted"

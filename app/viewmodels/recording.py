@@ -15,6 +15,7 @@ from tracker.errors import FileError
 
 LOW_BYTES = 5_000_000_000
 STOP_BYTES = 1_000_000_000
+COUNTDOWNS = (0, 3, 5)  # s
 
 
 class RecordingPlan:
@@ -42,6 +43,19 @@ class RecordingPlan:
         """Name recordings by it (see `take_names`). Raises ConfigError for a wrong one."""
         check_template(template or USUAL)
         self._store.update(recording_name=template)
+
+    @property
+    def countdown(self) -> int:
+        """s that are counted down before a recording; 0: none."""
+        return self._store.value.countdown if self._store.value.countdown in COUNTDOWNS else 0
+
+    @property
+    def countdown_sound(self) -> bool:
+        return self._store.value.countdown_sound
+
+    def set_countdown(self, countdown: int, sound: bool) -> None:
+        """``countdown``: one of `COUNTDOWNS`."""
+        self._store.update(countdown=countdown, countdown_sound=sound)
 
     def request(self) -> RecordingRequest:
         """A file of now that is not there yet. Raises FileError where the folder cannot be."""

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.jobs.outputs import Outputs
+from app.jobs.record_key import RecordKey
 from app.jobs.remote import RemoteControl
 from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
@@ -34,6 +35,7 @@ from app.window import theme
 from app.window.about import AboutDialog
 from app.window.bug_reports import BugReports, ReportSources
 from app.window.commands import Commands
+from app.window.countdown import Countdown
 from app.window.docks import (
     arrange,
     list_docks,
@@ -74,12 +76,14 @@ class MainWindow(QMainWindow):
         self.plan = RecordingPlan(self.store)
         self.set_up = SetUpDialogs(self.host, self.store, self.tasks, self)
         self.outputs = Outputs(self.host, self.store, self.tasks, self)
+        self.record_key = RecordKey(self.host, self.plan, self)
         self.remote = RemoteControl(self.host, self.plan, self.store, self.tasks, self)
         self._make_panels()
         self._make_frame()
         self.docks = make_docks(self, self.panels)
         self.sources = Sources(self.host, self.store, self.messages, self)
         Drops(self, self.sources.take_over)
+        Countdown(self.record_key, self.plan, self)
         self.takes = Takes(self.host, self.tasks, self.messages, self.library, self)
         self.reports = bug_reports(self, crashes)
         self.recent = RecentSessions(
@@ -104,7 +108,7 @@ class MainWindow(QMainWindow):
         self.checklist = ChecklistPanel(self.host, self.store)
         self.calibration = CalibrationPanel(self.host, self.store)
         self.colours = ColoursPanel(self.host, self.store, self.tasks)
-        self.recording = RecordingPanel(self.host, self.plan)
+        self.recording = RecordingPanel(self.host, self.plan, self.record_key)
         self.streams = StreamsPanel(self.host, self.outputs, self.remote)
         self.panels: list[Panel] = [
             self.cameras,
@@ -139,6 +143,7 @@ class MainWindow(QMainWindow):
             host=self.host,
             sources=self.sources,
             plan=self.plan,
+            record_key=self.record_key,
             set_up=self.set_up,
             reports=self.reports,
             bar=self.bar,

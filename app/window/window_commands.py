@@ -8,6 +8,7 @@ from functools import partial
 from typing import Protocol
 
 from app.engines.engine_host import EngineHost
+from app.jobs.record_key import RecordKey
 from app.panels.cameras import CamerasPanel
 from app.panels.colours.panel import ColoursPanel
 from app.panels.hand.panel import HandPanel
@@ -51,6 +52,7 @@ class Targets:
     host: EngineHost
     sources: Sources
     plan: RecordingPlan
+    record_key: RecordKey
     set_up: SetUpDialogs
     reports: BugReports
     bar: StatusBar
@@ -102,11 +104,10 @@ def _set_up(on: Targets) -> list[Command]:
 def _tracking(on: Targets) -> list[Command]:
     w = on.window
     menu = w.tr("&Tracking")
-    toggle_recording = partial(on.host.toggle_recording, on.plan.request)
     return [
         Command("start", menu, w.tr("&Start"), on.host.start, "F5"),
         Command("stop", menu, w.tr("S&top"), on.host.stop, "Shift+F5"),
-        Command("record", menu, w.tr("&Record"), toggle_recording, "Space", separator=True),
+        Command("record", menu, w.tr("&Record"), on.record_key.press, "Space", separator=True),
         Command("pause", menu, w.tr("&Pause the recording"), on.host.toggle_pause, "Ctrl+P"),
         Command("note", menu, w.tr("Add a &note…"), on.takes.ask_note, "N"),
         *_engines(on, menu),

@@ -1,0 +1,57 @@
+"""The record key: begins a recording, after a countdown where one is wanted, and ends it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from app.engines.engine_host import EngineHost
+from app.viewmodels.recording import RecordingPlan
+
+SECOND_MS = 1000
+
+
+class RecordKey(QObject):
+    """``left``: s until the recording begins; 0 while nothing is counted down."""
+
+    counted = Signal(int)  # `left` is another one
+
+    def __init__(
+        self, host: EngineHost, plan: RecordingPlan, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._host, self._plan = host, plan
+        self.left = 0
+        self._timer = QTimer(self)
+        self._timer.setInterval(SECOND_MS)
+        self._timer.timeout.connect(self._count)
+        host.recording.begun.connect(self.cancel)  # from outside, which does not wait
+        host.running_changed.connect(lambda on: None if on else self.cancel())
+
+    def press(self) -> None:
+        """End the recording, take the countdown back, or begin."""
+        if self._host.recording.request is not None:
+            self._host.recording.end()
+        elif self.left:
+            self.cancel()
+        elif self._plan.countdown and self._host.running:
+            self._set(self._plan.countdown)
+            self._timer.start()
+        else:
+            self._host.toggle_recording(self._plan.request)
+
+    def cancel(self) -> None:
+        """Nothing is recorded; also where nothing is counted down."""
+        self._timer.stop()
+        if self.left:
+            self._set(0)
+
+    def _count(self) -> None:
+        if self.left > 1:
+            self._set(self.left - 1)
+        else:
+            self.cancel()
+            self._host.toggle_recording(self._plan.request)
+
+    def _set(self, left: int) -> None:
+        self.left = left
+        self.counted.emit(left)
