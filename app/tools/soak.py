@@ -17,6 +17,7 @@ import threading
 import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
+from multiprocessing import active_children
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -62,6 +63,7 @@ class Soak:
     start_to_tracked_s: float = float("nan")
     memory_mb: list[float] = field(default_factory=list)
     camera_memory_mb: float = float("nan")  # the simulated camera's own process
+    recorder_memory_mb: float = float("nan")  # its process, which waits
     refreshes_hz: float = float("nan")
     refreshes_hidden_3d_hz: float = float("nan")
     imu_lost: float = float("nan")
@@ -228,8 +230,9 @@ def _take_status(window: MainWindow, out: Soak) -> None:
     out.imu_lost = values.get("imu_lost", float("nan"))
     out.frames_dropped = values.get("frames_dropped", float("nan"))
     out.latency_ms = {k: round(v, 2) for k, v in values.items() if k.startswith("latency")}
-    children = psutil.Process().children(recursive=True)
-    out.camera_memory_mb = round(sum(c.memory_info().rss for c in children) / MB, 1)
+    held = {c.name: psutil.Process(c.pid).memory_info().rss / MB for c in active_children()}
+    out.camera_memory_mb = round(held.get("glovetrack-camera", float("nan")), 1)
+    out.recorder_memory_mb = round(held.get("glovetrack-recorder", float("nan")), 1)
     out.load = round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else float("nan")
 
 

@@ -176,6 +176,31 @@ def test_of_both_killed_at_once_a_file_is_left_that_can_be_recovered(tmp_path, w
     assert shared_names() <= before
 
 
+def test_a_recorder_that_stands_still_is_given_up_and_finishes_when_it_goes_on(
+    tmp_path, recorders, monkeypatch
+) -> None:
+    monkeypatch.setattr("tracker.session.recording.process.SEND_TIMEOUT", 1)
+    path, said, told = tmp_path / "a.mcap", [], c_long(-1)
+    processes, maker = recorders(), MessageMaker(info())
+    recorder = processes.record(path, maker.info)
+    thread = RecordingThread(recorder, lambda *words: said.append(words))
+    stream(thread, maker, told, 0.5)
+    os.kill(recorder.pid, signal.SIGSTOP)
+    try:
+        begun = time.monotonic()
+        while not said and time.monotonic() < begun + 30:
+            thread.put(maker.estimate(1e4))
+            time.sleep(0.0005)
+        thread.finish()
+        assert "does not answer any more" in said[0][1]
+        processes.record(tmp_path / "b.mcap", maker.info).close()
+    finally:
+        os.kill(recorder.pid, signal.SIGCONT)
+    assert has_ended(recorder.pid, 20.0)
+    assert not needs_recovery(path)
+    assert packets(path) == list(range(told.value + 1))
+
+
 def test_a_recorder_told_to_end_finishes_its_file(tmp_path, recorders) -> None:
     """As at the end of a login session, where every process is told to end."""
     path, about = tmp_path / "a.mcap", info()

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import multiprocessing as mp
+import os
+import socket
+import struct
 import threading
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +22,9 @@ from tracker.session.recording.wire import Begin, Begun, End, Ended, Failed, Sin
 from tracker.session.writer import RecorderParams, SessionRecorder
 
 BEGIN_TIMEOUT = 30.0  # s, for a process that is just starting on a busy machine, too
-END_TIMEOUT = 120.0  # s, for a disk that is slow
-LEAVE_TIMEOUT = 5.0  # s
+SEND_TIMEOUT = 30  # s, for a process that is held up; it reads at once what it is sent
+END_TIMEOUT = 60.0  # s, for a disk that is slow
+LEAVE_TIMEOUT = 5.0  # s, for a process that has nothing to do
 
 
 class RecorderProcess:
@@ -36,7 +41,9 @@ class RecorderProcess:
         )
         self._process.start()
         theirs.close()
+        _limit_sending(self._pipe)
         self._told: Failed | None = None
+        self._left = False
         self.path = Path()
 
     @property
@@ -107,15 +114,15 @@ class RecorderProcess:
             raise self._gone() from error
 
     def _gone(self) -> FileError:
-        """The process ended, or answers no more; it is given up."""
+        """The process has ended, or is left alone: it ends by itself when its disk lets it."""
         with suppress(OSError):
             self._pipe.close()
         self._process.join(0.5)
-        if self._process.is_alive():
-            self._process.kill()
+        self._left = self._process.is_alive()
+        code = self._process.exitcode or 0
+        if self._left:
             why = "does not answer any more"
         else:
-            code = self._process.exitcode or 0
             why = f"was ended by signal {-code}" if code < 0 else f"has ended (exit code {code})"
         there = f" What it has written is in {self.path}; Recover makes it whole."
         return FileError(
@@ -124,15 +131,25 @@ class RecorderProcess:
         )
 
     def close(self) -> None:
-        """End the process; a recording that is under way is finished first."""
+        """End the process, which has no file open, or does not answer any more."""
         with suppress(OSError):
             self._pipe.close()
+        if self._left:
+            return
         if self._process.is_alive():
             self._process.terminate()
         self._process.join(LEAVE_TIMEOUT)
         if self._process.is_alive():
             self._process.kill()
             self._process.join()
+
+
+def _limit_sending(pipe: Connection) -> None:
+    """Nobody waits longer than `SEND_TIMEOUT` for the other side to read. Not on Windows."""
+    if os.name == "posix":
+        with socket.socket(fileno=os.dup(pipe.fileno())) as end:
+            limit = struct.pack("ll", SEND_TIMEOUT, 0)
+            end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDTIMEO, limit)
 
 
 class RecorderProcesses:
