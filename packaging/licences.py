@@ -19,6 +19,7 @@ from importlib.metadata import Distribution, distributions
 from pathlib import Path
 
 TABLE = Path(__file__).with_name("system_licences.toml")
+ICONS_LICENCE = TABLE.parents[1] / "resources" / "icons" / "lucide" / "LICENSE"
 LISTS = ("COLLECT-00.toc", "PYZ-00.toc")
 TEXT_NAME = re.compile(r"^(licen[cs]e|copying|notice)", re.IGNORECASE)
 COPYLEFT = re.compile(r"(?<!L)(?<!Lesser )\bA?GPL|Affero|(?<!Lesser )General Public", re.IGNORECASE)
@@ -136,7 +137,8 @@ def main(work: Path, bundle: Path) -> int:
     files = sources(work)
     python = Part("Python", sys.version.partition(" ")[0], "PSF-2.0", _python_texts())
     found = sorted(packages(files, known["packages"]), key=lambda p: p.name.lower())
-    parts = [python, *found, *libraries(bundle, known["licences"])]
+    icons = Part("Lucide icons", "", "ISC AND MIT", (ICONS_LICENCE,))
+    parts = [python, icons, *found, *libraries(bundle, known["licences"])]
     troubles = refused(parts)
     for trouble in troubles:
         print(f"may not be in the bundle: {trouble}", file=sys.stderr)

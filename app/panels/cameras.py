@@ -15,7 +15,10 @@ from app.viewmodels.camera_overlay import NO_LAYERS, Layers, hand_box, overlay
 from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
 from app.widgets.flow_layout import FlowLayout
+from app.widgets.icons import dress
 from app.widgets.image_view import ImageView
+from app.widgets.measures import NEAR, TIGHT
+from app.widgets.more_button import MoreButton
 from tracker.messages import Shed, StereoFrame
 
 BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
@@ -35,11 +38,11 @@ class CamerasPanel(Panel):
         self._view: Snapshot | None = None  # what is shown, or held while frozen
         self.hue_boxes: dict[str, QToolButton] = {}
         column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
-        column.setSpacing(6)
-        self._controls = FlowLayout(spacing=10)
-        self._add_layers()
+        column.setContentsMargins(NEAR, TIGHT, NEAR, NEAR)
+        column.setSpacing(TIGHT)
+        self._controls = FlowLayout(spacing=NEAR)
         self._add_views()
+        self._add_layers()
         column.addLayout(self._controls)
         splitter = QSplitter(Qt.Orientation.Horizontal)
         splitter.setChildrenCollapsible(False)
@@ -55,7 +58,10 @@ class CamerasPanel(Panel):
     # --- controls
 
     def _add_layers(self) -> None:
-        """A box for each layer of the overlay."""
+        """A box for each layer of the overlay, behind one button."""
+        self.more = MoreButton(self.tr("Layers"), "layers")
+        self.more.setToolTip(self.tr("What is drawn over the images"))
+        self._controls.addWidget(self.more)
         names = (
             ("blobs", self.tr("Blobs"), self.tr("A ring round each blob; dashed: of no marker")),
             (
@@ -74,7 +80,7 @@ class CamerasPanel(Panel):
             box.setToolTip(tip)
             box.setChecked(True)
             box.toggled.connect(self._redraw)
-            self._controls.addWidget(box)
+            self.more.add(box)
 
     def _add_views(self) -> None:
         """What is shown of the images."""
@@ -97,7 +103,9 @@ class CamerasPanel(Panel):
         self.set_up.setText(self.tr("Exposure…"))
         self.set_up.setToolTip(self.tr("Lock exposure, gain and white balance; choose the camera"))
         self.set_up.clicked.connect(self.set_up_asked)
-        for widget in (self.follow, self.freeze, self.sides, self.set_up, self.masks):
+        self.set_up.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        dress(self.set_up, "settings-2")
+        for widget in (self.sides, self.follow, self.freeze, self.masks, self.set_up):
             self._controls.addWidget(widget)
 
     def _open(self, setup: EngineSetup) -> None:

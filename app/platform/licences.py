@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from importlib.metadata import Distribution, PackageNotFoundError, distribution
 from pathlib import Path
 
+from resources import folder
+
 OWN = "glovetrack"
 NAME = re.compile(r"[A-Za-z0-9._-]+")
 
@@ -78,6 +80,12 @@ def _first(values: list[str] | None) -> str:
     return values[0] if values else ""
 
 
+def icons_text() -> str:
+    """The licence of the icons, which are files of another project's in this one."""
+    words = (folder("icons") / "lucide" / "LICENSE").read_text("utf-8")
+    return f"The icons are of the Lucide set, under this licence:\n\n{words}"
+
+
 def as_text() -> str:
     """What the About box shows."""
     made = bundled_text()
@@ -86,4 +94,5 @@ def as_text() -> str:
     found = parts()
     width = max((len(f"{p.name} {p.version}") for p in found), default=0)
     lines = [f"{f'{p.name} {p.version}':{width}}  {p.licence}" for p in found]
-    return "\n".join(["Glovetrack runs with these packages under these licences.", "", *lines])
+    heading = "Glovetrack runs with these packages under these licences."
+    return "\n".join([heading, "", *lines, "", icons_text()])

@@ -21,7 +21,7 @@ import platformdirs
 from tracker.config import UNKNOWN, from_dict
 from tracker.files import free_path, write_kept
 
-VERSION = 2
+VERSION = 3
 _log = logging.getLogger(__name__)
 
 
@@ -32,7 +32,10 @@ class AppSettings:
     version: int = VERSION
     theme: str = "system"  # "system", "light" or "dark"
     geometry: str = ""  # base64 of QWidget.saveGeometry
-    layout: str = ""  # base64 of QMainWindow.saveState
+    layout: dict[str, Any] = field(default_factory=dict)  # as the program ended
+    job: str = "watch"  # whose layout is on; empty: one of ``layouts``
+    job_layouts: dict[str, Any] = field(default_factory=dict)  # of each job, as it was left
+    layouts: dict[str, Any] = field(default_factory=dict)  # those with a name
     sessions_folder: str = ""
     recent: list[str] = field(default_factory=list)  # sessions opened or recorded last
     library_columns: list[int] = field(default_factory=list)  # their widths, px
@@ -70,7 +73,12 @@ def _from_1(data: dict[str, Any]) -> dict[str, Any]:
     return {**data, "layout": ""}
 
 
-MIGRATIONS: dict[int, Migration] = {1: _from_1}
+def _from_2(data: dict[str, Any]) -> dict[str, Any]:
+    """Version 3 keeps layouts as shares of the window, not in px."""
+    return {**data, "layout": {}}
+
+
+MIGRATIONS: dict[int, Migration] = {1: _from_1, 2: _from_2}
 """From each version to the next."""
 
 

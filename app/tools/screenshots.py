@@ -45,7 +45,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     app.setApplicationName("glovetrack")
     with tempfile.TemporaryDirectory() as folder:
         store = SettingsStore(Path(folder) / "window.json")
-        store.update(sessions_folder=folder)
+        store.update(sessions_folder=folder, job="all")
         window = MainWindow(store)
         try:
             return _take_all(window, out, Path(folder))

@@ -6,7 +6,7 @@ import time
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
@@ -36,16 +36,10 @@ from app.window.about import AboutDialog
 from app.window.bug_reports import BugReports, ReportSources
 from app.window.commands import Commands
 from app.window.countdown import Countdown
-from app.window.docks import (
-    arrange,
-    list_docks,
-    make_docks,
-    places_of,
-    restore_geometry,
-    restore_layout,
-)
+from app.window.docks import geometry_of, list_docks, make_docks, restore_geometry
 from app.window.drops import Drops
 from app.window.keys import FocusKeys
+from app.window.layout_keeper import LayoutKeeper
 from app.window.message_bar import MessageBar
 from app.window.recent import RecentSessions
 from app.window.screen import SMALLEST as SMALLEST
@@ -55,6 +49,7 @@ from app.window.sources import DEVICES, Sources
 from app.window.status_bar import StatusBar
 from app.window.takes import Takes
 from app.window.ticker import Ticker
+from app.window.tool_bar import ToolBar
 from app.window.window_commands import Targets, add_commands, add_help, enable_commands
 from tracker.messages import Event
 
@@ -81,6 +76,7 @@ class MainWindow(QMainWindow):
         self._make_panels()
         self._make_frame()
         self.docks = make_docks(self, self.panels)
+        self.layouts = LayoutKeeper(self, self.docks, self.store)
         self.sources = Sources(self.host, self.store, self.messages, self)
         Drops(self, self.sources.take_over)
         Countdown(self.record_key, self.plan, self)
@@ -90,7 +86,6 @@ class MainWindow(QMainWindow):
             self.start_page, self.host, self.store, self.tasks, self.messages, self.library
         )
         self._make_commands()
-        self._make_tool_bar()
         self._connect()
         restore_geometry(self, self.store.value.geometry)
         self.set_theme(self.store.value.theme)
@@ -154,22 +149,11 @@ class MainWindow(QMainWindow):
         )
         add_commands(self._targets, self.commands)
         list_docks(self.docks, self.commands, self.show_panel)
+        jobs = self.layouts.list_commands(self.commands)
         add_help(self._targets, self.commands)
+        self.tool_bar = ToolBar(self.commands.actions, jobs, self)
+        self.addToolBar(self.tool_bar)
         self._keys = FocusKeys(list(self.commands.actions.values()), self)
-
-    def _make_tool_bar(self) -> None:
-        bar = QToolBar(self.tr("Commands"))
-        bar.setObjectName("commands")
-        bar.setMovable(False)
-        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-        for key in ("demo", "hardware", "open"):
-            bar.addAction(self.commands.actions[key])
-        bar.addSeparator()
-        for key in ("start", "stop", "record", "note"):
-            bar.addAction(self.commands.actions[key])
-        bar.addSeparator()
-        bar.addAction(self.commands.actions["palette"])
-        self.addToolBar(bar)
 
     def _connect(self) -> None:
         host = self.host
@@ -216,8 +200,7 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(self.tr("Glovetrack: {}").format(setup.name))
         if not self.start_page.isHidden():  # later openings leave panels as the user put them
             self.start_page.hide()
-            arrange(self, self.docks)
-            restore_layout(self, self.store.value.layout)
+            self.layouts.show_first()
         if setup.player is not None:
             self.show_panel("library", self.library.transport)
         self._enable()
@@ -254,7 +237,9 @@ class MainWindow(QMainWindow):
             QTimer.singleShot(0, part, lambda: area.ensureWidgetVisible(part))  # once laid out
 
     def reset_layout(self) -> None:
-        arrange(self, self.docks)
+        """The layout of the job as it comes with the program."""
+        if self.layouts.shown:
+            self.layouts.reset()
 
     def set_theme(self, name: str) -> None:
         app = QApplication.instance()
@@ -282,7 +267,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         """End everything in order: timer, jobs, engine and file, GL."""
         self.ticker.stop()
-        self.store.update(**places_of(self, with_layout=not self.start_page.isVisible()))
+        self.store.update(geometry=geometry_of(self), layout=self.layouts.current())
         self.set_up.shut_down()
         self.host.end()
         self.tasks.shut_down()  # last: a recording that ends has the library read again

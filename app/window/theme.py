@@ -11,6 +11,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
+from app.widgets.icons import recolour
+from app.widgets.measures import APART, FIGURE, HEADING, NEAR, TIGHT, WIDE
+
 THEMES = ("system", "light", "dark")
 
 
@@ -27,6 +30,10 @@ class Colours:
     accent: str
     on_accent: str
     scene: str  # background of the 3D view
+    danger: str  # of what records, or is wrong: contrast 4.5 or more
+    notice: tuple[str, str] = ("#6B2A00", "#FFE9DC")  # background and text of what went wrong
+    good: tuple[str, str] = ("#0B4F3C", "#FFE9DC")
+    warning: tuple[str, str] = ("#5A3A00", "#FFE3B0")
 
 
 LIGHT = Colours(
@@ -39,6 +46,7 @@ LIGHT = Colours(
     "#0B63B0",
     "#FFFFFF",
     "#E9EDF2",
+    "#B3261E",
 )
 DARK = Colours(
     "#1E2227",
@@ -50,6 +58,7 @@ DARK = Colours(
     "#4FA3E3",
     "#0B1116",
     "#181C21",
+    "#FF8A80",
 )
 
 
@@ -75,6 +84,7 @@ def apply(app: QApplication, theme: str) -> Colours:
             app.setStyle("Fusion")
             app.setPalette(_palette(c))
             app.setStyleSheet(sheet)
+            recolour(app)
     return c
 
 
@@ -119,31 +129,74 @@ def _palette(c: Colours) -> QPalette:
 
 
 def _style_sheet(c: Colours) -> str:
+    return _frame(c) + _buttons(c) + _words(c) + _fields(c)
+
+
+def _frame(c: Colours) -> str:
+    """Bars, docks and tabs: quiet, so that images and hand stand out."""
     return f"""
-    QMainWindow::separator {{ background: {c.window}; width: 5px; height: 5px; }}
+    QMainWindow::separator {{ background: {c.window}; width: {TIGHT}px; height: {TIGHT}px; }}
     QMainWindow::separator:hover {{ background: {c.accent}; }}
+    QMenuBar {{ background: {c.window}; }}
     QDockWidget {{ font-weight: 600; }}
-    QDockWidget::title {{ background: {c.raised}; padding: 5px 8px; text-align: left; }}
-    QToolBar {{ border: none; border-bottom: 1px solid {c.border}; padding: 4px 6px;
-        spacing: 4px; }}
-    QToolButton {{ padding: 4px 10px; border: 1px solid transparent; border-radius: 4px; }}
-    QToolButton:hover {{ background: {c.raised}; border-color: {c.border}; }}
+    QDockWidget::title {{ background: {c.window}; padding: {TIGHT}px {NEAR}px;
+        border-bottom: 1px solid {c.border}; text-align: left; }}
+    QToolBar {{ background: {c.raised}; border: none; border-bottom: 1px solid {c.border};
+        padding: {TIGHT}px {NEAR}px; spacing: {TIGHT}px; }}
+    QToolBar::separator {{ background: {c.border}; width: 1px; margin: {TIGHT}px {NEAR}px; }}
+    QStatusBar {{ border-top: 1px solid {c.border}; }}
+    QStatusBar::item {{ border: none; }}
+    QFrame#banner {{ background: {c.notice[0]}; border-radius: 4px; }}
+    QFrame#banner[good="true"] {{ background: {c.good[0]}; }}
+    QFrame#banner QLabel {{ color: {c.notice[1]}; }}
+    QFrame#banner[good="true"] QLabel {{ color: {c.good[1]}; }}
+    QFrame#card {{ background: {c.base}; border: 1px solid {c.border}; border-radius: 8px; }}
+    """
+
+
+def _buttons(c: Colours) -> str:
+    return f"""
+    QToolButton {{ padding: {TIGHT}px {NEAR}px; border: 1px solid transparent;
+        border-radius: 4px; }}
+    QToolButton:hover {{ border-color: {c.border}; background: {c.base}; }}
     QToolButton:checked {{ background: {c.accent}; color: {c.on_accent}; }}
-    QDockWidget QToolButton {{ background: {c.raised}; border-color: {c.border}; }}
+    QToolButton[segment] {{ border: 1px solid {c.border}; border-radius: 0; background: {c.base};
+        padding: {TIGHT}px {APART}px; }}
+    QToolButton[segment="middle"], QToolButton[segment="last"] {{ border-left: none; }}
+    QToolButton[segment="first"] {{ border-top-left-radius: 6px; border-bottom-left-radius: 6px; }}
+    QToolButton[segment="last"] {{ border-top-right-radius: 6px;
+        border-bottom-right-radius: 6px; }}
+    QToolButton[segment]:hover {{ color: {c.accent}; }}
+    QToolButton[segment]:checked {{ background: {c.accent}; color: {c.on_accent}; }}
+    QToolButton#record_button:enabled {{ color: {c.danger}; font-weight: 600; }}
+    QDockWidget QToolButton {{ background: {c.raised}; }}
     QDockWidget QToolButton:hover {{ border-color: {c.accent}; }}
     QDockWidget QToolButton:checked {{ background: {c.accent}; }}
     QToolButton[popupMode="2"] {{ padding-right: 18px; }}
     QToolButton::menu-indicator {{ subcontrol-position: right center; right: 4px; }}
-    QStatusBar {{ border-top: 1px solid {c.border}; }}
-    QStatusBar::item {{ border: none; }}
+    QPushButton {{ padding: {TIGHT}px {APART}px; }}
+    QPushButton[role="primary"] {{ background: {c.accent}; color: {c.on_accent}; border: none;
+        border-radius: 4px; font-weight: 600; padding: {NEAR}px {WIDE}px; }}
+    QPushButton[role="primary"]:disabled {{ background: {c.border}; color: {c.text}; }}
+    """
+
+
+def _words(c: Colours) -> str:
+    return f"""
     QLabel[role="faint"] {{ color: {c.faint}; }}
-    QLabel[role="heading"] {{ font-size: 16pt; font-weight: 600; }}
-    QLabel[role="figure"] {{ font-size: 15pt; font-weight: 600; }}
-    QLabel[role="warning"] {{ background: #5A3A00; color: #FFE3B0; padding: 6px 8px;
-        border-radius: 4px; }}
+    QLabel[role="heading"] {{ font-size: {HEADING}pt; font-weight: 600; }}
+    QLabel[role="figure"] {{ font-size: {FIGURE}pt; font-weight: 600; }}
+    QLabel[role="warning"] {{ background: {c.warning[0]}; color: {c.warning[1]};
+        padding: {TIGHT}px {NEAR}px; border-radius: 4px; }}
+    """
+
+
+def _fields(c: Colours) -> str:
+    return f"""
+    QLineEdit[readOnly="true"] {{ background: transparent; border: none; color: {c.faint}; }}
     QTableView {{ gridline-color: {c.border}; selection-background-color: {c.accent};
         selection-color: {c.on_accent}; border: 1px solid {c.border}; }}
-    QHeaderView::section {{ background: {c.raised}; padding: 4px 6px; border: none;
+    QHeaderView::section {{ background: {c.raised}; padding: {TIGHT}px {NEAR}px; border: none;
         border-right: 1px solid {c.border}; border-bottom: 1px solid {c.border}; }}
     QCheckBox::indicator:unchecked, QListView::indicator:unchecked,
     QRadioButton::indicator:unchecked {{ width: 12px; height: 12px;
@@ -152,12 +205,4 @@ def _style_sheet(c: Colours) -> str:
     QRadioButton::indicator:unchecked {{ border-radius: 6px; }}
     QRadioButton::indicator:checked {{ width: 5px; height: 5px; border-radius: 6px;
         background: {c.base}; border: 4px solid {c.accent}; }}
-    QPushButton {{ padding: 5px 14px; }}
-    QPushButton[role="primary"] {{ background: {c.accent}; color: {c.on_accent}; border: none;
-        border-radius: 4px; font-weight: 600; padding: 6px 16px; }}
-    QPushButton[role="primary"]:disabled {{ background: {c.border}; color: {c.faint}; }}
-    QFrame#banner {{ background: #6B2A00; border-radius: 4px; }}
-    QFrame#banner[good="true"] {{ background: #0B4F3C; }}
-    QFrame#banner QLabel {{ color: #FFE9DC; }}
-    QFrame#card {{ background: {c.base}; border: 1px solid {c.border}; border-radius: 6px; }}
     """

@@ -14,6 +14,7 @@ from app.panels.colours.panel import ColoursPanel
 from app.panels.hand.panel import HandPanel
 from app.panels.library.panel import LibraryPanel
 from app.viewmodels.recording import RecordingPlan
+from app.widgets.icons import dress
 from app.window.bug_reports import BugReports
 from app.window.commands import Command, Commands
 from app.window.set_up_dialogs import SetUpDialogs
@@ -105,8 +106,8 @@ def _tracking(on: Targets) -> list[Command]:
     w = on.window
     menu = w.tr("&Tracking")
     return [
-        Command("start", menu, w.tr("&Start"), on.host.start, "F5"),
-        Command("stop", menu, w.tr("S&top"), on.host.stop, "Shift+F5"),
+        Command("start", menu, w.tr("&Start tracking"), on.host.start, "F5"),
+        Command("stop", menu, w.tr("S&top tracking"), on.host.stop, "Shift+F5"),
         Command("record", menu, w.tr("&Record"), on.record_key.press, "Space", separator=True),
         Command("pause", menu, w.tr("&Pause the recording"), on.host.toggle_pause, "Ctrl+P"),
         Command("note", menu, w.tr("Add a &note…"), on.takes.ask_note, "N"),
@@ -204,7 +205,10 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     ):
         commands.enable(key, able)
     name = w.tr("Stop &recording") if recording else w.tr("&Record")
-    commands.actions["record"].setText(name)
+    action = commands.actions["record"]
+    action.setText(name)
+    action.setIconText(w.tr("Stop recording") if recording else w.tr("Record"))
+    dress(action, "circle-stop" if recording else "circle-dot")
 
 
 def _chooser(on: Targets, setting: str) -> Callable[[], None]:

@@ -33,7 +33,7 @@ def _ours() -> list[str]:
 @pytest.fixture
 def store(tmp_path):
     store = SettingsStore(tmp_path / "window.json")
-    store.update(theme="light", sessions_folder=str(tmp_path / "sessions"))
+    store.update(theme="light", job="all", sessions_folder=str(tmp_path / "sessions"))
     return store
 
 

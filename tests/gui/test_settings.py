@@ -62,7 +62,7 @@ def test_settings_survive_an_upgrade_and_the_old_file_is_kept(tmp_path):
     store = SettingsStore(path)
     value = store.value
     assert (value.theme, value.participant, value.port) == ("dark", "P07", "/dev/x")
-    assert (value.version, value.layout, store.notice) == (VERSION, "", "")
+    assert (value.version, value.layout, store.notice) == (VERSION, {}, "")
     assert json.loads((tmp_path / "w.v1.json").read_text()) == old
     store.update(task="pinch")
     assert json.loads(path.read_text())["version"] == VERSION

@@ -4,6 +4,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+from PySide6.QtGui import QColor, QPalette
+
+from app.widgets.icons import NAME, drawing
+from app.window.theme import DARK, LIGHT
+
 ROOT = Path(__file__).resolve().parents[2]
 
 COLLECTED_MEANWHILE = """
@@ -40,3 +46,50 @@ def test_the_garbage_collector_does_not_free_widgets_that_are_being_dressed():
         [sys.executable, "-c", COLLECTED_MEANWHILE], cwd=ROOT, capture_output=True, text=True
     )  # the environment has QT_QPA_PLATFORM
     assert (done.returncode, done.stdout.strip()) == (0, "20"), done.stderr
+
+
+def luminance(colour: str) -> float:
+    """Of sRGB, 0 to 1, as WCAG 2.1 defines it."""
+    channels = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(one: str, other: str) -> float:
+    dark, light = sorted((luminance(one), luminance(other)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+def test_black_on_white_has_the_contrast_of_the_definition():
+    assert contrast("#000000", "#FFFFFF") == 21.0
+
+
+@pytest.mark.parametrize("c", [LIGHT, DARK], ids=["light", "dark"])
+def test_all_text_has_the_contrast_of_wcag_aa(c):
+    for ground in (c.window, c.base, c.raised):
+        assert contrast(c.text, ground) >= 7
+        assert contrast(c.faint, ground) >= 4.5
+        assert contrast(c.danger, ground) >= 4.5
+    for ground, text in ((c.accent, c.on_accent), c.notice, c.good, c.warning, (c.border, c.text)):
+        assert contrast(ground, text) >= 4.5
+    assert contrast(c.accent, c.window) >= 3  # WCAG 1.4.11, of controls
+
+
+@pytest.mark.parametrize("name", ["light", "dark"])
+def test_icons_have_the_colour_of_the_words_beside_them(window, name):
+    window.set_theme(name)
+    action = window.commands.actions["demo"]
+    assert action.property(NAME) == "flask-conical"
+    image = action.icon().pixmap(32, 32).toImage()
+    inked = [image.pixelColor(x, y) for x in range(32) for y in range(32)]
+    solid = {c.name() for c in inked if c.alpha() == 255}
+    assert solid == {window.palette().color(QPalette.ColorRole.ButtonText).name()}
+
+
+def test_every_icon_is_drawn_and_its_licence_is_beside_it():
+    place = ROOT / "resources" / "icons" / "lucide"
+    assert "ISC License" in (place / "LICENSE").read_text()
+    for path in place.glob("*.svg"):
+        image = drawing(path.stem, QColor("#000000"), 32).toImage()
+        inked = sum(image.pixelColor(x, y).alpha() > 128 for x in range(32) for y in range(32))
+        assert inked > 30, path.stem

@@ -1,0 +1,63 @@
+"""The icons: drawings of the Lucide set, in the colours that the application wears."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QAbstractButton, QApplication
+
+from resources import folder
+
+NAME = "icon_name"
+"""The property of an action or a button that says which drawing it bears."""
+SIZES = (16, 32, 48)  # px; up to 300 %
+INK = "currentColor"
+
+
+def dress(item: QAction | QAbstractButton, name: str) -> None:
+    """Give it the drawing ``name``; `recolour` finds it again."""
+    item.setProperty(NAME, name)
+    item.setIcon(icon(name, QApplication.palette()))
+
+
+def recolour(app: QApplication) -> None:
+    """Draw all icons anew in the colours of the palette that ``app`` wears now."""
+    palette = app.palette()
+    for widget in app.allWidgets():
+        items = [*widget.actions(), widget]
+        for item in items:
+            name = item.property(NAME)
+            if name and isinstance(item, QAction | QAbstractButton):
+                item.setIcon(icon(str(name), palette))
+
+
+def icon(name: str, palette: QPalette) -> QIcon:
+    """The drawing as it is, switched off, and switched on (on the accent colour)."""
+    normal, off = QPalette.ColorGroup.Active, QPalette.ColorGroup.Disabled
+    text = palette.color(normal, QPalette.ColorRole.ButtonText)
+    faint = palette.color(off, QPalette.ColorRole.ButtonText)
+    on = palette.color(normal, QPalette.ColorRole.HighlightedText)
+    found = QIcon()
+    for size in SIZES:
+        found.addPixmap(drawing(name, text, size), QIcon.Mode.Normal, QIcon.State.Off)
+        found.addPixmap(drawing(name, faint, size), QIcon.Mode.Disabled)
+        found.addPixmap(drawing(name, on, size), QIcon.Mode.Normal, QIcon.State.On)
+    return found
+
+
+def drawing(name: str, colour: QColor, size: int) -> QPixmap:
+    """``size`` px square. Raises FileNotFoundError for a name that is not in the set."""
+    pixmap = QPixmap(QSize(size, size))
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    QSvgRenderer(QByteArray(_svg(name).replace(INK, colour.name()).encode())).render(painter)
+    painter.end()
+    return pixmap
+
+
+@cache
+def _svg(name: str) -> str:
+    return (folder("icons") / "lucide" / f"{name}.svg").read_text("utf-8")

@@ -1,0 +1,31 @@
+"""A button with a leaf that holds the rest of a panel's controls."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget, QWidgetAction
+
+from app.widgets.icons import dress
+
+MARGIN = 8
+
+
+class MoreButton(QToolButton):
+    """What is put into it with `add` stands in a column; the leaf stays while it is used."""
+
+    def __init__(self, text: str, icon: str = "ellipsis", parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setText(text)
+        self.setToolButtonStyle(self.toolButtonStyle().ToolButtonTextBesideIcon)
+        dress(self, icon)
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self)
+        leaf = QWidget()
+        self._column = QVBoxLayout(leaf)
+        self._column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
+        action = QWidgetAction(menu)
+        action.setDefaultWidget(leaf)
+        menu.addAction(action)
+        self.setMenu(menu)
+
+    def add(self, widget: QWidget) -> None:
+        self._column.addWidget(widget)

@@ -1,0 +1,193 @@
+"""Which layout is on: of a job, or one kept under a name; each comes back as it was left."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QTimer
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QInputDialog, QMainWindow, QMenu
+
+from app.storage.settings import SettingsStore
+from app.window.commands import Command, Commands
+from app.window.layouts import (
+    JOBS,
+    Docks,
+    Shares,
+    arrange,
+    capture,
+    job_of,
+    resize,
+    restore,
+    shares_of,
+    title_of,
+)
+
+QUIET_MS = 250  # after the last change of the window's size
+
+
+class LayoutKeeper(QObject):
+    """Switches layouts, and keeps their shares while the window changes its size."""
+
+    def __init__(self, window: QMainWindow, docks: Docks, store: SettingsStore) -> None:
+        super().__init__(window)
+        self._window, self._docks, self._store = window, docks, store
+        self._jobs: dict[str, QAction] = {}
+        self._named: QMenu | None = None
+        self.shown = False  # docks stand; before, there is the start page
+        self._shares: Shares = {}  # as long as the window has one size
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.timeout.connect(self._share_out)  # whatever was laid out since
+        for watched in (window, *docks.values()):
+            watched.installEventFilter(self)
+
+    def list_commands(self, commands: Commands) -> list[QAction]:
+        """The menu; returns the actions of the jobs."""
+        menu = self.tr("&Layout")
+        for i, job in enumerate(JOBS, start=1):
+            command = Command(
+                f"job_{job.name}", menu, title_of(job), partial(self.choose, job.name), f"Alt+{i}"
+            )
+            self._jobs[job.name] = commands.add(command)
+        for key, text, run in (
+            ("keep_layout", self.tr("&Keep this layout…"), self._ask_name),
+            ("rename_layout", self.tr("&Rename a layout…"), self._ask_rename),
+            ("delete_layout", self.tr("&Delete a layout…"), self._ask_delete),
+        ):
+            commands.add(Command(key, menu, text, run, separator=key == "keep_layout"))
+        self._named = commands.menu(menu).addMenu(self.tr("Kept layouts"))
+        self._list_named()
+        return list(self._jobs.values())
+
+    # --- the jobs
+
+    def show_first(self) -> None:
+        """The docks, as they stood when the program ended."""
+        self.shown = True
+        value = self._store.value
+        if not (value.layout and restore(self._window, self._docks, value.layout)):
+            arrange(self._window, self._docks, job_of(value.job))
+        self._tick()
+
+    def choose(self, job: str) -> None:
+        """The layout of a job, as it was left last."""
+        if not self.shown:
+            self._store.update(job=job, layout={})
+            self._tick()
+            return
+        self._leave()
+        self._store.update(job=job)
+        kept = self._store.value.job_layouts.get(job)
+        if not (isinstance(kept, dict) and restore(self._window, self._docks, kept)):
+            arrange(self._window, self._docks, job_of(job))
+        self._tick()
+
+    def reset(self) -> None:
+        """The layout of the job as it comes with the program."""
+        job = job_of(self._store.value.job)
+        kept = {k: v for k, v in self._store.value.job_layouts.items() if k != job.name}
+        self._store.update(job=job.name, job_layouts=kept)
+        arrange(self._window, self._docks, job)
+        self._tick()
+
+    def _leave(self) -> None:
+        """Keep how the job's layout is left."""
+        job, kept = self._store.value.job, self._store.value.job_layouts
+        if job:
+            self._store.update(job_layouts={**kept, job: capture(self._window, self._docks)})
+
+    def _tick(self) -> None:
+        for name, action in self._jobs.items():
+            action.setChecked(name == self._store.value.job)
+
+    def current(self) -> dict[str, Any]:
+        """For the settings file; what is there where no docks stand."""
+        return capture(self._window, self._docks) if self.shown else self._store.value.layout
+
+    # --- layouts with names
+
+    def keep(self, name: str) -> None:
+        """Keep the layout as it is now under a name; one of that name is replaced."""
+        if name and self.shown:
+            kept = {**self._store.value.layouts, name: self.current()}
+            self._store.update(layouts=kept)
+            self._list_named()
+
+    def put_on(self, name: str) -> None:
+        """A kept layout."""
+        kept = self._store.value.layouts.get(name)
+        if self.shown and isinstance(kept, dict):
+            self._leave()
+            self._store.update(job="")
+            restore(self._window, self._docks, kept)
+            self._tick()
+
+    def rename(self, name: str, other: str) -> None:
+        kept = self._store.value.layouts
+        if name in kept and other:
+            self._store.update(layouts={other if n == name else n: v for n, v in kept.items()})
+            self._list_named()
+
+    def delete(self, name: str) -> None:
+        kept = self._store.value.layouts
+        self._store.update(layouts={n: v for n, v in kept.items() if n != name})
+        self._list_named()
+
+    def _list_named(self) -> None:
+        assert self._named is not None
+        self._named.clear()
+        for name in self._store.value.layouts:
+            self._named.addAction(name, partial(self.put_on, name))
+        self._named.setEnabled(bool(self._store.value.layouts))
+
+    def _ask_name(self) -> None:
+        title = self.tr("Keep this layout")
+        name, ok = QInputDialog.getText(self._window, title, self.tr("Name of the layout"))
+        if ok:
+            self.keep(name.strip())
+
+    def _ask_which(self, title: str) -> str:
+        """One of the kept layouts; empty for none."""
+        names = list(self._store.value.layouts)
+        if not names:
+            return ""
+        name, ok = QInputDialog.getItem(
+            self._window, title, self.tr("Layout"), names, editable=False
+        )
+        return name if ok else ""
+
+    def _ask_rename(self) -> None:
+        name = self._ask_which(self.tr("Rename a layout"))
+        if name:
+            title = self.tr("Rename {}").format(name)
+            other, ok = QInputDialog.getText(
+                self._window, title, self.tr("Name of the layout"), text=name
+            )
+            if ok:
+                self.rename(name, other.strip())
+
+    def _ask_delete(self) -> None:
+        name = self._ask_which(self.tr("Delete a layout"))
+        if name:
+            self.delete(name)
+
+    # --- another size of the window
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and self.shown:
+            if watched is self._window:
+                QTimer.singleShot(0, self, self._share_out)
+                self._rest.start(QUIET_MS)
+            else:
+                QTimer.singleShot(0, self, self._note_shares)
+        return super().eventFilter(watched, event)
+
+    def _note_shares(self) -> None:
+        """A dock has another size, but not since the window has (of that Qt tells after it)."""
+        if not self._rest.isActive():
+            self._shares = shares_of(self._window, self._docks)
+
+    def _share_out(self) -> None:
+        resize(self._window, self._docks, self._shares)

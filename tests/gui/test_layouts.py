@@ -1,0 +1,137 @@
+"""Layouts: one for each job, those with a name, and shares that hold on any screen."""
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QToolButton
+
+from app.window.layouts import JOBS, job_of, shares_of
+from app.window.main_window import MainWindow
+
+SMALL, LARGE = (1366, 768), (1920, 1080)
+CLOSE = 0.03
+"""Separators and titles have the same px on every screen: two of 5 px are 1.4 % of 720."""
+
+
+@pytest.fixture
+def watched(window, qtbot):
+    window.layouts.choose("watch")
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    qtbot.wait(50)
+    return window
+
+
+def in_sight(window) -> set[str]:
+    return {n for n, d in window.docks.items() if not d.isHidden() and not d.isFloating()}
+
+
+def size_to(window, size, qtbot) -> None:
+    window.resize(*size)
+    qtbot.waitUntil(lambda: not window.layouts._rest.isActive(), timeout=30_000)
+    qtbot.wait(50)
+
+
+@pytest.mark.parametrize("job", JOBS, ids=lambda job: job.name)
+def test_a_job_is_switched_to_by_one_click_and_shows_its_panels(watched, qtbot, job):
+    segment = watched.tool_bar.segments.buttons[JOBS.index(job)]
+    segment.click()
+    assert in_sight(watched) == job.shown
+    assert [b.isChecked() for b in watched.tool_bar.segments.buttons] == [j is job for j in JOBS]
+    for group in (*job.columns[0], *job.columns[1]):
+        assert not watched.docks[group[0]].visibleRegion().isEmpty(), group[0]
+
+
+def test_watching_gives_images_and_hand_all_the_room_there_is(watched, qtbot):
+    size_to(watched, SMALL, qtbot)
+    shares = shares_of(watched, watched.docks)
+    assert shares.keys() == {"cameras", "hand"}
+    assert sum(w for w, _ in shares.values()) > 0.97
+    assert min(h for _, h in shares.values()) > 0.85  # the tool bar has the rest
+
+
+@pytest.mark.parametrize("job", JOBS, ids=lambda job: job.name)
+def test_a_layout_kept_on_a_small_screen_is_the_same_on_a_large_one_and_back(watched, qtbot, job):
+    watched.layouts.choose(job.name)
+    size_to(watched, SMALL, qtbot)
+    before = shares_of(watched, watched.docks)
+    watched.layouts.keep("mine")
+    watched.layouts.choose("all" if job.name != "all" else "watch")
+    for size in (LARGE, SMALL):
+        size_to(watched, size, qtbot)
+        watched.layouts.put_on("mine")
+        qtbot.wait(50)
+        after = shares_of(watched, watched.docks)
+        assert after.keys() == before.keys()
+        for name, share in before.items():
+            assert after[name] == pytest.approx(share, abs=CLOSE), (name, size)
+
+
+def test_docks_keep_their_shares_while_the_window_grows(watched, qtbot):
+    watched.layouts.choose("all")
+    size_to(watched, SMALL, qtbot)
+    before = shares_of(watched, watched.docks)
+    size_to(watched, LARGE, qtbot)
+    after = shares_of(watched, watched.docks)
+    for name, share in before.items():
+        assert after[name] == pytest.approx(share, abs=CLOSE), name
+
+
+def test_a_job_comes_back_as_it_was_left_and_resets_to_what_it_was(watched):
+    watched.docks["hand"].hide()
+    watched.layouts.choose("record")
+    watched.layouts.choose("watch")
+    assert in_sight(watched) == {"cameras"}
+    watched.reset_layout()
+    assert in_sight(watched) == job_of("watch").shown
+
+
+def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
+    watched, store, qtbot, no_leaks
+):
+    watched.layouts.choose("look")
+    watched.layouts.keep("lab")
+    watched.layouts.rename("lab", "Lab A")
+    assert [a.text() for a in watched.layouts._named.actions()] == ["Lab A"]
+    watched.layouts.choose("watch")
+    watched.close()
+    again = MainWindow(store)
+    qtbot.addWidget(again)
+    again.resize(*SMALL)
+    again.show()
+    again.host.adopt(scripted_setup(ScriptedEngine()))
+    assert in_sight(again) == job_of("watch").shown
+    again.layouts._named.actions()[0].trigger()
+    assert in_sight(again) == job_of("look").shown
+    again.layouts.delete("Lab A")
+    assert not again.layouts._named.isEnabled() and store.value.layouts == {}
+    again.close()
+
+
+def test_a_panel_that_the_job_hides_comes_when_it_is_called(watched):
+    watched.run_command("show_calibration")
+    assert not watched.docks["calibration"].visibleRegion().isEmpty()
+    assert not watched.docks["cameras"].visibleRegion().isEmpty()
+
+
+@pytest.mark.parametrize("width", [800, 1024, 1366])
+def test_the_tool_bar_keeps_all_its_commands_in_sight(watched, qtbot, width):
+    size_to(watched, (width, 640), qtbot)
+    bar = watched.tool_bar
+    buttons = [b for b in bar.findChildren(QToolButton) if b.defaultAction() is not None]
+    assert len(buttons) == 8 + len(JOBS)
+    for button in buttons:
+        assert button.isVisible(), button.text()
+        assert bar.rect().contains(
+            button.geometry().translated(
+                button.parentWidget().mapTo(bar, button.parentWidget().rect().topLeft())
+                if button.parentWidget() is not bar
+                else bar.rect().topLeft()
+            )
+        ), button.text()
+        assert button.toolTip()
+
+
+def test_the_window_is_never_larger_than_its_screen(window):
+    room = window.screen().availableSize()
+    fresh = QSize(window.minimumSize())
+    assert fresh.width() <= room.width() and fresh.height() <= room.height()
