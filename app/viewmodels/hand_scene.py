@@ -10,6 +10,7 @@ import numpy as np
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.camera_overlay import VISIBLE
+from app.viewmodels.hand_skin import scales
 from tracker.hand.model import HandModel
 from tracker.messages import SEEN_LATELY, Array, Estimate, FrameResult, IntArray, Tracking, Validity
 
@@ -37,9 +38,9 @@ class HandScene:
     """What the 3D view draws, all in G.
 
     segment_R (S, 3, 3), segment_p (S, 3); segment_state (S,) `Validity`; markers (M, 3) m;
-    marker_state (M,); tips (T, 3) m, tip_sd (T,) m; reference, the second hand (R (S, 3, 3),
-    p (S, 3)) or None;
-    R_GC, p_GC of the camera; trail (`TRAIL_POINTS`, 3) m, the way of a fingertip, oldest first.
+    marker_state (M,); tips (T, 3) m, tip_sd (T,) m; scale (S, 3) of the wearer;
+    reference, the second hand (R (S, 3, 3), p (S, 3)) or None; R_GC, p_GC of the camera; trail
+    (`TRAIL_POINTS`, 3) m, the way of a fingertip, oldest first.
     """
 
     segment_R: Array
@@ -49,6 +50,7 @@ class HandScene:
     marker_state: IntArray
     tips: Array
     tip_sd: Array
+    scale: Array
     reference: tuple[Array, Array] | None
     R_GC: Array
     p_GC: Array
@@ -107,6 +109,7 @@ class HandSceneModel:
             return None
         R, p = self._last
         other = view.reference() if with_reference else None
+        scale = scales(view.setup.hand, view.calibration)
         pose = view.setup.rig.pose
         if view.frame is not None and view.frame.pose is not None:
             pose = view.frame.pose
@@ -114,7 +117,8 @@ class HandSceneModel:
             segment_R=R,
             segment_p=p,
             segment_state=self._segment_states(view, estimate, located),
-            markers=self._markers(R, p),
+            markers=self._markers(R, p, scale),
+            scale=scale,
             marker_state=self._marker_states(view.result, estimate.t),
             tips=estimate.keypoints[self._tip_rows],
             tip_sd=estimate.keypoint_sd[self._tip_rows],
@@ -145,10 +149,11 @@ class HandSceneModel:
             return "Position lost: the hand stands where it was last seen"
         return "Place unknown: orientation and finger angles by the IMUs alone"
 
-    def _markers(self, R: Array, p: Array) -> Array:
+    def _markers(self, R: Array, p: Array, scale: Array) -> Array:
         """(M, 3) m in G."""
         seg = self._marker_segment
-        return p[seg] + np.einsum("mij,mj->mi", R[seg], self._setup.glove.marker_position)
+        at = self._setup.glove.marker_position * scale[seg]
+        return np.asarray(p[seg] + np.einsum("mij,mj->mi", R[seg], at))
 
     def _marker_states(self, result: FrameResult | None, t: float) -> IntArray:
         states = np.full(len(self._seen_at), MARKER_NEVER, np.int64)

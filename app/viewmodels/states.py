@@ -17,6 +17,8 @@ SKY = "#56B4E9"
 PURPLE = "#CC79A7"
 YELLOW = "#F0E442"
 GREY = "#8A9099"
+NEUTRAL = "#D5D9DE"
+"""Of the hand's skin, before a state tints it."""
 
 
 @dataclass(frozen=True)

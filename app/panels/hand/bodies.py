@@ -2,103 +2,112 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from app.engines.engine import EngineSetup
+from app.viewmodels.hand_ground import AXIS, CELL, Ground
 from app.viewmodels.hand_scene import (
     MARKER_LATELY,
-    MARKER_NEVER,
     MARKER_NOW,
     TRAIL_POINTS,
     HandScene,
     ShownParts,
 )
-from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY, VALIDITY, YELLOW
-from app.widgets.view3d.scene import BodyLook, BodyScene, Grid
-from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, ball, polyline
-from tracker.hand.model import Segment
-from tracker.messages import Array, Validity
+from app.viewmodels.hand_skin import Draped, HandSkin
+from app.viewmodels.hand_trail import ribbon, ribbon_faces
+from app.viewmodels.states import BLUISH_GREEN, GREY, ORANGE, PURPLE, SKY
+from app.widgets.view3d.orbit import Orbit
+from app.widgets.view3d.scene import BodyLook, BodyScene, DrawnSurface, GroundLines, Label, rgb
+from app.widgets.view3d.shapes import Lines, Surface, ball, polyline
 
 WHITE = "#FFFFFF"
-HAND, REFERENCE = 1, 2  # groups of bodies that look like one where one sees through them
-SEGMENT_LOOK = {
-    Validity.MEASURED: BodyLook(VALIDITY[Validity.MEASURED].colour, specular=0.2),
-    Validity.INFERRED: BodyLook(
-        VALIDITY[Validity.INFERRED].colour, opacity=0.55, specular=0.2, grid=Grid.OVER, group=HAND
-    ),
-    Validity.LOST: BodyLook(VALIDITY[Validity.LOST].colour, opacity=0.5, grid=Grid.ALONE),
-}
-"""Measured: solid. Inferred: see-through with its grid drawn. Lost: a faint grid."""
-REFERENCE_LOOK = BodyLook(WHITE, opacity=0.22, group=REFERENCE)
-MARKER_SIZE = {MARKER_NOW: 1.0, MARKER_LATELY: 0.7}
 FRUSTUM_DEPTH = 0.05
 AXIS_COLOURS = (ORANGE, BLUISH_GREEN, SKY)  # x, y, z, as the curves of the sensors
 AXIS_LENGTH = 2.2  # radii of the segment
+TRAIL_PART, PATCH_PART = 1000, 2000  # parts of their own, far from the rows of segments
 
 
 class HandBodies:
-    """One body per segment, marker, fingertip and the camera."""
+    """The hand's skin and its outline, the glove's patches, fingertips, axes, trail and camera."""
 
     def __init__(self, scene: BodyScene, setup: EngineSetup, hue_colours: dict[str, str]) -> None:
-        shapes = [segment_shape(s) for s in setup.hand.segments]
-        self._segments = [scene.add(s, SEGMENT_LOOK[Validity.LOST]) for s in shapes]
-        self._references = [scene.add(s, REFERENCE_LOOK) for s in shapes]
-        self._marker_looks = [
-            marker_looks(hue_colours.get(m.hue, WHITE)) for m in setup.glove.markers
-        ]
-        self._markers = [
-            scene.add(_patch(m.size / 2, m.normal), looks[MARKER_NOW])
-            for m, looks in zip(setup.glove.markers, self._marker_looks, strict=True)
-        ]
+        self._scene = scene
+        self._colours = [hue_colours.get(m.hue, WHITE) for m in setup.glove.markers]
+        self._skin: HandSkin | None = None
         tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
         self._tips = [scene.add(ball(1.0), BodyLook(SKY, opacity=0.3)) for _ in range(tips)]
-        self._camera = scene.add(_frustum(setup), BodyLook(SKY, line_width=1.5))
-        self._trail = scene.add(
-            polyline(np.zeros((TRAIL_POINTS, 3))), BodyLook(YELLOW, line_width=2.5)
-        )
+        self._frustum = _frustum(setup)
+        self._camera = scene.add(self._frustum, BodyLook(SKY, line_width=1.5))
         self._axes = [
             scene.add(_axis(k, s.radius), BodyLook(colour, line_width=2.0))
             for s in setup.hand.segments
             for k, colour in enumerate(AXIS_COLOURS)
         ]
-        self._marker_segment = setup.glove.marker_segment(setup.hand)
+        self._world = [
+            scene.add(polyline(np.array([np.zeros(3), AXIS * np.eye(3)[k]])), BodyLook(colour))
+            for k, colour in enumerate(AXIS_COLOURS)
+        ]
+        faces = ribbon_faces(TRAIL_POINTS)
+        self._trail = scene.add_surface(
+            Surface(faces, np.full(len(faces), TRAIL_PART), np.zeros(2 * TRAIL_POINTS))
+        )
+        self._ground = Ground()
         self._has_place = setup.camera_calibrated
         # Nothing has its place before the first hand; a ball of unit size would fill the view.
-        for body in (*self._segments, *self._references, *self._markers, *self._tips, *self._axes):
+        for body in (*self._tips, *self._axes, *self._world, self._camera):
             body.show(False)
-        self._camera.show(False)
-        self._trail.show(False)
 
-    def update(self, scene: HandScene, show: ShownParts) -> None:
-        """Move every body to ``scene``."""
-        for i, body in enumerate(self._segments):
-            body.show(True)
-            body.move(scene.segment_R[i], scene.segment_p[i])
-            body.wear(SEGMENT_LOOK[Validity(int(scene.segment_state[i]))])
-        self._update_references(scene, show.reference)
-        self._update_markers(scene, show.markers)
+    def put_on(self, skin: HandSkin) -> None:
+        """From now on there is a hand to be seen."""
+        self._skin = skin
+        surface = Surface(skin.skin.faces, skin.part, skin.skin.along)
+        self._hand = self._scene.add_surface(surface)
+        self._reference = self._scene.add_outline(surface)
+        patches = skin.patches
+        self._markers = self._scene.add_surface(
+            Surface(patches.faces, np.full(len(patches.faces), PATCH_PART), patches.along)
+        )
+
+    def update(self, scene: HandScene, show: ShownParts, orbit: Orbit) -> None:
+        """Move everything to ``scene``."""
+        if self._skin is not None:
+            self._update_hand(self._skin, scene, show)
         self._update_tips(scene, show.uncertainty)
         self._update_axes(scene, show.axes)
-        self._update_trail(scene, show.trail)
-        self._camera.show(show.camera and self._has_place)
+        self._update_trail(scene, show.trail, orbit)
+        corners = scene.p_GC + self._frustum.points @ scene.R_GC.T
+        self._camera.show(show.camera and self._has_place and orbit.sees(corners))
         self._camera.move(scene.R_GC, scene.p_GC)
 
-    def _update_references(self, scene: HandScene, wanted: bool) -> None:
-        for i, body in enumerate(self._references):
-            body.show(wanted and scene.reference is not None)
-            if wanted and scene.reference is not None:
-                body.move(scene.reference[0][i], scene.reference[1][i])
+    def update_ground(self, scene: HandScene) -> list[Label]:
+        """Lay the ground under the hand; what is to be written on it."""
+        if self._ground.follow(scene.segment_p):
+            grid = self._ground.grid
+            self._scene.set_ground(GroundLines(grid.ends, grid.strength))
+        corner = self._ground.grid.corner
+        for body in self._world:
+            body.show(True)
+            body.move(np.eye(3), corner)
+        letters = [
+            Label(name, corner + 1.15 * AXIS * np.eye(3)[k], AXIS_COLOURS[k])
+            for k, name in enumerate("xyz")
+        ]
+        scale = corner + [0.5 * CELL, -0.2 * CELL, 0.0]
+        return [*letters, Label(f"{CELL * 100:.0f} cm", scale, GREY)]
 
-    def _update_markers(self, scene: HandScene, wanted: bool) -> None:
-        for i, body in enumerate(self._markers):
-            state = int(scene.marker_state[i])
-            body.show(wanted)
-            body.wear(self._marker_looks[i][state])
-            size = MARKER_SIZE.get(state, 0.45)
-            R = scene.segment_R[self._marker_segment[i]]
-            body.move(R * size, scene.markers[i])
+    def _update_hand(self, skin: HandSkin, scene: HandScene, show: ShownParts) -> None:
+        skin.fit(scene.scale)
+        R, p = scene.segment_R, scene.segment_p
+        drape(self._hand, skin.draped(R, p, scene.segment_state))
+        self._hand.show(True)
+        self._markers.show(show.markers)
+        if show.markers:
+            drape(self._markers, skin.draped_patches(R, p, self._colours))
+            state = scene.marker_state
+            self._markers.choose(skin.patch_faces(state == MARKER_NOW, state == MARKER_LATELY))
+        self._reference.show(show.reference and scene.reference is not None)
+        if show.reference and scene.reference is not None:
+            drape(self._reference, skin.plain(*scene.reference))
 
     def _update_axes(self, scene: HandScene, wanted: bool) -> None:
         """The frame B of each segment, at its joint."""
@@ -108,11 +117,11 @@ class HandBodies:
                 segment = i // len(AXIS_COLOURS)
                 body.move(scene.segment_R[segment], scene.segment_p[segment])
 
-    def _update_trail(self, scene: HandScene, wanted: bool) -> None:
+    def _update_trail(self, scene: HandScene, wanted: bool, orbit: Orbit) -> None:
         there = wanted and bool(np.isfinite(scene.trail).all())
         self._trail.show(there)
         if there:
-            self._trail.reshape(scene.trail)
+            self._trail.drape(*ribbon(scene.trail, orbit.eye, rgb(PURPLE)))
 
     def _update_tips(self, scene: HandScene, wanted: bool) -> None:
         """A ball of 2σ around each fingertip."""
@@ -124,25 +133,9 @@ class HandBodies:
                 body.move(np.eye(3) * radius, scene.tips[i])
 
 
-def marker_looks(colour: str) -> dict[int, BodyLook]:
-    """Of a marker that is seen now, was seen lately, or never."""
-    now = BodyLook(colour, ambient=0.5)
-    faint = replace(now, opacity=0.55)
-    return {MARKER_NOW: now, MARKER_LATELY: faint, MARKER_NEVER: faint}
-
-
-def segment_shape(s: Segment) -> Shape:
-    """A capsule along x of B, or the dorsum's slab: ``width`` across (y) and two radii thick (z),
-    reaching over both ends (x)."""
-    if s.width <= 0:
-        return Capsule(s.length, s.radius)
-    half = np.array([s.length / 2 + 0.6 * s.radius, s.width / 2, s.radius])
-    return Block(half, np.array([s.length / 2, 0.0, 0.0]))
-
-
-def _patch(radius: float, normal: Array) -> Disc:
-    """A flat patch, a little proud of the surface so that it is not swallowed by the capsule."""
-    return Disc(radius, 0.0015, normal, normal * 0.0005)
+def drape(surface: DrawnSurface, draped: Draped) -> None:
+    """Let a surface be where and what ``draped`` says."""
+    surface.drape(draped.points, draped.normals, draped.looks)
 
 
 def _axis(k: int, radius: float) -> Lines:

@@ -50,7 +50,11 @@ class HandControls(QWidget):
     def _add_boxes(self) -> None:
         """What is shown beside the hand."""
         boxes = (
-            ("markers", self.tr("Markers"), self.tr("Large: seen now. Smaller: lately, never")),
+            (
+                "markers",
+                self.tr("Markers"),
+                self.tr("Large: seen now. Small: lately. Ring: never"),
+            ),
             ("uncertainty", self.tr("2σ"), self.tr("A ball round each fingertip")),
             ("camera", self.tr("Camera"), self.tr("The left camera's field of view")),
             ("axes", self.tr("Axes"), self.tr("The frame of each segment at its joint: x, y, z")),
@@ -67,14 +71,14 @@ class HandControls(QWidget):
         choice.setAccessibleName(self.tr("Hand to compare with"))
         choice.setToolTip(
             self.tr(
-                "Another hand, see-through: the truth of a simulated one, the second tracking "
+                "The outline of another hand: the truth of a simulated one, the second tracking "
                 "of a replay, or another engine on the same data"
             )
         )
-        choice.addItem(self.tr("No ghost"), NO_REFERENCE)
-        choice.addItem(self.tr("Ghost: truth or second"), OTHER)
+        choice.addItem(self.tr("No reference"), NO_REFERENCE)
+        choice.addItem(self.tr("Reference: truth or second"), OTHER)
         for name in ENGINES:
-            choice.addItem(self.tr("Ghost: {}").format(name), name)
+            choice.addItem(self.tr("Reference: {}").format(name), name)
         choice.currentIndexChanged.connect(lambda _i: self.reference_chosen.emit(self.engine))
         return choice
 

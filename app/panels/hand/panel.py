@@ -13,10 +13,11 @@ from app.panels.hand.bodies import HandBodies
 from app.panels.hand.controls import HandControls
 from app.panels.hand.view_chooser import ViewChooser
 from app.panels.panel import Panel
-from app.platform.tasks import TaskOwner
+from app.platform.tasks import LatestJob, TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.colours import hue_colours
 from app.viewmodels.hand_scene import HandScene, HandSceneModel, followed, view_direction
+from app.viewmodels.hand_skin import HandSkin
 from app.viewmodels.states import VALIDITY
 from app.widgets.view3d.view_3d import View3D
 from tracker.errors import GlovetrackError
@@ -47,6 +48,9 @@ class HandPanel(Panel):
         self._bodies: HandBodies | None = None
         self._model: HandSceneModel | None = None
         self._scene: HandScene | None = None
+        self._skin: HandSkin | None = None
+        self._skins = LatestJob(self.tr("Making the hand's skin"), self)
+        self._skins.failed.connect(host.error)
         self.controls = HandControls()
         self.controls.look_from.connect(self.look_from)
         self.controls.reference_chosen.connect(self._choose_reference)
@@ -122,6 +126,19 @@ class HandPanel(Panel):
             self._choose_reference(self.controls.engine)
         self.view.orbit.look_from(FIRST_LOOK)
         self._make_bodies()
+        self._make_skin(setup)
+
+    def _make_skin(self, setup: EngineSetup) -> None:
+        """It takes a second, so beside the window."""
+        hand, glove = setup.hand, setup.glove
+
+        def made(skin: HandSkin) -> None:
+            if self._setup is setup:
+                self._skin = skin
+                if self._bodies is not None:
+                    self._bodies.put_on(skin)
+
+        self._skins.run(lambda _progress: HandSkin(hand, glove), made)
 
     def _make_bodies(self) -> None:
         """Fill the scene of the view that draws now."""
@@ -129,9 +146,13 @@ class HandPanel(Panel):
         if self._setup is not None and self.view.scene is not None:
             colours = hue_colours(self._setup.profile)
             self._bodies = HandBodies(self.view.scene, self._setup, colours)
+            if self._skin is not None:
+                self._bodies.put_on(self._skin)
 
     def _clear(self) -> None:
-        self._bodies = self._model = self._scene = self._setup = None
+        self._bodies = self._model = self._scene = self._setup = self._skin = None
+        self._skins.forget()
+        self.view.set_labels(())
         if self.view.scene is not None:
             self.view.scene.clear()
 
@@ -147,11 +168,13 @@ class HandPanel(Panel):
         orbit.target = followed(orbit.target, scene, found_before=self._scene is not None)
         self._scene = scene
         self.view.caption = scene.caption
-        self._bodies.update(scene, show)
+        self.view.set_labels(self._bodies.update_ground(scene))
+        self._bodies.update(scene, show, orbit)
         self.view.render_scene()
         self.chooser.drawn()
 
     def shut_down(self) -> None:
         self._bodies = None
+        self._skins.shut_down()
         self.chooser.shut_down()
         self.view.shut_down()

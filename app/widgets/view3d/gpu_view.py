@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from app.platform.graphics import gl_renderer, is_card
 from app.widgets.view3d.orbit import Orbit
+from app.widgets.view3d.scene import Label
 from app.widgets.view3d.vtk_scene import VtkScene
 
 SMOOTH_SAMPLES = 4
@@ -49,6 +50,10 @@ class GpuView(QWidget):
     def set_caption(self, text: str) -> None:
         self._label.setText(text)
         self._label.setVisible(bool(text))
+
+    def set_labels(self, labels: tuple[Label, ...]) -> None:
+        if self.scene is not None:
+            self.scene.set_labels(labels)
 
     def render_scene(self) -> None:
         """Draw the scene from the orbit's eye. RuntimeError where the driver draws nothing."""

@@ -6,12 +6,14 @@ the whole window in GL, which halves the window's rate. `QWidget.grab` sees what
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.widgets.view3d.orbit import Orbit
-from app.widgets.view3d.raster.scene import RasterScene
+from app.widgets.view3d.raster.placing import NEAR
+from app.widgets.view3d.raster.scene import RasterScene, camera_pose, focal_px
+from app.widgets.view3d.scene import Label
 
 MAX_PIXELS = 1000 * 800
 """A larger view is scaled up, so that an image takes no more than a quarter of its time."""
@@ -26,11 +28,15 @@ class PaintedView(QWidget):
         super().__init__(parent)
         self._orbit = orbit
         self._caption = ""
+        self._labels: tuple[Label, ...] = ()
         self._image: QImage | None = None
         self.scene = RasterScene()
 
     def set_caption(self, text: str) -> None:
         self._caption = text
+
+    def set_labels(self, labels: tuple[Label, ...]) -> None:
+        self._labels = labels
 
     def render_scene(self) -> None:
         """Render the scene from the orbit's eye and show it."""
@@ -54,12 +60,23 @@ class PaintedView(QWidget):
         if self._image is not None:
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
             painter.drawImage(QRectF(self.rect()), self._image, QRectF(self._image.rect()))
+            self._paint_labels(painter)
         if self._caption:
             box = self.rect().adjusted(12, self.height() - 44, -12, -8)
             painter.setPen(QColor("#E69F00"))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(box, int(flags), self._caption)
         painter.end()
+
+    def _paint_labels(self, painter: QPainter) -> None:
+        R_GC, p_GC = camera_pose(self._orbit)
+        focal = focal_px(self.height())
+        for label in self._labels:
+            x, y, z = R_GC.T @ (label.p_G - p_GC)
+            if z > NEAR:
+                painter.setPen(QColor(label.colour))
+                u, v = self.width() / 2 + focal * x / z, self.height() / 2 + focal * y / z
+                painter.drawText(QPointF(u, v), label.text)
 
     def shut_down(self) -> None:
         """Forget the bodies."""

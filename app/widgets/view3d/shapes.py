@@ -64,6 +64,24 @@ class Lines:
     pairs: npt.NDArray[np.intp]
 
 
+DRESS = 7
+"""Numbers that say how a point of a `Surface` looks: red, green, blue, cover, ambient, hatch, dots;
+shares of one."""
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """Triangles ``faces`` (F, 3) between V points that move, counter-clockwise seen from outside.
+
+    part (F,) tells parts apart whose edges are to be smooth before one another; along (V,) m is
+    what lines of hatching follow.
+    """
+
+    faces: npt.NDArray[np.int64]
+    part: npt.NDArray[np.int64]
+    along: Array
+
+
 Shape = Capsule | Disc | Block | Lines
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Signal
@@ -11,7 +12,7 @@ from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.orbit_control import OrbitControl
 from app.widgets.view3d.painted_view import PaintedView
-from app.widgets.view3d.scene import BodyScene
+from app.widgets.view3d.scene import BodyScene, Label, contrast
 
 if TYPE_CHECKING:
     from app.widgets.view3d.gpu_view import GpuView
@@ -31,6 +32,7 @@ class View3D(QWidget):
         super().__init__(parent)
         self.orbit = Orbit()
         self._background = "#000000"
+        self._labels: tuple[Label, ...] = ()
         self._view: PaintedView | GpuView | None = None
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
@@ -82,6 +84,8 @@ class View3D(QWidget):
         self._column.addWidget(view, 1)
         if view.scene is not None:
             view.scene.set_background(self._background)
+            view.scene.set_ink(contrast(self._background))
+        view.set_labels(self._labels)
         self.scene_changed.emit()
 
     # --- drawing
@@ -102,6 +106,13 @@ class View3D(QWidget):
         self._background = colour
         if self.scene is not None:
             self.scene.set_background(colour)
+            self.scene.set_ink(contrast(colour))
+
+    def set_labels(self, labels: Sequence[Label]) -> None:
+        """Short texts beside points of G, over everything."""
+        self._labels = tuple(labels)
+        if self._view is not None:
+            self._view.set_labels(self._labels)
 
     def render_scene(self) -> None:
         """Draw the scene from the orbit's eye; a card that fails gives way to the painted view."""

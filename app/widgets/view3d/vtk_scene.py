@@ -6,13 +6,11 @@ VTK's own modules are used for it: only the window on the card comes from pyvist
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkBillboardTextActor3D,
     vtkLightKit,
     vtkPolyDataMapper,
     vtkRenderer,
@@ -20,16 +18,20 @@ from vtkmodules.vtkRenderingCore import (
 
 from app.widgets.view3d.meshes import Mesh, mesh_of
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
-from app.widgets.view3d.scene import BodyLook, Grid, rgb
-from app.widgets.view3d.shapes import Shape
+from app.widgets.view3d.scene import BodyLook, Grid, GroundLines, Label, rgb
+from app.widgets.view3d.shapes import Lines, Shape, Surface
+from app.widgets.view3d.vtk_mesh import polydata
+from app.widgets.view3d.vtk_surface import VtkSurface
 from tracker.messages import Array
+
+GROUND_OPACITY = 0.25
 
 
 class VtkBody:
     """A mesh that VTK draws."""
 
     def __init__(self, mesh: Mesh) -> None:
-        self._data, mapper = _polydata(mesh), vtkPolyDataMapper()
+        self._data, mapper = polydata(mesh), vtkPolyDataMapper()
         mapper.SetInputData(self._data)
         self.actor = vtkActor()
         self.actor.SetMapper(mapper)
@@ -76,6 +78,10 @@ class VtkScene:
     def __init__(self, renderer: vtkRenderer) -> None:
         self._renderer = renderer
         vtkLightKit().AddLightsToRenderer(renderer)
+        self._ink = "#FFFFFF"
+        self._outlines: list[VtkSurface] = []
+        self._ground: VtkBody | None = None
+        self._labels: list[vtkBillboardTextActor3D] = []
 
     def add(self, shape: Shape, look: BodyLook) -> VtkBody:
         mesh = mesh_of(shape)
@@ -88,8 +94,48 @@ class VtkScene:
         self._renderer.AddActor(body.actor)
         return body
 
+    def add_surface(self, surface: Surface) -> VtkSurface:
+        body = VtkSurface(surface, self._renderer, outlined=False)
+        self._renderer.AddActor(body.actor)
+        return body
+
+    def add_outline(self, surface: Surface) -> VtkSurface:
+        body = VtkSurface(surface, self._renderer, outlined=True)
+        body.colour(self._ink)
+        self._outlines.append(body)
+        self._renderer.AddActor(body.actor)
+        return body
+
+    def set_ink(self, colour: str) -> None:
+        self._ink = colour
+        for body in self._outlines:
+            body.colour(colour)
+        if self._ground is not None:
+            self._ground.wear(self._ground_look())
+
+    def _ground_look(self) -> BodyLook:
+        return BodyLook(self._ink, opacity=GROUND_OPACITY)
+
+    def set_ground(self, ground: GroundLines) -> None:
+        if self._ground is not None:
+            self._renderer.RemoveActor(self._ground.actor)
+        pairs = np.arange(2 * len(ground.ends)).reshape(-1, 2)
+        self._ground = self.add(Lines(ground.ends.reshape(-1, 3), pairs), self._ground_look())
+
+    def set_labels(self, labels: tuple[Label, ...]) -> None:
+        while len(self._labels) < len(labels):
+            self._labels.append(vtkBillboardTextActor3D())
+            self._renderer.AddActor(self._labels[-1])
+        for k, actor in enumerate(self._labels):
+            actor.SetVisibility(k < len(labels))
+            if k < len(labels):
+                actor.SetInput(labels[k].text)
+                actor.SetPosition(*labels[k].p_G)
+                actor.GetTextProperty().SetColor(*rgb(labels[k].colour))
+
     def clear(self) -> None:
         self._renderer.RemoveAllViewProps()
+        self._outlines, self._ground, self._labels = [], None, []
 
     def set_background(self, colour: str) -> None:
         self._renderer.SetBackground(*rgb(colour))
@@ -102,28 +148,3 @@ class VtkScene:
         camera.SetViewUp(*orbit.up)
         camera.SetViewAngle(VIEW_ANGLE_DEG)
         self._renderer.ResetCameraClippingRange()
-
-
-def _polydata(mesh: Mesh) -> vtkPolyData:
-    """VTK's form of a mesh; the arrays are copied."""
-    data, points = vtkPolyData(), vtkPoints()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.points), deep=True))
-    data.SetPoints(points)
-    if mesh.cells.shape[1] == 2:
-        data.SetLines(_cells(mesh.cells))
-        return data
-    data.SetPolys(_cells(mesh.cells))
-    data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(mesh.normals), deep=True))
-    return data
-
-
-def _cells(cells: npt.NDArray[np.intp]) -> vtkCellArray:
-    """(M, K) corners as VTK's offsets and indices."""
-    many, corners = cells.shape
-    offsets = np.arange(0, many * corners + 1, corners)
-    array = vtkCellArray()
-    array.SetData(
-        numpy_to_vtk(offsets, deep=True, array_type=VTK_ID_TYPE),
-        numpy_to_vtk(cells.ravel(), deep=True, array_type=VTK_ID_TYPE),
-    )
-    return array

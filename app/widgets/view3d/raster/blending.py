@@ -10,6 +10,7 @@ from app.widgets.view3d.raster.shading import lit
 from app.widgets.view3d.raster.solids import (
     BLOCK,
     CAPSULE,
+    LINES,
     Rotation,
     Rounded,
     block_surface,
@@ -22,11 +23,11 @@ from app.widgets.view3d.raster.view import (
     BLUE,
     GREEN,
     GROUP,
-    LINES,
     OVER,
     RED,
     SPECULAR,
     STYLE,
+    SURFACE,
     RayBundle,
     View,
 )
@@ -49,12 +50,20 @@ def blend(view: View, rays: int, bundle: RayBundle) -> None:
     kinds, forms, places, looks = view.kinds, view.forms, view.places, view.looks
     xs, ys, colours, numbers = bundle.x, bundle.y, bundle.colour, bundle.number
     counts, depths, covers, bodies = bundle.many, bundle.depth, bundle.cover, bundle.body
-    focal, back = view.focal, (view.background[0], view.background[1], view.background[2])
+    at, skin, parts = bundle.at, bundle.skin, bundle.part
+    backdrop, focal = view.backdrop, view.focal
     for k in range(rays):
         red, green, blue = 0.0, 0.0, 0.0
         through, groups, number = 1.0, 0, 0
         for j in range(counts[k]):
             i, depth, cover = bodies[k, j], depths[k, j], covers[k, j]
+            if i == SURFACE:
+                colour = skin[k, 0], skin[k, 1], skin[k, 2]
+                number = (number * 31 + len(kinds) + parts[k] + 1) & NUMBERS
+                red, green = red + through * cover * colour[0], green + through * cover * colour[1]
+                blue += through * cover * colour[2]
+                through -= through * cover
+                continue
             colour = looks[i, RED], looks[i, GREEN], looks[i, BLUE]
             if kinds[i] != LINES:
                 style, group = looks[i, STYLE], 1 << int(looks[i, GROUP])
@@ -86,9 +95,10 @@ def blend(view: View, rays: int, bundle: RayBundle) -> None:
             red, green = red + share * colour[0], green + share * colour[1]
             blue += share * colour[2]
             through -= share
-        colours[k, 0] = red + through * back[0]
-        colours[k, 1] = green + through * back[1]
-        colours[k, 2] = blue + through * back[2]
+        back = backdrop[at[k, 0], at[k, 1]]
+        colours[k, 0] = red + through * (back >> 16 & 255) / 255
+        colours[k, 1] = green + through * (back >> 8 & 255) / 255
+        colours[k, 2] = blue + through * (back & 255) / 255
         numbers[k] = number
 
 

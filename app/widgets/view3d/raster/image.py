@@ -2,80 +2,137 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from app.widgets.view3d.raster.blending import blend
+from app.widgets.view3d.raster.ground import Ground, rule
 from app.widgets.view3d.raster.layers import gather
-from app.widgets.view3d.raster.placing import Bodies, Pinhole, Strokes, place_solids, project_lines
+from app.widgets.view3d.raster.placing import (
+    Bodies,
+    Pinhole,
+    Strokes,
+    place_solids,
+    project_line,
+    project_lines,
+)
+from app.widgets.view3d.raster.surfaces import (
+    MORE,
+    Samples,
+    Surfaces,
+    fill_samples,
+    project_surfaces,
+)
 from app.widgets.view3d.raster.tiles import TILE, line_pairs, solid_pairs, sort_pairs
 from app.widgets.view3d.raster.view import WIDTH, RayBundle, View, new_bundle
 from tracker.kernels import kernel
 from tracker.kernels.arrays import (
+    BoolVector,
     Int32Matrix,
     IntMatrix,
     IntVector,
     Matrix,
     UInt32Matrix,
-    Vector,
     Written,
 )
 
 FIRST_PAIRS = 4096
-MORE = ((0.376, 0.137), (-0.306, 0.257), (-0.069, -0.394))
-"""px from a pixel's middle where more rays go: with the first, no two in one row or column."""
-RAYS = TILE * TILE * len(MORE)
+MOST_RAYS = TILE * TILE * len(MORE)
 FAINT = 16
 """Steps of 255 by which colours may differ without anybody seeing stairs."""
+
+
+class Canvas(NamedTuple):
+    """What is drawn on, of H by W pixels: image and backdrop 0xFFRRGGBB, numbers for what the
+    pixels show, samples of the surfaces."""
+
+    image: Written[UInt32Matrix]
+    backdrop: Written[UInt32Matrix]
+    numbers: Written[Int32Matrix]
+    samples: Samples
 
 
 @kernel(error_model="numpy")
 def draw(
     bodies: Bodies,
     strokes: Strokes,
+    surfaces: Surfaces,
+    ground: Ground,
     camera: Pinhole,
-    background: Vector,
-    image: Written[UInt32Matrix],
-    numbers: Written[Int32Matrix],
+    canvas: Canvas,
 ) -> None:
-    """Fill ``image`` (H, W) with 0xFFRRGGBB; numbers (H, W) is for what the pixels show.
-
-    background (3,): red, green and blue, shares of one.
-    """
+    """Fill the canvas with what the camera sees."""
+    image, numbers = canvas.image, canvas.numbers
     height, width = image.shape
     # 1. everything before the camera, and which tiles of the image it may touch
     places, sized = place_solids(bodies, camera)
+    seen = project_surfaces(surfaces, camera)
     view = View(
         bodies.kinds, sized, places, bodies.looks, project_lines(bodies, strokes, camera),
-        strokes.owner, camera.focal, camera.middle_u, camera.middle_v, background,
+        strokes.owner, camera.focal, camera.middle_u, camera.middle_v, canvas.backdrop, surfaces,
+        seen, canvas.samples,
     )  # fmt: skip
     items, starts = _sort(view, (height, width))
-    image[:] = packed((background[0], background[1], background[2]))
+    touched = np.zeros(len(starts) - 1, np.bool_)
+    if len(surfaces.faces):
+        fill_samples(surfaces, seen, canvas.samples, touched)
+    rule(_ground_lines(ground, camera), ground, canvas.backdrop)
+    image[:] = canvas.backdrop
     numbers[:] = 0
-    bundle, at = new_bundle(RAYS), np.empty((RAYS, 2), np.int64)
-    columns = (width + TILE - 1) // TILE
+    bundle = new_bundle(MOST_RAYS)
     # 2. a ray through each pixel's middle; 3. more where neighbours show something else
-    for smooth in (False, True):
-        for tile in range(len(starts) - 1):
-            first, stop = starts[tile], starts[tile + 1]
-            if first == stop:
-                continue
-            top, left = tile // columns * TILE, tile % columns * TILE
-            if smooth:
-                rays = _edge_rays(view, image, numbers, top, left, at, bundle)
-            else:
-                rays = _middle_rays(view, image, top, left, at, bundle)
-            gather(view, items, first, stop, rays, bundle)
-            blend(view, rays, bundle)
-            if smooth:
-                _mix(rays, at, bundle.colour, image)
-            else:
-                _paint(rays, at, bundle.colour, bundle.number, image, numbers)
+    _first_rays(view, items, starts, touched, bundle, canvas)
+    _more_rays(view, items, starts, touched, bundle, canvas)
 
 
 @kernel(error_model="numpy")
-def _middle_rays(
-    view: View, image: UInt32Matrix, top: int, left: int, at: Written[IntMatrix], bundle: RayBundle
-) -> int:
+def _first_rays(
+    view: View, items: IntVector, starts: IntVector, touched: BoolVector, bundle: RayBundle,
+    canvas: Canvas,
+) -> None:  # fmt: skip
+    """A ray through the middle of each pixel of the tiles that show anything."""
+    image, numbers = canvas.image, canvas.numbers
+    columns = (image.shape[1] + TILE - 1) // TILE
+    for tile in range(len(touched)):
+        span = starts[tile], starts[tile + 1]
+        if span[0] < span[1] or touched[tile]:
+            top, left = tile // columns * TILE, tile % columns * TILE
+            rays = _middle_rays(view, image, top, left, bundle)
+            gather(view, items, span, touched[tile], rays, bundle)
+            blend(view, rays, bundle)
+            _paint(rays, bundle.at, bundle.colour, bundle.number, image, numbers)
+
+
+@kernel(error_model="numpy")
+def _more_rays(
+    view: View, items: IntVector, starts: IntVector, touched: BoolVector, bundle: RayBundle,
+    canvas: Canvas,
+) -> None:  # fmt: skip
+    """`MORE` rays through each pixel whose neighbour shows something else."""
+    image, numbers = canvas.image, canvas.numbers
+    columns = (image.shape[1] + TILE - 1) // TILE
+    for tile in range(len(touched)):
+        span = starts[tile], starts[tile + 1]
+        if span[0] < span[1] or touched[tile]:
+            top, left = tile // columns * TILE, tile % columns * TILE
+            rays = _edge_rays(view, image, numbers, top, left, bundle)
+            gather(view, items, span, touched[tile], rays, bundle)
+            blend(view, rays, bundle)
+            _mix(rays, bundle.at, bundle.colour, image)
+
+
+@kernel(error_model="numpy")
+def _ground_lines(ground: Ground, camera: Pinhole) -> Matrix:
+    """(M, 6) as `project_line` has them."""
+    lines = np.empty((len(ground.ends), 6))
+    for m in range(len(lines)):
+        project_line(ground.ends[m, :3], ground.ends[m, 3:], camera, lines[m])
+    return lines
+
+
+@kernel(error_model="numpy")
+def _middle_rays(view: View, image: UInt32Matrix, top: int, left: int, bundle: RayBundle) -> int:
     """A ray through the middle of each pixel of a tile, and which pixel; how many."""
     rays, (height, width) = 0, image.shape
     xs, ys, focal, middle_u, middle_v = bundle.x, bundle.y, view.focal, view.middle_u, view.middle_v
@@ -83,20 +140,14 @@ def _middle_rays(
         for u in range(left, min(left + TILE, width)):
             xs[rays] = (u + 0.5 - middle_u) / focal
             ys[rays] = (v + 0.5 - middle_v) / focal
-            at[rays, 0], at[rays, 1] = v, u
+            bundle.at[rays, 0], bundle.at[rays, 1], bundle.at[rays, 2] = v, u, 0
             rays += 1
     return rays
 
 
 @kernel(error_model="numpy")
 def _edge_rays(
-    view: View,
-    image: UInt32Matrix,
-    numbers: Int32Matrix,
-    top: int,
-    left: int,
-    at: Written[IntMatrix],
-    bundle: RayBundle,
+    view: View, image: UInt32Matrix, numbers: Int32Matrix, top: int, left: int, bundle: RayBundle
 ) -> int:
     """`MORE` rays one after another through each pixel of a tile whose neighbour shows
     something else."""
@@ -114,10 +165,11 @@ def _edge_rays(
                 or (numbers[below, u] != mine and _differ(image[below, u], colour))
             ):
                 continue
-            for du, dv in MORE:
+            for m in range(len(MORE)):
+                du, dv = MORE[m]
                 xs[rays] = (u + 0.5 + du - middle_u) / focal
                 ys[rays] = (v + 0.5 + dv - middle_v) / focal
-                at[rays, 0], at[rays, 1] = v, u
+                bundle.at[rays, 0], bundle.at[rays, 1], bundle.at[rays, 2] = v, u, m + 1
                 rays += 1
     return rays
 

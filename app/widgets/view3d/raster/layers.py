@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.widgets.view3d.raster.placing import NEAR
+from app.widgets.view3d.raster.skin import meet_surface
 from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, Rounded, block_depth, disc_depth
 from app.widgets.view3d.raster.strokes import stroke_cover, stroke_depth
 from app.widgets.view3d.raster.view import (
@@ -10,6 +11,7 @@ from app.widgets.view3d.raster.view import (
     DEEPEST,
     OPACITY,
     STYLE,
+    SURFACE,
     WIDTH,
     RayBundle,
     View,
@@ -26,14 +28,20 @@ MOST_OF_A_LINE = 0.99
 
 @kernel(error_model="numpy")
 def gather(
-    view: View, items: IntVector, first: int, stop: int, rays: int, bundle: RayBundle
+    view: View,
+    items: IntVector,
+    span: tuple[int, int],
+    surfaces: bool,
+    rays: int,
+    bundle: RayBundle,
 ) -> None:
     """Fill the layers of the bundle's first ``rays`` with what they meet.
 
-    ``items`` from ``first`` to ``stop``: rows of bodies, or of a line behind them.
+    ``items`` in ``span`` (first, and behind the last): rows of bodies, or of a line behind them;
+    ``surfaces``: whether triangles are there too.
     """
     bundle.many[:rays] = 0
-    for k in range(first, stop):
+    for k in range(span[0], span[1]):
         i = items[k]
         if i >= len(view.kinds):
             m = i - len(view.kinds)
@@ -46,6 +54,9 @@ def gather(
         if view.looks[i, STYLE] == ALONE:
             _meet(view, i, 1.0, rays, bundle)
             _lay(i, rays, bundle)
+    if surfaces:
+        meet_surface(view, rays, bundle)
+        _lay(SURFACE, rays, bundle)
 
 
 @kernel(error_model="numpy")

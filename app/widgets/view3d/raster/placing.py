@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.widgets.view3d.raster.view import LINES
+from app.widgets.view3d.raster.solids import LINES
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntMatrix, IntVector, Matrix, Stack, Vector, Written
 

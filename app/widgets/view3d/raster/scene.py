@@ -8,12 +8,14 @@ import numpy as np
 import numpy.typing as npt
 
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
-from app.widgets.view3d.raster.image import draw
+from app.widgets.view3d.raster.ground import Ground
+from app.widgets.view3d.raster.image import Canvas, draw
+from app.widgets.view3d.raster.outline import draw_outline
 from app.widgets.view3d.raster.placing import Bodies, Pinhole, Strokes
-from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, DISC
-from app.widgets.view3d.raster.view import LINES
-from app.widgets.view3d.scene import BodyLook, rgb
-from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, turn_x_to
+from app.widgets.view3d.raster.solids import BLOCK, CAPSULE, DISC, LINES
+from app.widgets.view3d.raster.surface_rows import RasterSurface, SurfaceRows
+from app.widgets.view3d.scene import BodyLook, GroundLines, rgb
+from app.widgets.view3d.shapes import Block, Capsule, Disc, Lines, Shape, Surface, turn_x_to
 from tracker.kernels.arrays import UInt32Matrix
 from tracker.messages import Array, IntArray
 
@@ -50,7 +52,9 @@ class RasterScene:
 
     def __init__(self) -> None:
         self._background = np.zeros(3)
+        self._ink = np.ones(3)
         self._image: UInt32Matrix = np.empty((0, 0), np.uint32)
+        self._backdrop: UInt32Matrix = np.empty((0, 0), np.uint32)
         self._numbers = np.empty((0, 0), np.int32)
         self.clear()
 
@@ -67,6 +71,21 @@ class RasterScene:
         self.points: Array = np.empty((0, 3))
         self.ends = np.empty((0, 2), np.int64)
         self.owner = np.empty(0, np.int64)
+        self.surfaces, self.outlined = SurfaceRows(), SurfaceRows()
+        self.set_ground(GroundLines(np.empty((0, 6)), np.empty(0)))
+
+    def set_ground(self, ground: GroundLines) -> None:
+        self._ends = np.ascontiguousarray(ground.ends, float)
+        self._strength = np.ascontiguousarray(ground.strength, float)
+
+    def set_ink(self, colour: str) -> None:
+        self._ink = np.array(rgb(colour))
+
+    def add_surface(self, surface: Surface) -> RasterSurface:
+        return self.surfaces.add(surface)
+
+    def add_outline(self, surface: Surface) -> RasterSurface:
+        return self.outlined.add(surface)
 
     def set_background(self, colour: str) -> None:
         self._background = np.array(rgb(colour))
@@ -89,20 +108,33 @@ class RasterScene:
         """(height, width) of 0xFFRRGGBB from the orbit's eye; good until the next."""
         if self._image.shape != (height, width):
             self._image = np.empty((height, width), np.uint32)
+            self._backdrop = np.empty((height, width), np.uint32)
             self._numbers = np.empty((height, width), np.int32)
-        if not self.shown.any():  # nor need the kernels be there before there is a hand
+        if not self._any_shown():  # nor need the kernels be there before there is a hand
             red, green, blue = np.rint(255 * self._background).astype(np.uint32)
             self._image.fill(0xFF000000 | red << 16 | green << 8 | blue)
             return self._image
         R_GC, p_GC = camera_pose(orbit)
-        camera = Pinhole(R_GC, p_GC, focal_px(height), 0.5 * width, 0.5 * height)
+        self._draw(Pinhole(R_GC, p_GC, focal_px(height), 0.5 * width, 0.5 * height))
+        return self._image
+
+    def _any_shown(self) -> bool:
+        return bool(self.shown.any()) or self.surfaces.any_shown or self.outlined.any_shown
+
+    def _draw(self, camera: Pinhole) -> None:
+        """Fill the image."""
         bodies = Bodies(
             self.kinds, self.shown, self.R_GB, self.p_GB, self.R_BS, self.p_BS, self.forms,
             self.looks,
         )  # fmt: skip
         strokes = Strokes(self.points, self.ends, self.owner)
-        draw(bodies, strokes, camera, self._background, self._image, self._numbers)
-        return self._image
+        ground = Ground(self._ends, self._strength, self._background, self._ink)
+        size = self._image.shape
+        canvas = Canvas(self._image, self._backdrop, self._numbers, self.surfaces.samples(*size))
+        draw(bodies, strokes, self.surfaces.rows, ground, camera, canvas)
+        if self.outlined.any_shown:
+            samples = self.outlined.samples(*size)
+            draw_outline(self.outlined.rows, camera, samples, self._ink, self._image)
 
 
 def camera_pose(orbit: Orbit) -> tuple[Array, Array]:

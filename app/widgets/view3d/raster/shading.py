@@ -44,6 +44,12 @@ def lit(R_CS: Rotation, n_S: Vector3, ambient: float, specular: float) -> tuple[
         R_CS[3] * n_S[0] + R_CS[4] * n_S[1] + R_CS[5] * n_S[2],
         R_CS[6] * n_S[0] + R_CS[7] * n_S[1] + R_CS[8] * n_S[2],
     )
+    return lit_in_camera(n, ambient, specular)
+
+
+@kernel(error_model="numpy", inline="always")
+def lit_in_camera(n: Vector3, ambient: float, specular: float) -> tuple[float, float]:
+    """The same of a normal in C."""
     bright = ambient
     bright += KEY[3] * max(KEY[0] * n[0] + KEY[1] * n[1] + KEY[2] * n[2], 0.0)
     bright += FILL[3] * max(FILL[1] * n[1] + FILL[2] * n[2], 0.0)

@@ -15,7 +15,8 @@ import numpy as np
 from tracker.geometry.solids import Vector3, box_span
 from tracker.kernels import kernel
 
-CAPSULE, DISC, BLOCK = 0, 1, 2
+CAPSULE, DISC, BLOCK, LINES = 0, 1, 2, 3
+"""Kinds of bodies; the last one has no surface."""
 Rotation = tuple[float, float, float, float, float, float, float, float, float]
 """Row by row."""
 

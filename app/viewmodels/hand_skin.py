@@ -1,0 +1,177 @@
+"""The skin of a hand and the glove's patches on it, posed and dressed for the 3D view."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from app.viewmodels.states import NEUTRAL, VALIDITY
+from tracker.glove.model import GloveModel, Marker
+from tracker.hand.model import HandModel
+from tracker.hand.skin.mesh import Skin, SkinMaker
+from tracker.hand.skin.posing import Rest, posed, rest_of
+from tracker.messages import Array, Calibration, IntArray, Validity
+
+LOOK = 7  # numbers of a point's look: red, green, blue, cover, ambient, hatch, dots
+TINT = {Validity.MEASURED: 0.38, Validity.INFERRED: 0.45, Validity.LOST: 0.6}
+"""How much of a state's colour is in the skin; hatching and dots say the same without colour."""
+ARM_FROM, ARM_TO = 0.005, 0.03  # m behind the wrist where skin turns into plain forearm
+FADE_FROM, FADE_TO = 0.05, 0.125  # and where the forearm, which nothing tracks, fades away
+PROUD = 0.0004  # m that a patch lies above the skin
+RINGS = (0.45, 0.7, 0.8, 1.0)  # shares of a patch's half size
+SPOKES = 16
+OUTER, INNER = (0, 1, 2, 3), (0, 1)
+"""Rings of a patch that is seen now; of one seen lately. One never seen is the last ring alone."""
+NOTICEABLE = 1e-3  # change of a scale from which the skin is made to size again
+Faces = npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Draped:
+    """Points, normals (V, 3) in G and looks (V, `LOOK`)."""
+
+    points: Array
+    normals: Array
+    looks: Array
+
+
+class HandSkin:
+    """A hand's skin at the wearer's size. Making one takes about a second: beside the window."""
+
+    def __init__(self, hand: HandModel, glove: GloveModel) -> None:
+        self._hand = hand
+        maker = SkinMaker(hand, (glove.marker_segment(hand), glove.marker_position))
+        self.skin = maker.skin()
+        self.patches, self._ring = _patches(maker, hand, glove)
+        self._owner = np.repeat(np.arange(len(glove.markers)), _PATCH_FACES)
+        self._looks = np.empty((0, LOOK))
+        self._states: IntArray | None = None
+        self._fit(np.ones((len(hand.segments), 3)))
+
+    @property
+    def part(self) -> IntArray:
+        """(F,) the segment that each face of the skin follows most."""
+        return np.asarray(self.skin.bones[self.skin.faces[:, 0], 0])
+
+    def _fit(self, scale: Array) -> None:
+        self._scale = scale
+        self._rest: Rest = rest_of(self.skin, self._hand, scale)
+        self._rest_patches: Rest = rest_of(self.patches, self._hand, scale)
+
+    def fit(self, scale: Array) -> None:
+        """To a wearer whose segments are ``scale`` (S, 3) times the file's."""
+        if np.abs(scale - self._scale).max() > NOTICEABLE:
+            self._fit(scale)
+
+    def draped(self, R: Array, p: Array, states: IntArray) -> Draped:
+        """The skin on segments at R (S, 3, 3), p (S, 3) whose `Validity` is ``states`` (S,)."""
+        if self._states is None or not np.array_equal(states, self._states):
+            self._states, self._looks = np.array(states), self._dressed(states)
+        return Draped(*posed(self._rest, R, p), self._looks)
+
+    def plain(self, R: Array, p: Array) -> Draped:
+        """The skin of a second hand, of which only the outline is drawn."""
+        points, normals = posed(self._rest, R, p)
+        return Draped(points, normals, np.ones((len(points), LOOK)))
+
+    def _dressed(self, states: IntArray) -> Array:
+        rows = np.array([_look(Validity(int(state))) for state in states])
+        looks = np.einsum("vk,vkl->vl", self.skin.shares, rows[self.skin.bones])
+        arm = _rise(self.skin.arm, ARM_FROM, ARM_TO)[:, None]
+        looks[:, :3] += arm * (np.array(_rgb(NEUTRAL)) * 0.8 - looks[:, :3])
+        looks[:, 5] *= 1 - arm[:, 0]
+        looks[:, 3] *= 1 - _rise(self.skin.arm, FADE_FROM, FADE_TO)
+        return np.asarray(looks)
+
+    def draped_patches(self, R: Array, p: Array, colours: list[str]) -> Draped:
+        """The glove's patches in ``colours`` by marker."""
+        rows = np.array([[*_rgb(c), 1.0, 0.45, 0.0, 0.0] for c in colours]).reshape(-1, LOOK)
+        return Draped(*posed(self._rest_patches, R, p), np.repeat(rows, _PATCH_POINTS, axis=0))
+
+    def patch_faces(self, now: Faces, lately: Faces) -> Faces:
+        """(F,) which faces of the patches are drawn, of markers (M,) seen now and lately."""
+        now, lately = now[self._owner], lately[self._owner] & ~now[self._owner]
+        ring = self._ring
+        return np.asarray(np.where(now, True, np.where(lately, ring < len(INNER), ring == 3)))
+
+
+def scales(hand: HandModel, calibration: Calibration | None) -> Array:
+    """(S, 3) of all segments: of one without an estimate that of its finger, else of the hand."""
+    out = np.full((len(hand.segments), 3), np.nan)
+    if calibration is not None:
+        for name, row in zip(calibration.segments, calibration.scale, strict=True):
+            out[hand.index[name]] = row
+    known = np.isfinite(out).all(axis=1)
+    mean = out[known].mean(axis=0) if known.any() else np.ones(3)
+    for i, parent in enumerate(hand.parent):
+        if not known[i]:
+            out[i] = out[parent] if parent >= 0 and parent != hand.root else mean
+    return out
+
+
+def _look(state: Validity) -> list[float]:
+    """Measured: plain. Inferred: hatched. Lost: dots."""
+    tint = TINT[state]
+    mixed = [
+        (1 - tint) * a + tint * b
+        for a, b in zip(_rgb(NEUTRAL), _rgb(VALIDITY[state].colour), strict=True)
+    ]
+    return [*mixed, 1.0, 0.0, float(state == Validity.INFERRED), float(state == Validity.LOST)]
+
+
+def _rgb(colour: str) -> tuple[float, ...]:
+    return tuple(int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5))
+
+
+def _rise(x: Array, low: float, high: float) -> Array:
+    t = np.clip((x - low) / (high - low), 0.0, 1.0)
+    return np.asarray(t * t * (3 - 2 * t))
+
+
+_PATCH_POINTS = 1 + len(RINGS) * SPOKES
+_PATCH_FACES = SPOKES * (2 * len(RINGS) - 1)
+
+
+def _patches(maker: SkinMaker, hand: HandModel, glove: GloveModel) -> tuple[Skin, IntArray]:
+    """All patches in one, and the ring (F,) that each face ends at."""
+    faces, ring = _patch_faces()
+    points = [_patch_points(maker, hand, m) for m in glove.markers]
+    every = [faces + _PATCH_POINTS * k for k in range(len(points))]
+    empty = np.empty((0, 3))
+    skin = maker.patch(
+        np.concatenate([empty, *points]), np.concatenate([empty, *every]).astype(np.int64), PROUD
+    )
+    return skin, np.tile(ring, len(points))
+
+
+def _patch_points(maker: SkinMaker, hand: HandModel, marker: Marker) -> Array:
+    """(`_PATCH_POINTS`, 3) m around a marker, in its tangential plane, in the bind pose."""
+    other = np.eye(3)[np.abs(marker.normal).argmin()]
+    a = np.cross(marker.normal, other)
+    a /= np.linalg.norm(a)
+    b = np.cross(marker.normal, a)
+    angle = 2 * np.pi * (np.arange(SPOKES) + 0.5) / SPOKES
+    around = np.cos(angle)[:, None] * a + np.sin(angle)[:, None] * b
+    if marker.shape == "square":
+        around /= np.maximum(np.abs(np.cos(angle)), np.abs(np.sin(angle)))[:, None]
+    rings = [np.zeros((1, 3)), *(0.5 * marker.size * share * around for share in RINGS)]
+    segment = np.full(_PATCH_POINTS, hand.index[marker.segment])
+    return maker.in_bind_pose(segment, marker.position + np.concatenate(rings))
+
+
+def _patch_faces() -> tuple[IntArray, IntArray]:
+    """(F, 3) triangles of a patch, counter-clockwise about its normal; (F,) the ring of each."""
+    here = np.arange(SPOKES)
+    after = (here + 1) % SPOKES
+    faces = [np.stack([0 * here, 1 + here, 1 + after], axis=1)]
+    rings = [np.zeros(SPOKES)]
+    for k in range(1, len(RINGS)):
+        inner, outer = 1 + (k - 1) * SPOKES, 1 + k * SPOKES
+        faces += [
+            np.stack([inner + here, outer + here, outer + after], axis=1),
+            np.stack([inner + here, outer + after, inner + after], axis=1),
+        ]
+        rings.append(np.full(2 * SPOKES, k))
+    return np.concatenate(faces), np.concatenate(rings).astype(np.int64)
