@@ -38,6 +38,7 @@ class RecentSessions(QObject):
         host.recording.finished.connect(self._remember)
         page.recover.connect(self.recover)
         page.recent_asked.connect(library.replay)
+        library.files.made.connect(self.offer)
         self.look()
 
     def look(self) -> None:
@@ -64,8 +65,12 @@ class RecentSessions(QObject):
         self._tasks.run(title, recover_job(path), self._recovered, self.look)
 
     def _recovered(self, path: Path) -> None:
+        text = self.tr("What could be read of the recording is in {}.").format(path.name)
+        self._library.rescan()
+        self.offer(path, text)
+
+    def offer(self, path: Path, text: str) -> None:
+        """A new session has come to be: what one does with it next."""
         show = (self.tr("Show it"), partial(self._library.replay.emit, path))
         export = (self.tr("Export…"), partial(self._library.ask_export_of, [path]))
-        text = self.tr("What could be read of the recording is in {}.").format(path.name)
         self._messages.say(text, show, export, good=True)
-        self._library.rescan()

@@ -138,6 +138,7 @@ def _replay(on: Targets) -> list[Command]:
         Command("in_point", menu, w.tr("&In point here"), bar.set_in, "I", separator=True),
         Command("out_point", menu, w.tr("&Out point here"), bar.set_out, "O"),
         Command("whole", menu, w.tr("&Whole session"), bar.clear_range),
+        Command("crop", menu, w.tr("&Crop to a new session"), on.library.crop),
         Command("loop", menu, w.tr("&Loop on or off"), bar.toggle_loop, "L"),
         Command("again", menu, w.tr("Track &again…"), on.library.ask_track, separator=True),
         Command("compare", menu, w.tr("&Compare two sessions"), on.library.compare_selected),

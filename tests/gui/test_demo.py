@@ -8,6 +8,7 @@ import pytest
 from gui_fakes import models
 
 from app.engines.demo import demo_setup
+from app.jobs.export import ExportRequest
 from app.window.headless_report import KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
 from tracker.session.mcap.recover import needs_recovery
@@ -45,7 +46,7 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     row = demo.library.selected()
     assert row.path == path and row.integrity == "whole"
 
-    demo.library.export(path, "csv", tmp_path / "out.csv")
+    demo.library.exporting.add(ExportRequest(path, "csv", tmp_path / "out.csv"))
     qtbot.waitUntil(lambda: not demo.tasks.tasks, timeout=60_000)
     with (tmp_path / "out.csv").open() as file:
         rows = list(csv.DictReader(file))

@@ -21,6 +21,7 @@ from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
 from tracker.session.export.options import FORMATS
+from tracker.session.reader import SessionReader
 
 NAMES = ("P01_pinch", "P01_fist", "P02_pinch")
 
@@ -267,3 +268,18 @@ def test_tags_that_cannot_be_read_are_none(tmp_path):
         tags_path(session).write_text(text)
         assert read_tags(session) == (("b",) if '"b"' in text else ())
     assert tags_of_text(" a b ,, c,a b") == ("a b", "c")
+
+
+def test_the_chosen_part_becomes_a_session(library, window, folder, qtbot):
+    window.sources.open_session(folder / "P01_fist.mcap")
+    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    window.run_command("crop")
+    assert "Mark the part first" in window.banner.text()
+    window.host.setup.player.set_range(0.4, 1.1)
+    window.run_command("crop")
+    made = folder / "P01_fist_crop.mcap"
+    qtbot.waitUntil(lambda: made.name in window.banner.text(), timeout=30_000)
+    qtbot.waitUntil(lambda: made.stem in shown(library), timeout=20_000)
+    with SessionReader(made) as reader:
+        assert reader.duration == pytest.approx(0.7, abs=0.04)
+        assert len(reader.engine_states()) == 1

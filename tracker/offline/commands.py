@@ -1,4 +1,4 @@
-"""The commands ``simulate`` and ``track``."""
+"""The commands ``simulate``, ``track`` and ``crop``."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ if TYPE_CHECKING:
 
 
 def add_commands(commands: Any) -> None:
-    """Add both to the sub-parsers of ``glovetrack``."""
+    """Add them to the sub-parsers of ``glovetrack``."""
     _add_simulate(commands.add_parser("simulate", help="a session with truth from the simulator"))
     _add_track(commands.add_parser("track", help="track a recording again"))
+    _add_crop(commands.add_parser("crop", help="a part of a session as a session of its own"))
 
 
 def _add_simulate(parser: argparse.ArgumentParser) -> None:
@@ -58,6 +59,26 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--jobs", type=int, metavar="N", help="processes; one per core if not told")
     parser.add_argument("--dask", default="", metavar="ADDRESS", help="work on this Dask cluster")
     parser.set_defaults(func=_track)
+
+
+def _add_crop(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", type=Path, metavar="IN")
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session")
+    parser.add_argument("--start", type=float, default=0.0, metavar="S", help="from the beginning")
+    parser.add_argument("--stop", type=float, default=None, metavar="S", help="likewise")
+    add_json(parser)
+    parser.set_defaults(func=_crop)
+
+
+def _crop(args: argparse.Namespace) -> int:
+    from tracker.offline.crop import crop
+
+    check_json(args, [args.source])
+    watch = progress_line("cropping")
+    report = crop(args.source, args.out, args.start, args.stop, watch, args.force)
+    line = f"{args.out}: {report['duration_s']:.2f} s of {args.source.name}"
+    finish(args, report, [line], [args.source, args.out])
+    return 0
 
 
 def _simulate(args: argparse.Namespace) -> int:

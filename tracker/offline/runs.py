@@ -100,6 +100,27 @@ class Output:
         self._recorder.write(calibration)
 
 
+class NoOutput(Output):
+    """For what is tracked only to know where it stands afterwards."""
+
+    def __init__(self) -> None:
+        self._report = TrackReport()
+
+    @property
+    def report(self) -> TrackReport:
+        return self._report
+
+    def message(self, message: Sensed) -> None: ...
+
+    def state(self, state: EngineState) -> None: ...
+
+    def rig(self, rig: StereoRig, t: float) -> None: ...
+
+    def estimate(self, sample: ImuSample, estimate: Estimate) -> None: ...
+
+    def calibration(self, calibration: Calibration) -> None: ...
+
+
 class LiveRun:
     """The estimates of a live run, bit for bit.
 
@@ -167,6 +188,10 @@ class LiveRun:
     def finish(self, progress: Callable[[float], None]) -> None:
         if self._output.report.estimates:
             self._output.calibration(self._pipeline.calibration())
+
+    def state(self, t: float) -> EngineState:
+        """What the engine knows after all that was fed, to go on from at ``t`` s."""
+        return EngineState(t, self._pipeline.settings.engine, self._pipeline.get_state())
 
 
 class SmoothRun:

@@ -25,7 +25,7 @@ from tracker.messages import (
 from tracker.offline.detection import detected
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.report import TrackReport, TruthCheck
-from tracker.offline.runs import LiveRun, Output, SessionRun, SmoothRun
+from tracker.offline.runs import LiveRun, NoOutput, Output, SessionRun, SmoothRun
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
@@ -81,6 +81,28 @@ def track(
             report.error_mm = check.against(reader.truth())
     report.wall_s = time.perf_counter() - started
     return report
+
+
+def state_at(
+    reader: SessionReader, t: float, progress: Callable[[float], None] = lambda share: None
+) -> EngineState | None:
+    """What tracking this session again knows when all that arrived before ``t`` s has been fed.
+
+    None where nothing arrived before. Raises GlovetrackError for a session that cannot be tracked.
+    """
+    options = TrackOptions()
+    settings = _settings(reader, options)
+    info = replace(reader.info, rig=_rig(reader, settings))
+    run = _run(reader, info, settings, NoOutput(), options)
+    assert isinstance(run, LiveRun)
+    begin, fed = reader.anchor.monotonic(reader.span_ns[0]), False
+    for message in _messages(reader, info, options, usable_cores()):
+        if message.t_arrival >= t:
+            break
+        run.feed(message)
+        fed = True
+        progress(min(max((message.t_arrival - begin) / max(t - begin, 1e-9), 0.0), 1.0))
+    return run.state(t) if fed else None
 
 
 def _run(

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QTabWidget, QVBoxLayout, QWidget
 from app.engines.engine import EngineSetup, Player
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.jobs.export import ExportRequest
 from app.jobs.library_scan import LibraryScan
 from app.panels.library.comparing import Comparing
 from app.panels.library.export_list import ExportList
@@ -43,8 +42,8 @@ class LibraryPanel(Panel):
         super().__init__(host, parent)
         self._store, self._tasks = store, tasks
         self._player: Player | None = None
-        self._exporting = Exporting(tasks, store, self)
-        self.exports = self._exporting.queue
+        self.exporting = Exporting(tasks, store, self)
+        self.exports = self.exporting.queue
         self.files = SessionFiles(host, tasks, self)
         self._looked = False
         self.transport = TransportBar()
@@ -67,7 +66,7 @@ class LibraryPanel(Panel):
 
     def _connect(self) -> None:
         self.exports.changed.connect(self._name_exports)
-        self._exporting.begun.connect(lambda: self.tabs.setCurrentIndex(1))
+        self.exporting.begun.connect(lambda: self.tabs.setCurrentIndex(1))
         self.files.changed.connect(self.rescan)
         self.host.opened.connect(self._opened)
         self.host.closed.connect(lambda: self._set_player(None))
@@ -159,16 +158,10 @@ class LibraryPanel(Panel):
 
     def ask_export_of(self, paths: list[Path]) -> None:
         """Ask how; of the session that is replayed the chosen part is offered."""
-        self._exporting.ask(
-            paths, self.transport.range() if paths == self._opened_paths() else None
-        )
+        self.exporting.ask(paths, self.transport.range() if paths == self._opened_paths() else None)
 
     def _opened_paths(self) -> list[Path]:
         return [self._player.path] if self._player is not None else []
-
-    def export(self, source: Path, form: str, target: Path) -> None:
-        """Export a whole session as the format usually is."""
-        self._exporting.add(ExportRequest(source, form, target))
 
     # --- track again, compare, recover
 
@@ -189,6 +182,15 @@ class LibraryPanel(Panel):
             self._comparing.compare(rows[1].path, rows[0].path)
 
     # --- replay
+
+    def crop(self) -> None:
+        """Make a session of the part between in and out point of the one that is open."""
+        part = self.transport.range()
+        if self._player is None or part is None:
+            text = self.tr("Mark the part first: I where it begins, O where it ends.")
+            self.host.error.emit(text)
+        else:
+            self.files.crop(self._player.path, part)
 
     def _opened(self, setup: EngineSetup) -> None:
         self._set_player(setup.player)

@@ -10,9 +10,11 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QInputDialog, QWidget
 
 from app.engines.engine_host import EngineHost
+from app.jobs.crop import crop_job
 from app.jobs.recovery import recover_job
 from app.platform.tasks import TaskOwner
 from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
+from app.viewmodels.recording import duration_text
 from app.viewmodels.takes import rename
 from tracker.errors import FileError, GlovetrackError
 
@@ -21,6 +23,7 @@ class SessionFiles(QObject):
     """Asks and does it; ``changed`` when the folder is another one now."""
 
     changed = Signal()
+    made = Signal(object, str)  # the Path of a new session, and a sentence about it
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
         super().__init__(parent)
@@ -75,6 +78,17 @@ class SessionFiles(QObject):
         """Make a whole file of one that was cut off; the original stays."""
         title = self.tr("Recovering {}").format(path.stem)
         self._tasks.run(title, recover_job(path), ended=self.changed.emit)
+
+    def crop(self, path: Path, part: tuple[float, float]) -> None:
+        """Make a session of the part (s of the replay), in the background."""
+
+        def done(out: Path) -> None:
+            length = duration_text(part[1] - part[0])
+            text = self.tr("{} holds the chosen {} of {}.").format(out.name, length, path.name)
+            self.made.emit(out, text)
+
+        title = self.tr("Cropping {}").format(path.name)
+        self._tasks.run(title, crop_job(path, part), done, self.changed.emit)
 
     def _free(self, path: Path) -> Path:
         """Raises FileError for a session that is open or being recorded."""

@@ -25,10 +25,27 @@ def export_mcap(reader: SessionReader, path: Path, options: ExportOptions) -> No
     Raises ConfigError where they are asked for, or the hand or the time shall be left out.
     """
     _check(options)
-    start, end = _span(reader, options)
+    copy_part(reader, path, _span(reader, options), options)
+
+
+def copy_part(
+    reader: SessionReader,
+    path: Path,
+    span: tuple[int, int],
+    options: ExportOptions,
+    state: bytes | None = None,
+) -> None:
+    """The messages with log times (ns) of ``span``, and what held before until it is told anew.
+
+    ``state``: what an engine knows at the start of the part, as `engine_state.pack` gives it. A
+    part says of itself that it began when it does.
+    """
+    start, end = span
     out = McapOutput(path, sync=False)
     try:
         _write_extras(reader, out, options, start)
+        if state is not None:
+            out.attach_bytes(engine_state.NAME, engine_state.MEDIA_TYPE, state, start)
         copier = Copier(reader.source, out)
         for topic in _standing_topics(reader) if start else ():
             before = last_before(reader.source, topic, start)
@@ -76,6 +93,7 @@ def _write_extras(
     for record in reader.source.metadata():
         values = dict(record.metadata)
         if record.name == description.METADATA:
+            values |= _begun_at(values, start)
             values |= {k: "" for k in options.anonymous if k in values}
             if "participant" in options.anonymous:
                 values = {k: v for k, v in values.items() if k not in _TELLS_OF_THE_PERSON}
@@ -83,6 +101,17 @@ def _write_extras(
     for a in reader.source.attachments():
         if a.name != engine_state.NAME or a.log_time >= start:
             out.attach_bytes(a.name, a.media_type, a.data, a.log_time)
+
+
+def _begun_at(values: dict[str, str], start: int) -> dict[str, str]:
+    """The same two clocks, told at the start of the part (ns): no stamp changes by it."""
+    try:
+        wall, monotonic = int(values["wall_clock_ns"]), int(values["monotonic_ns"])
+    except (KeyError, ValueError):
+        return {}
+    if start <= wall:
+        return {}
+    return {"wall_clock_ns": str(start), "monotonic_ns": str(start - wall + monotonic)}
 
 
 def _standing_topics(reader: SessionReader) -> list[str]:

@@ -1,0 +1,21 @@
+"""Makes a session of a part of another one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from app.platform.tasks import Job, JobProgress
+
+
+def crop_job(source: Path, part: tuple[float, float]) -> Job:
+    """A job that copies ``part`` (s of the replay) to ``…_crop.mcap``, or leaves none."""
+
+    def run(progress: JobProgress) -> Path:
+        from tracker.files import free_path
+        from tracker.offline.crop import crop
+
+        out = free_path(source.with_name(f"{source.stem}_crop{source.suffix}"))
+        crop(source, out, *part, progress)
+        return out
+
+    return run

@@ -1,0 +1,76 @@
+"""A part of a session as a session of its own, which is tracked again as the whole is.
+
+A filter that began in the middle would know neither the wearer nor where the hand is. So the whole
+is tracked up to the part's first message, and what the engine knows then is attached to the part,
+as it is to a recording that begins while the hand is tracked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from tracker.clock import NS
+from tracker.errors import ConfigError, GlovetrackError
+from tracker.files import check_target, whole_file
+from tracker.messages import ImuSample
+from tracker.offline.track import state_at
+from tracker.session import engine_state
+from tracker.session.export.mcap import copy_part
+from tracker.session.export.options import ExportOptions
+from tracker.session.mcap.input import FOREVER
+from tracker.session.reader import SessionReader
+
+
+def crop(
+    source: Path,
+    out: Path,
+    start: float = 0.0,
+    stop: float | None = None,
+    progress: Callable[[float], None] = lambda share: None,
+    force: bool = False,
+) -> dict[str, Any]:
+    """Copy ``start`` to ``stop``, s from the session's first measurement; returns what was done.
+
+    The new file is there whole or not at all; ``source`` stays. ``engine_state`` in the result says
+    whether the part can be tracked again bit for bit. Raises ConfigError for a part that is none.
+    """
+    check_target(out, force, [source])
+    with SessionReader(source) as reader:
+        begin, end = _span(reader, start, stop)
+        state = _state(reader, begin, progress) if start > 0 else None
+        with whole_file(out, force, [source]) as part:
+            copy_part(reader, part, (begin if start > 0 else 0, end), ExportOptions(), state)
+    progress(1.0)
+    with SessionReader(out) as made:
+        duration = made.duration
+    return {
+        "file": str(out),
+        "start_s": start,
+        "duration_s": duration,
+        "engine_state": state is not None or start == 0,
+    }
+
+
+def _span(reader: SessionReader, start: float, stop: float | None) -> tuple[int, int]:
+    """Log times in ns."""
+    first, last = reader.span_ns
+    if not (0 <= start < (reader.duration if stop is None else stop)) or start > reader.duration:
+        raise ConfigError(
+            f"A part begins before it ends, within the {reader.duration:.2f} s of "
+            f"{reader.path.name}."
+        )
+    end = FOREVER if stop is None else first + round(stop * NS)
+    return first + round(start * NS), end if end <= last else FOREVER
+
+
+def _state(reader: SessionReader, begin: int, progress: Callable[[float], None]) -> bytes | None:
+    """What the engine knows at ``begin`` (ns); None for a session that cannot be tracked again."""
+    if next(iter(reader.messages((ImuSample,))), None) is None:
+        return None
+    try:
+        state = state_at(reader, reader.anchor.monotonic(begin), progress)
+    except GlovetrackError:
+        return None  # it lacks images, say: its part lacks them too
+    return engine_state.pack(state.engine, state.state) if state is not None else None
