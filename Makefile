@@ -6,27 +6,31 @@
 # make screenshots  images of the window for the documentation
 # make docs         the documentation as a static site, build/site/index.html
 # make package      dist/glovetrack, a program that needs no Python, and packages of it
+# make wheel        dist/glovetrack-*.whl with the compiled kernels, for this Python and system
 # make bench        speed and accuracy against the goals, into bench.json; ten minutes for the app
 # make bench-peers  MediaPipe Hands for it, in an environment of its own (it wants numpy 1)
 # make kernels      compiled kernels anew, after changes to them; until then numba compiles the changed
 # make lock         requirements.lock anew, from a fresh environment
 # make clean        removes what was built and measured, and the virtual environment
 #
-# Each sets up what it needs: .venv from requirements.lock, and system packages (by apt-get when run
-# by root; otherwise it prints the line to run).
+# Each sets up what it needs: .venv from requirements.lock (make demo) or requirements-test.lock, and
+# system packages (by apt-get when run by root; otherwise it prints the line to run).
 
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+READY_FOR_TESTS := $(VENV)/.ready-for-tests
 SCREEN := $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname -s)))
 OFFSCREEN := QT_QPA_PLATFORM=offscreen
 FIRMWARE_BUILD := build/firmware
 PEERS := build/peers
 
-.PHONY: demo test lint firmware screenshots docs package bench bench-peers kernels lock clean
+.PHONY: demo test lint firmware screenshots docs package wheel bench bench-peers kernels lock clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
+	test -e $(VENV)/.kernels || { nice -n 19 packaging/kernels.sh $(VENV) >$(VENV)/kernels.txt 2>&1 \
+		&& touch $(VENV)/.kernels; } & # those that the demo does without
 ifneq ($(SCREEN),)
 	$(BIN)/glovetrack demo
 else
@@ -36,7 +40,7 @@ endif
 test: lint
 	$(OFFSCREEN) $(BIN)/pytest -n 2
 
-lint: $(READY)
+lint: $(READY_FOR_TESTS)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
@@ -46,17 +50,20 @@ firmware:
 	packaging/system_libraries.sh firmware
 	$(MAKE) -C resources/firmware BUILD=$(abspath $(FIRMWARE_BUILD)) all size
 
-screenshots: $(READY)
+screenshots: $(READY_FOR_TESTS)
 	$(OFFSCREEN) $(BIN)/python -m app.tools.screenshots --out docs/screenshots
 
-docs: $(READY)
+docs: $(READY_FOR_TESTS)
 	packaging/site.sh $(BIN)/python build/site
 
-package: $(READY)
+package: $(READY_FOR_TESTS)
 	packaging/bundle.sh $(VENV) dist
 	if command -v dpkg-deb >/dev/null; then packaging/debian.sh dist; fi
 
-bench: $(READY)
+wheel: $(READY_FOR_TESTS)
+	packaging/wheel.sh $(VENV) dist
+
+bench: $(READY_FOR_TESTS)
 	-$(MAKE) --no-print-directory bench-peers
 	$(OFFSCREEN) $(BIN)/python -m tests.benchmarks --json bench.json
 
@@ -67,7 +74,7 @@ $(PEERS)/.ready:
 	$(PEERS)/bin/pip install --quiet 'mediapipe==0.10.21' 'numpy<2'
 	touch $@
 
-kernels: $(READY)
+kernels: $(READY_FOR_TESTS)
 	packaging/kernels.sh $(VENV)
 
 lock:
@@ -79,9 +86,18 @@ clean:
 	rm -f tracker/kernels/_compiled* tracker/kernels/_dispatch*
 	find app tracker resources tests -name __pycache__ -prune -exec rm -rf {} +
 
-$(READY): requirements.lock pyproject.toml packaging/environment.sh packaging/system_libraries.sh \
-		tracker/kernels/build.py tracker/kernels/aot.py tracker/kernels/dispatch.c
+SET_UP := pyproject.toml packaging/environment.sh packaging/system_libraries.sh \
+	tracker/kernels/build.py tracker/kernels/aot.py tracker/kernels/dispatch.c
+
+$(READY): requirements.lock $(SET_UP)
 	packaging/system_libraries.sh app
 	packaging/environment.sh $(VENV)
-	packaging/kernels.sh $(VENV)
+	packaging/kernels.sh $(VENV) --for-demo
+	rm -f $(VENV)/.kernels
 	touch $@
+
+$(READY_FOR_TESTS): requirements-test.lock $(SET_UP)
+	packaging/system_libraries.sh app
+	packaging/environment.sh $(VENV) test
+	packaging/kernels.sh $(VENV)
+	touch $@ $(READY) $(VENV)/.kernels

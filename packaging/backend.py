@@ -5,7 +5,9 @@ would collide in any environment that is shared, so a wheel has them as `glovetr
 `glovetrack.tracker` and `glovetrack.resources`: the tree is copied with that layout, its import
 statements name the packages by their full names, and setuptools makes the wheel of the copy.
 Nothing else is changed: code must not spell a module's name in a string (`__package__` tells it).
-An editable install, as the Makefile makes it, leaves the tree as it is.
+Compiled kernels that lie in the tree travel along, and make it a wheel for this kind of machine
+(`packaging/wheel.sh` sees to them); without them it is one for every machine. An editable install,
+as the Makefile makes it, leaves the tree as it is.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ from __future__ import annotations
 import ast
 import os
 import shutil
+import sysconfig
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -56,6 +59,17 @@ def __getattr__(name: str) -> Any:
     return getattr(tracker, name)
 '''
 
+FOR_ONE_PLATFORM = """from setuptools import Distribution, setup
+
+
+class WithCompiledKernels(Distribution):
+    def has_ext_modules(self):
+        return True
+
+
+setup(distclass=WithCompiledKernels)
+"""
+
 
 def build_wheel(
     wheel_directory: str,
@@ -66,6 +80,7 @@ def build_wheel(
     target = str(Path(wheel_directory).resolve())
     with tempfile.TemporaryDirectory() as folder:
         stage(Path.cwd(), Path(folder))
+        add_kernels(Path.cwd(), Path(folder))
         with working_in(folder):
             return build_meta.build_wheel(target, config_settings)
 
@@ -82,6 +97,33 @@ def stage(source: Path, target: Path) -> None:
     for path in (target / NAME).rglob("*.py"):
         path.write_text(with_full_names(path.read_text("utf-8")), "utf-8")
     (target / NAME / "__init__.py").write_text(FACE, "utf-8")
+
+
+def add_kernels(source: Path, target: Path) -> None:
+    """Copy the library of compiled kernels, if there is one for this interpreter.
+
+    Kernels are looked up by their full names, which the tables of the copy have as installed.
+    """
+    here, there = (root / "tracker" / "kernels" for root in (source, target / NAME))
+    suffix = sysconfig.get_config_var("EXT_SUFFIX")
+    dispatch = here / f"_dispatch{suffix}"
+    parts = {p: p.with_name(p.stem + suffix) for p in here.glob("_compiled_*.txt")}
+    parts = {table: module for table, module in parts.items() if module.exists()}
+    if not (parts and dispatch.exists()):
+        return
+    for path in (dispatch, *parts.values()):
+        shutil.copy(path, there)
+    for table in parts:
+        lines = table.read_text("utf-8").splitlines(keepends=True)
+        full = lines[:1] + [with_full_name(line) for line in lines[1:]]
+        (there / table.name).write_text("".join(full), "utf-8")
+    (target / "setup.py").write_text(FOR_ONE_PLATFORM, "utf-8")
+
+
+def with_full_name(line: str) -> str:
+    """A table's line: symbol, fingerprint, name of the kernel, types."""
+    symbol, made_of, name, types = line.split(" ", 3)
+    return " ".join((symbol, made_of, f"{NAME}.{name}", types))
 
 
 def installed_project(text: str) -> str:

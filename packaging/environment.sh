@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Makes the virtual environment and installs into it exactly what requirements.lock names, then
-# this checkout itself.
+# this checkout itself; with "test" what requirements-test.lock names, which is more.
 #
-#   packaging/environment.sh FOLDER
+#   packaging/environment.sh FOLDER [test]
 #
 # PYTHON=... chooses the interpreter; otherwise the first one that is 3.11 or newer is taken.
+# Packages are installed by uv where that can be had, since it takes a fifth of pip's time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1
@@ -43,6 +44,15 @@ if ! is_new_enough "$folder/bin/python"; then
     "$python" -m venv --clear "$folder"
 fi
 pip() { "$folder/bin/python" -m pip --disable-pip-version-check install --quiet "$@"; }
-echo "Installing the packages of requirements.lock (about 2 GB; some minutes the first time)"
-pip -r requirements.lock
+
+install() { # the packages of a lock file
+    packaging/uv.sh "$folder/bin/python" install --requirements "$1" && return
+    echo "uv could not install them; pip tries." >&2
+    pip -r "$1"
+}
+
+lock=requirements.lock
+if [ "${2:-}" = test ]; then lock=requirements-test.lock; fi
+echo "Installing the packages of $lock"
+install "$lock"
 pip --no-deps --no-build-isolation --editable .

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Compiles the kernels ahead of time into tracker/kernels, so that no start of the program has to.
 #
-#   packaging/kernels.sh VENV
+#   packaging/kernels.sh VENV [--for-demo]
 #
+# What was compiled before for this user, in any checkout, is taken from there.
 # Without a C++ compiler they stay as they are: numba compiles each where it is first needed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -17,5 +18,5 @@ if ! { command -v g++ || command -v clang++; } >/dev/null || ! has_headers; then
     echo "On Debian: sudo apt-get install -y g++ python3-dev, then make kernels" >&2
     exit 0
 fi
-echo "Compiling the kernels (some minutes, if all are new)"
-"$python" -m tracker.kernels.build
+echo "Compiling the kernels, as far as they are new"
+"$python" -m tracker.kernels.build "${@:2}"

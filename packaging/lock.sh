@@ -1,22 +1,27 @@
 #!/usr/bin/env bash
-# Writes requirements.lock: what a fresh environment gets for the program and its tests.
+# Writes requirements.lock, every package of the program, and requirements-test.lock, those of its
+# tests besides, each at its newest version that all others agree with.
 #
 #   packaging/lock.sh [PYTHON]
 #
-# A fresh one, so that the lock holds only what something requires. Run the tests before committing it.
+# Run the tests before committing them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 python=${1:-python3.11}
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-"$python" -m venv "$folder"
-pip() { "$folder/bin/python" -m pip --disable-pip-version-check --quiet "$@"; }
-pip install --upgrade setuptools # what environment.sh builds this checkout with
-pip install ".[test,peers,streams,cluster]"
-{
-    echo "# Every package of the environment, runtime and tests, at one version (Python 3.11, Linux)."
-    echo "# Made by \`make lock\` from a fresh environment; do not edit by hand."
-    "$folder/bin/python" -m pip freeze --all | grep -vE '^(pip|glovetrack)( @|==)' |
-        LC_ALL=C sort --ignore-case
-} >requirements.lock.new
-mv requirements.lock.new requirements.lock
+
+write_lock() { # file, what it is for, options
+    {
+        echo "# Every package of $2, at one version (Python 3.11, Linux)."
+        echo "# Made by \`make lock\`; do not edit by hand."
+        # setuptools: what environment.sh builds this checkout with
+        echo setuptools | packaging/uv.sh "$python" compile pyproject.toml - --upgrade \
+            --no-annotate --no-header --no-emit-index-url --no-emit-find-links "${@:3}" |
+            LC_ALL=C sort --ignore-case
+    } >"$1.new"
+    mv "$1.new" "$1"
+}
+
+write_lock requirements.lock "the program"
+extras=(parquet test peers streams cluster robot)
+write_lock requirements-test.lock "the program and its tests" \
+    --constraint requirements.lock "${extras[@]/#/--extra=}"

@@ -57,16 +57,31 @@ def test_the_version_is_the_same_everywhere() -> None:
     assert project()["version"] == tracker.__version__ == version("glovetrack")
 
 
-def test_the_lock_pins_what_the_project_asks_for() -> None:
-    lines = (ROOT / "requirements.lock").read_text().splitlines()
-    pins = [line for line in lines if not line.startswith("#")]
+def locked(name: str) -> dict[str, str]:
+    """Versions by package, of a lock file without repetitions."""
+    pins = [line for line in (ROOT / name).read_text().splitlines() if not line.startswith("#")]
     assert pins == sorted(pins, key=str.lower)
-    locked = {canonicalize_name(n): v for n, v in (pin.split("==") for pin in pins)}
-    assert len(locked) == len(pins)
+    versions = {canonicalize_name(n): v for n, v in (pin.split("==") for pin in pins)}
+    assert len(versions) == len(pins)
+    return versions
+
+
+def test_the_locks_pin_what_the_project_asks_for() -> None:
     extras = project()["optional-dependencies"]
-    for text in [*project()["dependencies"], *extras["test"], *extras["peers"]]:
-        asked = Requirement(text)
-        assert asked.specifier.contains(locked[canonicalize_name(asked.name)]), text
+    every = [text for name, texts in extras.items() if name != "packaging" for text in texts]
+    for_tests = [*project()["dependencies"], *every]
+    for lock, texts in [
+        ("requirements.lock", project()["dependencies"]),
+        ("requirements-test.lock", for_tests),
+    ]:
+        versions = locked(lock)
+        for text in texts:
+            asked = Requirement(text)
+            assert asked.specifier.contains(versions[canonicalize_name(asked.name)]), text
+
+
+def test_the_tests_run_with_the_programs_own_versions() -> None:
+    assert locked("requirements.lock").items() <= locked("requirements-test.lock").items()
 
 
 @pytest.mark.parametrize("path", HANDS, ids=lambda p: p.stem)

@@ -13,6 +13,10 @@ from types import SimpleNamespace
 
 import pytest
 
+import tracker.pipeline  # noqa: F401  (its kernels are to be known)
+from tracker.kernels import parts
+from tracker.kernels.decorator import are_compiled
+
 ROOT = Path(__file__).parents[2]
 KINDS = (".toml", ".svg", ".png")
 """Resources that the program reads."""
@@ -113,3 +117,28 @@ if True:
 import glovetrack.app.window.theme as theme
 '''
     )
+
+
+def test_compiled_kernels_travel_along(tmp_path: Path) -> None:
+    """Found by their installed names, and made of the same source as these."""
+    if not parts.built() or not are_compiled():
+        pytest.skip("the library of kernels was not built here")
+    build = "import sys; sys.path.insert(0, 'packaging'); import backend; "
+    build += "from pathlib import Path; target = Path(sys.argv[1]); "
+    build += "backend.stage(Path.cwd(), target); backend.add_kernels(Path.cwd(), target)"
+    subprocess.run([sys.executable, "-c", build, str(tmp_path)], cwd=ROOT, check=True)
+    code = (
+        "import glovetrack.tracker.pipeline; from glovetrack.tracker import kernels; "
+        "from glovetrack.tracker.kernels import decorator; "
+        "assert kernels.are_compiled(); print(len(decorator._library()._entries))"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=tmp_path,
+        env=os.environ | {"PYTHONPATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+    )
+    assert run.returncode == 0, run.stderr
+    assert int(run.stdout) > 40
+    assert "has_ext_modules" in (tmp_path / "setup.py").read_text()

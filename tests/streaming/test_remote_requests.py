@@ -44,14 +44,14 @@ def test_words_and_json_ask_for_the_same() -> None:
 def test_an_id_comes_back() -> None:
     asked = parse('{"do": "stop", "id": "a-7"}', 0.0)
     assert asked is not None
-    said = json.loads(Reply(True, "stop", "Done.", Path("/home/p/x.mcap"), id=asked.id).as_json())
+    said = json.loads(Reply(True, "stop", "Done.", Path("takes/x.mcap"), id=asked.id).as_json())
     assert said == {"ok": True, "do": "stop", "text": "Done.", "file": "x.mcap", "id": "a-7"}
 
 
 def test_only_this_computers_user_is_told_the_folder() -> None:
-    reply = Reply(True, "start", "Recording.", Path("/home/p/x.mcap"))
+    reply = Reply(True, "start", "Recording.", Path("takes/x.mcap"))
     assert json.loads(reply.as_json())["file"] == "x.mcap"
-    assert json.loads(reply.as_json(with_folder=True))["file"] == str(Path("/home/p/x.mcap"))
+    assert json.loads(reply.as_json(with_folder=True))["file"] == str(Path("takes/x.mcap"))
 
 
 @pytest.mark.parametrize(

@@ -1,22 +1,24 @@
 """Compiles the kernels ahead of time, for the types that their annotations say.
 
     python -m tracker.kernels.build                 # all parts that are not as they would become
+    python -m tracker.kernels.build --for-demo      # those of them that the demo needs
     python -m tracker.kernels.build tracker_vision  # one part
 
 It takes a C++ compiler and some minutes, two parts at a time on two cores, and leaves the library
-beside this file (`tracker.kernels.parts`).
+beside this file (`tracker.kernels.parts`). What was compiled before, in any checkout, is taken
+from `tracker.kernels.kept`.
 """
 
 from __future__ import annotations
 
 import hashlib
 import importlib
+import multiprocessing
 import os
-import subprocess
 import sys
 import tempfile
-from collections import defaultdict
-from concurrent.futures import ThreadPoolExecutor
+from collections import Counter, defaultdict
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -28,12 +30,13 @@ import numba
 import numpy as np
 from setuptools import Distribution, Extension
 
-from tracker.kernels import aot, exported, numba_types, parts
+from tracker.kernels import aot, exported, kept, numba_types, parts
 from tracker.kernels.fingerprint import fingerprint
 from tracker.kernels.parts import HERE
 from tracker.kernels.signature import SignatureError, signature
 
 DISPATCH = "_dispatch"
+FOR_DEMO = "--for-demo"
 
 
 class Entry(NamedTuple):
@@ -51,18 +54,28 @@ class Entry(NamedTuple):
 
 def main(wanted: list[str]) -> None:
     entries = _entries()
-    if wanted:
-        for part in wanted:
-            _build_part(part, entries[part])
-        return
-    parts.remove_others(entries)
     tables = {part: _table(its) for part, its in entries.items()}
+    if not wanted:
+        parts.remove_others(entries)
+    elif wanted == [FOR_DEMO]:
+        tables = {p: table for p, table in tables.items() if p not in parts.NOT_FOR_THE_DEMO}
+    else:
+        tables = {part: tables[part] for part in wanted}
     old = [part for part, table in tables.items() if not parts.is_built(part, table)]
     for part in old:
         parts.table_of(part).unlink(missing_ok=True)  # it is not to speak for a new module
-    _build_dispatch()
-    _build_side_by_side(sorted(old, key=lambda part: -len(entries[part])))
-    print(f"{sum(map(len, entries.values()))} kernels compiled, {len(old)} parts of them now")
+    _get_dispatch()
+    new = [part for part in old if not _fetch_part(part, tables[part])]
+    _build_side_by_side({part: entries[part] for part in new})
+    print(f"{len(tables)} parts of kernels: {len(new)} compiled, {len(old) - len(new)} fetched")
+
+
+def _fetch_part(part: str, table: str) -> bool:
+    """Whether the part was compiled before from the same, and lies here now."""
+    if not kept.fetch(table, parts.module_of(part)):
+        return False
+    parts.table_of(part).write_text(table, "utf-8")
+    return True
 
 
 def _entries() -> dict[str, list[Entry]]:
@@ -104,28 +117,47 @@ def _compiled_by() -> str:
     return f"# {versions} build {here.hexdigest()[:16]}"
 
 
-def _build_side_by_side(names: list[str]) -> None:
-    """One process for each part, as many at a time as there are cores."""
-    command = [sys.executable, "-m", f"{__package__}.build"]
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        codes = list(pool.map(lambda part: subprocess.run([*command, part]).returncode, names))
-    failed = [part for part, code in zip(names, codes, strict=True) if code]
+def _build_side_by_side(entries: dict[str, list[Entry]]) -> None:
+    """One process for each part, as many at a time as there are cores, the longest first.
+
+    Where processes can be forked they start with everything imported, which takes 4 s.
+    """
+    if not entries:
+        return
+    can_fork = "fork" in multiprocessing.get_all_start_methods() and sys.platform == "linux"
+    context = multiprocessing.get_context("fork" if can_fork else "spawn")
+    sizes = Counter(map(parts.part_of, exported.kernels()))
+    longest_first = sorted(entries, key=lambda part: -sizes[part])
+    with ProcessPoolExecutor(os.cpu_count(), context) as pool:
+        waiting = {pool.submit(_build_part, part): part for part in longest_first}
+        failed = []
+        for done, future in enumerate(as_completed(waiting), 1):
+            error = future.exception()
+            if error is not None:
+                failed.append(f"{waiting[future]} ({error})")
+            print(f"compiled {done} of {len(waiting)}: {waiting[future]}", flush=True)
     if failed:
         raise SystemExit(f"Not compiled: {', '.join(failed)}")
 
 
-def _build_part(part: str, entries: list[Entry]) -> None:
+def _build_part(part: str) -> None:
+    entries = _entries()[part]
     module = aot.ExtensionModule(parts.module_of(part), HERE)
     for entry in entries:
         function = entry.kernel.py_func
         types = numba_types.arguments(function)
         module.add(entry.symbol, types, function, entry.kernel.targetoptions)
     module.compile()
-    parts.table_of(part).write_text(_table(entries), "utf-8")
-    print(f"{part}: {len(entries)} kernels", flush=True)
+    table = _table(entries)
+    parts.table_of(part).write_text(table, "utf-8")
+    kept.keep(table, parts.module_of(part))
 
 
-def _build_dispatch() -> None:
+def _get_dispatch() -> None:
+    """Compile what calls go through, unless that was done before."""
+    made_of = f"{_compiled_by()}\n{(HERE / 'dispatch.c').read_text('utf-8')}"
+    if kept.fetch(made_of, DISPATCH):
+        return
     with tempfile.TemporaryDirectory() as work:
         source = os.path.relpath(HERE / "dispatch.c")
         extension = Extension(DISPATCH, [source], include_dirs=[np.get_include()])
@@ -133,6 +165,7 @@ def _build_dispatch() -> None:
         command.build_lib, command.build_temp = str(HERE), work
         command.ensure_finalized()
         command.run()
+    kept.keep(made_of, DISPATCH)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TypeGuard
 
-from tracker.kernels.fingerprint import INSTALLED_IN, OURS
+from tracker.kernels.fingerprint import OURS
+from tracker.kernels.signature import INSTALLED_IN
 
 ROOT = Path(__file__).parents[2]
 

@@ -1,7 +1,7 @@
 """What a kernel's compiled code depends on, as a number: signature, code, and all that it reads.
 
 Two kernels with the same fingerprint compile to the same code. Lines and files do not count, so a
-comment changes nothing, and neither does where the program lies.
+comment changes nothing, and neither does where the program lies, or under which name.
 """
 
 from __future__ import annotations
@@ -13,10 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from tracker.kernels.signature import signature
+from tracker.kernels.signature import INSTALLED_IN, signature
 
-INSTALLED_IN = (__package__ or "").removesuffix("tracker.kernels")
-"""What stands before the packages' names: nothing in this tree, ``glovetrack.`` in a wheel."""
 OURS = (f"{INSTALLED_IN}app", f"{INSTALLED_IN}tracker")
 Function = Callable[..., Any]
 

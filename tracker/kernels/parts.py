@@ -11,15 +11,21 @@ from collections.abc import Iterable
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 
-from tracker.kernels.fingerprint import INSTALLED_IN
+from tracker.kernels.signature import INSTALLED_IN
 
 HERE = Path(__file__).parent
 PREFIX = "_compiled_"
+DIVIDED = ("tracker_fusion", "tracker_simulation")
+NOT_FOR_THE_DEMO = ("tracker_inertial", "tracker_fusion_vist", "tracker_simulation_recorded")
+"""Parts that a first look at the demo does without; they are compiled after the others."""
 
 
 def part_of(kernel: str) -> str:
-    """A kernel's part: ``tracker_fusion`` for ``tracker.fusion.posterior.add``."""
-    return "_".join(kernel.removeprefix(INSTALLED_IN).split(".")[:2])
+    """A kernel's part: ``tracker_vision`` for ``tracker.vision.cpd.parallax_em``; in the large
+    rooms of `DIVIDED` one for each room within, as ``tracker_fusion_chain``."""
+    names = kernel.removeprefix(INSTALLED_IN).split(".")
+    depth = 3 if "_".join(names[:2]) in DIVIDED and len(names) > 4 else 2
+    return "_".join(names[:depth])
 
 
 def module_of(part: str) -> str:

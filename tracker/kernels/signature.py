@@ -16,6 +16,8 @@ import numpy as np
 
 from tracker.kernels.arrays import WRITTEN
 
+INSTALLED_IN = (__package__ or "").removesuffix("tracker.kernels")
+"""What stands before the packages' names: nothing in this tree, ``glovetrack.`` in a wheel."""
 NUMBERS = {bool: "b1", int: "i8", float: "f8", complex: "c16"}
 Annotation = Any
 
@@ -96,8 +98,10 @@ def _marks(annotation: Annotation) -> tuple[Any, ...]:
 
 
 def _class_name(plain: Annotation) -> str:
-    """Where a named tuple's class is found; nothing for a plain tuple."""
-    return f"{plain.__module__}.{plain.__qualname__}" if isinstance(plain, type) else ""
+    """Where a named tuple's class is found in this tree; nothing for a plain tuple."""
+    if not isinstance(plain, type):
+        return ""
+    return f"{plain.__module__.removeprefix(INSTALLED_IN)}.{plain.__qualname__}"
 
 
 def _full_name(function: Callable[..., Any]) -> str:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import csv
 import math
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 
-import pyarrow as pa
-import pyarrow.parquet as pq
-
+from tracker.errors import ConfigError
 from tracker.session.export.load import load_series
 from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries, seconds_text, state_words
@@ -45,10 +45,14 @@ def _cell(value: float) -> str:
 
 
 def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``t`` is a UTC timestamp; ``<keypoint>_state`` a dictionary of words."""
+    """``t`` is a UTC timestamp; ``<keypoint>_state`` a dictionary of words.
+
+    ConfigError without the extra ``parquet``.
+    """
+    pa, pq = _arrow()
     m = load_series(reader, options)
     scale = UNITS[options.units or "m"]
-    table: dict[str, pa.Array] = {"t": pa.array(m.stamp_ns, pa.timestamp("ns", "UTC"))}
+    table: dict[str, Any] = {"t": pa.array(m.stamp_ns, pa.timestamp("ns", "UTC"))}
     for k, name in enumerate(m.keypoint_names):
         for c, axis in enumerate("xyz"):
             table[f"{name}_{axis}"] = pa.array(m.keypoints[:, k, c] * scale, from_pandas=True)
@@ -57,3 +61,13 @@ def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) ->
         table[name] = pa.array(m.angles[:, j], from_pandas=True)
     pq.write_table(pa.table(table), path)
     return m
+
+
+def _arrow() -> tuple[ModuleType, ModuleType]:
+    """Arrow, which takes 165 MB and serves this format alone."""
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ImportError as error:
+        raise ConfigError("Parquet needs Arrow: install glovetrack[parquet].") from error
+    return pyarrow, pyarrow.parquet

