@@ -184,6 +184,7 @@ CLOCKS = {
     "app/window/bug_reports.py": "names of new files",
     "app/window/headless_report.py": "measures",
     "app/window/main_window.py": "the time beside a line of the log",
+    "app/window/recent.py": "how long ago a session was used",
     "app/window/refresher.py": "which panel's turn it is",
     "app/window/ticker.py": "when the window was last drawn",
     "app/wizards/glove/feed.py": "waits for packets",
