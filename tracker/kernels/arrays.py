@@ -30,6 +30,8 @@ ComplexVector: TypeAlias = Annotated[NDArray[np.complex128], "c16[1C]"]
 ComplexMatrix: TypeAlias = Annotated[NDArray[np.complex128], "c16[2C]"]
 Float32Matrix: TypeAlias = Annotated[NDArray[np.float32], "f4[2C]"]
 Float32Stack: TypeAlias = Annotated[NDArray[np.float32], "f4[3C]"]
+Float32Vector: TypeAlias = Annotated[NDArray[np.float32], "f4[1C]"]
+ByteVector: TypeAlias = Annotated[NDArray[np.uint8], "u1[1C]"]
 ByteMatrix: TypeAlias = Annotated[NDArray[np.uint8], "u1[2C]"]
 ByteStack: TypeAlias = Annotated[NDArray[np.uint8], "u1[3C]"]
 """Of an image (h, w, 3), blue, green and red."""

@@ -32,6 +32,19 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--hand", default="", help="name or file; the glove's own if not given")
     parser.add_argument("--blobs-only", action="store_true", help="blobs instead of images")
     parser.add_argument(
+        "--scene",
+        choices=("plain", "painted", "photo", "desk"),
+        default="plain",
+        help="behind the hand; the desk is drawn as a camera in a room sees it",
+    )
+    parser.add_argument("--photo", default="", metavar="FILE", help="image of the scene photo")
+    parser.add_argument(
+        "--light",
+        choices=("window", "lamp", "led", "dim"),
+        default="",
+        help="over the desk: daylight, a lamp of 2700 K, LEDs, or a dim room (window)",
+    )
+    parser.add_argument(
         "--camera",
         choices=("stand", "head", "head-imu"),
         default="stand",
@@ -92,6 +105,9 @@ def _simulate(args: argparse.Namespace) -> int:
         duration=args.duration,
         fps=args.fps,
         images=not args.blobs_only,
+        scene=args.scene,
+        photo=args.photo,
+        light=args.light,
         camera=args.camera,
     )
     simulate(args.out, options, progress_line("simulating"), args.force)

@@ -19,6 +19,7 @@ from tracker.session.writer import RecorderParams, new_session
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams, Truth
 
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
@@ -37,6 +38,9 @@ class SimulateOptions:
     fps: float = 60.0
     images: bool = True
     jpeg_quality: int = 90
+    scene: str = "plain"  # behind the hand: or painted, photo, desk
+    photo: str = ""  # the image of the scene photo
+    light: str = ""  # over the desk: window (if not said), lamp, led or dim
     camera: str = "stand"  # or head, head-imu: on the wearer's head, telling its pose or its IMU
 
 
@@ -58,9 +62,12 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
         simulated=True,
         notes=f"seed {options.seed}, motion {Path(options.motion).name or 'random postures'}",
     )
-    params = SimulationParams(head=_head(options.camera))
-    motion = _motion(options, info)
-    sim = Simulation(info.hand, info.glove, motion, options.seed, params, options.fps)
+    room = room_of(options.scene, options.light, options.photo, options.seed)
+    params = SimulationParams(head=_head(options.camera), render=room.render)
+    motion, seed, extras = _motion(options, info), options.seed, room.extras
+    sim = Simulation(info.hand, info.glove, motion, seed, params, options.fps, extras=extras)
+    if options.images:
+        sim.renderer  # noqa: B018  what cannot be drawn is said before a file is begun
     return sim, replace(info, rig=sim.rig, moving_camera=options.camera == "head")
 
 

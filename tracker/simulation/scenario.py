@@ -15,6 +15,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, BlobFrame, CameraImuSample, ImuSample, StereoFrame
 from tracker.simulation.camera_imu import CameraImuParams, camera_imu_samples
+from tracker.simulation.desk.renderer import DeskParams, DeskRenderer
 from tracker.simulation.head import Head, HeadParams
 from tracker.simulation.imu import ImuParams, ImuSimulator
 from tracker.simulation.motion import Motion
@@ -36,7 +37,7 @@ class SimulationParams:
     wearer: WearerParams = field(default_factory=WearerParams)
     imu: ImuParams = field(default_factory=ImuParams)
     blobs: BlobParams = field(default_factory=BlobParams)
-    render: RenderParams = field(default_factory=RenderParams)
+    render: RenderParams | DeskParams = field(default_factory=RenderParams)
     head: HeadParams = field(default_factory=HeadParams)
     camera_imu: CameraImuParams = field(default_factory=CameraImuParams)
     delay_least: float = 0.030  # s from the middle of an exposure to its arrival
@@ -103,9 +104,12 @@ class Simulation:
             yield self.scene.blobs(t, arrival, index)
 
     @cached_property
-    def renderer(self) -> Renderer:
+    def renderer(self) -> Renderer | DeskRenderer:
         """Made at the first image: it holds ray maps and backgrounds."""
-        return Renderer(self.scene, self.params.render)
+        how = self.params.render
+        if isinstance(how, DeskParams):
+            return DeskRenderer(self.scene, how)
+        return Renderer(self.scene, how)
 
     def _images(self) -> Iterator[StereoFrame]:
         for index, t, arrival in self.exposures():

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 from tracker.kernels.arrays import (
     ByteStack,
@@ -85,23 +86,23 @@ def shade(
             q[1] = eye[1] + z * (slope[v, u, 1] + jitter[1])
             q[2] = eye[2] + z
             if i < len(radius):
-                _capsule_normal(q, a, b, radius, i, n)
+                capsule_normal(q, a, b, radius, i, n)
             else:
-                _box_normal(q, box_R, centre, half, i - len(radius), n)
+                box_normal(q, box_R, centre, half, i - len(radius), n)
             bright = ambient + (1 - ambient) * max(
                 n[0] * light[0] + n[1] * light[1] + n[2] * light[2], 0.0
             )
             m = -1
             s = owner[i]
             if s >= 0:
-                m = _patch_at(q, R_CB, p_CB, s, patches)
+                m = patch_at((q[0], q[1], q[2]), R_CB, p_CB, s, patches)
             for c in range(3):
                 base = fabric[m, c] if m >= 0 else colour[i, c]
                 total[row, column, c] += base * bright
 
 
 @kernel(fastmath=True, inline="always")
-def _capsule_normal(
+def capsule_normal(
     q: Vector, a: Matrix, b: Matrix, radius: Vector, i: int, n: Written[Vector]
 ) -> None:
     """Outward normal at the point q of capsule i."""
@@ -115,7 +116,7 @@ def _capsule_normal(
 
 
 @kernel(fastmath=True, inline="always")
-def _box_normal(
+def box_normal(
     q: Vector, R: Stack, centre: Matrix, half: Matrix, i: int, n: Written[Vector]
 ) -> None:
     """Outward normal of the face of box i that the point q lies on."""
@@ -131,7 +132,7 @@ def _box_normal(
 
 
 @kernel(fastmath=True, inline="always")
-def _patch_at(q: Vector, R: Stack, p: Matrix, i: int, patches: SewnPatches) -> int:
+def patch_at(q: Vector3, R: Stack, p: Matrix, i: int, patches: SewnPatches) -> int:
     """The marker whose patch covers the surface point q of segment i, -1 if none."""
     first, marker, axes = patches.first, patches.position, patches.axes
     size, shape, flat = patches.size, patches.shape, patches.flat

@@ -35,6 +35,7 @@ class Case:
     seed: int = 0
     motion_files: tuple[str, ...] = ()
     distractors: int = 0  # still balls of the markers' hues in the room
+    light: str = ""  # of images: over a desk with things on it; a plain wall if empty
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, TextIO
@@ -30,6 +30,13 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
         help="free, object, device (the paper's three) and head, a camera that the wearer moves",
     )
     p.add_argument("--level", choices=("points", "images"), default="points")
+    p.add_argument(
+        "--lights",
+        type=_words,
+        default=("window", "lamp", "led", "dim"),
+        metavar="A,B|none",
+        help="with --level images: a row over a desk in each light beside the plain wall",
+    )
     p.add_argument("--ablations", type=_words, default=(), metavar="A,B|all")
     p.add_argument("--fps", type=_positive, default=60.0)
     p.add_argument("--distractors", type=int, default=0, help="coloured balls in the room")
@@ -126,7 +133,22 @@ def cases_of(args: argparse.Namespace) -> list[Any]:
                 case = replace(case, minutes=QUICK_MINUTES)
             files = tuple(map(str, args.motion))
             out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
-    return out + _ablations(args.ablations, out[: len(args.engines)])
+    return [*out, *_lit(args, out), *_ablations(args.ablations, out[: len(args.engines)])]
+
+
+def _lit(args: argparse.Namespace, cases: Sequence[Any]) -> list[Any]:
+    """The cases again over a desk in each light, where images are asked for; a camera on a head
+    has no desk."""
+    from tracker.simulation.desk.lights import LIGHTS
+
+    lights = () if "none" in args.lights or args.level != "images" else args.lights
+    _known(lights, LIGHTS, "light")
+    return [
+        replace(case, light=light)
+        for light in lights
+        for case in cases
+        if case.experiment != "head"
+    ]
 
 
 def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
@@ -148,7 +170,7 @@ def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:
     ]
 
 
-def _known(names: Sequence[str], known: Sequence[str] | dict[str, Any], what: str) -> None:
+def _known(names: Sequence[str], known: Sequence[str] | Mapping[str, Any], what: str) -> None:
     for name in names:
         if name not in known:
             raise ConfigError(f"There is no {what} {name!r}; there are {', '.join(known)}.")

@@ -15,6 +15,7 @@ from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Faster, Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.recorded import load_motion
+from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.scene import Extra
 from tracker.simulation.smooth import rng_for
@@ -63,11 +64,12 @@ def simulation_of(
 ) -> Simulation:
     """A person drawn from ``seed`` in the scene of the experiment."""
     fps = case.fps if variant is None or variant.fps is None else variant.fps
-    extras = extras_of(case, hand, seed)
+    room = room_of("desk" if case.light else "plain", case.light, seed=seed)
+    extras = (*extras_of(case, hand, seed), *room.extras)
     head = MOVING if case.experiment == "head" else HeadParams()
     if variant is not None:
         head = replace(head, tells=variant.camera)
-    params = SimulationParams(head=head)
+    params = SimulationParams(head=head, render=room.render)
     return Simulation(hand, glove, motion, seed, params, fps=fps, extras=extras)
 
 

@@ -25,6 +25,7 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "fps": case.fps,
         "seed": case.seed,
         "distractors": case.distractors,
+        "light": case.light or None,
     }
     row.update(asdict(summary))
     row["paper"] = PAPER.get(case.experiment)
@@ -67,7 +68,7 @@ def _known(value: float, width: int) -> str:
 def _variant(case: Case) -> str:
     parts = [case.ablation] if case.ablation else []
     if case.level == "images":
-        parts.append("images")
+        parts.append(f"images, {case.light} light" if case.light else "images")
     if case.distractors:
         parts.append(f"{case.distractors} balls")
     return ", ".join(parts) or "-"

@@ -1,0 +1,249 @@
+"""The desk and what lies on it, seen by a camera that stands still: light that reaches each pixel.
+
+The desk's frame D has its origin below the camera on the desk: x forward, y left, z up.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import Array, CameraPose
+from tracker.simulation.desk import textures
+from tracker.simulation.desk.items import Item, items_of
+from tracker.simulation.desk.lights import RoomLight
+from tracker.simulation.desk.textures import Texture
+from tracker.simulation.smooth import rng_for
+
+HEIGHT = 0.53  # m of the camera over the desk
+TEXEL = 0.0015  # m
+FIRST, LAST, HALF = -0.5, 1.02, 1.15  # m: the desk's edges forward and to the sides
+REFERENCE = np.array([0.25, 0.0, 0.10])  # m: where a light has its full strength
+FLOOR = np.array([0.018, 0.018, 0.019])
+LAMP_SAMPLES = 12
+Mask = NDArray[np.bool_]
+
+
+def desk_pose(camera: CameraPose) -> tuple[Array, Array]:
+    """R_GD (3, 3), p_GD (3,) of the desk below a camera: forward is where the camera looks."""
+    ahead = camera.R_GC[:, 2] * [1, 1, 0]
+    if np.linalg.norm(ahead) < 1e-6:
+        ahead = -camera.R_GC[:, 1] * [1, 1, 0]
+    x = ahead / np.linalg.norm(ahead)
+    z = np.array([0.0, 0.0, 1.0])
+    return np.column_stack([x, np.cross(z, x), z]), camera.p_GC - HEIGHT * z
+
+
+def strength(light_place: Array, points: Array, normals: Array, softness: float = 0.0) -> Array:
+    """(…) share of a light on surfaces at points (…, 3) with normals (…, 3), 1 at `REFERENCE`.
+
+    It falls with the squared distance; a broad light reaches a little beyond the terminator.
+    """
+    away = light_place - points
+    r2 = np.sum(away * away, axis=-1)
+    cosine = np.sum(away * normals, axis=-1) / np.sqrt(r2)
+    near = light_place - REFERENCE
+    return np.maximum((cosine + softness) / (1 + softness), 0.0) * float(near @ near) / r2
+
+
+@dataclass(frozen=True, eq=False)
+class GroundImages:
+    """Per pixel of one camera: linear BGR (h, w, 3) that the lamp gives and that all else gives;
+    depth (h, w) m along the camera's axis."""
+
+    lamp: NDArray[np.float32]
+    rest: NDArray[np.float32]
+    depth: NDArray[np.float32]
+
+
+class Desk:
+    """A desk drawn from a seed under a light; ``surface`` wood or laminate, by chance if empty."""
+
+    def __init__(self, light: RoomLight, seed: int, surface: str = "") -> None:
+        rng = rng_for(seed, "desk")
+        self.light = light
+        shift = rng.uniform(-0.06, 0.06, 3)
+        self.lamp_place: Array = np.array(light.place) + shift
+        self.power = float(rng.uniform(0.92, 1.08))
+        shape = (round((LAST - FIRST) / TEXEL), round(2 * HALF / TEXEL))
+        by_chance = "wood" if rng.random() < 0.7 else "laminate"
+        self._surface = textures.SURFACES[surface or by_chance](rng, shape, TEXEL)
+        self.items = items_of(rng)
+
+    # ---- light on the desk's top
+
+    @cached_property
+    def _fallen(self) -> tuple[Texture, Texture]:
+        """(h, w) and (h, w, 3) at 4 texels: the lamp's share and what else falls on the desk's top
+        under the shadows of the things."""
+        step = 4 * TEXEL
+        shape = (round((LAST - FIRST) / step), round(2 * HALF / step))
+        x, y = (np.arange(shape[0]) + 0.5) * step + FIRST, (np.arange(shape[1]) + 0.5) * step - HALF
+        points = np.dstack([*np.meshgrid(x, y, indexing="ij"), np.zeros(shape)])
+        main, rest = self._light(points, np.broadcast_to([0.0, 0.0, 1.0], points.shape))
+        lamp_share, sky_share = self._shadows(shape, step)
+        lamp, sky = lamp_share * main, sky_share[..., None] * rest
+        return np.asarray(lamp, np.float32), np.asarray(sky, np.float32)
+
+    def _shadows(self, shape: tuple[int, int], step: float) -> tuple[Texture, Texture]:
+        """(h, w): which share of the lamp, and of the sky, the things let through."""
+        hidden, foot = np.zeros(shape, np.float32), np.zeros(shape, np.float32)
+        spread = self.light.softness * np.linalg.norm(self.lamp_place - REFERENCE)
+        golden = np.pi * (3 - np.sqrt(5)) * np.arange(LAMP_SAMPLES)
+        disc = np.sqrt((np.arange(LAMP_SAMPLES) + 0.5) / LAMP_SAMPLES)
+        for a, r in zip(golden, disc, strict=True):
+            lamp = self.lamp_place + spread * r * np.array([0.5 * np.cos(a), np.sin(a), 0.5])
+            one = np.zeros(shape, np.uint8)
+            for item in self.items:
+                cv2.fillConvexPoly(one, _cast(item.corners, lamp, step), 1)
+            hidden += one
+        for item in self.items:
+            one = np.zeros(shape, np.uint8)
+            cv2.fillConvexPoly(one, _cast(item.corners * [1, 1, 0], np.array([0, 0, 1.0]), step), 1)
+            foot = np.maximum(foot, one * min(float(item.corners[:, 2].max()) / 0.03, 1.0))
+        lamp_share = 1 - cv2.GaussianBlur(hidden / LAMP_SAMPLES, (0, 0), 0.8)
+        sky_share = 1 - 0.6 * cv2.GaussianBlur(foot, (0, 0), 0.016 / step)
+        return np.asarray(lamp_share, np.float32), np.asarray(sky_share, np.float32)
+
+    # ---- what a camera sees
+
+    def seen(self, slopes: NDArray[np.float32], R_DC: Array, eye: Array) -> GroundImages:
+        """From ``eye`` (3,) in D by rays slopes (h, w, 2): x/z and y/z in C."""
+        ones = np.ones((*slopes.shape[:2], 1), np.float32)
+        rays = np.concatenate([slopes, ones], axis=2) @ R_DC.T.astype(np.float32)
+        depth = np.where(rays[..., 2] < -1e-3, -eye[2] / np.minimum(rays[..., 2], -1e-3), 20.0)
+        depth = np.minimum(depth, 20.0)
+        points = (eye + depth[..., None] * rays).astype(np.float32)
+        lamp, rest = self._top(points)
+        for item in self.items:
+            self._add(item, rays, eye, (lamp, rest, depth))
+        return GroundImages(
+            np.asarray(lamp, np.float32),
+            np.asarray(rest, np.float32),
+            np.asarray(depth, np.float32),
+        )
+
+    def _top(self, points: Array) -> tuple[Array, Array]:
+        """Light from the desk's top and from what is beyond its edges."""
+        row, column = (points[..., 0] - FIRST) / TEXEL - 0.5, (points[..., 1] + HALF) / TEXEL - 0.5
+        at = column.astype(np.float32), row.astype(np.float32)
+        surface = cv2.remap(self._surface, *at, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+        quarter = (at[0] + 0.5) / 4 - 0.5, (at[1] + 0.5) / 4 - 0.5
+        main, sky = (
+            cv2.remap(s, *quarter, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+            for s in self._fallen
+        )
+        off = (points[..., 0] > LAST) | (np.abs(points[..., 1]) > HALF) | (points[..., 0] < FIRST)
+        surface[off] = FLOOR
+        return surface * main[..., None] * np.array(self.light.main, np.float32), surface * sky
+
+    def _light(self, points: Array, normals: Array) -> tuple[Array, Array]:
+        """What falls on surfaces: the lamp's share (…), and all else, linear BGR (…, 3)."""
+        light = self.light
+        main = self.power * strength(self.lamp_place, points, normals, light.softness)
+        second = strength(np.array(light.second_place), points, normals)
+        sky = 0.6 + 0.4 * normals[..., 2]
+        rest = sky[..., None] * np.array(light.sky) + second[..., None] * np.array(light.second)
+        return main, rest
+
+    def _add(self, item: Item, rays: Array, eye: Array, images: tuple[Array, Array, Array]) -> None:
+        """Draw one thing where it is nearer than what is there."""
+        window = _window(item, rays, eye)
+        if window is None:
+            return
+        lamp, rest, depth = (image[window] for image in images)
+        d = rays[window]
+        t, normal, colour = _entered(item, d, eye)
+        nearer = t < depth
+        if not nearer.any():
+            return
+        points = eye + t[nearer][:, None] * d[nearer]
+        main, by_rest = self._light(points, normal[nearer])
+        by_lamp = main[:, None] * np.array(self.light.main) * colour[nearer]
+        by_rest *= colour[nearer]
+        if item.gloss:
+            by_lamp += item.gloss * self._glint(points, normal[nearer], d[nearer])
+        lamp[nearer], rest[nearer], depth[nearer] = by_lamp, by_rest, t[nearer]
+
+    def _glint(self, points: Array, normals: Array, rays: Array) -> Array:
+        """The lamp's reflection in something glossy (Blinn 1977)."""
+        to_lamp = self.lamp_place - points
+        to_lamp = to_lamp / np.linalg.norm(to_lamp, axis=1, keepdims=True)
+        half = to_lamp - rays / np.linalg.norm(rays, axis=1, keepdims=True)
+        half = half / np.linalg.norm(half, axis=1, keepdims=True)
+        sharp = 60.0 / (1 + 20 * self.light.softness)
+        shine = np.maximum(np.sum(half * normals, axis=1), 0.0) ** sharp
+        return shine[:, None] * np.array(self.light.main)
+
+
+def _cast(points: Array, lamp: Array, step: float) -> NDArray[np.int32]:
+    """Hull (n, 1, 2) of the shadow of ``points`` on the desk, in texels (column, row)."""
+    share = lamp[2] / np.maximum(lamp[2] - points[:, 2], 1e-3)
+    xy = lamp[:2] + share[:, None] * (points[:, :2] - lamp[:2])
+    texels = np.column_stack([(xy[:, 1] + HALF) / step, (xy[:, 0] - FIRST) / step])
+    return np.asarray(cv2.convexHull(np.clip(texels, -3000, 3000).astype(np.int32)), np.int32)
+
+
+def _window(item: Item, rays: Array, eye: Array) -> tuple[slice, slice] | None:
+    """Rows and columns in which the thing may be seen; None if in none."""
+    away = item.centre - eye
+    reach = float(np.linalg.norm(item.half)) * (1.0 if item.kind != "ball" else 0.6)
+    # a ray passes within ``reach`` of the middle: its distance from the line of sight
+    along = rays[::8, ::8] @ away / np.sum(rays[::8, ::8] ** 2, axis=2)
+    gap = np.linalg.norm(rays[::8, ::8] * along[..., None] - away, axis=2)
+    rows, columns = np.nonzero(gap < reach + 0.02)
+    if len(rows) == 0:
+        return None
+    first, last = 8 * max(rows.min() - 1, 0), 8 * (rows.max() + 2)
+    left, right = 8 * max(columns.min() - 1, 0), 8 * (columns.max() + 2)
+    return slice(first, last), slice(left, right)
+
+
+def _entered(item: Item, rays: Array, eye: Array) -> tuple[Array, Array, Array]:
+    """Where rays (h, w, 3) enter the thing: share of the ray (h, w), inf where they miss; normal
+    and colour (h, w, 3)."""
+    if item.kind == "box":
+        return _box(item, rays, eye)
+    o = eye - item.centre
+    axes = 3 if item.kind == "ball" else 2
+    a = np.sum(rays[..., :axes] ** 2, axis=2)
+    b = rays[..., :axes] @ o[:axes]
+    h = b * b - a * (o[:axes] @ o[:axes] - item.half[0] ** 2)
+    t = np.where(h >= 0, (-b - np.sqrt(np.maximum(h, 0))) / a, np.inf)
+    normal = (o + np.where(np.isfinite(t), t, 0)[..., None] * rays) / item.half[0]
+    if item.kind == "can":
+        normal, t = _lidded(item, rays, o, t, normal)
+    return t, normal, np.broadcast_to(item.colour, rays.shape)
+
+
+def _lidded(item: Item, rays: Array, o: Array, t: Array, normal: Array) -> tuple[Array, Array]:
+    """A can's wall between its ends, and its upper end."""
+    z = o[2] + np.where(np.isfinite(t), t, 0) * rays[..., 2]
+    t = np.where(np.abs(z) <= item.half[2], t, np.inf)
+    normal = normal * np.array([1.0, 1.0, 0.0])
+    top = (item.half[2] - o[2]) / np.minimum(rays[..., 2], -1e-6)
+    at = o[:2] + top[..., None] * rays[..., :2]
+    lid = (np.sum(at * at, axis=2) < item.half[0] ** 2) & (top < t)
+    return np.where(lid[..., None], np.array([0.0, 0.0, 1.0]), normal), np.where(lid, top, t)
+
+
+def _box(item: Item, rays: Array, eye: Array) -> tuple[Array, Array, Array]:
+    o, d = (eye - item.centre) @ item.R, rays @ item.R
+    d = np.where(np.abs(d) < 1e-9, 1e-9, d)
+    one, other = (-item.half - o) / d, (item.half - o) / d
+    enter = np.minimum(one, other)
+    low, high = enter.max(axis=2), np.maximum(one, other).min(axis=2)
+    t = np.where((low <= high) & (low > 0), low, np.inf)
+    axis = enter.argmax(axis=2)
+    unit = np.eye(3)[axis] * -np.sign(np.take_along_axis(d, axis[..., None], axis=2))
+    colour = np.broadcast_to(item.colour, rays.shape)
+    if item.page is not None:
+        at = (o + np.where(np.isfinite(t), t, 0)[..., None] * d) / item.half
+        n = len(item.page)
+        cell = np.clip(((at[..., :2] + 1) / 2 * n).astype(int), 0, n - 1)
+        colour = np.where((axis == 2)[..., None], item.page[cell[..., 0], cell[..., 1]], colour)
+    return t, unit @ item.R.T, colour

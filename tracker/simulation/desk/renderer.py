@@ -1,0 +1,208 @@
+"""Images of a gloved hand over a desk: drawn in linear light and seen through a camera."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.clock import nanoseconds
+from tracker.errors import ConfigError
+from tracker.messages import Array, IntArray, StereoFrame
+from tracker.simulation.camera_view import pixels_of, ray_map
+from tracker.simulation.desk.ground import REFERENCE, Desk, desk_pose
+from tracker.simulation.desk.lights import light_of, linear
+from tracker.simulation.desk.sensor import develop, leaked, sensor_of, through_jpeg
+from tracker.simulation.desk.shading import GRAIN_TEXEL, Knit, RoomLights, Surroundings, shade_knit
+from tracker.simulation.desk.shadow import (
+    CastShadow,
+    GroundLight,
+    cast_shadow,
+    shaded_ground,
+    shadow_corners,
+)
+from tracker.simulation.desk.textures import felt, knit, wandering
+from tracker.simulation.exposure import JITTER_PX, moments_of, sewn_patches
+from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
+from tracker.simulation.scene import SimulatedScene
+from tracker.simulation.smooth import rng_for
+from tracker.simulation.solids import Instant
+from tracker.vision.rig import Camera
+
+Image = NDArray[np.uint8]
+MARGIN_PX = 3  # around the hand, for the lens's blur
+
+
+@dataclass(frozen=True)
+class DeskParams:
+    """The light in the room by name, and the camera."""
+
+    light: str = "window"
+    surface: str = ""  # wood or laminate; by chance if not said
+    shutter: float = 0.008  # s
+    exposures: int = 3  # averaged over the shutter, at most 4
+    jpeg_quality: int = 87  # of the camera's own compression; 0 for none
+
+
+class _View(NamedTuple):
+    """One of the two cameras, what it sees of the desk, and all of that together."""
+
+    camera: Camera
+    eye: Array
+    rays: NDArray[np.float32]
+    ground: GroundLight
+    whole: NDArray[np.float32]
+
+
+class DeskRenderer:
+    """Draws a scene over a desk. One renderer holds what does not move.
+
+    Raises ConfigError for an unknown light and for a camera that moves.
+    """
+
+    def __init__(self, scene: SimulatedScene, params: DeskParams | None = None) -> None:
+        self.scene, self.params = scene, params or DeskParams()
+        if scene.head.moves:
+            raise ConfigError("The desk is drawn for a camera on a stand, not for one on a head.")
+        self.light = light_of(self.params.light)
+        rig, seed = scene.rig, scene.seed
+        self._K = np.array([rig.fx, rig.fy, rig.cx, rig.cy])
+        rng = rng_for(seed, "cloth")
+        self._order, self._patches = sewn_patches(
+            scene.wearer, lambda hue: felt(hue) * float(rng.uniform(0.9, 1.05))
+        )
+        self._grain, self._ragged = knit(rng, texel=GRAIN_TEXEL), wandering(rng)
+        self._sensor = sensor_of(self.light, rng_for(seed, "sensor"))
+        self._set_up_desk(Desk(self.light, seed, self.params.surface))
+
+    def _set_up_desk(self, desk: Desk) -> None:
+        pose = self.scene.rig.pose
+        R_GD, p_GD = desk_pose(pose)
+        R_DC, p_DC = R_GD.T @ pose.R_GC, R_GD.T @ (pose.p_GC - p_GD)
+        self._R_CD, self._p_DC = R_DC.T, p_DC
+        light, lamp = self.light, desk.lamp_place
+        second = np.array(light.second_place)
+        self._lights = RoomLights(
+            (lamp - p_DC) @ R_DC,
+            desk.power * np.array(light.main),
+            float(np.sum((lamp - REFERENCE) ** 2)),
+            light.softness,
+            (second - p_DC) @ R_DC,
+            np.array(light.second),
+            float(np.sum((second - REFERENCE) ** 2)),
+            np.array(light.sky),
+            np.array([0.0, 0.0, 1.0]) @ R_DC,
+            light.vignetting,
+            light.leak,
+        )
+        rig = self.scene.rig
+        self._views = (self._view(desk, rig.left, 0.0), self._view(desk, rig.right, rig.baseline))
+
+    def _view(self, desk: Desk, camera: Camera, shift: float) -> _View:
+        rays, eye = ray_map(camera), np.array([shift, 0.0, 0.0])
+        seen = desk.seen(rays, self._R_CD.T, self._p_DC + self._R_CD.T @ eye)
+        dark = 1.0 / (1.0 + self.light.vignetting * np.sum(rays * rays, axis=2, keepdims=True))
+        lamp, rest = (self._through_lens(image * dark) for image in (seen.lamp, seen.rest))
+        return _View(camera, eye, rays, GroundLight(lamp, rest, seen.depth), lamp + rest)
+
+    def _through_lens(self, light: Array) -> NDArray[np.float32]:
+        blurred = cv2.GaussianBlur(leaked(light, self.light.leak), (0, 0), 1.3 * self.light.blur_px)
+        return np.ascontiguousarray(blurred, np.float32)
+
+    # ---- images
+
+    def frame(self, t: float, t_arrival: float | None = None, index: int = -1) -> StereoFrame:
+        """Both images of the exposure whose middle is t (s)."""
+        left, right = self.pair(t)
+        return StereoFrame(t, t if t_arrival is None else t_arrival, left, right, index=index)
+
+    def pair(self, t: float) -> tuple[Image, Image]:
+        """The left and the right image (h, w, 3) uint8 BGR."""
+        p, ns = self.params, nanoseconds(t)
+        moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
+        shadow = self._shadow(moments[len(moments) // 2])
+        rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
+        left, right = (self._image(view, moments, shadow, rng) for view in self._views)
+        return left, right
+
+    def _shadow(self, now: Instant) -> tuple[CastShadow, Array]:
+        """What the hand keeps from the lamp, and points around its shadow on the desk."""
+        middle = now.p_CB.mean(axis=0)
+        towards = self._lights.place - middle
+        towards /= np.linalg.norm(towards)
+        over = float((middle @ self._R_CD + self._p_DC)[2])
+        away = max(over, 0.02) / max(float(towards @ self._lights.up), 0.15)
+        cast = cast_shadow(now.solids, middle, self._lights.place, self.light.softness * away)
+        return cast, shadow_corners(cast, away)
+
+    def _image(
+        self,
+        view: _View,
+        moments: list[Instant],
+        shadow: tuple[CastShadow, Array],
+        rng: np.random.Generator,
+    ) -> Image:
+        light = view.whole.copy()
+        boxes = [pixels_of(bounds(m.solids, view.eye, self._K), view.camera) for m in moments]
+        self._add_shadow(view, shadow, light)
+        self._add_hand(view, moments, boxes, shadow[0], light)
+        out = np.empty(light.shape, np.uint8)
+        develop(light, self._sensor, rng.integers(0, 512, 2), out)
+        quality = self.params.jpeg_quality
+        return through_jpeg(out, quality) if quality else out
+
+    def _add_shadow(
+        self, view: _View, shadow: tuple[CastShadow, Array], light: NDArray[np.float32]
+    ) -> None:
+        """The hand's shadow on the desk into ``light`` (h, w, 3)."""
+        points = shadow[1] - view.eye
+        points = points[points[:, 2] > 0.05]
+        if len(points) == 0:
+            return
+        uv = points[:, :2] / points[:, 2:] * self._K[:2] + self._K[2:]
+        uv = np.clip(uv, -2000, 4000)
+        box = np.concatenate([uv.min(axis=0), uv.max(axis=0)])[None]
+        ((u0, v0, u1, v1),) = pixels_of(box, view.camera)
+        if u0 < u1:
+            corner = np.array([v0, u0], np.int64)
+            base = np.empty((v1 - v0, u1 - u0, 3), np.float32)
+            rays = PixelRays(view.rays, np.zeros(2), view.eye, corner)
+            shaded_ground(rays, view.ground, shadow[0], base)
+            light[v0:v1, u0:u1] = base
+
+    def _add_hand(
+        self,
+        view: _View,
+        moments: list[Instant],
+        boxes: list[IntArray],
+        shadow: CastShadow,
+        light: NDArray[np.float32],
+    ) -> None:
+        """The hand into ``light`` (h, w, 3): the mean over the moments, through the lens."""
+        all_boxes = np.concatenate(boxes)
+        some = all_boxes[all_boxes[:, 0] < all_boxes[:, 2]]
+        if len(some) == 0:
+            return
+        u0, v0 = np.maximum(some[:, :2].min(axis=0) - MARGIN_PX, 0)
+        u1, v1 = some[:, 2:].max(axis=0) + MARGIN_PX
+        base = np.ascontiguousarray(light[v0:v1, u0:u1])
+        around, total = Surroundings(self._lights, shadow, base), np.zeros_like(base)
+        size = base.shape[:2]
+        buffer = Buffer(np.empty(size, np.float32), np.empty(size, np.int16))
+        corner = np.array([v0, u0], np.int64)
+        for k, (now, pixels) in enumerate(zip(moments, boxes, strict=True)):
+            rays = PixelRays(view.rays, JITTER_PX[k] / self._K[:2], view.eye, corner)
+            draw(rays, pixels, now.solids, buffer)
+            patches = self._patches._replace(position=now.markers[self._order])
+            shade_knit(rays, buffer, now, self._cloth(now), patches, around, total)
+        total *= np.float32(1 / len(moments))
+        light[v0:v1, u0:u1] = cv2.GaussianBlur(total, (0, 0), self.light.blur_px)
+
+    def _cloth(self, now: Instant) -> Knit:
+        s = now.solids
+        owner = np.concatenate([s.owner, s.box_owner])
+        colour = linear(np.concatenate([s.colour, s.box_colour]))
+        return Knit(owner, colour, self._grain, self._ragged)

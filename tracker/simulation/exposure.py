@@ -1,0 +1,54 @@
+"""What an exposure takes in: a scene at instants over the shutter, and patches sewn to cloth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from tracker.messages import Array, IntArray
+from tracker.simulation.patches import SQUARE
+from tracker.simulation.scene import SimulatedScene
+from tracker.simulation.shading import SewnPatches
+from tracker.simulation.solids import Instant
+from tracker.simulation.wearer import Wearer, tangents
+
+JITTER_PX = np.array([[-0.25, 0.15], [0.3, 0.3], [-0.05, -0.35], [0.2, -0.1]])
+"""Where in the pixel each instant looks: smooths edges at no cost."""
+SLOW_PX = 0.5
+"""Motion over half the shutter below which two instants look like three."""
+
+
+def moments_of(
+    scene: SimulatedScene, t: float, shutter: float, count: int, fewest: int = 2
+) -> list[Instant]:
+    """The scene at the middles of equal parts of the shutter (s); ``fewest`` (1 or 2) do for a slow
+    hand."""
+    n = max(count, 1)
+    if n > 2:
+        first, last = (scene.instant(t + shutter * s) for s in (-0.25, 0.25))
+        path = np.abs(last.p_CB - first.p_CB).max() / max(first.p_CB[0, 2], 0.05)
+        if path * scene.rig.fx < SLOW_PX:
+            return [first, last] if fewest == 2 else [scene.instant(t)]
+    middle = (np.arange(n) + 0.5) / n - 0.5
+    return [scene.instant(t + shutter * m) for m in middle]
+
+
+def sewn_patches(wearer: Wearer, colour_of: Callable[[str], Array]) -> tuple[IntArray, SewnPatches]:
+    """The wearer's patches and the markers' rows in their order; positions are for each instant to
+    say. ``colour_of`` gives the BGR (3,) of a hue's fabric."""
+    order = np.argsort(wearer.marker_segment, kind="stable")
+    segment = wearer.marker_segment[order]
+    markers = [wearer.glove.markers[i] for i in order]
+    root, normal = wearer.hand.root, wearer.marker_normal[order]
+    flat = [s == root or abs(m.normal[0]) > 0.5 for s, m in zip(segment, markers, strict=True)]
+    fabric = np.array([colour_of(m.hue) for m in markers], float).reshape(-1, 3)
+    return order, SewnPatches(
+        np.searchsorted(segment, np.arange(len(wearer.hand.segments) + 1)),
+        np.zeros((len(markers), 3)),
+        np.concatenate([tangents(normal), normal[:, None]], axis=1),
+        wearer.glove.marker_size[order],
+        np.array([int(m.shape == "square") * SQUARE for m in markers], np.int64),
+        np.array(flat, np.int64),
+        fabric,
+    )
