@@ -1,8 +1,8 @@
 """Memory that two processes share, with room behind it for certain.
 
 Where the system gives less than is asked for, a plain `SharedMemory` ends the process that
-writes to it, so the room is taken at once. `attached` memory has no name any more: whoever of
-the two is killed, nothing of it is left behind.
+writes to it, so room is taken before. `attached` memory has no name any more: whoever of the two
+is killed, nothing of it is left behind.
 """
 
 from __future__ import annotations
@@ -21,19 +21,53 @@ class NoSharedMemory(GlovetrackError):
     """The system has no room left for it."""
 
 
+class RoomFor:
+    """Takes room for parts of a memory; made while that has its name, and usable afterwards.
+
+    macOS and Windows count the whole when it is made: there it does nothing.
+    """
+
+    def __init__(self, memory: SharedMemory) -> None:
+        place = _FOLDER / memory.name
+        counts = hasattr(os, "posix_fallocate") and place.exists()
+        self._handle = os.open(place, os.O_RDWR) if counts else -1
+
+    def take(self, start: int, size: int) -> None:
+        """``size`` bytes from ``start`` on may be written to. Raises NoSharedMemory."""
+        if self._handle < 0:
+            return
+        try:
+            os.posix_fallocate(self._handle, start, size)
+        except OSError as error:
+            raise _no_room(size) from error
+
+    def close(self) -> None:
+        if self._handle >= 0:
+            os.close(self._handle)
+            self._handle = -1
+
+
 def new_memory(size: int) -> SharedMemory:
-    """``size`` bytes (at least; zero at first) under a new name. Raises NoSharedMemory."""
+    """``size`` bytes (at least; zero at first) with room for all. Raises NoSharedMemory."""
+    memory = sparse_memory(size)
+    room = RoomFor(memory)
     try:
-        memory = SharedMemory(create=True, size=size)
-    except OSError as error:
-        raise _no_room(size) from error
-    try:
-        _take_room(memory, size)
-    except OSError as error:
-        memory.close()
+        room.take(0, size)
+    except NoSharedMemory:
         forget_name(memory)
-        raise _no_room(size) from error
+        memory.close()
+        raise
+    finally:
+        room.close()
     return memory
+
+
+def sparse_memory(size: int) -> SharedMemory:
+    """``size`` bytes, to be written to where a `RoomFor` has taken room. Raises NoSharedMemory."""
+    try:
+        return SharedMemory(create=True, size=size)
+    except OSError as error:
+        raise _no_room(size) from error
 
 
 def attached(name: str) -> SharedMemory:
@@ -47,17 +81,6 @@ def forget_name(memory: SharedMemory) -> None:
     """Nobody attaches to it any more; it lasts as long as someone has it open."""
     with suppress(FileNotFoundError):  # the other one was first
         memory.unlink()
-
-
-def _take_room(memory: SharedMemory, size: int) -> None:
-    """macOS and Windows count it when it is made."""
-    place = _FOLDER / memory.name
-    if hasattr(os, "posix_fallocate") and place.exists():
-        handle = os.open(place, os.O_RDWR)
-        try:
-            os.posix_fallocate(handle, 0, size)
-        finally:
-            os.close(handle)
 
 
 def _no_room(size: int) -> NoSharedMemory:

@@ -77,10 +77,11 @@ class RecordingThread:
                 self._write_waiting()
                 self._ending.wait(BATCH)
         except Closed:
-            self._close()
+            if self._closed():
+                self._say("recording", "The recording is finished.")
         except (GlovetrackError, OSError) as error:
             self._queue.close()
-            self._close()
+            self._closed()
             self._say("error", f"The recording has ended: {error}")
 
     def _write_waiting(self) -> None:
@@ -97,9 +98,10 @@ class RecordingThread:
                 self._images -= 1
                 self.thinned += not taken
 
-    def _close(self) -> None:
+    def _closed(self) -> bool:
         try:
             self._recorder.close()
-            self._say("recording", "The recording is finished.")
         except (GlovetrackError, OSError) as error:
             self._say("error", f"The recording could not be finished: {error}")
+            return False
+        return True

@@ -13,7 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.messages import CameraPose, StereoFrame
-from tracker.shared_memory import NoSharedMemory, attached, forget_name, new_memory
+from tracker.shared_memory import (
+    NoSharedMemory,
+    RoomFor,
+    attached,
+    forget_name,
+    sparse_memory,
+)
 
 MOST_BYTES = 134_000_000
 """Of all places together: 24 pairs at 1280×720, 0.4 s at 60 a second."""
@@ -47,35 +53,40 @@ class ImageInSlot(NamedTuple):
 class ImageSlots:
     """The side that hands images over; ``opened`` tells the other one where they lie.
 
-    Raises NoSharedMemory where not even two pairs have room.
+    The lowest free place is taken, so memory is used only as far as images pile up. Raises
+    NoSharedMemory where not even the first has room.
     """
 
     def __init__(self, number: int, slot_bytes: int) -> None:
         slots = min(MOST_SLOTS, max(FEWEST_SLOTS, MOST_BYTES // max(slot_bytes, 1)))
-        while True:
-            try:
-                self._memory = new_memory(slots * (slot_bytes + 1))
-                break
-            except NoSharedMemory:
-                slots //= 2
-                if slots < FEWEST_SLOTS:
-                    raise
+        self._memory = sparse_memory(slots * (slot_bytes + 1))
+        self._room, self._ready = RoomFor(self._memory), 0  # places that have room
         self.opened = SlotsOpened(number, self._memory.name, slots, slot_bytes)
+        try:
+            self._room.take(0, slots)
+            self._make_ready()
+        except NoSharedMemory:
+            self.close()
+            raise
+
+    def _make_ready(self) -> None:
+        at = self.opened.slots + self._ready * self.opened.slot_bytes
+        self._room.take(at, self.opened.slot_bytes)
+        self._ready += 1
 
     def put(self, frame: StereoFrame) -> ImageInSlot | None:
         """Copy the images into a free place; None where there is none."""
-        slots, marks = self.opened.slots, _bytes(self._memory)
-        slot = next((i for i in range(slots) if not marks[i]), None)
+        slot = self._free_slot()
         if slot is None:
             return None
-        at = slots + slot * self.opened.slot_bytes
+        memory, at = _bytes(self._memory), self.opened.slots + slot * self.opened.slot_bytes
         shapes: list[Shape | None] = []
         for image in (frame.left, frame.right):
             shapes.append(None if image is None else image.shape)
             if image is not None:
-                np.copyto(np.ndarray(image.shape, np.uint8, marks, at), image)
+                np.copyto(np.ndarray(image.shape, np.uint8, memory, at), image)
                 at += image.nbytes
-        marks[slot] = 1
+        memory[slot] = 1
         left, right = shapes
         return ImageInSlot(
             self.opened.number,
@@ -87,9 +98,20 @@ class ImageSlots:
             frame.index,
         )
 
+    def _free_slot(self) -> int | None:
+        marks = _bytes(self._memory)
+        slot = next((i for i in range(self.opened.slots) if not marks[i]), None)
+        if slot == self._ready:
+            try:
+                self._make_ready()
+            except NoSharedMemory:
+                return None  # those that there are come free again
+        return slot
+
     def close(self) -> None:
         """Give the memory back once the other side has, too."""
         forget_name(self._memory)  # if the other side never came to attach to it
+        self._room.close()
         self._memory.close()
 
 
