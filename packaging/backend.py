@@ -94,6 +94,7 @@ def stage(source: Path, target: Path) -> None:
     hidden = shutil.ignore_patterns("__pycache__", "firmware", "_compiled*", "_dispatch*")
     for package in PACKAGES:
         shutil.copytree(source / package, target / NAME / package, ignore=hidden)
+    shutil.copytree(source / "docs" / "guide", target / NAME / "resources" / "guide")
     for path in (target / NAME).rglob("*.py"):
         path.write_text(with_full_names(path.read_text("utf-8")), "utf-8")
     (target / NAME / "__init__.py").write_text(FACE, "utf-8")

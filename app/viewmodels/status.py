@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, StateLook
 from tracker.live.load import BEGINS
-from tracker.messages import Shed, Status
+from tracker.messages import Shed, Status, Tracking
 
 LATENCY_WARN_MS = 60.0
 LATENCY_BAD_MS = 120.0
@@ -36,9 +36,12 @@ class Field:
     tip: str
 
 
-def tracking_look(status: Status | None, running: bool) -> StateLook:
+def tracking_look(status: Status | None, running: bool, has_place: bool = True) -> StateLook:
+    """``has_place``: without a calibrated camera nothing tells the hand's place, nor is it lost."""
     if not running or status is None:
         return StateLook(IDLE.colour, IDLE.sign, "Stopped")
+    if not has_place and status.tracking == Tracking.LOST:
+        return StateLook(WARN.colour, WARN.sign, "Place unknown")
     return TRACKING[status.tracking]
 
 

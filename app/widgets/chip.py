@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
+from app.widgets.elided_label import ElidedLabel
+
 
 class Chip(QWidget):
     """``● Glove 100 Hz``: the sign carries the state by colour and by shape."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._sign, self._text = QLabel(), QLabel()
+        self._sign, self._text = QLabel(), ElidedLabel()
         row = QHBoxLayout(self)
         row.setContentsMargins(6, 0, 6, 0)
         row.setSpacing(5)

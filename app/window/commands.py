@@ -36,6 +36,10 @@ class Commands:
             self._menus[title] = self._window.menuBar().addMenu(title)
         return self._menus[title]
 
+    def menus(self) -> list[QMenu]:
+        """All, in their order."""
+        return list(self._menus.values())
+
     def add(self, command: Command) -> QAction:
         action = QAction(command.text, self._window)
         action.setCheckable(command.checkable)

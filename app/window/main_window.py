@@ -38,6 +38,7 @@ from app.window.commands import Commands
 from app.window.countdown import Countdown
 from app.window.docks import geometry_of, list_docks, make_docks, restore_geometry
 from app.window.drops import Drops
+from app.window.help import GuideDialog, KeysDialog
 from app.window.keys import FocusKeys
 from app.window.layout_keeper import LayoutKeeper
 from app.window.message_bar import MessageBar
@@ -263,6 +264,12 @@ class MainWindow(QMainWindow):
 
     def show_about(self) -> None:
         AboutDialog(self).show()
+
+    def show_guide(self) -> None:
+        GuideDialog(self).show()
+
+    def show_keys(self) -> None:
+        KeysDialog(self.commands.menus(), self).show()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """End everything in order: timer, jobs, engine and file, GL."""

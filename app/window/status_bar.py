@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton, QStatusBar, QToolTip, QWidget
+from PySide6.QtWidgets import QProgressBar, QPushButton, QStatusBar, QToolTip, QWidget
 
 from app.platform.tasks import RunningJob, TaskOwner
 from app.viewmodels.status import fields, tracking_look
 from app.widgets.chip import Chip
+from app.widgets.elided_label import ElidedLabel
 from tracker.messages import Status
 
 
@@ -22,7 +23,7 @@ class StatusBar(QStatusBar):
             self.addWidget(chip)
         self.chips["shed"].hide()
         self.recording = Chip()
-        self._task_name = QLabel()
+        self._task_name = ElidedLabel()
         self._bar = QProgressBar()
         self._bar.setFixedWidth(140)
         self._cancel = QPushButton(self.tr("Cancel"))
@@ -33,13 +34,19 @@ class StatusBar(QStatusBar):
         tasks.changed.connect(self._watch)
         self._watch()
 
-    def show_status(self, status: Status | None, running: bool) -> None:
-        look = tracking_look(status, running)
-        self.tracking.show_state(look.colour, look.sign, look.word)
+    def show_status(self, status: Status | None, running: bool, has_place: bool = True) -> None:
+        look = tracking_look(status, running, has_place)
+        self.tracking.show_state(look.colour, look.sign, look.word, self.tracking.toolTip())
         for field in fields(status if running else None):
             text = f"{field.name} {field.text}".strip()
             self.chips[field.key].setVisible(bool(text))
             self.chips[field.key].show_state(field.look.colour, field.look.sign, text, field.tip)
+
+    def show_rate(self, rate_hz: float) -> None:
+        """How often the window is drawn, for who asks by the pointer."""
+        self.tracking.setToolTip(
+            self.tr("The window is refreshed {} times a second").format(round(rate_hz))
+        )
 
     def show_latencies(self) -> None:
         """What the pointer would show over the latency: each stage's."""

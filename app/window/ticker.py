@@ -17,6 +17,7 @@ from app.window.status_bar import StatusBar
 
 TICK_MS = 16
 STATUS_PERIOD = 0.25  # s
+RATE_OVER_S = 1.0
 
 
 class Ticker(QObject):
@@ -35,6 +36,7 @@ class Ticker(QObject):
         self._status_due = 0.0
         self.ticks = 0
         host.closed.connect(self._clear)
+        self._counted = (0.0, 0)  # when, and how many ticks there had been
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._tick)
@@ -59,9 +61,19 @@ class Ticker(QObject):
         if now >= self._status_due:
             self._status_due = now + STATUS_PERIOD
             self._refresh_status(view)
+            self._show_rate(now)
+
+    def _show_rate(self, now: float) -> None:
+        """Over a second and more: a quarter of one counts too roughly."""
+        since, ticks = self._counted
+        if now - since >= RATE_OVER_S:
+            if since:
+                self._bar.show_rate((self.ticks - ticks) / (now - since))
+            self._counted = (now, self.ticks)
 
     def _refresh_status(self, view: Snapshot | None) -> None:
-        self._bar.show_status(view.status if view else None, self._host.running)
+        placed = view is None or (view.setup.has_camera and view.setup.camera_calibrated)
+        self._bar.show_status(view.status if view else None, self._host.running, placed)
         recording, text = self._host.recording, ""
         if recording.request is not None:
             word = self.tr("Paused") if recording.paused else self.tr("Recording")

@@ -43,6 +43,10 @@ class Window(Protocol):
 
     def show_about(self) -> None: ...
 
+    def show_guide(self) -> None: ...
+
+    def show_keys(self) -> None: ...
+
 
 @dataclass(frozen=True, eq=False)
 class Targets:
@@ -186,6 +190,8 @@ def add_help(on: Targets, commands: Commands) -> None:
     """The last menu; it comes after the docks have been listed under View."""
     w = on.window
     menu = w.tr("&Help")
+    commands.add(Command("guide", menu, w.tr("&Guide"), w.show_guide, "F1"))
+    commands.add(Command("keys", menu, w.tr("&Keys"), w.show_keys, "Ctrl+F1"))
     commands.add(Command("report", menu, w.tr("Save a &bug report…"), on.reports.ask))
     commands.add(Command("about", menu, w.tr("&About Glovetrack"), w.show_about))
 

@@ -1,0 +1,77 @@
+"""The guide and the keys in the Help menu, and a status bar that cuts no sentence off."""
+
+import re
+from dataclasses import replace
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+from PySide6.QtCore import QUrl
+
+from app.platform.guide import matches, pages, place
+from app.viewmodels.status import tracking_look
+from app.widgets.chip import Chip
+from app.window.help import GuideDialog, KeysDialog, key_of, plain
+from tracker.messages import Status, Tracking
+
+
+def opened(window, command: str, kind):
+    window.run_command(command)
+    return window.findChild(kind)
+
+
+def test_the_guide_holds_every_page_that_is_written():
+    assert set(pages()) == {path.name for path in place().glob("*.md")}
+
+
+def test_the_guide_is_found_by_words_and_followed_by_its_links(window, qtbot):
+    guide = opened(window, "guide", GuideDialog)
+    assert guide.list.count() == len(pages())
+    guide.search.setText("exposure WIGGLE")
+    found = [guide.list.item(i).text() for i in range(guide.list.count())]
+    assert 0 < len(found) < len(pages())
+    for name in matches(pages(), "exposure wiggle"):
+        assert "exposure" in pages()[name].lower() and "wiggle" in pages()[name].lower()
+    assert "exposure" in guide.view.toPlainText().lower()
+    guide.view.anchorClicked.emit(QUrl("recording.md"))
+    heading = re.search(r"^# (.+)$", pages()["recording.md"], re.MULTILINE)[1]
+    assert guide.view.toPlainText().startswith(heading)
+    guide.search.setText("zweihundertvierzig")
+    assert guide.list.count() == 0 and not guide.view.toPlainText()
+
+
+def test_the_list_of_keys_has_every_command_that_has_one(window):
+    table = opened(window, "keys", KeysDialog).table
+    rows = {(table.item(i, 0).text(), table.item(i, 1).text()) for i in range(table.rowCount())}
+    actions = [a for a in window.commands.actions.values() if not a.shortcut().isEmpty()]
+    assert len(actions) > 40
+    assert rows == {(key_of(a), plain(a.text())) for a in actions}
+    assert ("Ctrl+1", "Cameras") in rows
+
+
+def test_a_chip_without_room_ends_in_dots_and_never_in_half_a_letter(qtbot):
+    chip = Chip()
+    qtbot.addWidget(chip)
+    chip.show_state("#009E73", "●", "Latency 12 ms (99 %: 1350)", "Of each stage")
+    chip.resize(90, 20)
+    chip.show()
+    label = chip._text
+    assert label.is_elided and label.shown().endswith("…")
+    assert label.fontMetrics().horizontalAdvance(label.shown()) <= label.width()
+    chip.resize(400, 20)
+    qtbot.waitUntil(lambda: not label.is_elided, timeout=30_000)
+    assert label.shown() == label.text()
+
+
+@pytest.mark.parametrize(("placed", "words"), [(True, "Position lost"), (False, "Place unknown")])
+def test_a_glove_alone_has_not_lost_a_place(window, qtbot, placed, words):
+    engine = ScriptedEngine()
+    engine.status = lambda: Status(0.0, int(Tracking.LOST), {})
+    window.host.adopt(replace(scripted_setup(engine), has_camera=placed))
+    qtbot.waitUntil(lambda: window.bar.tracking.text() == words, timeout=30_000)
+    assert tracking_look(None, True, placed).word == "Stopped"
+
+
+def test_the_status_bar_says_how_often_the_window_is_refreshed(live, qtbot):
+    qtbot.waitUntil(lambda: "times a second" in live.bar.tracking.toolTip(), timeout=30_000)
+    rate = int(re.search(r"\d+", live.bar.tracking.toolTip())[0])
+    assert 0 < rate <= 63  # the timer's 16 ms allow no more
