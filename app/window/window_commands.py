@@ -132,6 +132,7 @@ def _engines(on: Targets, menu: str) -> list[Command]:
 
 def _replay(on: Targets) -> list[Command]:
     w, bar = on.window, on.library.transport
+    beside = partial(on.library.compare_selected, beside=True)
     menu = w.tr("&Replay")
     return [
         Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space"),
@@ -146,6 +147,7 @@ def _replay(on: Targets) -> list[Command]:
         Command("loop", menu, w.tr("&Loop on or off"), bar.toggle_loop, "L"),
         Command("again", menu, w.tr("Track &again…"), on.library.ask_track, separator=True),
         Command("compare", menu, w.tr("&Compare two sessions"), on.library.compare_selected),
+        Command("beside", menu, w.tr("Two takes side by si&de"), beside),
     ]
 
 

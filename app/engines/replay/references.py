@@ -19,11 +19,14 @@ CLOSE = 0.05  # s between two instants that still are the same one
 
 
 class ReferenceTrack:
-    """Goes along with a replay through the estimates of a file, or through its truth."""
+    """Goes along with a replay through the estimates of a file, or through its truth.
 
-    def __init__(self, path: Path, truth: bool = False) -> None:
+    ``shift``: s that its clock is ahead of the replay's, where it is of another movement.
+    """
+
+    def __init__(self, path: Path, truth: bool = False, shift: float = 0.0) -> None:
         self._reader = SessionReader(path)
-        self._truth = truth
+        self._truth, self._shift = truth, shift
         info = self._reader.info
         self._rows = origin_rows(info.hand, info.glove)
         self._coming: Iterator[Estimate] = iter(())
@@ -32,7 +35,7 @@ class ReferenceTrack:
 
     def seek(self, t: float) -> None:
         """Begin anew at ``t`` s of the monotonic clock."""
-        self._coming = self._messages(t - LEAD)
+        self._coming = self._messages(t + self._shift - LEAD)
         self._last = self._next = None
 
     def _messages(self, start: float) -> Iterator[Estimate]:
@@ -45,7 +48,7 @@ class ReferenceTrack:
 
     def advance(self, t: float) -> None:
         """Go on to the last estimate that is not later than ``t``."""
-        while self._next is None or self._next.t <= t + 1e-6:
+        while self._next is None or self._next.t <= t + self._shift + 1e-6:
             self._last = self._next if self._next is not None else self._last
             self._next = next(self._coming, None)
             if self._next is None:
@@ -54,7 +57,7 @@ class ReferenceTrack:
     def pose(self, t: float) -> ReferenceHand | None:
         """The hand there at ``t``; None where it was lost or nothing is known."""
         found = self._last
-        if found is None or abs(found.t - t) > CLOSE:
+        if found is None or abs(found.t - self._shift - t) > CLOSE:
             return None
         p, q = found.keypoints[self._rows], found.keypoint_q[self._rows]
         if not (np.isfinite(p).all() and np.isfinite(q).all()):
@@ -88,9 +91,9 @@ class References:
     def has_truth(self) -> bool:
         return self._truth is not None
 
-    def want(self, path: Path | None) -> None:
+    def want(self, path: Path | None, shift: float = 0.0) -> None:
         """The tracking in ``path``, from the next `seek` on. Raises FileError in words."""
-        self._wanted = None if path is None else ReferenceTrack(path)
+        self._wanted = None if path is None else ReferenceTrack(path, shift=shift)
 
     def seek(self, t: float) -> None:
         """Begin anew at ``t`` s of the monotonic clock."""

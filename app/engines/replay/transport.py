@@ -81,9 +81,12 @@ class ReplayPlayer(Transport):
         self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its position in s
         self._references = references
 
-    def set_reference(self, path: Path | None) -> None:
-        """Show the tracking in ``path`` beside this one. Raises FileError in words."""
-        self._references.want(path)
+    def set_reference(self, path: Path | None, shift: float = 0.0) -> None:
+        """Show the tracking in ``path`` beside this one. Raises FileError in words.
+
+        ``shift``: s that its clock is ahead of this one's.
+        """
+        self._references.want(path, shift)
         self.seek(self.position)
 
     def reference(self) -> ReferenceHand | None:

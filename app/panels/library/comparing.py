@@ -10,9 +10,12 @@ from PySide6.QtWidgets import QWidget
 from app.engines.engine import Player
 from app.engines.engine_host import EngineHost
 from app.jobs.offline_tracking import compare_job, free_name, track_job
+from app.jobs.two_takes import two_takes_job
 from app.panels.library.compare_dialog import CompareDialog
+from app.panels.library.two_takes_dialog import TwoTakesDialog
 from app.platform.tasks import Job, TaskOwner
 from app.viewmodels.compare import Comparison
+from app.viewmodels.two_takes import TwoTakes
 from tracker.errors import GlovetrackError
 from tracker.offline.options import TrackOptions
 
@@ -21,7 +24,7 @@ class Comparing(QObject):
     """Does both as jobs; ``ended`` after each, however it ended."""
 
     replay = Signal(object)  # the path that is to be seen
-    compared = Signal(object)  # Comparison; its second tracking is shown in the replay
+    compared = Signal(object)  # Comparison or TwoTakes; its second hand is shown in the replay
     ended = Signal()
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
@@ -29,6 +32,8 @@ class Comparing(QObject):
         self._host, self._tasks, self._window = host, tasks, parent
         self._player: Player | None = None
         self._pair: tuple[Path, Path] | None = None  # a session, and what to show beside it
+        self._shift = 0.0  # s that the second one's clock is ahead
+        self._takes: TwoTakesDialog | None = None
 
     def set_player(self, player: Player | None) -> None:
         """The replay that is open now."""
@@ -48,6 +53,46 @@ class Comparing(QObject):
     def compare(self, first: Path, second: Path) -> None:
         self._run(self.tr("Comparing"), compare_job(first, second))
 
+    def side_by_side(self, first: Path, second: Path) -> None:
+        """Both takes on one time axis, the second hand beside the first in the replay."""
+        title = self.tr("Reading two takes")
+        self._tasks.run(title, two_takes_job(first, second), self._show_takes, self.ended.emit)
+
+    def _show_takes(self, takes: TwoTakes) -> None:
+        dialog = TwoTakesDialog(takes, self._window)
+        self._takes = dialog
+        dialog.destroyed.connect(self._takes_closed)
+        self._pair = (takes.first.path, takes.second.path)
+        self._move(self._takes.takes.by_clock or 0.0)
+        dialog.moved.connect(self._move)
+        dialog.sought.connect(self._seek)
+        dialog.show()
+        if self._player is None or self._player.path != takes.first.path:
+            self.replay.emit(takes.first.path)
+        self.compared.emit(takes)
+
+    def _takes_closed(self) -> None:
+        self._takes = None
+
+    def _move(self, offset: float) -> None:
+        if self._takes is not None:
+            self._shift = self._takes.takes.shift(offset)
+            self._show_reference()
+
+    def _seek(self, position: float) -> None:
+        if self._player is not None and self._shows_pair():
+            self._player.seek(position)
+
+    def follow(self) -> None:
+        """The line in the dialog goes along with the replay."""
+        if self._takes is not None and self._shows_pair() and self._player is not None:
+            self._takes.show_position(self._player.position)
+
+    def _shows_pair(self) -> bool:
+        """Whether the first of the two is what is replayed."""
+        pair, player = self._pair, self._player
+        return pair is not None and player is not None and player.path == pair[0]
+
     def _run(self, title: str, job: Job) -> None:
         self._tasks.run(title, job, self._show, self.ended.emit)
 
@@ -56,7 +101,7 @@ class Comparing(QObject):
         if comparison is None:
             return
         CompareDialog(comparison, self._window).show()
-        self._pair = (comparison.first, comparison.second)
+        self._pair, self._shift = (comparison.first, comparison.second), 0.0
         if self._player is not None and self._player.path == comparison.first:
             self._show_reference()
         elif not self._host.running or self._player is not None:
@@ -67,6 +112,6 @@ class Comparing(QObject):
         if self._player is None or self._pair is None or self._pair[0] != self._player.path:
             return
         try:
-            self._player.set_reference(self._pair[1])
+            self._player.set_reference(self._pair[1], self._shift)
         except GlovetrackError as error:
             self._host.error.emit(str(error))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Signal
@@ -84,6 +85,7 @@ class LibraryPanel(Panel):
             "refresh": self.rescan,
             "track": self.ask_track,
             "compare": self.compare_selected,
+            "beside": partial(self.compare_selected, beside=True),
             "export": self.ask_export,
         }
         selected: dict[str, Callable[[], object]] = {
@@ -175,10 +177,14 @@ class LibraryPanel(Panel):
         dialog.wanted.connect(self._comparing.track_again)
         dialog.open()
 
-    def compare_selected(self) -> None:
-        """Compare the two selected sessions, the older one first."""
+    def compare_selected(self, beside: bool = False) -> None:
+        """Compare the two selected sessions, the older one first; ``beside``: as two takes."""
         rows = self.table.selected()
-        if len(rows) == 2:
+        if len(rows) != 2:
+            self.host.error.emit(self.tr("Choose two sessions in the library."))
+        elif beside:
+            self._comparing.side_by_side(rows[1].path, rows[0].path)
+        else:
             self._comparing.compare(rows[1].path, rows[0].path)
 
     # --- replay
@@ -203,6 +209,7 @@ class LibraryPanel(Panel):
 
     def refresh(self, view: Snapshot | None) -> None:
         self.transport.refresh()
+        self._comparing.follow()
 
     def shut_down(self) -> None:
         """Remember how wide the columns are."""

@@ -73,6 +73,7 @@ class SessionPage(QWidget):
         self.menu = QMenu(self)
         self.actions_of: dict[str, QAction] = {}
         for key, text, shortcut in (
+            ("beside", self.tr("Two takes side by side"), ""),
             ("rename", self.tr("Rename…"), "F2"),
             ("tags", self.tr("Tags…"), "Ctrl+T"),
             ("folder", self.tr("Open folder"), ""),
@@ -106,7 +107,12 @@ class SessionPage(QWidget):
             ("recover", one and rows[0].recoverable),
         ):
             self.buttons[key].setEnabled(on)
-        for key, on in (("rename", one), ("tags", bool(rows)), ("bin", bool(rows))):
+        for key, on in (
+            ("beside", len(rows) == 2),
+            ("rename", one),
+            ("tags", bool(rows)),
+            ("bin", bool(rows)),
+        ):
             self.actions_of[key].setEnabled(on)
 
     def selected(self) -> SessionRow | None:

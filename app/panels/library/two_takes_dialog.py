@@ -1,0 +1,131 @@
+"""Two takes on one time axis: a joint angle of both, their difference, and the offset between."""
+
+from __future__ import annotations
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDoubleSpinBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.viewmodels.compare import words
+from app.viewmodels.states import GOOD, SKY, WARN
+from app.viewmodels.two_takes import TwoTakes, figures_text
+
+LONGEST = 86_400.0  # s of offset
+FRAME_S = 0.01  # a step of the box
+
+
+class TwoTakesDialog(QDialog):
+    """Blocks nothing. ``moved`` has the new offset, ``sought`` a position in the first take, s."""
+
+    moved = Signal(float)
+    sought = Signal(float)
+
+    def __init__(self, takes: TwoTakes, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.takes = takes
+        names = takes.first.path.stem, takes.second.path.stem
+        self.setWindowTitle(self.tr("{} beside {}").format(*names))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.resize(820, 480)
+        self.figures = QLabel()
+        self._make_plot(*names)
+        column = QVBoxLayout(self)
+        column.addLayout(self._top())
+        column.addWidget(self.plot, 1)
+        column.addWidget(self.figures)
+        by_clock = takes.by_clock
+        self.set_offset(by_clock if by_clock is not None else 0.0)
+
+    def _make_plot(self, first: str, second: str) -> None:
+        self.plot = pg.PlotWidget()
+        self.plot.setBackground(self.palette().base().color())
+        ink = self.palette().text().color()
+        for side in ("left", "bottom"):
+            self.plot.getAxis(side).setPen(ink)
+            self.plot.getAxis(side).setTextPen(ink)
+        self.plot.setLabel("bottom", self.tr("s from the start of {}").format(first))
+        self.plot.setLabel("left", "°")
+        self.plot.setMenuEnabled(False)
+        self.plot.addLegend(labelTextColor=ink)
+        dashed = Qt.PenStyle.DashLine
+        self.curves = [
+            self.plot.plot(pen=pg.mkPen(SKY, width=1), name=first),
+            self.plot.plot(pen=pg.mkPen(WARN.colour, width=1), name=second),
+            self.plot.plot(pen=pg.mkPen(GOOD.colour, width=1, style=dashed), name="Δ"),
+        ]
+        self.begin = pg.InfiniteLine(
+            angle=90, movable=True, pen=pg.mkPen(WARN.colour), label=f"◂ {second} ▸"
+        )
+        self.begin.sigPositionChanged.connect(lambda line: self.set_offset(float(line.value())))
+        self.cursor_line = pg.InfiniteLine(angle=90, movable=True, pen=pg.mkPen(ink))
+        self.cursor_line.sigPositionChanged.connect(
+            lambda line: self.sought.emit(float(line.value()))
+        )
+        for line in (self.begin, self.cursor_line):
+            self.plot.addItem(line, ignoreBounds=True)
+
+    def _top(self) -> QHBoxLayout:
+        self.joint = QComboBox()
+        self.joint.setAccessibleName(self.tr("Joint angle"))
+        for name in self.takes.names:
+            self.joint.addItem(words(name), name)
+        self.joint.currentIndexChanged.connect(lambda _i: self._show())
+        self.offset = QDoubleSpinBox()
+        self.offset.setRange(-LONGEST, LONGEST)
+        self.offset.setDecimals(2)
+        self.offset.setSingleStep(FRAME_S)
+        self.offset.setSuffix(self.tr(" s"))
+        self.offset.setKeyboardTracking(False)
+        self.offset.setAccessibleName(self.tr("The second begins at"))
+        self.offset.valueChanged.connect(self.set_offset)
+        self.clock_button = QPushButton(self.tr("By clock"))
+        self.clock_button.setToolTip(self.tr("As the computers' clocks had it"))
+        self.clock_button.setEnabled(self.takes.by_clock is not None)
+        self.clock_button.clicked.connect(lambda: self.set_offset(self.takes.by_clock or 0.0))
+        self.starts_button = QPushButton(self.tr("Both from their start"))
+        self.starts_button.clicked.connect(lambda: self.set_offset(0.0))
+        row = QHBoxLayout()
+        row.addWidget(self.joint, 1)
+        row.addWidget(QLabel(self.tr("The second begins at")))
+        for widget in (self.offset, self.clock_button, self.starts_button):
+            row.addWidget(widget)
+        return row
+
+    def set_offset(self, offset: float) -> None:
+        """Where on the first one's axis the second begins, s."""
+        self._offset = float(np.clip(offset, -LONGEST, LONGEST))
+        with QSignalBlocker(self.offset), QSignalBlocker(self.begin):
+            self.offset.setValue(self._offset)
+            self.begin.setValue(self._offset)
+        self._show()
+        self.moved.emit(self._offset)
+
+    def show_position(self, position: float) -> None:
+        """Where the replay of the first one stands, s."""
+        with QSignalBlocker(self.cursor_line):
+            if not self.cursor_line.moving:
+                self.cursor_line.setValue(position)
+
+    def _show(self) -> None:
+        name = self.joint.currentData()
+        if name is None:
+            self.figures.setText(self.tr("The takes have no joint angle in common."))
+            return
+        t, first, t_second, second = self.takes.curves(name, self._offset)
+        difference = self.takes.difference(name, self._offset)
+        for curve, x, y in zip(
+            self.curves, (t, t_second, t), (first, second, difference), strict=True
+        ):
+            curve.setData(x, np.rad2deg(y), connect="finite")
+        found = self.takes.figures(name, self._offset)
+        self.figures.setText(f"{words(name)}: {figures_text(found)}")

@@ -1,0 +1,130 @@
+"""Two takes on one time axis: that of the first one's replay, in s from its first measurement.
+
+``offset`` is where on it the second one begins.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from tracker.clock import NS
+from tracker.messages import Array, Estimate, Validity
+from tracker.session.reader import SessionReader
+
+GAP = 0.05  # s over which an angle is not filled in
+
+
+@dataclass(frozen=True, eq=False)
+class TakeAngles:
+    """``t`` (N,) s from the first measurement; ``angles`` (N, J) rad, NaN where lost.
+
+    ``start``: the first measurement, s of its monotonic clock, and ``wall_ns`` since 1970.
+    """
+
+    path: Path
+    start: float
+    wall_ns: int
+    duration: float
+    names: tuple[str, ...]
+    t: Array
+    angles: Array
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Of a joint angle, rad, over ``common`` s in which both takes know it."""
+
+    rms: float
+    largest: float
+    common: float
+
+
+@dataclass(frozen=True, eq=False)
+class TwoTakes:
+    first: TakeAngles
+    second: TakeAngles
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The joint angles that both have, in the first one's order."""
+        return tuple(n for n in self.first.names if n in self.second.names)
+
+    @property
+    def by_clock(self) -> float | None:
+        """The offset that the computers' clocks tell; None where the takes do not overlap."""
+        offset = (self.second.wall_ns - self.first.wall_ns) / NS
+        apart = offset > self.first.duration or offset < -self.second.duration
+        return None if apart else offset
+
+    def shift(self, offset: float) -> float:
+        """s that the second one's monotonic clock is ahead of the first one's."""
+        return self.second.start - self.first.start - offset
+
+    def curves(self, name: str, offset: float) -> tuple[Array, Array, Array, Array]:
+        """Times and values (rad) of the first, then of the second on the first one's axis."""
+        a, b = self.first, self.second
+        return (
+            a.t,
+            a.angles[:, a.names.index(name)],
+            b.t + offset,
+            b.angles[:, b.names.index(name)],
+        )
+
+    def difference(self, name: str, offset: float) -> Array:
+        """Second minus first at the first one's times, rad; NaN where one of them does not know."""
+        t, first, t_second, second = self.curves(name, offset)
+        return between(t, t_second, second) - first
+
+    def figures(self, name: str, offset: float) -> Difference | None:
+        """None where the takes have no instant in common."""
+        difference = self.difference(name, offset)
+        known = np.isfinite(difference)
+        if not known.any():
+            return None
+        step = float(np.median(np.diff(self.first.t))) if len(self.first.t) > 1 else 0.0
+        some = difference[known]
+        return Difference(
+            float(np.sqrt(np.mean(some**2))), float(np.abs(some).max()), step * int(known.sum())
+        )
+
+
+def between(t: Array, known_t: Array, values: Array) -> Array:
+    """``values`` at ``t`` by straight lines; NaN outside, and where the next value is far."""
+    good = np.isfinite(values)
+    known_t, values = known_t[good], values[good]
+    if len(known_t) < 2:
+        return np.full(len(t), np.nan)
+    out = np.interp(t, known_t, values, left=np.nan, right=np.nan)
+    after = np.clip(np.searchsorted(known_t, t), 1, len(known_t) - 1)
+    out[known_t[after] - known_t[after - 1] > GAP] = np.nan
+    return out
+
+
+def read_take(path: Path) -> TakeAngles:
+    """A session's joint angles. Raises FileError for a file that is no session."""
+    with SessionReader(path) as reader:
+        names = reader.info.hand.joint_names
+        start = reader.anchor.monotonic(reader.span_ns[0])
+        found = [m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)]
+        angles = np.array([m.angles for m in found]).reshape(-1, len(names))
+        state = np.array([m.angle_state for m in found]).reshape(-1, len(names))
+        return TakeAngles(
+            path,
+            start,
+            reader.span_ns[0],
+            reader.duration,
+            names,
+            np.array([m.t - start for m in found]),
+            np.where(state == int(Validity.LOST), np.nan, angles),
+        )
+
+
+def figures_text(figures: Difference | None) -> str:
+    """One line."""
+    if figures is None:
+        return "The takes have no tracked instant in common here."
+    rms, largest = np.rad2deg([figures.rms, figures.largest])
+    return f"differ by {rms:.1f}° (rms), {largest:.1f}° at most, over {figures.common:.1f} s"

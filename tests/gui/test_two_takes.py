@@ -1,0 +1,114 @@
+"""Two takes on one time axis: parts of one session, so that what they must show is known."""
+
+from __future__ import annotations
+
+import shutil
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+
+from app.panels.library.two_takes_dialog import TwoTakesDialog
+from app.viewmodels.two_takes import TwoTakes, between, figures_text, read_take
+from tracker.offline.crop import crop
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
+
+LATER = 0.3  # s that the second part begins after the first
+JOINT = "index_mcp_flexion"
+
+
+@pytest.fixture(scope="module")
+def parts(tmp_path_factory):
+    """0.5 to 2 s and 0.8 to 2.4 s of one tracked session."""
+    folder = tmp_path_factory.mktemp("takes")
+    simulated, tracked = folder / "simulated.mcap", folder / "tracked.mcap"
+    simulate(simulated, SimulateOptions(seed=3, duration=2.6, fps=30, images=False))
+    track(simulated, tracked, TrackOptions("chain", with_sensors=True))
+    crop(tracked, folder / "a.mcap", 0.5, 2.0)
+    crop(tracked, folder / "b.mcap", 0.5 + LATER, 2.4)
+    return folder / "a.mcap", folder / "b.mcap"
+
+
+@pytest.fixture(scope="module")
+def takes(parts):
+    return TwoTakes(*map(read_take, parts))
+
+
+def test_by_the_clock_two_parts_of_one_movement_are_the_same(takes):
+    assert takes.by_clock == pytest.approx(LATER, abs=0.02)
+    for name in takes.names:
+        found = takes.figures(name, takes.by_clock)
+        assert found is not None and found.common > 1.0
+        assert found.largest < 1e-6  # times in s hold ns: 20 rad/s times that
+
+
+def test_at_another_offset_they_differ_as_the_movement_does(takes):
+    """Shifted by 0.1 s the difference is that of the first take with itself 0.1 s earlier."""
+    t, angle, _, _ = takes.curves(JOINT, 0.0)
+    expected = between(t - 0.1, t, angle) - angle
+    found = takes.difference(JOINT, takes.by_clock + 0.1)
+    both = np.isfinite(found) & np.isfinite(expected)
+    assert both.sum() > 80
+    np.testing.assert_allclose(found[both], expected[both], atol=1e-3)
+    assert takes.figures(JOINT, 100.0) is None
+    assert "no tracked instant in common" in figures_text(None)
+
+
+def test_gaps_are_not_filled_in():
+    known = np.array([0.0, 0.01, 0.02, 0.5, 0.51])
+    out = between(np.array([-0.1, 0.005, 0.3, 0.505, 0.6]), known, np.arange(5.0))
+    np.testing.assert_array_equal(np.isfinite(out), [False, True, False, True, False])
+
+
+@pytest.fixture
+def beside(window, store, parts, tmp_path, qtbot):
+    """The dialog that two selected sessions give."""
+    folder = tmp_path / "sessions"
+    folder.mkdir()
+    for path in parts:
+        shutil.copy2(path, folder / path.name)
+    window.show_panel("library")
+    table = window.library.table
+    qtbot.waitUntil(lambda: table.rowCount() == 2, timeout=20_000)
+    table.selectAll()
+    window.run_command("beside")
+    qtbot.waitUntil(lambda: window.findChild(TwoTakesDialog) is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
+    return window.findChild(TwoTakesDialog)
+
+
+def test_the_second_hand_goes_along_with_the_first(beside, window, qtbot):
+    player, engine = window.host.setup.player, window.host.setup.engine
+    assert player.path.name == "a.mcap"
+    window.run_command("play") if player.playing else None
+    player.seek(0.9)
+
+    def difference() -> float:
+        hand, estimate = player.reference(), engine.latest_estimate()
+        if hand is None or estimate is None or abs(player.position - 0.9) > 0.1:
+            return np.nan
+        return float(np.nanmax(np.abs(hand.keypoints - estimate.keypoints)))
+
+    qtbot.waitUntil(lambda: difference() < 1e-9, timeout=10_000)
+    beside.offset.setValue(LATER + 0.4)
+    qtbot.waitUntil(lambda: difference() > 1e-3, timeout=10_000)
+    qtbot.mouseClick(beside.clock_button, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: difference() < 1e-9, timeout=10_000)
+
+
+def test_curves_line_and_offset_go_together(beside, window, qtbot):
+    assert "differ by 0.0°" in beside.figures.text()
+    beside.begin.setValue(0.0)  # as by the mouse
+    assert beside.offset.value() == 0.0
+    assert "differ by 0.0°" not in beside.figures.text()
+    assert beside.curves[1].getData()[0][0] == pytest.approx(0.0, abs=0.05)
+    window.host.setup.player.play(False)
+    beside.cursor_line.setValue(0.7)
+    qtbot.waitUntil(
+        lambda: window.host.setup.player.position == pytest.approx(0.7, abs=0.1), timeout=10_000
+    )
+    beside.close()
+    qtbot.wait(50)
+    window.library.refresh(None)  # nothing follows a dialog that is gone
