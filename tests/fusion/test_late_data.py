@@ -16,6 +16,7 @@ from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, ImuSample, Tracking, Validity
 from tracker.pipeline import Pipeline
 from tracker.session.reader import SessionReader
+from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
 
@@ -134,11 +135,17 @@ def test_late_packets_lead_to_the_state_of_those_in_order(
     assert np.abs(a.keypoints - b.keypoints).max() < 5e-4
 
 
-def test_what_is_carried_on_says_how_unsure_it_is(hand: HandModel, glove: GloveModel) -> None:
+@pytest.mark.parametrize("engine", ["chain", "vist"])
+def test_what_is_carried_on_says_how_unsure_it_is(
+    hand: HandModel, glove: GloveModel, engine: str
+) -> None:
     """Without images for 0.6 s the claimed sd grows; nothing stays measured with a large one."""
     sim = Simulation(hand, glove, RandomPostures(hand, 6, duration=5.0), 6, fps=30)
     blind = [m for m in sim.feed() if isinstance(m, ImuSample) or not 3.0 < m.t < 3.6]
-    estimates = feed(Pipeline(hand, glove, sim.rig), blind)
+    pipeline = Pipeline(hand, glove, sim.rig, Settings(engine=engine))
+    estimates = feed(pipeline, blind)
+    now, soon = estimates[-1], pipeline.predict(estimates[-1].t + 0.15)
+    assert np.all(soon.keypoint_sd[rows(glove, hand)] > now.keypoint_sd[rows(glove, hand)])
     sd = {round(e.t, 2): e.keypoint_sd[rows(glove, hand)] for e in estimates}
     assert np.all(np.diff([sd[t][3] for t in (3.1, 3.3, 3.5)]) > 0)
     for e in estimates:

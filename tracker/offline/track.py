@@ -29,6 +29,7 @@ from tracker.offline.runs import LiveRun, NoOutput, Output, SessionRun, SmoothRu
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
+from tracker.session.arithmetic import arithmetic
 from tracker.session.decode_sensors import Sensed
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
@@ -182,7 +183,13 @@ def _output_info(
     extra |= {"source": source.name, "source_sha256": _sha256(source)}
     if options.smooth:
         extra["smoothed"] = "true"
-    return replace(info, engine=settings.engine, settings_text=to_toml(settings), extra=extra)
+    return replace(
+        info,
+        engine=settings.engine,
+        settings_text=to_toml(settings),
+        arithmetic=arithmetic(),
+        extra=extra,
+    )
 
 
 def _sha256(path: Path) -> str:

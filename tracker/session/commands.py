@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tracker.terminal import add_json, check_json, finish
+from tracker.terminal import add_json, check_json, finish, printable
 
 if TYPE_CHECKING:
     from tracker.session.verify import Finding
@@ -158,6 +158,18 @@ def _recover(args: argparse.Namespace) -> int:
     return 0
 
 
+def _made_on(first: str, second: str, identical: bool) -> list[str]:
+    """That two files which differ were computed by different arithmetic, if they were."""
+    if identical or first == second:
+        return []
+    unknown = "a computer that is not known"
+    return [
+        "computed with different arithmetic, on which the last bits depend:",
+        f"  {printable(first) or unknown}",
+        f"  {printable(second) or unknown}",
+    ]
+
+
 def _compare(args: argparse.Namespace) -> int:
     from tracker.session.compare import compare
 
@@ -171,5 +183,6 @@ def _compare(args: argparse.Namespace) -> int:
     ]
     if found["differing"]:
         lines.append(f"differing: {', '.join(found['differing'])}")
+    lines += _made_on(*found["made_on"], found["identical"])
     finish(args, found, lines, inputs)
     return 0

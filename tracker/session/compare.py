@@ -25,6 +25,7 @@ def compare(a: Path, b: Path, figure: Path | None = None, force: bool = False) -
     with SessionReader(a) as reader_a, SessionReader(b) as reader_b:
         first, second = (recorded_series(r) for r in (reader_a, reader_b))
         words = _metadata_changes(reader_a, reader_b)
+        made_on = [r.metadata.get("arithmetic", "") for r in (reader_a, reader_b)]
     rows_a, rows_b = common_rows(first.stamp_ns, second.stamp_ns)
     if len(rows_a) == 0:
         raise FileError(f"{a} and {b} have no instant in common.")
@@ -43,6 +44,7 @@ def compare(a: Path, b: Path, figure: Path | None = None, force: bool = False) -
         "keypoints_mm": {n: _mean(distance[:, i]) for i, n in enumerate(points)},
         "joints_rms_deg": {n: float(np.sqrt(_mean(turn[:, i] ** 2))) for i, n in enumerate(joints)},
         "differing": words,
+        "made_on": made_on,
     }
 
 

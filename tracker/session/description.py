@@ -10,6 +10,7 @@ from tracker.glove.files import parse_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
+from tracker.session.arithmetic import arithmetic
 from tracker.vision.rig import StereoRig
 
 HAND, GLOVE = "hand.toml", "glove.toml"
@@ -21,6 +22,7 @@ METADATA = "glovetrack"
 class SessionInfo:
     """``moving_camera``: poses come with the frames and ``rig.pose`` is of no account.
 
+    ``arithmetic`` is that of the computer that made the estimates, empty where unknown.
     ``hues`` are the names that blobs' hues index; the glove's unless told. ``extra`` goes into the
     metadata record as it is (a tracked file's ``source``, for one).
     """
@@ -40,6 +42,7 @@ class SessionInfo:
     notes: str = ""
     simulated: bool = False
     hues: tuple[str, ...] = ()
+    arithmetic: str = field(default_factory=arithmetic)
     extra: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -70,6 +73,7 @@ class SessionInfo:
         return {
             "version": self.version,
             "engine": self.engine,
+            "arithmetic": self.arithmetic,
             "wall_clock_ns": str(self.anchor.wall_ns),
             "monotonic_ns": str(self.anchor.monotonic_ns),
             "participant": self.participant,

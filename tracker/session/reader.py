@@ -185,6 +185,7 @@ class SessionReader:
             notes=m.get("notes", ""),
             simulated=m.get("simulated") == "true",
             hues=tuple(h for h in m.get("hues", "").split(",") if h),
+            arithmetic=m.get("arithmetic", ""),
             extra={k: v for k, v in m.items() if k not in known},
         )
 

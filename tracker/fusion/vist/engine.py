@@ -9,6 +9,7 @@ import copy
 from dataclasses import dataclass
 
 from tracker.fusion.ablations.variants import check_variant
+from tracker.fusion.chain.shown import called_measured
 from tracker.fusion.output.output import HandOutput
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.fusion.time.timeline import Timeline, TimelineKept
@@ -91,9 +92,9 @@ class VistEngine:
         return p_G, self._tracker.kept.track.tip_sd[segment], self._layout.kept.copy()
 
     def _estimate(self, state: VistState, t: float) -> Estimate:
-        sensed, tip_sd = self._tracker.sensed(t), self._tracker.kept.track.tip_sd
-        p_GB = state.p_GB(self._layout)
-        return self._output.estimate(t, state.R_GB, p_GB, state.scale, sensed, tip_sd)
+        p_GB, sensed = state.p_GB(self._layout), self._tracker.sensed(t)
+        sd = self._tracker.sd_at(t)
+        return called_measured(self._output.estimate(t, state.R_GB, p_GB, state.scale, sensed, sd))
 
     def calibration(self) -> Calibration:
         """Estimated parameters with their uncertainty."""

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker import GRAVITY
 from tracker.fusion.chain.pixels import SeenBlobs
-from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, VistLayout
+from tracker.fusion.vist.layout import BA, BG, ERRORS, LAM, PHI, TH, V, VistLayout
 from tracker.fusion.vist.markers import Expected, Matched
+from tracker.fusion.vist.params import VistNoise
 from tracker.fusion.vist.state import VistState
 from tracker.geometry import so3
 from tracker.messages import (
@@ -40,6 +42,16 @@ def calibration_of(layout: VistLayout, state: VistState) -> Calibration:
         hand_length=length,
         hand_length_sd=length_sd,
     )
+
+
+def ahead_variance(state: VistState, layout: VistLayout, noise: VistNoise, tau: float) -> Array:
+    """(n,) m² an axis that each segment's position gains while the nominal state alone is carried
+    on for ``tau`` s (docs/chain.md, eq. 50): each has a velocity, a tilt and a bias of its own."""
+    variance = np.diagonal(state.P).reshape(layout.n, ERRORS)
+    velocity, tilt, bias = (variance[:, k : k + 3].mean(axis=1) for k in (V, TH, BA))
+    pull = GRAVITY**2 * tilt + bias
+    gained: Array = velocity * tau**2 + pull * tau**4 / 4 + noise.accel**2 * tau**3 / 3
+    return gained
 
 
 def hand_length(layout: VistLayout, state: VistState) -> tuple[float, float]:

@@ -16,7 +16,7 @@ from tracker.fusion.vist.layout import VistLayout
 from tracker.fusion.vist.markers import Expected, MarkerModel, Matched, PreviousMarkers
 from tracker.fusion.vist.params import VistParams
 from tracker.fusion.vist.propagate import propagate
-from tracker.fusion.vist.reports import frame_result
+from tracker.fusion.vist.reports import ahead_variance, frame_result
 from tracker.fusion.vist.rest import is_still
 from tracker.fusion.vist.state import (
     VistState,
@@ -29,6 +29,7 @@ from tracker.fusion.vist.state import (
 from tracker.fusion.vist.track import Track, is_better
 from tracker.messages import (
     SEEN_LATELY,
+    Array,
     BlobFrame,
     CameraPose,
     FrameResult,
@@ -221,3 +222,11 @@ class VistTracker:
         out = (t - self._track.felt[self._layout.imu_of] < SEEN_LATELY).astype(np.int64)
         out[self._layout.chain.marker_segment[t - self._track.seen < SEEN_LATELY]] = 1
         return Sensed(out, self._track.tracking)
+
+    def sd_at(self, t: float) -> Array:
+        """(n,) m of the segments' ends, which grows from the last image or constraint on."""
+        tip_sd, last = self._track.tip_sd, self._track.last_constraint
+        tau = t - last if np.isfinite(last) else 0.0
+        ahead = ahead_variance(self.state, self._layout, self._params.noise, max(tau, 0.0))
+        sd: Array = np.sqrt(tip_sd**2 + ahead)
+        return sd

@@ -1,0 +1,65 @@
+"""What the last bits of floating-point results depend on: processor, BLAS kernel and its threads.
+
+Tracking again gives the same bits where these are the same. Elsewhere sums are taken in another
+order, by fused or plain multiplications, and the results differ far below a micrometre.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import platform
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numba
+import numpy as np
+from llvmlite import binding
+
+BLAS_PREFIXES = ("scipy_openblas_", "openblas_")
+BLAS_SUFFIXES = ("64_", "")
+
+
+@cache
+def arithmetic() -> str:
+    """This computer's, in words that are the same on every computer of its kind."""
+    return "; ".join(
+        (
+            f"processor {platform.machine()} {binding.get_host_cpu_name()}",
+            f"BLAS {_blas()}",
+            f"numpy {np.__version__}",
+            f"numba {numba.__version__}",
+        )
+    )
+
+
+def _blas() -> str:
+    """The kernel that was chosen for this processor, or by the user, and how many threads."""
+    for path in _libraries():
+        library = ctypes.CDLL(str(path))
+        name, threads = _asked(library, "get_corename"), _asked(library, "get_num_threads")
+        if name is None or threads is None:
+            continue
+        name.restype, threads.restype = ctypes.c_char_p, ctypes.c_int
+        kernel: bytes = name() or b"unknown"
+        return f"OpenBLAS {kernel.decode('ascii', 'replace')}, {threads()} threads"
+    built: Any = np.__config__.CONFIG  # type: ignore[attr-defined]
+    return str(built["Build Dependencies"]["blas"].get("name", "unknown"))
+
+
+def _libraries() -> list[Path]:
+    """Shared libraries of BLAS that NumPy's wheel brings."""
+    root = Path(np.__file__).parent
+    folders = (root.parent / "numpy.libs", root / ".libs", root / ".dylibs")
+    return [path for folder in folders for path in sorted(folder.glob("*openblas*"))]
+
+
+def _asked(library: ctypes.CDLL, what: str) -> Callable[..., Any] | None:
+    """A function of OpenBLAS, under whichever name it was built."""
+    for prefix in BLAS_PREFIXES:
+        for suffix in BLAS_SUFFIXES:
+            found = getattr(library, f"{prefix}{what}{suffix}", None)
+            if found is not None:
+                return found  # type: ignore[no-any-return]
+    return None
