@@ -26,6 +26,7 @@ NAMES = {
     "the rotation R": ("R",),
     "the translation T": ("T",),
 }
+MOST_NUMBERS = 100  # of a matrix
 MAX_COEFFICIENTS = 5  # plumb bob
 
 
@@ -82,9 +83,25 @@ def _first(storage: cv2.FileStorage, names: tuple[str, ...]) -> Array | None:
     for name in names:
         node = storage.getNode(name)
         if not node.empty():
-            matrix = node.mat()
-            return None if matrix is None else np.asarray(matrix, float)
+            return _matrix(node)
     return None
+
+
+def _matrix(node: cv2.FileNode) -> Array | None:
+    """Its numbers, one by one: `FileNode.mat` believes rows and columns, and writes past its memory
+    where there are more or fewer numbers than they say."""
+    if not node.isMap():
+        return None
+    rows, columns, data = (node.getNode(name) for name in ("rows", "cols", "data"))
+    if not (rows.isInt() and columns.isInt() and data.isSeq()):
+        return None
+    shape = int(rows.real()), int(columns.real())
+    numbers = [data.at(k) for k in range(min(data.size(), MOST_NUMBERS))]
+    if min(shape) < 1 or shape[0] * shape[1] != len(numbers):
+        return None
+    if not all(n.isReal() or n.isInt() for n in numbers):
+        return None
+    return np.array([n.real() for n in numbers]).reshape(shape)
 
 
 def _shaped(matrix: Array, shape: tuple[int, ...], what: str, where: str) -> Array:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ctypes
 import platform
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -44,7 +43,7 @@ def _blas() -> str:
         name.restype, threads.restype = ctypes.c_char_p, ctypes.c_int
         kernel: bytes = name() or b"unknown"
         return f"OpenBLAS {kernel.decode('ascii', 'replace')}, {threads()} threads"
-    built: Any = np.__config__.CONFIG  # type: ignore[attr-defined]
+    built: Any = np.__config__.CONFIG
     return str(built["Build Dependencies"]["blas"].get("name", "unknown"))
 
 
@@ -55,11 +54,11 @@ def _libraries() -> list[Path]:
     return [path for folder in folders for path in sorted(folder.glob("*openblas*"))]
 
 
-def _asked(library: ctypes.CDLL, what: str) -> Callable[..., Any] | None:
-    """A function of OpenBLAS, under whichever name it was built."""
+def _asked(library: ctypes.CDLL, what: str) -> Any:
+    """A function of OpenBLAS, under whichever name it was built; None where there is none."""
     for prefix in BLAS_PREFIXES:
         for suffix in BLAS_SUFFIXES:
             found = getattr(library, f"{prefix}{what}{suffix}", None)
             if found is not None:
-                return found  # type: ignore[no-any-return]
+                return found
     return None

@@ -158,8 +158,9 @@ def _recover(args: argparse.Namespace) -> int:
     return 0
 
 
-def _made_on(first: str, second: str, identical: bool) -> list[str]:
+def _made_on(made_on: list[str], identical: bool) -> list[str]:
     """That two files which differ were computed by different arithmetic, if they were."""
+    first, second = made_on
     if identical or first == second:
         return []
     unknown = "a computer that is not known"
@@ -183,6 +184,6 @@ def _compare(args: argparse.Namespace) -> int:
     ]
     if found["differing"]:
         lines.append(f"differing: {', '.join(found['differing'])}")
-    lines += _made_on(*found["made_on"], found["identical"])
+    lines += _made_on(found["made_on"], found["identical"])
     finish(args, found, lines, inputs)
     return 0
