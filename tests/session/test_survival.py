@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import lz4.frame
 import numpy as np
@@ -26,7 +27,7 @@ from tracker.session.mcap.ordering import ordered
 from tracker.session.mcap.recover import recover
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
-from tracker.session.writer import SessionRecorder
+from tracker.session.writer import SessionRecorder, new_session
 
 Record = Callable[..., Path]
 
@@ -167,6 +168,23 @@ def test_a_disk_that_runs_low_warns_and_then_stops(tmp_path: Path, session_info,
             recorder.write(maker.imu(10.0 * k, k))
     assert recorder.closed
     assert is_ok(verify(path))
+
+
+def test_a_file_that_is_made_fits_on_a_disk_too_full_to_record_on(
+    tmp_path: Path, session_info, maker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A recording needs room for what is to come; a tracked file is small, and made again."""
+    left = SimpleNamespace(total=10**12, used=10**12, free=50 * 10**6)
+    monkeypatch.setattr("tracker.files.shutil.disk_usage", lambda folder: left)
+    with pytest.raises(FileError) as caught:
+        SessionRecorder(tmp_path / "recorded.mcap", session_info)
+    said = str(caught.value)
+    assert "nearly full" in said and "nothing is recorded" in said and "safe" not in said
+    with new_session(tmp_path / "made.mcap", session_info) as recorder:
+        for m in maker.stream(500, images=False):
+            recorder.write(m)
+    assert is_ok(verify(tmp_path / "made.mcap"))
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["made.mcap"]
 
 
 def test_a_full_disk_leaves_whole_chunks(tmp_path: Path, session_info, maker, monkeypatch) -> None:

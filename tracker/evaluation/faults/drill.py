@@ -13,7 +13,16 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from tracker import library
-from tracker.messages import Array, Estimate, Event, ImuSample, Tracking, Validity
+from tracker.live.load import LoadWatch
+from tracker.messages import (
+    Array,
+    Estimate,
+    Event,
+    ImuSample,
+    StereoFrame,
+    Tracking,
+    Validity,
+)
 from tracker.pipeline import Pipeline
 from tracker.sensors.camera import CameraParams, StereoCamera
 from tracker.sensors.glove_link import GloveLink, LinkState
@@ -26,7 +35,11 @@ from tracker.simulation.virtual_glove import VirtualGlove
 from tracker.vision.colours import parse_profile
 from tracker.vision.detector import Detector, detect_frame
 
-FAULTS = (*virtual_glove.FAULTS, *virtual_camera.FAULTS)
+HOST_FAULTS = ("starved glove", "starved camera", "starved")
+"""Of the computer: threads that are let run up to `LONGEST_WAIT` apart. Packets come late and in
+bunches then, images late, and only the newest of those that came meanwhile."""
+FAULTS = (*virtual_glove.FAULTS, *virtual_camera.FAULTS, *HOST_FAULTS)
+SHORTEST_WAIT, LONGEST_WAIT = 0.02, 0.3  # s
 KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 FPS = 30.0
 MOTION_S = 120.0  # of one wearer; then another begins
@@ -111,7 +124,36 @@ class Bench:
         self._rows = np.array([names.index(k) for k in KEYPOINTS])
         self._next_image = 1 / fps
         self._silence = SilenceWatch("camera")
+        self._load = LoadWatch()
+        self._rng = np.random.default_rng(seed)
+        self._wake: dict[str, float] = {}  # s when a starved thread runs next, by its device
+        self._held: StereoFrame | None = None  # the newest image that a starved thread has missed
+        self._missed = 0
         self.estimate: Estimate | None = None
+
+    # ---- the computer
+
+    def fail(self, kind: str) -> None:
+        """Begin one of `FAULTS`."""
+        if kind in HOST_FAULTS:
+            both = ("glove", "camera")
+            self._wake = {d: self.now for d in both if kind in ("starved", f"starved {d}")}
+        else:
+            (self.glove if kind in virtual_glove.FAULTS else self.camera).fail(kind)
+
+    def heal(self) -> None:
+        """End whatever has begun."""
+        self._wake = {}
+        self.glove.heal()
+        self.camera.heal()
+
+    def _runs(self, device: str) -> bool:
+        """Whether the thread of a device is let run now."""
+        if self.now < self._wake.get(device, -np.inf):
+            return False
+        if device in self._wake:
+            self._wake[device] = self.now + float(self._rng.uniform(SHORTEST_WAIT, LONGEST_WAIT))
+        return True
 
     # ---- time
 
@@ -129,7 +171,10 @@ class Bench:
         if packet <= image:
             self.now = packet
             self.glove.advance(packet)
-            self._poll()
+            if self._runs("glove"):
+                self._poll()
+            if self._held is not None and self._runs("camera"):
+                self._look_at(self._held)
         else:
             self.now = image
             self._take_image()
@@ -138,6 +183,7 @@ class Bench:
         for item in self.link.poll(0.0):
             if isinstance(item, ImuSample):
                 self.estimate = self.pipeline.feed_imu(item)
+                self._load.packet(self.now, self.now - item.t)
             else:
                 self._words.append(item.text)
         self._listen()
@@ -149,10 +195,18 @@ class Bench:
         text = self._silence.look(self.now) if frame is None else self._silence.heard(self.now)
         self._words += [text] if text else []
         if frame is not None:
-            self.pipeline.feed_frame(detect_frame(self._detector, frame))
-            if self.link.state != LinkState.STREAMING:
-                self.estimate = self.pipeline.predict(frame.t)
+            self._missed += self._held is not None
+            self._held = frame
+            if self._runs("camera"):
+                self._look_at(frame)
         self._listen()
+
+    def _look_at(self, frame: StereoFrame) -> None:
+        self._load.image(self.now, self.now - frame.t_arrival, self._missed)
+        self._held, self._missed = None, 0
+        self.pipeline.feed_frame(detect_frame(self._detector, frame))
+        if self.link.state != LinkState.STREAMING:
+            self.estimate = self.pipeline.predict(frame.t)
 
     def _listen(self) -> None:
         for result in self.pipeline.take_results():
@@ -160,6 +214,7 @@ class Bench:
                 self._matched = result.t
         events: list[Event] = list(self.images.take_events())
         self._words += [e.text for e in events] + self.pipeline.take_words()
+        self._words += self._load.take_words()
 
     # ---- truth
 
@@ -235,15 +290,14 @@ def _new_bench(seed: int, params: DrillParams, report: DrillReport) -> Bench:
 def _one_fault(
     bench: Bench, kind: str, rng: np.random.Generator, p: DrillParams, report: DrillReport
 ) -> None:
-    device = bench.glove if kind in virtual_glove.FAULTS else bench.camera
     bench.run(lambda: False, float(rng.uniform(p.rest_shortest, p.rest_longest)))
     report.words.update(_kind_of_words(bench.take_words()))
     losses = bench.losses()
     watch = _LieDetector(bench, p)
     lasting = float(rng.uniform(p.shortest, p.longest))
-    device.fail(kind)
+    bench.fail(kind)
     bench.run(watch.look, lasting)
-    device.heal()
+    bench.heal()
     took = bench.run(lambda: watch.look() or bench.tracked(p.back), p.patience)
     watch.look()
     report.faults[kind] += 1
