@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -15,7 +16,16 @@ NAME = "glovetrack-recorder"
 
 
 def shared_names() -> set[str]:
-    return {p.name for p in SHARED.iterdir()} if SHARED.is_dir() else set()
+    """Of blocks of memory that anyone has made here and not given up yet."""
+    return {p.name for p in SHARED.glob("psm_*")} if SHARED.is_dir() else set()
+
+
+def left_since(before: set[str]) -> set[str]:
+    """Names that stay; those of tests beside this one are gone in a moment."""
+    deadline = time.monotonic() + 10
+    while (left := shared_names() - before) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    return left
 
 
 @pytest.fixture
@@ -31,4 +41,4 @@ def recorders() -> Iterator[Callable[..., RecorderProcesses]]:
     for processes in made:
         processes.close()
     assert not [p for p in multiprocessing.active_children() if p.name == NAME]
-    assert shared_names() <= before
+    assert not left_since(before)

@@ -8,7 +8,7 @@ import os
 import numpy as np
 import pytest
 
-from tests.session.recording.conftest import shared_names
+from tests.session.recording.conftest import left_since, shared_names
 from tracker import shared_memory
 from tracker.messages import StereoFrame
 from tracker.session.recording.image_slots import ImageSlots, SlotReader, bytes_of
@@ -25,7 +25,7 @@ def slots():
     made = ImageSlots(0, bytes_of(frame(0)))
     yield made
     made.close()
-    assert shared_names() <= before
+    assert not left_since(before)
 
 
 def test_every_place_can_be_taken_once_and_again_after_it_is_freed(slots) -> None:
@@ -77,4 +77,4 @@ def test_a_system_with_little_room_gives_fewer_places_and_none_in_words(monkeypa
     left[0] = 100
     with pytest.raises(shared_memory.NoSharedMemory, match="no .* MB of shared memory left"):
         ImageSlots(0, bytes_of(frame(0)))
-    assert shared_names() <= before
+    assert not left_since(before)

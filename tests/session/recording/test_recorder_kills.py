@@ -14,7 +14,7 @@ import psutil
 import pytest
 
 from tests.session.conftest import ANCHOR, RESOURCES, MessageMaker
-from tests.session.recording.conftest import shared_names
+from tests.session.recording.conftest import left_since, shared_names
 from tracker.live.recording import RecordingThread
 from tracker.messages import ImuSample
 from tracker.session.description import SessionInfo, describe
@@ -161,7 +161,7 @@ def test_of_a_window_that_is_killed_the_file_is_finished(tmp_path, window, numbe
     assert not needs_recovery(path)
     assert is_ok(verify(path))
     assert lost_s(path, told.value) <= MOST_LOST
-    assert shared_names() <= before
+    assert not left_since(before)
 
 
 def test_of_both_killed_at_once_a_file_is_left_that_can_be_recovered(tmp_path, window) -> None:
@@ -173,7 +173,7 @@ def test_of_both_killed_at_once_a_file_is_left_that_can_be_recovered(tmp_path, w
     assert has_ended(pid, 20.0)
     assert needs_recovery(path)
     assert lost_s(recover(path).path, told.value) <= MOST_LOST
-    assert shared_names() <= before
+    assert not left_since(before)
 
 
 def test_a_recorder_that_stands_still_is_given_up_and_finishes_when_it_goes_on(

@@ -20,7 +20,7 @@ TIME_REFERENCE = "sensor_msgs/msg/TimeReference"
 DETECTIONS = "vision_msgs/msg/Detection2DArray"
 
 _NO_ORIENTATION = np.array([0.0, 0, 0, 1, -1, 0, 0, 0, 0, 0, 0, 0, 0])
-_NO_COVARIANCE = np.zeros(9)
+_IMU_AT_REST = np.r_[_NO_ORIENTATION, np.zeros(3 + 9 + 3 + 9)]
 _UNKNOWN_POSE = np.r_[0.0, 0, 0, 0, 0, 0, 1, np.zeros(36)]
 
 
@@ -56,7 +56,9 @@ class Detections(NamedTuple):
 def pack_imu(m: ImuMessage) -> bytes:
     out = CdrWriter()
     out.header(m.stamp, m.frame)
-    out.doubles(np.r_[_NO_ORIENTATION, m.gyro, _NO_COVARIANCE, m.accel, _NO_COVARIANCE])
+    values = _IMU_AT_REST.copy()
+    values[13:16], values[25:28] = m.gyro, m.accel
+    out.doubles(values)
     return out.done()
 
 
