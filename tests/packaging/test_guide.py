@@ -68,8 +68,10 @@ def test_every_page_is_listed() -> None:
 
 def test_shortcuts_are_the_windows() -> None:
     """Each key that the guide names is one that the window knows."""
-    root = GUIDE.parents[1] / "app" / "window"
-    known = set(re.findall(r'"([^"\n]{1,12})"', (root / "window_commands.py").read_text("utf-8")))
+    root = GUIDE.parents[1] / "app"
+    files = ("window/window_commands.py", "panels/library/session_page.py")
+    texts = [(root / name).read_text("utf-8") for name in files]
+    known = {key for text in texts for key in re.findall(r'"([^"\n]{1,12})"', text)}
     told = {
         key
         for page in PAGES
