@@ -18,10 +18,10 @@ STAGES = {
     "total": "An image's arrival to the estimate made of it",
 }
 SHED = {
-    Shed.VIEW_RATE: "3D images",
+    Shed.VIEW_RATE: "3D rate",
     Shed.OVERLAYS: "overlays",
-    Shed.WHOLE_SEARCHES: "whole searches",
-    Shed.IMAGES: "camera images",
+    Shed.WHOLE_SEARCHES: "wide search",
+    Shed.IMAGES: "images",
 }
 
 

@@ -233,8 +233,8 @@ def test_what_is_left_out_of_a_slow_computer_is_said_in_words():
         return fields(Status(0.0, Tracking.TRACKING, {"load_shed": level}))[-1]
 
     assert shown(0.0).text == shown(0.0).name == ""
-    assert (shown(1.0).name, shown(1.0).text) == ("Left out:", "3D images")
-    assert shown(4.0).text == "3D images, overlays, whole searches, camera images"
+    assert (shown(1.0).name, shown(1.0).text) == ("Left out:", "3D rate")
+    assert shown(4.0).text == "3D rate, overlays, wide search, images"
     assert shown(3.0).look.word == "attention" and len(shown(3.0).tip.splitlines()) == 3
 
 
