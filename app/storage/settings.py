@@ -49,6 +49,7 @@ class AppSettings:
     countdown_sound: bool = False
     wearer: str = ""  # whose calibration is put on at the start
     engine: str = "chain"  # what tracks
+    angle_unit: str = "deg"  # or "rad": of the motion panel
     view_3d: str = "auto"  # "auto", "card" or "painted"
     card_trial: bool = False  # the graphics card's view has not yet drawn enough to be trusted
     hand: str = "reference-right"

@@ -49,6 +49,7 @@ class HandSkin:
         self._looks = np.empty((0, LOOK))
         self._states: IntArray | None = None
         self._fit(np.ones((len(hand.segments), 3)))
+        posed(self._rest_patches, self.skin.bind_R, self.skin.bind_p)  # compiled here, if need be
 
     @property
     def part(self) -> IntArray:

@@ -56,13 +56,18 @@ JOBS = (
         "record", "circle-dot", ((("cameras",), ("hand",)), (("recording", "log"),)), 0.70, (0.5, 1)
     ),
     Job(
-        "look", "film", ((("cameras",),), (("hand",),)), 0.55, across=("library", "log"), below=0.4
+        "look",
+        "film",
+        ((("cameras",),), (("hand",),)),
+        0.55,
+        across=("library", "motion", "log"),
+        below=0.4,
     ),
     Job(
         "all",
         "panels-top-left",
         (
-            (("cameras",), ("sensors", "library", "log")),
+            (("cameras",), ("sensors", "motion", "library", "log")),
             (("hand",), ("calibration", "checklist", "colours", "recording", "streams")),
         ),
         0.58,

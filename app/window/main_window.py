@@ -20,6 +20,7 @@ from app.panels.colours.panel import ColoursPanel
 from app.panels.hand.panel import HandPanel
 from app.panels.library.panel import LibraryPanel
 from app.panels.log import LogPanel
+from app.panels.motion.panel import MotionPanel
 from app.panels.panel import Panel
 from app.panels.recording import RecordingPanel
 from app.panels.sensors import SensorsPanel
@@ -99,6 +100,7 @@ class MainWindow(QMainWindow):
         self.cameras = CamerasPanel(self.host)
         self.hand = HandPanel(self.host, self.store, self.tasks)
         self.sensors = SensorsPanel(self.host)
+        self.motion = MotionPanel(self.host, self.store)
         self.library = LibraryPanel(self.host, self.store, self.tasks)
         self.log = LogPanel(self.host)
         self.checklist = ChecklistPanel(self.host, self.store)
@@ -110,6 +112,7 @@ class MainWindow(QMainWindow):
             self.cameras,
             self.hand,
             self.sensors,
+            self.motion,
             self.library,
             self.log,
             self.checklist,
@@ -248,6 +251,7 @@ class MainWindow(QMainWindow):
         colours = theme.apply(app, name)
         self.hand.view.set_background(colours.scene)
         self.sensors.set_colours(colours.base, colours.text)
+        self.motion.plot.set_colours(colours.base, colours.text)
         if name != self.store.value.theme:
             self.store.update(theme=name)
 

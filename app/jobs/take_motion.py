@@ -1,0 +1,32 @@
+"""A take read for its motion, beside the window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from app.platform.tasks import JobProgress
+from tracker.errors import FileError
+from tracker.session.motion import Take, read_take
+from tracker.session.reader import SessionReader
+
+
+def read_motion(path: Path) -> Callable[[JobProgress], Take | None]:
+    """A job; None where the session holds no estimates."""
+
+    def job(progress: JobProgress) -> Take | None:
+        with SessionReader(path, watch=progress) as reader:
+            try:
+                return read_take(reader)
+            except FileError:
+                return None
+
+    return job
+
+
+def csv_of(text: str, path: Path) -> None:
+    """Write a table. Raises FileError."""
+    try:
+        path.write_text(text, "utf-8", newline="")
+    except OSError as error:
+        raise FileError(f"{path} cannot be written: {error.strerror or error}.") from error

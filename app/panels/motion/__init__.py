@@ -1,0 +1,1 @@
+"""The motion as numbers, bars and curves."""

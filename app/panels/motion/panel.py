@@ -1,0 +1,223 @@
+"""Measuring without leaving: angles, distances, their ranges and speeds, live and over a take."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QLabel,
+    QPushButton,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.engine import EngineSetup
+from app.engines.engine_host import EngineHost
+from app.engines.snapshot import Snapshot
+from app.jobs.take_motion import csv_of, read_motion
+from app.panels.motion.plot import MotionPlot
+from app.panels.motion.table import MotionTable
+from app.panels.panel import Panel
+from app.platform.tasks import LatestJob
+from app.storage.settings import SettingsStore
+from app.viewmodels.motion import MotionModel
+from app.widgets.flow_layout import FlowLayout
+from tracker.errors import GlovetrackError
+
+FIGURES_EVERY = 10  # refreshes
+FIRST_ROWS = ("index_mcp_flexion", "index_pip_flexion")
+
+
+class MotionPanel(Panel):
+    name = "motion"
+    period = 1 / 10
+
+    def __init__(
+        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(host, parent)
+        self._store = store
+        self.model: MotionModel | None = None
+        self._setup: EngineSetup | None = None
+        self._reading = LatestJob(self.tr("Measuring the take"), self)
+        self._reading.failed.connect(self._say)
+        self._turn = 0
+        self.table, self.plot = MotionTable(), MotionPlot()
+        self.table.itemSelectionChanged.connect(self._choose_curves)
+        self.plot.sought.connect(self._seek)
+        both = QSplitter()
+        both.addWidget(self.table)
+        both.addWidget(self.plot)
+        both.setSizes([520, 480])
+        self.said = QLabel()
+        self.said.setWordWrap(True)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(6, 6, 6, 6)
+        column.setSpacing(6)
+        column.addLayout(self._controls())
+        column.addWidget(both, 1)
+        column.addWidget(self.said)
+        host.opened.connect(self._open)
+        host.closed.connect(self._clear)
+        self._clear()
+
+    def title(self) -> str:
+        return self.tr("Motion")
+
+    def _controls(self) -> FlowLayout:
+        row = FlowLayout(spacing=6)
+        self.ends = QComboBox(), QComboBox()
+        self.ends[0].setAccessibleName(self.tr("Distance from"))
+        self.ends[1].setAccessibleName(self.tr("Distance to"))
+        self.add = QPushButton(self.tr("Measure this distance"))
+        self.add.clicked.connect(self._add_distance)
+        self.remove = QPushButton(self.tr("Remove"))
+        self.remove.setToolTip(self.tr("Measure the chosen distances no more"))
+        self.remove.clicked.connect(self._remove_distances)
+        self.units = QComboBox()
+        self.units.setAccessibleName(self.tr("Unit of angles"))
+        self.units.addItem(self.tr("Degrees"), "deg")
+        self.units.addItem(self.tr("Radians"), "rad")
+        self.units.setCurrentIndex(self.units.findData(self._store.value.angle_unit))
+        self.units.currentIndexChanged.connect(lambda _i: self._choose_units())
+        self.copy = QPushButton(self.tr("Copy the table"))
+        self.copy.clicked.connect(self._copy)
+        self.save = QPushButton(self.tr("Save as CSV…"))
+        self.save.clicked.connect(self._ask_file)
+        for widget in (*self.ends, self.add, self.remove, self.units, self.copy, self.save):
+            row.addWidget(widget)
+        return row
+
+    def _say(self, text: str) -> None:
+        self.said.setText(text)
+        self.said.setVisible(bool(text))
+
+    # --- the engine
+
+    def _open(self, setup: EngineSetup) -> None:
+        self._clear()
+        self._setup, self.model = setup, MotionModel(setup)
+        self.model.choose_units(self._store.value.angle_unit)
+        for box in self.ends:
+            box.addItems(list(self.model.point_names))
+        self.ends[1].setCurrentIndex(self.ends[1].count() - 1)
+        self._name_rows()
+        names = self.model.names
+        for name in FIRST_ROWS:
+            if name in names:
+                self.table.selectRow(names.index(name))
+                break
+        self._enable(True)
+        if setup.player is not None:
+            self._say(self.tr("Reading the whole take…"))
+            self._reading.run(read_motion(setup.player.path), self._use_take)
+
+    def _use_take(self, take: object) -> None:
+        if self.model is not None and self.model.use_take(take):
+            self._say("")
+            self._show_figures()
+            self._show_curves()
+
+    def _clear(self) -> None:
+        self._reading.forget()
+        self._setup = self.model = None
+        self.table.name_rows([])
+        self.plot.show_names([])
+        self.plot.show_position(None)
+        for box in self.ends:
+            box.clear()
+        self._enable(False)
+        self._say("")
+
+    def _enable(self, on: bool) -> None:
+        for widget in (*self.ends, self.add, self.remove, self.copy, self.save):
+            widget.setEnabled(on)
+
+    def refresh(self, view: Snapshot | None) -> None:
+        if self.model is None or view is None or view.estimate is None:
+            return
+        self.model.feed(view.estimate)
+        self.table.show_rows(self.model.rows(view.estimate))
+        player = view.setup.player
+        self.plot.show_position(None if player is None else player.position)
+        if self.model.take is None:
+            self._turn += 1
+            self._show_curves()
+            if self._turn % FIGURES_EVERY == 1:
+                self._show_figures()
+
+    # --- what is shown
+
+    def _name_rows(self) -> None:
+        if self.model is not None:
+            self.table.name_rows(self.model.names)
+            self._show_figures()
+
+    def _show_figures(self) -> None:
+        if self.model is not None:
+            self.table.show_figures(*self.model.figures())
+
+    def _choose_curves(self) -> None:
+        if self.model is not None:
+            self.plot.show_names([self.model.names[row] for row in self.table.chosen])
+            self._show_curves()
+
+    def _show_curves(self) -> None:
+        if self.model is not None:
+            self.plot.show_curves([self.model.curve(row) for row in self.table.chosen])
+
+    def _seek(self, position: float) -> None:
+        player = self._setup.player if self._setup is not None else None
+        if player is not None:
+            player.seek(min(max(position, 0.0), player.duration))
+
+    def _choose_units(self) -> None:
+        self._store.update(angle_unit=self.units.currentData())
+        if self.model is not None:
+            self.model.choose_units(self._store.value.angle_unit)
+            self._show_figures()
+            self._show_curves()
+
+    def _add_distance(self) -> None:
+        pair = self.ends[0].currentText(), self.ends[1].currentText()
+        if self.model is not None and self.model.add_pair(pair):
+            self._name_rows()
+            self.table.selectRow(self.table.rowCount() - 1)
+
+    def _remove_distances(self) -> None:
+        if self.model is not None:
+            for row in reversed(self.table.chosen):
+                if not self.model.is_angle(row):
+                    self.model.remove_pair(row)
+            self._name_rows()
+
+    # --- taking it out
+
+    def _copy(self) -> None:
+        if self.model is not None:
+            QGuiApplication.clipboard().setText(self.model.table("\t"))
+
+    def _ask_file(self) -> None:
+        player = self._setup.player if self._setup is not None else None
+        start = player.path.with_suffix(".motion.csv") if player is not None else Path("motion.csv")
+        name, _ = QFileDialog.getSaveFileName(
+            self, self.tr("Save the table"), str(start), self.tr("CSV (*.csv)")
+        )
+        if name:
+            self.save_table(Path(name))
+
+    def save_table(self, path: Path) -> None:
+        """As CSV."""
+        if self.model is None:
+            return
+        try:
+            csv_of(self.model.table(","), path)
+        except GlovetrackError as error:
+            self.host.error.emit(str(error))
+
+    def shut_down(self) -> None:
+        self._reading.shut_down()

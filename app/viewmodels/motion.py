@@ -1,0 +1,149 @@
+"""The motion as numbers: what each angle and distance is now, was lately, and over a take."""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.engines.engine import EngineSetup
+from tracker.messages import Array, Estimate, Tracking, Validity
+from tracker.session.motion import (
+    APERTURE,
+    Measure,
+    Pair,
+    Take,
+    Units,
+    distance,
+    measures,
+    pair_name,
+    table,
+    take_of,
+)
+
+LATELY = 10.0  # s that are shown live
+MOST = 1200  # estimates that are kept for it
+
+
+@dataclass(frozen=True)
+class MotionRow:
+    """One line: value and limits in the unit; ``share`` of the range that the value is at, NaN
+    where it has no limits; the state's `Validity`."""
+
+    name: str
+    unit: str
+    value: float
+    share: float
+    state: int
+
+
+class MotionModel:
+    """Of one open engine. ``pairs`` are points whose distance is measured."""
+
+    def __init__(self, setup: EngineSetup) -> None:
+        hand = setup.hand
+        self.angle_names, self.limits = hand.joint_names, hand.angle_limits
+        self.point_names = setup.glove.keypoint_names(hand)
+        there = all(name in self.point_names for name in APERTURE)
+        self.pairs: list[Pair] = [APERTURE] if there else []
+        self.units = Units()
+        self.take: Take | None = None
+        self._lately: deque[Estimate] = deque(maxlen=MOST)
+
+    def choose_units(self, angle_unit: str) -> None:
+        """``deg`` or ``rad``."""
+        self.units = Units(degrees=angle_unit == "deg")
+
+    def use_take(self, take: object) -> bool:
+        """Measure a whole take from now on; False where there is none, or of another hand."""
+        if isinstance(take, Take) and take.angle_names == self.angle_names:
+            self.take = take
+        return self.take is not None
+
+    def add_pair(self, pair: Pair) -> bool:
+        """Measure another distance; False where that is none, or is measured already."""
+        known = {frozenset(p) for p in self.pairs}
+        if pair[0] == pair[1] or frozenset(pair) in known:
+            return False
+        self.pairs.append(pair)
+        return True
+
+    def remove_pair(self, row: int) -> None:
+        """Of the table's row."""
+        del self.pairs[row - len(self.angle_names)]
+
+    @property
+    def names(self) -> list[str]:
+        """Of all rows: angles, then distances."""
+        return [*self.angle_names, *(pair_name(p) for p in self.pairs)]
+
+    def is_angle(self, row: int) -> bool:
+        return row < len(self.angle_names)
+
+    def feed(self, estimate: Estimate) -> None:
+        """The newest one; an instant is kept once."""
+        if self._lately and estimate.t < self._lately[-1].t:
+            self._lately.clear()  # a replay went back
+        if not self._lately or estimate.t > self._lately[-1].t:
+            self._lately.append(estimate)
+        while estimate.t - self._lately[0].t > LATELY:
+            self._lately.popleft()
+
+    def rows(self, estimate: Estimate) -> list[MotionRow]:
+        """What everything is now."""
+        out = []
+        for j, name in enumerate(self.angle_names):
+            low, high = self.limits[j]
+            value, state = float(estimate.angles[j]), int(estimate.angle_state[j])
+            share = (value - low) / (high - low) if high > low else np.nan
+            unit = "°" if self.units.degrees else "rad"
+            out.append(MotionRow(name, unit, self.units.angle(value), float(share), state))
+        located = estimate.tracking != Tracking.LOST
+        for pair in self.pairs:
+            a, b = (self.point_names.index(n) for n in pair)
+            away = float(np.linalg.norm(estimate.keypoints[a] - estimate.keypoints[b]))
+            state = int(min(estimate.keypoint_state[a], estimate.keypoint_state[b]))
+            state = state if located or np.isfinite(away) else int(Validity.LOST)
+            out.append(MotionRow(pair_name(pair), "mm", 1000 * away, np.nan, state))
+        return out
+
+    def _of(self, take: Take, row: int) -> Array:
+        if self.is_angle(row):
+            return np.asarray(take.angles[:, row])
+        return distance(take, self.pairs[row - len(self.angle_names)])[0]
+
+    def curve(self, row: int) -> tuple[Array, Array]:
+        """t (N,) s and values (N,) in the unit: the whole take where it is read, else the last
+        seconds, up to 0."""
+        take = self.take or self._recent()
+        if take is None:
+            return np.empty(0), np.empty(0)
+        values = self._of(take, row)
+        if self.is_angle(row):
+            return take.t, np.rad2deg(values) if self.units.degrees else values
+        return take.t, 1000 * values
+
+    def _recent(self) -> Take | None:
+        if not self._lately:
+            return None
+        now = self._lately[-1].t
+        return take_of(list(self._lately), self.angle_names, self.limits, self.point_names, now)
+
+    def measures(self) -> list[Measure]:
+        """Of the whole take where it is read, else of the last seconds."""
+        take = self.take or self._recent()
+        return [] if take is None else measures(take, self.pairs)
+
+    def figures(self) -> tuple[list[list[float]], list[int]]:
+        """Least, greatest, range and fastest of each row as written, and digits of it."""
+        out, digits = [], []
+        for m in self.measures():
+            values = (m.least, m.greatest, m.range, m.fastest)
+            out.append([self.units.of(v, m.is_angle) for v in values])
+            digits.append(2 if self.units.name(m.is_angle) == "rad" else 1)
+        return out, digits
+
+    def table(self, separator: str) -> str:
+        """All measures as text."""
+        return table(self.measures(), self.units, separator)

@@ -1,0 +1,128 @@
+"""The motion in the real window: numbers, bars, curves, the table."""
+
+from __future__ import annotations
+
+import csv
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine
+from PySide6.QtCore import QPointF
+from PySide6.QtGui import QGuiApplication
+
+from app.engines.replay.engine import open_replay
+from app.panels.motion.table import BAR, RANGE, SHARE, VALUE
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
+from tracker.session.motion import read_take
+from tracker.session.reader import SessionReader
+
+
+@pytest.fixture
+def motion(live, qtbot):
+    """The panel in front, with numbers."""
+    live.show_panel("motion")
+    panel = live.motion
+    qtbot.waitUntil(panel.isVisible, timeout=10_000)
+    panel.refresh(live.host.snapshot())
+    return panel
+
+
+def row_of(panel, name: str) -> int:
+    return panel.model.names.index(name)
+
+
+def test_each_angle_is_a_number_and_a_bar_in_its_range(motion, engine: ScriptedEngine):
+    estimate = engine.latest_estimate()
+    for name in ("index_pip_flexion", "thumb_ip_flexion"):
+        row = row_of(motion, name)
+        assert motion.table.item(row, 0).text() == name
+        shown = float(motion.table.item(row, VALUE).text().split()[0])
+        assert shown == pytest.approx(np.rad2deg(estimate.angles[row]), abs=0.06)
+        low, high = motion.model.limits[row]
+        share = motion.table.item(row, BAR).data(SHARE)
+        assert share == pytest.approx((estimate.angles[row] - low) / (high - low))
+
+
+def test_the_aperture_is_there_and_any_distance_can_be_added(motion, engine: ScriptedEngine):
+    names = list(motion.model.point_names)
+    estimate = engine.latest_estimate()
+    a, b = names.index("thumb_tip"), names.index("index_tip")
+    row = row_of(motion, "thumb_tip - index_tip")
+    true = 1000 * np.linalg.norm(estimate.keypoints[a] - estimate.keypoints[b])
+    assert float(motion.table.item(row, VALUE).text().split()[0]) == pytest.approx(true, abs=0.06)
+    many = motion.table.rowCount()
+    motion.ends[0].setCurrentText("wrist")
+    motion.ends[1].setCurrentText("middle_tip")
+    motion.add.click()
+    motion.add.click()  # the same once more is no second row
+    assert motion.table.rowCount() == many + 1
+    motion.refresh(motion.host.snapshot())
+    assert motion.table.item(many, VALUE).text().endswith("mm")
+    motion.remove.click()
+    assert motion.table.rowCount() == many
+
+
+def test_radians_are_kept_as_the_unit(motion, store):
+    motion.units.setCurrentIndex(motion.units.findData("rad"))
+    motion.refresh(motion.host.snapshot())
+    assert store.value.angle_unit == "rad"
+    assert motion.table.item(0, VALUE).text().endswith("rad")
+
+
+def test_live_curves_are_of_the_last_seconds(motion, engine: ScriptedEngine):
+    for frame in range(31, 36):
+        engine.frame = frame
+        motion.refresh(motion.host.snapshot())
+    t, values = motion.plot.curves[0].getData()
+    assert t[-1] == 0.0 and t[0] < 0.0 and len(values) == len(t)
+    assert values[-1] == pytest.approx(np.rad2deg(engine.latest_estimate().angles[0]), abs=90)
+    assert not motion.plot.at.isVisible()
+
+
+def test_the_table_goes_to_the_clipboard(motion):
+    motion.copy.click()
+    lines = QGuiApplication.clipboard().text().splitlines()
+    assert len(lines) == 1 + motion.table.rowCount()
+    assert len(lines[0].split("\t")) == len(lines[1].split("\t")) == 12
+
+
+def test_a_replay_shows_the_whole_take_and_a_click_jumps(window, qtbot, tmp_path, no_leaks):
+    simulated, tracked = tmp_path / "simulated.mcap", tmp_path / "tracked.mcap"
+    simulate(simulated, SimulateOptions(seed=3, duration=3.0, fps=30, images=False))
+    track(simulated, tracked, TrackOptions("chain", with_sensors=True))
+    window.host.adopt(open_replay(tracked, lambda *_: None))
+    window.show_panel("motion")
+    motion = window.motion
+    qtbot.waitUntil(
+        lambda: motion.model is not None and motion.model.take is not None, timeout=30_000
+    )
+    with SessionReader(tracked) as reader:
+        take = read_take(reader)
+    row = motion.table.chosen[0]
+    t, values = motion.plot.curves[0].getData()
+    np.testing.assert_allclose(t, take.t)
+    np.testing.assert_allclose(values, np.rad2deg(take.angles[:, row]))
+    shown = float(motion.table.item(row, RANGE).text())
+    swing = np.nanmax(take.angles[:, row]) - np.nanmin(take.angles[:, row])
+    assert shown == pytest.approx(np.rad2deg(swing), abs=0.06)
+    player = window.host.setup.player
+    player.play(False)
+    qtbot.waitUntil(lambda: motion.plot.at.isVisible(), timeout=10_000)
+
+    class Click:
+        def __init__(self, x: float) -> None:
+            box = motion.plot.plot.getPlotItem().vb
+            self._at = box.mapViewToScene(QPointF(x, 0.0))
+
+        def scenePos(self) -> QPointF:
+            return self._at
+
+    motion.plot._clicked(Click(2.0))
+    qtbot.waitUntil(lambda: abs(player.position - 2.0) < 0.1, timeout=10_000)
+    qtbot.waitUntil(lambda: abs(motion.plot.at.value() - 2.0) < 0.1, timeout=10_000)
+    motion.save_table(tmp_path / "motion.csv")
+    read = list(csv.DictReader((tmp_path / "motion.csv").open()))
+    assert read[row]["name"] == motion.model.names[row]
+    assert float(read[row]["range"]) == pytest.approx(shown, abs=0.06)

@@ -1,0 +1,198 @@
+"""What a take's motion measures: ranges and speeds of angles, distances between points.
+
+Angles in rad, lengths in m, times in s. What is lost counts for nothing; what is inferred counts,
+and its share is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracker.errors import FileError
+from tracker.messages import Array, Estimate, IntArray, Validity
+from tracker.session.reader import SessionReader
+
+APERTURE = ("thumb_tip", "index_tip")
+"""Points whose distance is the aperture of a grasp."""
+SMOOTH = 0.05  # s over which a speed is taken: noise of one estimate is no motion
+GAP = 0.1  # s without an estimate over which no speed is taken
+Pair = tuple[str, str]
+
+
+@dataclass(frozen=True, eq=False)
+class Take:
+    """N estimates: t (N,) s from the session's start; angles (N, J) rad, angle_state (N, J);
+    points (N, K, 3) m in G, point_sd (N, K) m, point_state (N, K); NaN where lost. limits (J, 2)
+    rad."""
+
+    t: Array
+    angle_names: tuple[str, ...]
+    angles: Array
+    angle_state: IntArray
+    limits: Array
+    point_names: tuple[str, ...]
+    points: Array
+    point_sd: Array
+    point_state: IntArray
+
+
+@dataclass(frozen=True)
+class Measure:
+    """Of one angle (rad) or distance (m) over a take: least, greatest, mean and sd of its values;
+    fastest change per s; shares of the time that it was measured, inferred, lost; and the mean
+    standard deviation that the tracker claims, NaN where it claims none."""
+
+    name: str
+    is_angle: bool
+    least: float
+    greatest: float
+    mean: float
+    sd: float
+    fastest: float
+    measured: float
+    inferred: float
+    lost: float
+    claimed_sd: float
+
+    @property
+    def range(self) -> float:
+        """Range of motion."""
+        return self.greatest - self.least
+
+
+def read_take(reader: SessionReader) -> Take:
+    """All estimates of a session. Raises FileError if there is none."""
+    found = [m for m in reader.messages([Estimate]) if isinstance(m, Estimate)]
+    if not found:
+        raise FileError(f"{reader.path} holds no estimates; track it first.")
+    found.sort(key=lambda m: m.t)
+    info = reader.info
+    start = reader.anchor.monotonic(reader.span_ns[0])
+    hand = info.hand
+    return take_of(found, hand.joint_names, hand.angle_limits, info.keypoint_names, start)
+
+
+def take_of(
+    estimates: Sequence[Estimate],
+    angle_names: tuple[str, ...],
+    limits: Array,
+    point_names: tuple[str, ...],
+    start: float,
+) -> Take:
+    """The same of estimates in the order of their instants; ``start`` is the engine's time of 0."""
+    return Take(
+        np.array([e.t for e in estimates]) - start,
+        angle_names,
+        np.array([e.angles for e in estimates]),
+        np.array([e.angle_state for e in estimates]),
+        limits,
+        point_names,
+        np.array([e.keypoints for e in estimates]),
+        np.array([e.keypoint_sd for e in estimates]),
+        np.array([e.keypoint_state for e in estimates]),
+    )
+
+
+def distance(take: Take, pair: Pair) -> tuple[Array, Array, IntArray]:
+    """(N,) m between two points; the sd (N,) m claimed for it; its state (N,), the worse of both.
+
+    The sd takes the points' errors to be independent: an error that they share, as of the hand's
+    place, does not change a distance, so that the truth is rather smaller.
+    """
+    a, b = (take.point_names.index(name) for name in pair)
+    away = np.linalg.norm(take.points[:, a] - take.points[:, b], axis=1)
+    sd = np.hypot(take.point_sd[:, a], take.point_sd[:, b])
+    return away, sd, np.minimum(take.point_state[:, a], take.point_state[:, b])
+
+
+def speed(t: Array, values: Array) -> Array:
+    """(N,) change per s of values (N,), over `SMOOTH` s; NaN where any are missing."""
+    out = np.full(len(t), np.nan)
+    known = np.flatnonzero(np.isfinite(values))
+    if len(known) < 2:
+        return out
+    at, x = t[known], values[known]
+    before = np.searchsorted(at, at - 0.5 * SMOOTH - 1e-9)
+    after = np.searchsorted(at, at + 0.5 * SMOOTH + 1e-9, side="right") - 1
+    span = at[after] - at[before]
+    jumps = np.concatenate([[0], np.cumsum(np.diff(at) > GAP)])
+    fine = (span > 0.3 * SMOOTH) & (jumps[after] == jumps[before])
+    out[known[fine]] = (x[after] - x[before])[fine] / span[fine]
+    return out
+
+
+def measures(take: Take, pairs: Sequence[Pair]) -> list[Measure]:
+    """Of all angles, then of the distances between the points of each pair."""
+    none = np.full(len(take.t), np.nan)
+    out = [
+        _measure(name, True, take.t, take.angles[:, j], take.angle_state[:, j], none)
+        for j, name in enumerate(take.angle_names)
+    ]
+    for pair in pairs:
+        away, sd, state = distance(take, pair)
+        out.append(_measure(pair_name(pair), False, take.t, away, state, sd))
+    return out
+
+
+def pair_name(pair: Pair) -> str:
+    return f"{pair[0]} - {pair[1]}"
+
+
+def _measure(
+    name: str, is_angle: bool, t: Array, values: Array, state: IntArray, sd: Array
+) -> Measure:
+    known = np.isfinite(values) & (state != Validity.LOST)
+    kept = np.where(known, values, np.nan)
+    shares = [float((state[known] == s).sum() / len(t)) for s in (Validity.MEASURED, 1)]
+    if not known.any():
+        nan = float("nan")
+        return Measure(name, is_angle, nan, nan, nan, nan, nan, 0.0, 0.0, 1.0, nan)
+    x, rate = values[known], speed(t, kept)
+    fastest = float(np.nanmax(np.abs(rate))) if np.isfinite(rate).any() else float("nan")
+    claimed = sd[known & np.isfinite(sd)]
+    return Measure(
+        name, is_angle, float(x.min()), float(x.max()), float(x.mean()), float(x.std()), fastest,
+        shares[0], shares[1], 1.0 - sum(shares), float(claimed.mean()) if len(claimed) else np.nan,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Units:
+    """What numbers are written in: ``degrees`` or rad; lengths always in mm."""
+
+    degrees: bool = True
+
+    def angle(self, value: float) -> float:
+        return float(np.rad2deg(value)) if self.degrees else value
+
+    def of(self, value: float, is_angle: bool) -> float:
+        """An angle (rad) or length (m) as it is written."""
+        return self.angle(value) if is_angle else value * 1000.0
+
+    def name(self, is_angle: bool) -> str:
+        return ("deg" if self.degrees else "rad") if is_angle else "mm"
+
+
+COLUMNS = (
+    "name", "unit", "min", "max", "range", "mean", "sd", "fastest_per_s", "measured_percent",
+    "inferred_percent", "lost_percent", "claimed_sd",
+)  # fmt: skip
+
+
+def table(rows: Sequence[Measure], units: Units, separator: str = ",") -> str:
+    """A header and a line for each measure; empty where nothing is known."""
+    lines = [separator.join(COLUMNS)]
+    for m in rows:
+        values = (m.least, m.greatest, m.range, m.mean, m.sd, m.fastest)
+        numbers = [_text(units.of(v, m.is_angle)) for v in values]
+        shares = [_text(100 * share) for share in (m.measured, m.inferred, m.lost)]
+        claimed = _text(units.of(m.claimed_sd, m.is_angle))
+        lines.append(separator.join([m.name, units.name(m.is_angle), *numbers, *shares, claimed]))
+    return "\n".join(lines) + "\n"
+
+
+def _text(value: float) -> str:
+    return f"{value:.6g}" if np.isfinite(value) else ""
