@@ -4,6 +4,7 @@
 # make lint         the same without the tests
 # make firmware     the glove's firmware and its simulator; prints their sizes
 # make screenshots  images of the window for the documentation
+# make translations lists the window's words for translators (resources/translations)
 # make docs         the documentation as a static site, build/site/index.html
 # make package      dist/glovetrack, a program that needs no Python, and packages of it
 # make wheel        dist/glovetrack-*.whl with the compiled kernels, for this Python and system
@@ -25,7 +26,7 @@ OFFSCREEN := QT_QPA_PLATFORM=offscreen
 FIRMWARE_BUILD := build/firmware
 PEERS := build/peers
 
-.PHONY: demo test lint firmware screenshots docs package wheel bench bench-peers kernels lock clean
+.PHONY: demo test lint firmware screenshots translations docs package wheel bench bench-peers kernels lock clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -52,6 +53,9 @@ firmware:
 
 screenshots: $(READY_FOR_TESTS)
 	$(OFFSCREEN) $(BIN)/python -m app.tools.screenshots --out docs/screenshots
+
+translations: $(READY)
+	$(OFFSCREEN) $(BIN)/python -m app.tools.translations
 
 docs: $(READY_FOR_TESTS)
 	packaging/site.sh $(BIN)/python build/site

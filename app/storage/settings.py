@@ -30,6 +30,7 @@ class AppSettings:
     """The user's choices; every field has a default that serves a first start."""
 
     version: int = VERSION
+    language: str = "system"  # "system", "en" or the code of a language that is complete
     theme: str = "system"  # "system", "light" or "dark"
     geometry: str = ""  # base64 of QWidget.saveGeometry
     layout: dict[str, Any] = field(default_factory=dict)  # as the program ended

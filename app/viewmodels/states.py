@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from app.words import mark
 from tracker.messages import Tracking, Validity
 
 BLUISH_GREEN = "#009E73"
@@ -42,8 +43,8 @@ VALIDITY: dict[int, StateLook] = {
 }
 
 TRACKING: dict[int, StateLook] = {
-    Tracking.SEARCHING: StateLook(SKY, "◌", "Searching for the hand"),
-    Tracking.TRACKING: StateLook(BLUISH_GREEN, "●", "Tracking"),
-    Tracking.COASTING: StateLook(ORANGE, "◐", "Coasting on the glove alone"),
-    Tracking.LOST: StateLook(VERMILLION, "▲", "Position lost"),
+    Tracking.SEARCHING: StateLook(SKY, "◌", mark("Searching for the hand")),
+    Tracking.TRACKING: StateLook(BLUISH_GREEN, "●", mark("Tracking")),
+    Tracking.COASTING: StateLook(ORANGE, "◐", mark("Coasting on the glove alone")),
+    Tracking.LOST: StateLook(VERMILLION, "▲", mark("Position lost")),
 }

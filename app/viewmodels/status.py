@@ -6,22 +6,23 @@ import math
 from dataclasses import dataclass, replace
 
 from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, StateLook
+from app.words import mark, tr
 from tracker.live.load import BEGINS
 from tracker.messages import Shed, Status, Tracking
 
 LATENCY_WARN_MS = 60.0
 LATENCY_BAD_MS = 120.0
 STAGES = {
-    "detect": "Search of both images",
-    "filter": "The engine's step for a message",
-    "imu": "A packet's arrival to its estimate",
-    "total": "An image's arrival to the estimate made of it",
+    "detect": mark("Search of both images"),
+    "filter": mark("The engine's step for a message"),
+    "imu": mark("A packet's arrival to its estimate"),
+    "total": mark("An image's arrival to the estimate made of it"),
 }
 SHED = {
-    Shed.VIEW_RATE: "3D rate",
-    Shed.OVERLAYS: "overlays",
-    Shed.WHOLE_SEARCHES: "wide search",
-    Shed.IMAGES: "images",
+    Shed.VIEW_RATE: mark("3D rate"),
+    Shed.OVERLAYS: mark("overlays"),
+    Shed.WHOLE_SEARCHES: mark("wide search"),
+    Shed.IMAGES: mark("images"),
 }
 
 
@@ -39,10 +40,11 @@ class Field:
 def tracking_look(status: Status | None, running: bool, has_place: bool = True) -> StateLook:
     """``has_place``: without a calibrated camera nothing tells the hand's place, nor is it lost."""
     if not running or status is None:
-        return StateLook(IDLE.colour, IDLE.sign, "Stopped")
+        return StateLook(IDLE.colour, IDLE.sign, tr("Stopped"))
     if not has_place and status.tracking == Tracking.LOST:
-        return StateLook(WARN.colour, WARN.sign, "Place unknown")
-    return TRACKING[status.tracking]
+        return StateLook(WARN.colour, WARN.sign, tr("Place unknown"))
+    look = TRACKING[status.tracking]
+    return replace(look, word=tr(look.word))
 
 
 def fields(status: Status | None) -> list[Field]:
@@ -50,8 +52,8 @@ def fields(status: Status | None) -> list[Field]:
     v = status.values if status is not None else {}
     return [
         _glove(v),
-        _rate("frame_rate_hz", "Camera", v, "Stereo images each second"),
-        _rate("estimate_rate_hz", "Hand", v, "Estimates of the hand each second"),
+        _rate("frame_rate_hz", tr("Camera"), v, tr("Stereo images each second")),
+        _rate("estimate_rate_hz", tr("Hand"), v, tr("Estimates of the hand each second")),
         _latency(v),
         _losses(v),
         _shed(v),
@@ -63,18 +65,19 @@ def _shed(values: dict[str, float]) -> Field:
     level = int(values.get("load_shed", 0.0))
     if level <= 0:
         return Field("shed", "", "", IDLE, "")
-    names = ", ".join(SHED[step] for step in SHED if step <= level)
+    names = ", ".join(tr(SHED[step]) for step in SHED if step <= level)
     said = "\n".join(BEGINS[step] for step in SHED if step <= level)
-    return Field("shed", "Left out:", names, WARN, said)
+    return Field("shed", tr("Left out:"), names, WARN, said)
 
 
 def _glove(values: dict[str, float]) -> Field:
     """Its rate, and a warning while its battery is low."""
-    field = _rate("imu_rate_hz", "Glove", values, "Packets of the glove each second")
+    field = _rate("imu_rate_hz", tr("Glove"), values, tr("Packets of the glove each second"))
     if not values.get("battery_low") or field.look not in (GOOD, IDLE):
         return field
-    tip = f"{field.tip}\nIts battery is low ({values['battery_v']:.2f} V): charge it soon"
-    return replace(field, text=f"{field.text}, battery low", look=WARN, tip=tip)
+    low = tr("Its battery is low ({} V): charge it soon").format(f"{values['battery_v']:.2f}")
+    tip = f"{field.tip}\n{low}"
+    return replace(field, text=tr("{}, battery low").format(field.text), look=WARN, tip=tip)
 
 
 def _rate(key: str, name: str, values: dict[str, float], tip: str) -> Field:
@@ -85,20 +88,20 @@ def _rate(key: str, name: str, values: dict[str, float], tip: str) -> Field:
 
 
 def _latency(values: dict[str, float]) -> Field:
-    tip = "\n".join(["Of each stage, median (99th percentile):", *_stages(values)])
+    tip = "\n".join([tr("Of each stage, median (99th percentile):"), *_stages(values)])
     total = values.get("latency_total_ms", math.nan)
     if not math.isfinite(total):
-        return Field("latency", "Latency", "–", IDLE, tip)
+        return Field("latency", tr("Latency"), "–", IDLE, tip)
     worst = values.get("latency_total_p99_ms", math.nan)
     text = f"{total:.0f} ms" + (f" (99 %: {worst:.0f})" if math.isfinite(worst) else "")
     look = GOOD if total < LATENCY_WARN_MS else WARN if total < LATENCY_BAD_MS else BAD
-    return Field("latency", "Latency", text, look, tip)
+    return Field("latency", tr("Latency"), text, look, tip)
 
 
 def _stages(values: dict[str, float]) -> list[str]:
     """A line per stage, from the counters that `/tracker/status` has."""
     return [
-        f"{name}: {_ms(values, f'latency_{key}_ms')} ({_ms(values, f'latency_{key}_p99_ms')})"
+        f"{tr(name)}: {_ms(values, f'latency_{key}_ms')} ({_ms(values, f'latency_{key}_p99_ms')})"
         for key, name in STAGES.items()
     ]
 
@@ -109,10 +112,16 @@ def _ms(values: dict[str, float], key: str) -> str:
 
 
 def _losses(values: dict[str, float]) -> Field:
-    tip = "Packets of the glove that never arrived; images that came faster than they were read"
+    tip = tr("Packets of the glove that never arrived; images that came faster than they were read")
     lost, dropped = values.get("imu_lost", math.nan), values.get("frames_dropped", math.nan)
     if not math.isfinite(lost) and not math.isfinite(dropped):
-        return Field("losses", "Lost", "–", IDLE, tip)
+        return Field("losses", tr("Lost"), "–", IDLE, tip)
     lost, dropped = (0.0 if math.isnan(x) else x for x in (lost, dropped))
     look = BAD if lost > 0 else GOOD
-    return Field("losses", "Lost", f"{lost:.0f} packets, {dropped:.0f} images", look, tip)
+    return Field(
+        "losses",
+        tr("Lost"),
+        tr("{} packets, {} images").format(f"{lost:.0f}", f"{dropped:.0f}"),
+        look,
+        tip,
+    )

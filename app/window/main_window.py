@@ -255,6 +255,12 @@ class MainWindow(QMainWindow):
         if name != self.store.value.theme:
             self.store.update(theme=name)
 
+    def set_language(self, code: str) -> None:
+        """The language of the next start: what is on the screen has been said."""
+        self.store.update(language=code)
+        text = self.tr("Glovetrack speaks another language when it is started the next time.")
+        self.messages.say(text, good=True)
+
     def open_palette(self) -> None:
         actions = list(self.commands.actions.values())
         palette = CommandPalette(actions, self)

@@ -89,9 +89,13 @@ def _show(
     app: QApplication, args: argparse.Namespace, crashes: CrashWatch, instance: Instance
 ) -> int:
     camera = start_camera(fps=args.fps) if args.demo else None
+    from app.platform.translation import install
+    from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
 
-    window = MainWindow(crashes=crashes)
+    store = SettingsStore()
+    install(app, store.value.language)
+    window = MainWindow(store, crashes)
     instance.asked.connect(window.sources.take_over)
     # Ctrl+C closes the window as a click does: the file is finished, the devices are freed. The
     # window's own timer gives Python the chance to see the signal.

@@ -7,12 +7,15 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Protocol
 
+from PySide6.QtCore import QLocale
+
 from app.engines.engine_host import EngineHost
 from app.jobs.record_key import RecordKey
 from app.panels.cameras import CamerasPanel
 from app.panels.colours.panel import ColoursPanel
 from app.panels.hand.panel import HandPanel
 from app.panels.library.panel import LibraryPanel
+from app.platform.translation import SYSTEM, languages
 from app.viewmodels.recording import RecordingPlan
 from app.widgets.icons import dress
 from app.window.bug_reports import BugReports
@@ -40,6 +43,8 @@ class Window(Protocol):
     def toggle_full_screen(self) -> None: ...
 
     def set_theme(self, name: str) -> None: ...
+
+    def set_language(self, code: str) -> None: ...
 
     def show_about(self) -> None: ...
 
@@ -185,6 +190,7 @@ def _view(on: Targets) -> list[Command]:
         Command("theme_light", menu, w.tr("&Light"), lambda: w.set_theme("light"), separator=True),
         Command("theme_dark", menu, w.tr("&Dark"), lambda: w.set_theme("dark")),
         Command("theme_system", menu, w.tr("As the &system"), lambda: w.set_theme("system")),
+        *_languages(on, menu),
     ]
 
 
@@ -218,6 +224,25 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     action.setText(name)
     action.setIconText(w.tr("Stop recording") if recording else w.tr("Record"))
     dress(action, "circle-stop" if recording else "circle-dot")
+
+
+def _languages(on: Targets, menu: str) -> list[Command]:
+    """Those that are complete, in their own words; none where English is all there is."""
+    codes = languages()
+    if len(codes) < 2:
+        return []
+    own = {code: QLocale(code).nativeLanguageName() for code in codes}
+    titles = {SYSTEM: on.window.tr("Language: as the system"), **own}
+    return [
+        Command(
+            f"language_{code}",
+            menu,
+            title,
+            partial(on.window.set_language, code),
+            separator=code == SYSTEM,
+        )
+        for code, title in titles.items()
+    ]
 
 
 def _chooser(on: Targets, setting: str) -> Callable[[], None]:

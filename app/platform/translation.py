@@ -1,0 +1,63 @@
+"""The window in the user's language.
+
+Qt looks translations up by the class that asks. In Python that is the class of the object, not the
+one that the words stand in, so a subclass would lose what its parent says: here one catalogue
+serves all, by the words alone.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
+
+from app import words
+from resources import folder
+
+CONTEXT = "glovetrack"
+SYSTEM, ENGLISH = "system", "en"
+PREFIX = f"{CONTEXT}_"
+
+
+class Catalogue(QTranslator):
+    """A ``.qm`` file whose words all stand in one context."""
+
+    def translate(  # type: ignore[override]
+        self,
+        context: str,
+        text: str,
+        disambiguation: str | None = None,
+        n: int = -1,
+    ) -> str | None:
+        """None, which Qt takes for "not here", where the file does not hold ``text``."""
+        return super().translate(CONTEXT, text, disambiguation, n) or None
+
+
+def place() -> Path:
+    return Path(str(folder("translations")))
+
+
+def languages(where: Path | None = None) -> list[str]:
+    """Codes of the languages that are complete: English, and those with a ``.qm`` file."""
+    found = sorted((where or place()).glob(f"{PREFIX}*.qm"))
+    return [ENGLISH, *(path.stem.removeprefix(PREFIX) for path in found)]
+
+
+def chosen(setting: str, system: str, offered: list[str]) -> str:
+    """The language for a setting: ``system`` is the desktop's; English where there is no such."""
+    wanted = system.partition("_")[0] if setting == SYSTEM else setting
+    return wanted if wanted in offered else ENGLISH
+
+
+def install(app: QCoreApplication, setting: str, where: Path | None = None) -> str:
+    """Speak the language of ``setting`` from now on; returns its code."""
+    where = where or place()
+    code = chosen(setting, QLocale.system().name(), languages(where))
+    if code == ENGLISH:
+        words.use(None)
+        return code
+    catalogue = Catalogue(app)
+    catalogue.load(str(where / f"{PREFIX}{code}.qm"))
+    app.installTranslator(catalogue)
+    words.use(lambda text: catalogue.translate(CONTEXT, text))
+    return code
