@@ -814,6 +814,11 @@
     </message>
     <message>
       <location filename="app/panels/library/comparing.py" />
+      <source>Reading two takes</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/comparing.py" />
       <source>Comparing</source>
       <translation type="unfinished" />
     </message>
@@ -999,6 +1004,11 @@
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
+      <source>Choose two sessions in the library.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/panel.py" />
       <source>Exports ({})</source>
       <translation type="unfinished" />
     </message>
@@ -1080,6 +1090,11 @@
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Refresh</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/session_page.py" />
+      <source>Two takes side by side</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -1280,6 +1295,51 @@
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Play</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>Joint angle</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source> s</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>The second begins at</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>By clock</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>As the computers' clocks had it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>Both from their start</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>The takes have no joint angle in common.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>{} beside {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>s from the start of {}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -2285,6 +2345,11 @@
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Compare two sessions</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Two takes side by si&amp;de</source>
       <translation type="unfinished" />
     </message>
     <message>
