@@ -22,7 +22,7 @@ PREFIX = f"{CONTEXT}_"
 class Catalogue(QTranslator):
     """A ``.qm`` file whose words all stand in one context."""
 
-    def translate(  # type: ignore[override]
+    def translate(
         self,
         context: str,
         text: str,
