@@ -1759,7 +1759,7 @@
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>3D images</source>
+      <source>3D rate</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -1769,12 +1769,12 @@
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>whole searches</source>
+      <source>wide search</source>
       <translation type="unfinished" />
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>camera images</source>
+      <source>images</source>
       <translation type="unfinished" />
     </message>
     <message>
