@@ -1358,6 +1358,116 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Motion</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Measuring the take</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Distance from</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Distance to</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Measure this distance</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Measure the chosen distances no more</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Unit of angles</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Degrees</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Radians</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Copy the table</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Save as CSV…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Save the table</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>CSV (*.csv)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/panel.py" />
+      <source>Reading the whole take…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Angles and distances</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Angle or distance</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Now</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>In its range</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Least</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Greatest</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Range</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/motion/table.py" />
+      <source>Fastest / s</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="app/panels/note_list.py" />
       <source>Notes of this recording</source>
       <translation type="unfinished" />
