@@ -8,8 +8,10 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QSizePolicy, QVB
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
+from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.checklist import SetUpStep, hues_seen, steps
+from app.viewmodels.light import LightWatch
 
 HUE_MEMORY = 4.0  # s for which a hue counts as seen
 
@@ -25,6 +27,8 @@ class ChecklistPanel(Panel):
         super().__init__(host, parent)
         self._store = store
         self._rows: list[_Row] = []
+        self.light = LightWatch()
+        self._light_job = LatestJob(self.tr("Reading the light"), self)
         self._hue_seen: dict[str, float] = {}  # when each was found last, s
         self._grid = QGridLayout()
         self._grid.setHorizontalSpacing(12)
@@ -47,7 +51,8 @@ class ChecklistPanel(Panel):
         return self.tr("Set-up")
 
     def refresh(self, view: Snapshot | None) -> None:
-        shown = steps(view, self._store.value.calibration, self._hues_lately(view))
+        self._read_light(view)
+        shown = steps(view, self._store.value.calibration, self._hues_lately(view), self.light)
         done = sum(s.done for s in shown)
         ready = done == len(shown)
         text = self.tr("Ready") if ready else self.tr("{} of {} done").format(done, len(shown))
@@ -55,6 +60,18 @@ class ChecklistPanel(Panel):
         first = next((i for i, s in enumerate(shown) if not s.done), len(shown))
         for i, (row, step) in enumerate(zip(self._rows, shown, strict=True)):
             row.show(step, reachable=i == first)
+
+    def shut_down(self) -> None:
+        self._light_job.shut_down()
+
+    def _read_light(self, view: Snapshot | None) -> None:
+        """Have the newest left image read beside the window, once a second."""
+        if view is None or view.frame is None:
+            return
+        frame, setup = view.frame, view.setup
+        work = self.light.work(frame.left, setup.profile, setup.rig.fx, frame.t)
+        if work is not None:
+            self._light_job.run(lambda _progress: work(), self.light.took)
 
     def _hues_lately(self, view: Snapshot | None) -> set[str]:
         """Not every patch faces the camera at every instant."""

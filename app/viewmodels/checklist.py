@@ -11,6 +11,7 @@ import numpy as np
 from app.engines.snapshot import Snapshot
 from app.viewmodels.calibration import SETTLED, calibration_view
 from app.viewmodels.colours import seen_rows
+from app.viewmodels.light import LightWatch
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from tracker.messages import Tracking
 
@@ -35,12 +36,16 @@ class SetUpStep:
 
 
 def steps(
-    view: Snapshot | None, calibration: str = "", hues_lately: Collection[str] | None = None
+    view: Snapshot | None,
+    calibration: str = "",
+    hues_lately: Collection[str] | None = None,
+    light: LightWatch | None = None,
 ) -> list[SetUpStep]:
     """All steps in order; the first that is not done is the one to work on.
 
     ``calibration`` is the chosen stereo calibration's path, for the time before devices are open;
     ``hues_lately`` are names of hues found in the last seconds, in the newest images unless told.
+    ``light`` has read the images' light.
     """
     if view is not None and not (view.running or view.setup.player is not None):
         view = None  # stopped: nothing arrives
@@ -51,6 +56,7 @@ def steps(
         _camera(view),
         _stereo(view, calibration),
         _exposure(view),
+        _light(view, light),
         _colours(view, hues_lately),
         _hand(view),
         _calibration(view),
@@ -157,6 +163,17 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
     return SetUpStep(
         name, True, ", ".join(f"{n.replace('_', ' ')} {c.value:g}" for n, c in controls.items())
     )
+
+
+def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
+    """Lamp and exposure; what colours and the room cost is told, but can be lived with."""
+    name = "Light"
+    if light is None or light.reading is None or view is None or not images_arrive(view):
+        return SetUpStep(name, False, "Waits for images.")
+    words = light.reading.advice[0].words if light.reading.advice else "the markers are clear"
+    if light.reading.good:
+        return SetUpStep(name, True, words)
+    return SetUpStep(name, False, words, "show_colours", "Show")
 
 
 def hues_seen(view: Snapshot) -> set[str]:

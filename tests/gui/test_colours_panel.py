@@ -361,3 +361,24 @@ def test_import_and_export_ask_for_a_file(colours, monkeypatch, tmp_path):
     assert colours.tuning.profile == models()[2]
     colours.tools.load.emit()
     assert colours.tuning.profile == tuned
+
+
+# --- the light
+
+
+def test_the_light_is_read_and_missed_markers_get_rings(colours, qtbot):
+    """A kept image whose colours the profile lacks; colours that fit it take the rings away."""
+    light = colours.light
+    qtbot.waitUntil(lambda: light.watch.reading is not None, timeout=30_000)
+    narrow(colours, "green")
+    missed = lambda: len(light.rings())  # noqa: E731
+    qtbot.waitUntil(lambda: missed() > 0, timeout=30_000)
+    assert "markers missed" in light.watch.line()
+    assert "not found with these colours" in light.advice.text()
+    assert "fit them" in light.chip.toolTip()
+    light.show_missed.setChecked(False)
+    assert missed() == 0
+    light.show_missed.setChecked(True)
+    before = missed()
+    colours.undo()
+    qtbot.waitUntil(lambda: missed() < before, timeout=30_000)

@@ -1,4 +1,4 @@
-"""The commands ``simulate``, ``track`` and ``crop``."""
+"""The commands ``simulate``, ``track``, ``light`` and what else works on recordings."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ def add_commands(commands: Any) -> None:
     """Add them to the sub-parsers of ``glovetrack``."""
     _add_simulate(commands.add_parser("simulate", help="a session with truth from the simulator"))
     _add_track(commands.add_parser("track", help="track a recording again"))
+    _add_light(commands.add_parser("light", help="what the light of a recording costs markers"))
     _add_crop(commands.add_parser("crop", help="a part of a session as a session of its own"))
 
 
@@ -91,6 +92,22 @@ def _crop(args: argparse.Namespace) -> int:
     report = crop(args.source, args.out, args.start, args.stop, watch, args.force)
     line = f"{args.out}: {report['duration_s']:.2f} s of {args.source.name}"
     finish(args, report, [line], [args.source, args.out])
+    return 0
+
+
+def _add_light(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", type=Path, metavar="FILE")
+    parser.add_argument("--colours", default="", help="name or file; the session's if not told")
+    add_json(parser)
+    parser.set_defaults(func=_light)
+
+
+def _light(args: argparse.Namespace) -> int:
+    from tracker.offline.light import session_light
+
+    check_json(args, [args.file])
+    light = session_light(args.file, args.colours)
+    finish(args, light.to_json(), light.lines(), [args.file])
     return 0
 
 

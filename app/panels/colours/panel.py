@@ -12,6 +12,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.colours.files import ColoursFiles
 from app.panels.colours.image import ColoursImage
+from app.panels.colours.light import ColoursLight
 from app.panels.colours.ranges import ColoursRanges
 from app.panels.colours.tools import ColoursTools
 from app.panels.panel import Panel
@@ -48,12 +49,13 @@ class ColoursPanel(Panel):
         self.keeper = ColourAutosave(ColourStore(self._folder / "colours"), self)
         self.tuning: ColourTuning | None = None
         self.ranges, self.image = ColoursRanges(), ColoursImage(tasks)
-        self.files, self.tools = ColoursFiles(self), ColoursTools()
+        self.files, self.tools, self.light = ColoursFiles(self), ColoursTools(), ColoursLight()
         column = QVBoxLayout(self)
         column.setContentsMargins(MARGIN, 6, MARGIN, 6)
         column.setSpacing(4)
         least = TWO_COLUMNS - 2 * MARGIN
         column.addWidget(TwoHalves(self.ranges, self.image, least, (5, 4)), 1)
+        column.addWidget(self.light)
         column.addWidget(self.tools)
         self._connect_tools()
         self._connect_parts()
@@ -83,7 +85,8 @@ class ColoursPanel(Panel):
         self.image.changed.connect(self._draw)
         self.files.loaded.connect(self._apply)
         self.files.saved.connect(self._draw)
-        for part in (self.keeper, self.image, self.files):
+        self.light.changed.connect(self._draw)
+        for part in (self.keeper, self.image, self.files, self.light):
             part.failed.connect(self.host.error)
         self.host.opened.connect(self._open)
 
@@ -190,6 +193,7 @@ class ColoursPanel(Panel):
         self.image.source.take(view)
         self.tuning.markers.watch(view)
         self.tuning.watch_room(self.image.source.view)
+        self.light.look_at(self.image.shown(), self.tuning)
         self._draw()
 
     def _draw(self) -> None:
@@ -199,6 +203,8 @@ class ColoursPanel(Panel):
         rows = self.tuning.rows(shown)
         self.ranges.show_rows(rows, self.tuning.words(rows))
         mask = self.tuning.mask(shown, rows)
+        if mask is not None:
+            mask.rings.extend(self.light.rings())
         self.image.show_mask(mask)
         if mask is not None:
             self.ranges.strip.show_hues(mask.histogram, mask.intervals)
@@ -206,3 +212,4 @@ class ColoursPanel(Panel):
     def shut_down(self) -> None:
         self.keeper.write()
         self.image.shut_down()
+        self.light.shut_down()

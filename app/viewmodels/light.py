@@ -1,0 +1,108 @@
+"""The light meter on screen: one line, what to change, and the markers that are missed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
+from app.widgets.image_shapes import Ring
+from tracker.calibration.light_meter import LightMeter, LightReading
+from tracker.vision.colours import ColourProfile
+
+Image = NDArray[np.uint8]
+EVERY = 1.0  # s of images from one reading to the next
+KEPT = 10.0  # s that a reading stays while no hand is seen
+MISSED_COLOUR = "#FF4FD8"
+SHORT = {
+    "clipped": "too bright",
+    "dark": "too dark",
+    "noisy": "noisy",
+    "warm": "too warm",
+    "cold": "too cold",
+    "near": "hues alike",
+    "room": "colours in the room",
+    "missed": "markers missed",
+}
+
+
+class LightWatch:
+    """The newest reading of the images shown, and when to take another."""
+
+    def __init__(self) -> None:
+        self.reading: LightReading | None = None
+        self._meter: LightMeter | None = None
+        self._image: Image | None = None
+        self._profile: ColourProfile | None = None
+        self._asked = self._read_at = -np.inf
+
+    def work(
+        self, image: Image | None, profile: ColourProfile, fx: float, t: float | None
+    ) -> Callable[[], tuple[LightMeter, LightReading]] | None:
+        """How to read an image, for a background thread; None where nothing new is to be read.
+
+        ``t`` (s) is a live image's exposure, None for a kept one.
+        """
+        early = image is self._image or (t is not None and 0 <= t - self._asked < EVERY)
+        if image is None or (early and profile == self._profile):
+            return None
+        self._image, self._profile, self._asked = image, profile, -np.inf if t is None else t
+        known = self._meter
+        if known is not None and known.profile != profile:
+            known = None
+
+        def read() -> tuple[LightMeter, LightReading]:
+            ready = known or LightMeter(profile, fx)
+            return ready, ready.read(image)
+
+        return read
+
+    def took(self, answer: tuple[LightMeter, LightReading]) -> None:
+        """What `work` has brought. A moment without the hand does not count."""
+        self._meter, reading = answer
+        has_hand = all(a.kind != "hand" for a in reading.advice)
+        if has_hand or self.reading is None or self._asked - self._read_at > KEPT:
+            self.reading, self._read_at = reading, self._asked
+
+    # ---- what is shown
+
+    @property
+    def look(self) -> StateLook:
+        if self.reading is None or self._without_hand:
+            return IDLE
+        return WARN if self.reading.advice else GOOD
+
+    @property
+    def _without_hand(self) -> bool:
+        return self.reading is not None and any(a.kind == "hand" for a in self.reading.advice)
+
+    def line(self) -> str:
+        """The light in a few words."""
+        if self.reading is None or self._without_hand:
+            return "–"
+        said = [SHORT[a.kind] for a in self.reading.advice if a.kind in SHORT]
+        return ", ".join(said) or "good"
+
+    def sentences(self) -> list[str]:
+        """What to change, and the figures that say so."""
+        r = self.reading
+        if r is None:
+            return ["No image has been looked at yet."]
+        words = [a.words for a in r.advice] or ["Nothing to change: the markers are clear."]
+        figures = [f"noise {r.noise:.1f} levels"]
+        if len(r.uv):
+            found = int(r.found.sum())
+            figures = [f"{found} of {len(r.uv)} markers found", f"brightness {r.level:.0f} of 255",
+                       *figures]  # fmt: skip
+        if np.isfinite(r.warmth):
+            figures.append(f"red to blue on the cloth {r.warmth:.1f}")
+        return [*words, ", ".join(figures) + "."]
+
+    def rings(self, step: int) -> list[Ring]:
+        """Round the markers that these colours miss, in an image ``step`` times smaller."""
+        if self.reading is None:
+            return []
+        at = self.reading.missed / step
+        return [Ring(float(u), float(v), 16 / step, MISSED_COLOUR, 2.0, dashed=True) for u, v in at]

@@ -1,0 +1,129 @@
+"""What the light meter says of simulated rooms, of photographs, and of single faults."""
+
+import sys
+from collections import Counter
+from itertools import islice
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+import resources
+from tracker.calibration.light_meter import LightMeter, near_hues, noise_of, widened
+from tracker.vision.colours import HUES, load_profile
+
+sys.path.append(str(Path(__file__).parents[1] / "simulation"))
+import desk_scores
+
+PROFILE = load_profile(Path(resources.__file__).parent / "colours" / "fabric-default.toml")
+EXPECTED = {"window": set(), "led": set(), "lamp": {"warm"}, "dim": {"dark", "noisy"}}
+ABOUT_LIGHT = {"clipped", "dark", "noisy", "warm", "cold"}
+
+
+def usual_advice(images) -> set[str]:
+    """What most of the images get said about their light."""
+    meter, said, count = LightMeter(PROFILE), Counter(), 0
+    for seen in images:
+        said.update({a.kind for a in meter.read(seen.image).advice})
+        count += 1
+    return {kind for kind, n in said.items() if kind in ABOUT_LIGHT and n > count / 2}
+
+
+@pytest.mark.parametrize("light", EXPECTED)
+def test_photographs_get_the_advice_that_their_light_needs(light: str, data_folder: Path) -> None:
+    folder = data_folder / "desk_pictures" / light
+    if not folder.is_dir():
+        pytest.skip(f"no photographs at {folder}")
+    said = usual_advice(islice(desk_scores.photographs(folder), 0, None, 12))
+    assert said == EXPECTED[light]
+
+
+@pytest.mark.parametrize("light", EXPECTED)
+def test_simulated_rooms_get_the_advice_that_their_light_needs(light: str) -> None:
+    """Lamp light changes from image to image with what of the glove is lit; so it is for most."""
+    surface, times = desk_scores.SURFACES[light], np.array([1.0, 1.3])
+    images = [i for s in (2, 3, 4) for i in desk_scores.simulated(light, s, times, surface)]
+    assert usual_advice(images) - {"clipped"} == EXPECTED[light]
+
+
+@pytest.fixture(scope="module")
+def led():
+    return next(desk_scores.simulated("led", 2, np.array([1.0]), "laminate"))
+
+
+def kinds(image) -> set[str]:
+    return {a.kind for a in LightMeter(PROFILE).read(image).advice}
+
+
+def test_patches_that_are_read_are_markers_of_the_hand(led) -> None:
+    reading = LightMeter(PROFILE).read(led.image)
+    gap = np.linalg.norm(reading.uv[:, None] - led.uv[None], axis=2).min(axis=1)
+    assert len(reading.uv) >= 10
+    assert np.mean(gap < 5) > 0.8
+
+
+def test_a_longer_exposure_clips_and_a_shorter_one_is_dark(led) -> None:
+    assert not kinds(led.image) & ABOUT_LIGHT
+    assert "clipped" in kinds(np.clip(led.image * 1.7, 0, 255).astype(np.uint8))
+    assert "dark" in kinds((led.image * 0.45).astype(np.uint8))
+
+
+def test_another_white_balance_is_warm_or_cold(led) -> None:
+    def balanced(red: float, blue: float) -> np.ndarray:
+        return np.clip(led.image * np.array([blue, 1.0, red]), 0, 255).astype(np.uint8)
+
+    assert "warm" in kinds(balanced(1.15, 0.8))
+    assert "cold" in kinds(balanced(0.7, 1.15))
+
+
+def test_markers_in_colours_that_the_profile_lacks_are_shown_as_missed(led) -> None:
+    """Turned by 14 of 180 hues three of four cloths leave their intervals of 11 to each side."""
+    hsv = cv2.cvtColor(led.image, cv2.COLOR_BGR2HSV)
+    hsv[..., 0] = (hsv[..., 0].astype(int) + 14) % HUES
+    turned = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
+    before, after = (LightMeter(PROFILE).read(i) for i in (led.image, turned))
+    assert len(before.missed) <= 2
+    assert len(after.missed) >= 0.4 * len(after.uv)
+    assert "missed" in {a.kind for a in after.advice}
+    assert any("fit them" in a.words for a in after.advice)
+
+
+def test_a_room_full_of_the_markers_colours_is_told(led) -> None:
+    image = led.image.copy()
+    for k in range(20):
+        cv2.circle(image, (40 + 60 * k, 690), 9, (40, 4, 190), -1)
+    room = LightMeter(PROFILE).read(image)
+    assert room.room["red"] >= 15
+    assert any(a.kind == "room" and "red" in a.words for a in room.advice)
+
+
+def test_no_hand_is_asked_for_and_says_nothing_of_warmth() -> None:
+    reading = LightMeter(PROFILE).read(np.full((720, 1280, 3), 120, np.uint8))
+    assert [a.kind for a in reading.advice] == ["hand"]
+    assert np.isnan(reading.warmth)
+
+
+def test_noise_is_that_of_the_smooth_parts() -> None:
+    rng = np.random.default_rng(1)
+    image = rng.normal(110, 3.0, (720, 1280, 3))
+    image[:300] += rng.normal(0, 20, (300, 1280, 3))
+    assert noise_of(np.clip(image, 0, 255).astype(np.uint8)) == pytest.approx(3.0, rel=0.08)
+
+
+def test_hues_that_nearly_meet_are_named() -> None:
+    red, orange = (40.0, 10.0, 200.0), (20.0, 55.0, 200.0)
+    pixel, hue = np.array([red, red, orange, orange]), np.array([0, 0, 1, 1])
+    gap = 30 * (55 - 20) / 180 + 30 * (40 - 10) / 190  # OpenCV's hue of both, 0 between them
+    assert near_hues(pixel, hue, gap + 1.5) == [(0, 1)]
+    assert near_hues(pixel, hue, gap - 1.5) == []
+
+
+def test_wide_colours_share_the_circle_and_keep_their_own() -> None:
+    wide = widened(PROFILE)
+    covered = sum(h.width + 1 for h in wide.hues)
+    assert HUES - 4 <= covered <= HUES
+    for narrow, broad in zip(PROFILE.hues, wide.hues, strict=True):
+        middle = np.array([round(narrow.centre) % HUES, 200, 200])
+        assert narrow.name == broad.name
+        assert broad.contains(middle)

@@ -1,0 +1,67 @@
+"""When the light is read again, and what of it the checklist says."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+
+from app.viewmodels.checklist import steps
+from app.viewmodels.light import EVERY, KEPT, LightWatch
+from tracker import library
+from tracker.calibration.light_meter import Advice, LightMeter
+from tracker.vision.colours import parse_profile
+
+PROFILE = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+GREY = np.full((120, 160, 3), 120, np.uint8)
+
+
+def test_an_image_is_read_once_and_a_live_one_every_second():
+    watch = LightWatch()
+    first = watch.work(GREY, PROFILE, 640.0, 10.0)
+    assert first is not None
+    watch.took(first())
+    assert watch.work(GREY, PROFILE, 640.0, 20.0) is None  # the same image
+    assert watch.work(GREY.copy(), PROFILE, 640.0, 10.0 + 0.5 * EVERY) is None
+    assert watch.work(GREY.copy(), PROFILE, 640.0, 10.0 + EVERY) is not None
+    assert watch.work(None, PROFILE, 640.0, None) is None
+    other = dataclasses.replace(PROFILE, name="other")
+    assert watch.work(GREY, other, 640.0, None) is not None
+
+
+def a_reading(*advice: Advice):
+    meter = LightMeter(PROFILE)
+    return meter, dataclasses.replace(meter.read(GREY), advice=advice)
+
+
+def test_a_moment_without_the_hand_keeps_what_was_read():
+    watch, warm = LightWatch(), Advice("warm", "The light is too warm.")
+    none = Advice("hand", "Hold the gloved hand before the camera.")
+    for t, said, line in (
+        (0.0, warm, "too warm"), (2.0, none, "too warm"), (3.0 + KEPT, none, "–"),
+    ):  # fmt: skip
+        assert watch.work(GREY.copy(), PROFILE, 640.0, t) is not None
+        watch.took(a_reading(said))
+        assert watch.line() == line
+
+
+@pytest.mark.parametrize(
+    ("advice", "done"),
+    [
+        ((), True),
+        ((Advice("room", "The room has red too."),), True),
+        ((Advice("dark", "The markers are dark."),), False),
+    ],
+)
+def test_the_checklist_asks_for_light_and_lives_with_the_room(window, advice, done):
+    watch = LightWatch()
+    watch.took(a_reading(*advice))
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    view = window.host.snapshot()
+    step = next(s for s in steps(view, light=watch) if s.name == "Light")
+    assert step.done == done
+    assert step.reason == (advice[0].words if advice else "the markers are clear")
+    assert step.command == ("" if done else "show_colours")
+    unread = next(s for s in steps(view) if s.name == "Light")
+    assert not unread.done
+    assert unread.reason == "Waits for images."

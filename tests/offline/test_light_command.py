@@ -1,0 +1,37 @@
+"""``glovetrack light`` on a simulated session in a dim room."""
+
+import argparse
+import json
+
+import pytest
+
+from tracker.errors import FileError
+from tracker.offline.commands import add_commands
+from tracker.offline.simulate import SimulateOptions, simulate
+
+
+def light(*words: str) -> argparse.Namespace:
+    parser = argparse.ArgumentParser()
+    add_commands(parser.add_subparsers())
+    return parser.parse_args(["light", *words])
+
+
+def test_a_dim_room_is_told(tmp_path, capsys):
+    path = tmp_path / "dim.mcap"
+    simulate(path, SimulateOptions(scene="desk", light="dim", seed=2, duration=1.5, fps=5))
+    args = light(str(path), "--json", str(tmp_path / "light.json"))
+    assert args.func(args) == 0
+    said = json.loads((tmp_path / "light.json").read_text())
+    assert said["images"] == 2
+    assert 0 < said["found"] <= said["markers"]
+    assert said["noise"] > 2.9
+    assert any("more light" in words for words in said["advice"])
+    assert "The image is noisy" in capsys.readouterr().out
+
+
+def test_a_session_without_images_has_no_light(tmp_path):
+    path = tmp_path / "blobs.mcap"
+    simulate(path, SimulateOptions(images=False, duration=1.0, fps=10))
+    args = light(str(path))
+    with pytest.raises(FileError, match="holds no images"):
+        args.func(args)

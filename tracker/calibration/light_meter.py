@@ -1,0 +1,283 @@
+"""A light meter for markers: what of an image's light will cost markers, and what to change.
+
+An image is read on its own: patches are looked for with colours much wider than the profile's, and
+told from the room by the dark cloth around them. Their pixels and the cloth's say what light it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import combinations
+from typing import NamedTuple
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import Array, Blobs, IntArray
+from tracker.vision.colours import HUES, ColourProfile
+from tracker.vision.detector import Detector
+
+Image = NDArray[np.uint8]
+LIGHT = ("clipped", "dark", "noisy", "warm", "cold")
+"""Kinds of advice that are about lamp and exposure; the others are about colours and the room."""
+
+
+@dataclass(frozen=True)
+class MeterParams:
+    """Bounds beyond which the light costs markers. Levels are 0..255 as stored."""
+
+    clipped_level: int = 249
+    clipped_share: float = 0.2  # of the patches
+    clipped_image: float = 0.03  # of the image
+    dark_level: float = 108.0  # of the patches' brightest channel, median
+    noise: float = 2.9  # levels, standard deviation where the image is smooth
+    warm: float = 1.3  # linear red / blue of the glove's grey cloth
+    cold: float = 0.40
+    near_hues: float = 9.0  # between the middles of two hues, OpenCV units
+    room_blobs: int = 8  # of a hue, beside the hand
+    least_patches: int = 5  # to speak of patches at all
+    contrast: float = 1.5  # of a patch over the cloth around it, at least
+    cloth_level: float = 125.0  # that dark cloth has at most
+    cloth_chroma: float = 48.0  # levels between its channels
+    found_px: float = 4.0
+    hand: float = 11.0  # half extent of a hand in diameters of a patch
+
+
+class Advice(NamedTuple):
+    """What is wrong, by a short word (`LIGHT`, or near, room, missed), and the whole sentence."""
+
+    kind: str
+    words: str
+
+
+@dataclass(frozen=True, eq=False)
+class LightReading:
+    """Of one image: patches (n, 2) px with hue (n,) of the profile and whether found (n,); level,
+    noise in levels; warmth the linear red / blue of cloth, NaN where no patch is seen; room: blobs
+    of each hue that are no patches."""
+
+    uv: Array
+    hue: IntArray
+    found: NDArray[np.bool_]
+    level: float
+    noise: float
+    warmth: float
+    clipped: float
+    room: dict[str, int]
+    advice: tuple[Advice, ...]
+
+    @property
+    def good(self) -> bool:
+        """Whether lamp and exposure will do as they are."""
+        return not any(a.kind in LIGHT for a in self.advice)
+
+    @property
+    def missed(self) -> Array:
+        """(k, 2) px of patches that the profile does not find."""
+        return self.uv[~self.found]
+
+
+class LightMeter:
+    """Reads images for one profile. Making one takes a tenth of a second, a reading a hundredth.
+
+    ``fx`` (px) is the camera's focal length, as of `Detector`.
+    """
+
+    def __init__(
+        self, profile: ColourProfile, fx: float = 640.0, params: MeterParams | None = None
+    ) -> None:
+        self.profile, self.params = profile, params or MeterParams()
+        self._narrow = Detector(profile, fx=fx)
+        self._wide = Detector(widened(profile), fx=fx)
+
+    def read(self, image: Image) -> LightReading:
+        """The light in a BGR image (h, w, 3) uint8 of the gloved hand."""
+        p = self.params
+        blobs, _ = self._narrow.detect(image)
+        seen = _of_one_hand(_patches(image, self._wide.detect(image)[0], p), p)
+        others = _beside(blobs, seen)
+        names = enumerate(self.profile.hue_names)
+        reading = LightReading(
+            uv=seen.uv,
+            hue=seen.hue,
+            found=_near(seen.uv, seen.hue, blobs, p.found_px),
+            level=float(np.median(seen.pixel.max(axis=1))) if len(seen.uv) else float("nan"),
+            noise=noise_of(image),
+            warmth=_warmth(seen, p),
+            clipped=float(np.mean(image[::4, ::4].min(axis=2) >= p.clipped_level)),
+            room={name: int(np.sum(others == k)) for k, name in names},
+            advice=(),
+        )
+        return replace(reading, advice=tuple(_advice(reading, seen, self.profile, p)))
+
+
+def widened(profile: ColourProfile) -> ColourProfile:
+    """Each hue reaching half-way to its neighbours, at any brightness and little saturation."""
+    order = sorted(profile.hues, key=lambda h: h.centre)
+    out = {}
+    for before, hue, after in zip(
+        order[-1:] + order[:-1], order, order[1:] + order[:1], strict=True
+    ):
+        low = hue.centre - ((hue.centre - before.centre) % HUES or HUES) / 2
+        high = hue.centre + ((after.centre - hue.centre) % HUES or HUES) / 2
+        arc = int(np.ceil(low)) % HUES, int(np.ceil(high) - 1) % HUES
+        out[hue.name] = replace(hue, hue=arc, saturation=(80, 255), value=(30, 255))
+    return replace(profile, hues=tuple(out[h.name] for h in profile.hues))
+
+
+def noise_of(image: Image, block: int = 16) -> float:
+    """Standard deviation (levels) of green where the image is smoothest: of blocks that are neither
+    black nor white, the one at a tenth from the least."""
+    h, w = (n // (2 * block) * 2 * block for n in image.shape[:2])
+    rows = image[:h, :w, 1].reshape(h // block, block, w // block, block)[::2, :, ::2]
+    blocks = np.ascontiguousarray(rows.swapaxes(1, 2)).reshape(-1, block * block)
+    sums = np.sum(blocks, axis=1, dtype=np.int64)
+    squares = np.einsum("bi,bi->b", blocks, blocks, dtype=np.int64)
+    mean = sums / block**2
+    sd = np.sqrt(np.maximum(squares / block**2 - mean**2, 0.0))
+    lit = (mean > 15) & (mean < 235)
+    return float(np.quantile(sd[lit], 0.1)) if lit.any() else 0.0
+
+
+class _Patches(NamedTuple):
+    """uv (n, 2), hue (n,), radius (n,) px, pixel (n, 3) BGR of their middles, cloth (n, 3) BGR
+    around them."""
+
+    uv: Array
+    hue: IntArray
+    radius: Array
+    pixel: Array
+    cloth: Array
+
+
+def _patches(image: Image, blobs: Blobs, p: MeterParams) -> _Patches:
+    """Blobs with dark grey cloth around them."""
+    soft = cv2.blur(image, (3, 3))
+    radius = 0.5 * blobs.size.mean(axis=1) if len(blobs) else np.zeros(0)
+    turn = np.linspace(0, 2 * np.pi, 12, endpoint=False)
+    ring = np.column_stack([np.cos(turn), np.sin(turn)])
+    spots = blobs.uv[:, None] + (1.35 * radius + 2.5)[:, None, None] * ring
+    pixel, around = _at(soft, blobs.uv), _at(soft, spots)
+    # another patch or a finger's edge may lie to one side: the darker half of the ring is cloth
+    order = np.argsort(around.max(axis=2), axis=1)[:, : len(turn) // 2]
+    cloth = np.median(np.take_along_axis(around, order[..., None], axis=1), axis=1)
+    dark = cloth.max(axis=1) < p.cloth_level
+    grey = np.ptp(cloth, axis=1) < np.minimum(p.cloth_chroma, 12 + 0.5 * cloth.max(axis=1))
+    most = np.sort(around.max(axis=2), axis=1)[:, 3 * len(turn) // 4]
+    inside = (cloth.max(axis=1) * p.contrast < pixel.max(axis=1)) & (
+        most < pixel.max(axis=1) * 1.05
+    )
+    keep = dark & grey & inside
+    return _Patches(blobs.uv[keep], blobs.hue[keep], radius[keep], pixel[keep], cloth[keep])
+
+
+def _of_one_hand(seen: _Patches, p: MeterParams) -> _Patches:
+    """Those around the place with the most: things on a desk are patches, too, but lie apart."""
+    if len(seen.uv) == 0:
+        return seen
+    unit = 2 * float(np.median(seen.radius))
+    gap = np.linalg.norm(seen.uv[:, None] - seen.uv[None], axis=2) / unit
+    middle = int(np.argmax(np.sum(gap < p.hand / 2, axis=1)))
+    keep = gap[middle] < p.hand
+    return _Patches(*(field[keep] for field in seen))
+
+
+def _at(image: Image, uv: Array) -> Array:
+    """(…, 3) pixels nearest to uv (…, 2), those of the edge beyond it."""
+    h, w = image.shape[:2]
+    column, row = np.round(uv[..., 0]).astype(int), np.round(uv[..., 1]).astype(int)
+    return image[np.clip(row, 0, h - 1), np.clip(column, 0, w - 1)].astype(float)
+
+
+def _near(uv: Array, hue: IntArray, blobs: Blobs, reach: float) -> NDArray[np.bool_]:
+    """(n,) whether a blob of the same hue is there."""
+    gap = np.linalg.norm(uv[:, None] - blobs.uv[None], axis=2)
+    return np.any((gap < reach) & (hue[:, None] == blobs.hue[None]), axis=1)
+
+
+def _beside(blobs: Blobs, seen: _Patches) -> IntArray:
+    """Hues (k,) of the blobs that are no patches."""
+    gap = np.linalg.norm(blobs.uv[:, None] - seen.uv[None], axis=2)
+    return blobs.hue[~np.any(gap < seen.radius[None] + 2, axis=1)]
+
+
+def _warmth(seen: _Patches, p: MeterParams) -> float:
+    """Linear red / blue of the cloth, NaN where too few patches are seen."""
+    if len(seen.uv) < p.least_patches:
+        return float("nan")
+    # what is lit counts more than what lies in the shade, where the light is another
+    blue, _, red = np.mean((seen.cloth / 255) ** 2.2, axis=0)
+    return float(red / max(blue, 1e-6))
+
+
+def _advice(
+    r: LightReading, seen: _Patches, profile: ColourProfile, p: MeterParams
+) -> list[Advice]:
+    names = np.array(profile.hue_names)
+    out = []
+    few = len(seen.uv) < p.least_patches
+    dim = r.level < p.dark_level and r.noise > p.noise  # cloth is noise then, and has no colour
+    clipped = seen.pixel.max(axis=1) >= p.clipped_level
+    if not few and clipped.mean() > p.clipped_share:
+        which = _list(names[np.unique(seen.hue[clipped])])
+        out.append(Advice("clipped", f"The {which} markers are too bright: shorten the exposure, "
+                          "or move the lamp away."))  # fmt: skip
+    elif r.clipped > p.clipped_image:
+        out.append(Advice("clipped", f"{100 * r.clipped:.0f} % of the image is white: keep window "
+                          "and screen out of it, or shorten the exposure."))  # fmt: skip
+    if not few and r.level < p.dark_level:
+        out.append(Advice("dark", "The markers are dark: more light on the hand, or a longer "
+                          "exposure."))  # fmt: skip
+    if r.noise > p.noise:
+        out.append(Advice("noisy", "The image is noisy: more light, and less gain."))
+    if r.warmth > p.warm and not dim:
+        out.append(Advice("warm", "The light is too warm: take a daylight lamp or set the white "
+                          "balance, then fit the colours."))  # fmt: skip
+    if r.warmth < p.cold and not dim:
+        out.append(Advice("cold", "The light is too cold: set the white balance, then fit the "
+                          "colours."))  # fmt: skip
+    return out + _colour_advice(r, seen, profile, p)
+
+
+def _colour_advice(
+    r: LightReading, seen: _Patches, profile: ColourProfile, p: MeterParams
+) -> list[Advice]:
+    """Hues that look alike or that the room has too, and markers that are not found."""
+    out = []
+    for a, b in near_hues(seen.pixel, seen.hue, p.near_hues):
+        pair = f"{profile.hue_names[a]} and {profile.hue_names[b]}"
+        out.append(Advice("near", f"The {pair} markers look alike in this light: another lamp, or "
+                          "other cloth."))  # fmt: skip
+    crowded = [name for name, count in r.room.items() if count > p.room_blobs]
+    if crowded:
+        words = f"The room has {_list(crowded)} too, in {sum(r.room.values())} spots: lay a dark "
+        out.append(Advice("room", words + "or grey cloth under the hand, or fit the colours."))
+    missed = len(r.missed)
+    if missed:
+        of = len(r.uv)
+        out.append(Advice("missed", f"{missed} of {of} markers are not found with these colours: "
+                          "fit them to the image."))  # fmt: skip
+    if len(r.uv) < p.least_patches:
+        out.append(Advice("hand", "Hold the gloved hand before the camera, its back up."))
+    return out
+
+
+def near_hues(pixel: Array, hue: IntArray, least: float) -> list[tuple[int, int]]:
+    """Pairs of hues whose patches (n, 3) BGR differ by less than ``least`` in the middle."""
+    if len(pixel) == 0:
+        return []
+    hsv = cv2.cvtColor(np.round(pixel).astype(np.uint8)[None], cv2.COLOR_BGR2HSV)[0]
+    turn = np.exp(2j * np.pi * hsv[:, 0].astype(float) / HUES)
+    middle = {int(k): float(np.angle(turn[hue == k].mean())) for k in np.unique(hue)}
+    out = []
+    for a, b in combinations(middle, 2):
+        gap = abs((middle[a] - middle[b] + np.pi) % (2 * np.pi) - np.pi) * HUES / (2 * np.pi)
+        if gap < least and min(np.sum(hue == a), np.sum(hue == b)) >= 2:
+            out.append((a, b))
+    return out
+
+
+def _list(names: NDArray[np.str_] | list[str]) -> str:
+    words = [str(n) for n in names]
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
