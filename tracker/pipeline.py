@@ -9,6 +9,7 @@ import numpy as np
 
 from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.chain.inertial import InertialEngine
 from tracker.fusion.engine import Engine
 from tracker.fusion.hybrid import HybridEngine
@@ -21,6 +22,7 @@ from tracker.messages import (
     CameraImuSample,
     CameraPose,
     Estimate,
+    Event,
     FrameResult,
     ImuSample,
     Tracking,
@@ -98,6 +100,8 @@ class Pipeline:
         offset = TimeOffset(hand, glove, rig)
         self._timing = FrameTiming(offset, self.settings.timing)
         self._results: list[FrameResult] = []
+        self._words: list[str] = []
+        self._told = False
 
     @property
     def engine(self) -> Engine:
@@ -130,6 +134,20 @@ class Pipeline:
         else:
             nothing = FrameResult.nothing(frame.t, Tracking.SEARCHING, len(self.glove.markers))
             self._results.append(nothing)
+
+    def feed_event(self, event: Event) -> None:
+        """Take what was said: an engine that learns from guided poses hears of them."""
+        said = guided_of(event)
+        if said is None:
+            return
+        if isinstance(said, str):
+            self._words.append(said)
+        elif not isinstance(self._engine, ChainEngine):
+            if not self._told:
+                name, self._told = self.settings.engine, True
+                self._words.append(f"The engine {name} learns nothing from guided poses.")
+        else:
+            self._engine.hear(said, event.t)
 
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
         """Take a sample of the camera's own IMU: images without a pose get one of it."""
@@ -165,8 +183,9 @@ class Pipeline:
         return self._timing
 
     def take_words(self) -> list[str]:
-        """Sentences about the camera since the last call, for the log."""
-        return self._watch.take_words()
+        """Sentences about the camera and guided poses since the last call, for the log."""
+        words, self._words = self._words, []
+        return words + self._watch.take_words()
 
     def predict(self, t: float) -> Estimate:
         """The hand at any instant near now. Moves nothing."""

@@ -111,7 +111,8 @@ def a_trial(participant: int) -> Trial:
     n = 200
     return Trial(
         participant=participant, hand_length=0.18, t=np.arange(n) / 100,
-        error=np.full((n, 4), 0.004), sd=np.full((n, 4), 0.004), seen=np.full(n, 11),
+        error=np.full((n, 4), 0.004), sd=np.full((n, 4), 0.004),
+        joints=np.full((n, 9), 0.002), seen=np.full(n, 11),
         matches=10, wrong_matches=0, core_s=0.1, duration=2.0,
     )  # fmt: skip
 

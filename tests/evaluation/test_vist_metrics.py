@@ -23,6 +23,7 @@ def trial(error_mm, sd_mm=10.0, seen=None, participant=0, matches=0, wrong=0) ->
         t=np.arange(n) / 100,
         error=error,
         sd=np.full(error.shape, sd_mm / 1000),
+        joints=np.full((n, 9), 0.002),
         seen=np.array(seen if seen is not None else [10] * n),
         matches=matches,
         wrong_matches=wrong,
@@ -93,3 +94,9 @@ def test_wrong_matches_and_cost_are_shares_of_all():
 def test_nobody_is_refused():
     with pytest.raises(ValueError, match="no trials"):
         summarise([])
+
+
+def test_tips_and_joints_are_told_apart():
+    told = summarise([trial([[9.0, 6.0, 3.0, 1.0]] * 5)])
+    assert told.tips_mm == pytest.approx(6.0)
+    assert told.joints_mm == pytest.approx(2.0)

@@ -30,15 +30,27 @@ class EngineCommand:
     work: Callable[[Engine], None]
 
 
+@dataclass(frozen=True)
+class GuidedCommand:
+    """A guided pose begins, or ends and was ``held`` or not; stamped when it is fed."""
+
+    pose: str
+    begins: bool
+    held: bool = False
+
+
+Item = ImuSample | DetectedFrame | EngineCommand | GuidedCommand
+
+
 class Inbox:
     """Filled by any thread, emptied by one. A lost packet is lost motion, a late image is not."""
 
     def __init__(self) -> None:
-        self._items: Fifo[ImuSample | DetectedFrame | EngineCommand] = Fifo(SIZE)
+        self._items: Fifo[Item] = Fifo(SIZE)
         self._frames = self._skipped = 0
         self._counting = threading.Lock()
 
-    def put(self, item: ImuSample | EngineCommand) -> None:
+    def put(self, item: ImuSample | EngineCommand | GuidedCommand) -> None:
         """Append; what finds it full is lost and counted."""
         self._items.put(item)
 
@@ -50,7 +62,7 @@ class Inbox:
                 return
             self._frames += self._items.put(found)
 
-    def get(self, timeout: float) -> ImuSample | DetectedFrame | EngineCommand | None:
+    def get(self, timeout: float) -> Item | None:
         """The oldest; None if there is none within ``timeout`` s.
 
         Raises Closed once it is closed and empty.

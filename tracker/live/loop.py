@@ -15,9 +15,10 @@ import numpy as np
 
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import GlovetrackError
+from tracker.fusion.chain.guided.events import began, ended
 from tracker.live.frame_results import FrameResults
 from tracker.live.imu_history import ImuHistory
-from tracker.live.inbox import DetectedFrame, EngineCommand
+from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item
 from tracker.live.journal import Journal
 from tracker.live.load import LoadWatch
 from tracker.live.recording import Recorder, RecordingThread
@@ -105,13 +106,15 @@ class LiveLoop:
 
     # ---- one message after another
 
-    def feed(self, item: ImuSample | DetectedFrame | EngineCommand) -> None:
+    def feed(self, item: Item) -> None:
         """Do all there is to do about a message."""
         started = self.clock()
         if isinstance(item, ImuSample):
             self._feed_imu(item)
         elif isinstance(item, EngineCommand):
             self._execute(item)
+        elif isinstance(item, GuidedCommand):
+            self._guide(item)
         else:
             self._feed_frame(item)
         self.telemetry.took("filter", self.clock() - started)
@@ -154,6 +157,17 @@ class LiveLoop:
         except GlovetrackError as error:
             self.journal.say("error", str(error))
         self._next_report = 0.0  # what it changed is shown at once
+
+    def _guide(self, command: GuidedCommand) -> None:
+        """Tell the engine of a guided pose, and the recording, between the same two messages."""
+        with self._pipeline_lock:
+            t = self._order.mark()
+            if command.begins:
+                event = began(command.pose, t)
+            else:
+                event = ended(command.pose, t, command.held)
+            self.journal.add(event)
+            self.pipeline.feed_event(event)
 
     def _show(self, estimate: Estimate, record: bool) -> None:
         before, self.estimate = self.estimate, estimate

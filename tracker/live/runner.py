@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 from tracker.clock import monotonic
 from tracker.fusion.engine import Engine
 from tracker.live.devices import CameraReader, GloveReader
-from tracker.live.inbox import EngineCommand, Inbox
+from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox
 from tracker.live.journal import Journal
 from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
@@ -156,6 +156,14 @@ class LiveTracker:
         ``data``: see `tracker.session.notes`.
         """
         self._journal.note(text, t, data or {})
+
+    def hold(self, pose: str) -> None:
+        """The wearer is asked from now on to hold a pose of `tracker.hand.poses`."""
+        self._inbox.put(GuidedCommand(pose, begins=True))
+
+    def let_go(self, pose: str, held: bool) -> None:
+        """The pose is over; ``held``: it was not skipped."""
+        self._inbox.put(GuidedCommand(pose, begins=False, held=held))
 
     # ---- what there is to see
 

@@ -51,6 +51,14 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
         default="stand",
         help="on the wearer's head it moves and tells its pose, or only what its own IMU measures",
     )
+    parser.add_argument(
+        "--guided",
+        nargs="?",
+        const="well",
+        default="",
+        choices=("well", "badly"),
+        help="guided poses first, told in /events, held as people do or badly",
+    )
     add_force(parser)
     parser.set_defaults(func=_simulate)
 
@@ -126,6 +134,7 @@ def _simulate(args: argparse.Namespace) -> int:
         photo=args.photo,
         light=args.light,
         camera=args.camera,
+        guided=args.guided,
     )
     simulate(args.out, options, progress_line("simulating"), args.force)
     return 0

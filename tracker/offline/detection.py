@@ -6,19 +6,19 @@ from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 
-from tracker.messages import BlobFrame, CameraImuSample, ImuSample
+from tracker.messages import BlobFrame, CameraImuSample, Event, ImuSample
 from tracker.session.decode import Decoded
 from tracker.session.images import PackedFrame
 from tracker.vision.detector import Detector, detect_frame
 
-_Packet = ImuSample | CameraImuSample
+_Packet = ImuSample | CameraImuSample | Event
 AHEAD = 12  # pairs of images unpacked before the engine asks for them: 65 MB at 720p
 
 
 def detected(
     messages: Iterable[Decoded], detector: Detector, threads: int, keep: bool = False
 ) -> Iterator[_Packet | PackedFrame | BlobFrame]:
-    """Packets as they are and what is found in the images, in the order of ``messages``.
+    """Packets and events as they are and what is found in the images, in the order of ``messages``.
 
     With ``keep`` each pair of images comes too, before what is found in it.
 
@@ -35,7 +35,7 @@ def detected(
                     waiting.append(message)
                 waiting.append(pool.submit(_find, detector, message))
                 images += 1
-            elif isinstance(message, ImuSample | CameraImuSample):
+            elif isinstance(message, ImuSample | CameraImuSample | Event):
                 waiting.append(message)
             while images > AHEAD or (waiting and not isinstance(waiting[0], Future)):
                 first = waiting.popleft()

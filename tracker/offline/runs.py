@@ -10,12 +10,14 @@ from typing import Protocol
 import numpy as np
 
 from tracker.errors import FileError
+from tracker.fusion.chain.guided.events import guided_of
 from tracker.messages import (
     BlobFrame,
     Calibration,
     CameraImuSample,
     EngineState,
     Estimate,
+    Event,
     ImuSample,
     Tracking,
 )
@@ -31,11 +33,19 @@ from tracker.vision.rig import StereoRig
 
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
+Fed = Sensed | Event
+"""What a run is fed with: of events those count that tell of guided poses."""
+
+
+def arrival(message: Fed) -> float:
+    """When a message came, s."""
+    return message.t if isinstance(message, Event) else message.t_arrival
+
 
 class SessionRun(Protocol):
     """What `track` feeds; ``progress`` of `finish` hears the share of the rest that is done."""
 
-    def feed(self, message: Sensed) -> None: ...
+    def feed(self, message: Fed) -> None: ...
 
     def finish(self, progress: Callable[[float], None]) -> None: ...
 
@@ -55,13 +65,15 @@ class Output:
     def report(self) -> TrackReport:
         return self._counter.report
 
-    def message(self, message: Sensed) -> None:
+    def message(self, message: Fed) -> None:
         """A message as it was fed; before its estimate."""
         if isinstance(message, PackedFrame):
             self._recorder.write_packed(message)
             return
         if isinstance(message, BlobFrame):
             self._frame(message)
+        elif isinstance(message, Event) and guided_of(message) is None:
+            return
         elif self._with_sensors:
             self._recorder.write(message)
 
@@ -110,7 +122,7 @@ class NoOutput(Output):
     def report(self) -> TrackReport:
         return self._report
 
-    def message(self, message: Sensed) -> None: ...
+    def message(self, message: Fed) -> None: ...
 
     def state(self, state: EngineState) -> None: ...
 
@@ -142,8 +154,8 @@ class LiveRun:
         self._next_calibration = -np.inf
         self._camera_tells = False  # of its rotation, by an IMU of its own
 
-    def feed(self, message: Sensed) -> None:
-        while self._changes and self._changes[0][0] <= message.t_arrival:
+    def feed(self, message: Fed) -> None:
+        while self._changes and self._changes[0][0] <= arrival(message):
             self._change(*self._changes.popleft())
         self._camera_tells |= isinstance(message, CameraImuSample)
         self._output.message(self._posed(message))
@@ -153,11 +165,13 @@ class LiveRun:
             self._pipeline.feed_frame(message)
         elif isinstance(message, CameraImuSample):
             self._pipeline.feed_camera_imu(message)
+        elif isinstance(message, Event):
+            self._pipeline.feed_event(message)
         else:
             self._feed_imu(message)
         self._pipeline.take_results()
 
-    def _posed(self, message: Sensed) -> Sensed:
+    def _posed(self, message: Fed) -> Fed:
         """A frame with the pose that the pipeline gives it."""
         if self._camera_tells and isinstance(message, BlobFrame) and message.pose is None:
             exposed = message.t - self._pipeline.timing.applied
@@ -200,13 +214,17 @@ class SmoothRun:
     def __init__(self, smoother: Smoother, output: Output, camera: CameraTilt) -> None:
         self._smoother, self._output, self._camera = smoother, output, camera
 
-    def feed(self, message: Sensed) -> None:
+    def feed(self, message: Fed) -> None:
         if isinstance(message, PackedFrame):
             self._output.message(message)
             return
         if isinstance(message, CameraImuSample):
             self._output.message(message)
             self._camera.feed(message)
+            return
+        if isinstance(message, Event):
+            self._output.message(message)
+            self._smoother.feed(message)
             return
         if isinstance(message, BlobFrame) and message.pose is None:
             message = replace(message, pose=self._camera.pose(message.t))

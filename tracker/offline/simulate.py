@@ -16,11 +16,13 @@ from tracker.geometry import so3
 from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking, Validity
 from tracker.session.description import SessionInfo, describe
 from tracker.session.writer import RecorderParams, new_session
+from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams, with_events
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams, Truth
+from tracker.simulation.wearer import Wearer
 
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
 MONOTONIC_NS = 0
@@ -41,6 +43,7 @@ class SimulateOptions:
     scene: str = "plain"  # behind the hand: or painted, photo, desk
     photo: str = ""  # the image of the scene photo
     light: str = ""  # over the desk: window (if not said), lamp, led or dim
+    guided: str = ""  # "well" or "badly": guided poses are held first, and told of
     camera: str = "stand"  # or head, head-imu: on the wearer's head, telling its pose or its IMU
 
 
@@ -64,7 +67,8 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     )
     room = room_of(options.scene, options.light, options.photo, options.seed)
     params = SimulationParams(head=_head(options.camera), render=room.render)
-    motion, seed, extras = _motion(options, info), options.seed, room.extras
+    motion = _led(options, info, _motion(options, info))
+    seed, extras = options.seed, room.extras
     sim = Simulation(info.hand, info.glove, motion, seed, params, options.fps, extras=extras)
     if options.images:
         sim.renderer  # noqa: B018  what cannot be drawn is said before a file is begun
@@ -86,6 +90,17 @@ def _motion(options: SimulateOptions, info: SessionInfo) -> Motion:
     return load_motion(Path(options.motion), info.hand)
 
 
+def _led(options: SimulateOptions, info: SessionInfo, then: Motion) -> Motion:
+    """``then``, after guided poses where these are asked for."""
+    if not options.guided:
+        return then
+    known = {"well": HoldParams(), "badly": HELD_BADLY}
+    if options.guided not in known:
+        raise ConfigError(f"Poses can be held {', '.join(known)}, not {options.guided!r}.")
+    wearer = Wearer.random(info.hand, info.glove, options.seed)
+    return GuidedPoses(wearer, then, options.seed, known[options.guided])
+
+
 def simulate(
     out: Path,
     options: SimulateOptions,
@@ -100,9 +115,11 @@ def simulate(
     sim, info = build(options)
     images = "jpeg" if options.images else "none"
     params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality)
-    end = min(sim.duration, options.duration)
+    led = sim.motion if isinstance(sim.motion, GuidedPoses) else None
+    end = min(sim.duration, options.duration + (led.free_from if led else 0.0))
+    events = led.events if led else []
     with new_session(out, info, force, params=params) as recorder:
-        for message in sim.messages(images=options.images):
+        for message in with_events(sim.messages(images=options.images), events):
             if message.t > end:
                 break
             recorder.write(message)

@@ -16,15 +16,17 @@ import numpy as np
 
 from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.guided.events import GuidedSaid, guided_of
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.messages import BlobFrame, Calibration, Estimate, ImuSample, Tracking
+from tracker.messages import BlobFrame, Calibration, Estimate, Event, ImuSample, Tracking
 from tracker.offline.smooth_chain import ChainTape, smoothing_params
 from tracker.session.description import SessionInfo
 from tracker.settings import Settings
 
 BLOCK_S = 4.0  # s; a tape takes some 25 MB a second
 
-Fed = tuple[ImuSample | BlobFrame, Estimate | None]
+Message = ImuSample | BlobFrame | Event
+Fed = tuple[Message, Estimate | None]
 """A message and, for a packet, an estimate."""
 
 
@@ -46,12 +48,13 @@ class Smoother:
         self._fed: list[Fed] = []
         self._until = -np.inf
 
-    def feed(self, message: ImuSample | BlobFrame) -> None:
+    def feed(self, message: Message) -> None:
         """The next message of the session, in feed order."""
-        if message.t_arrival > self._until and self._fed:
+        now = message.t if isinstance(message, Event) else message.t_arrival
+        if now > self._until and self._fed:
             self._close_block()
         if not self._fed:
-            self._until = message.t_arrival + BLOCK_S
+            self._until = now + BLOCK_S
         self._fed.append((message, _run(self._engine, message)))
 
     def _close_block(self) -> None:
@@ -66,6 +69,7 @@ class Smoother:
         """All messages again, each packet with its smoothed estimate."""
         self._close_block()
         smoothed = _Shelf()
+        self._tape.wear(*self._engine.synergies)
         adjoint = np.zeros(self._size)
         n = len(self._blocks)
         for i in reversed(range(n)):
@@ -95,8 +99,13 @@ class Smoother:
                 yield message, estimate
 
 
-def _run(engine: ChainEngine, message: ImuSample | BlobFrame) -> Estimate | None:
+def _run(engine: ChainEngine, message: Message) -> Estimate | None:
     """Feed the engine; what it shows of a packet for which nothing better will come."""
+    if isinstance(message, Event):
+        said = guided_of(message)
+        if isinstance(said, GuidedSaid):
+            engine.hear(said, message.t)
+        return None
     if isinstance(message, BlobFrame):
         engine.feed_frame(message)
         engine.take_results()

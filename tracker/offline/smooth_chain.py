@@ -117,6 +117,10 @@ class ChainTape:
         self._entries: list[Step | Update | Forgotten | _Shown] = []
         self.recording = False
 
+    def wear(self, gains: Array, aside: Array) -> None:
+        """Smooth the hand of a wearer with these synergies, as `Completion.wear`."""
+        self._shown_hand.wear(gains, aside)
+
     # ---- what goes on the tape
 
     def step(self, state: ChainState, readings: Moment, dt: float) -> None:

@@ -19,18 +19,26 @@ from tracker.messages import (
     BlobFrame,
     CameraImuSample,
     EngineState,
+    Event,
     ImuSample,
     StereoFrame,
 )
 from tracker.offline.detection import detected
 from tracker.offline.options import USUAL, TrackOptions
 from tracker.offline.report import TrackReport, TruthCheck
-from tracker.offline.runs import LiveRun, NoOutput, Output, SessionRun, SmoothRun
+from tracker.offline.runs import (
+    Fed,
+    LiveRun,
+    NoOutput,
+    Output,
+    SessionRun,
+    SmoothRun,
+    arrival,
+)
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
 from tracker.session.arithmetic import arithmetic
-from tracker.session.decode_sensors import Sensed
 from tracker.session.description import COLOURS, GLOVE, HAND, SETTINGS, SessionInfo
 from tracker.session.reader import SessionReader
 from tracker.session.ros import topics
@@ -75,7 +83,7 @@ def track(
             start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
             for message in messages:
                 run.feed(message)
-                progress(forward * min(max((message.t_arrival - start) / span, 0.0), 1.0))
+                progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
             run.finish(lambda share: progress(forward + (1 - forward) * share))
         report = output.report
         if check is not None:
@@ -98,11 +106,11 @@ def state_at(
     assert isinstance(run, LiveRun)
     begin, fed = reader.anchor.monotonic(reader.span_ns[0]), False
     for message in _messages(reader, info, options, usable_cores()):
-        if message.t_arrival >= t:
+        if arrival(message) >= t:
             break
         run.feed(message)
         fed = True
-        progress(min(max((message.t_arrival - begin) / max(t - begin, 1e-9), 0.0), 1.0))
+        progress(min(max((arrival(message) - begin) / max(t - begin, 1e-9), 0.0), 1.0))
     return run.state(t) if fed else None
 
 
@@ -202,23 +210,23 @@ def _sha256(path: Path) -> str:
 
 def _messages(
     reader: SessionReader, info: SessionInfo, options: TrackOptions, threads: int
-) -> Iterator[Sensed]:
-    """Packets and blobs in the order of the live run.
+) -> Iterator[Fed]:
+    """Packets, events and blobs in the order of the live run.
 
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
     there are none, the images are searched.
     """
     if info.rig is None:
-        return reader.packed_messages((ImuSample, BlobFrame))  # type: ignore[return-value]
+        return reader.packed_messages((ImuSample, Event, BlobFrame))  # type: ignore[return-value]
     has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
     keep = options.with_sensors
     if has_blobs and not options.colours:
-        kinds = (ImuSample, CameraImuSample, BlobFrame, *((StereoFrame,) if keep else ()))
+        kinds = (ImuSample, CameraImuSample, Event, BlobFrame, *((StereoFrame,) if keep else ()))
         return reader.packed_messages(kinds)  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
         what = "no images to try other colours on" if has_blobs else "neither blobs nor images"
         raise FileError(f"{reader.path} holds {what}.")
-    packed = reader.packed_messages((ImuSample, CameraImuSample, StereoFrame))
+    packed = reader.packed_messages((ImuSample, CameraImuSample, Event, StereoFrame))
     return detected(packed, make_detector(profile_of(info), info), threads, keep)
 
 

@@ -165,6 +165,14 @@ class Wearer:
         source = angles[:, self._synergy_of]
         return self._synergy_ratio * source + self._synergy_offset + drift
 
+    def beyond_synergies(self, angles: Array, t: float) -> Array:
+        """(J,) rad that the wearer's distal joints bend at ``t`` (s) beyond angles (J,) of a motion
+        that follows synergies."""
+        out = np.zeros_like(angles)
+        if len(self._synergy_angle):
+            out[self._synergy_angle] = self._synergy_error(np.array([t]), angles[None])[0]
+        return out
+
     def imus(self, motion: Motion, t: Array) -> tuple[Array, Array]:
         """R_GI (n, I, 3, 3) and p_GI (n, I, 3) m of all IMUs, with the wobble of soft tissue."""
         R, p, angles = self.segments(motion, t)

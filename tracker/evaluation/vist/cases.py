@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 from tracker.errors import ConfigError
-from tracker.messages import CameraImuSample, ImuSample
+from tracker.messages import BlobFrame, Event, ImuSample, StereoFrame
 from tracker.settings import Settings
 from tracker.simulation.scenario import Message
 
@@ -19,7 +19,13 @@ LEVELS = ("points", "images")
 SETTLING = 5.0
 """Seconds at a trial's beginning that are not judged, as the hand is first found and measured."""
 
-Feed = Iterator[Message]
+Feed = Iterator[Message | Event]
+PAPERS_GLOVE, DISTAL_GLOVE = "vist-small", "vist-small-distal"
+GUIDED = {
+    "untold": "poses held, the tracker not told",
+    "guided": "guided poses",
+    "badly": "guided poses held badly",
+}
 
 
 @dataclass(frozen=True)
@@ -36,6 +42,8 @@ class Case:
     motion_files: tuple[str, ...] = ()
     distractors: int = 0  # still balls of the markers' hues in the room
     light: str = ""  # of images: over a desk with things on it; a plain wall if empty
+    guided: str = ""  # one of `GUIDED`: poses are held first, and free motion after them judged
+    glove: str = PAPERS_GLOVE
 
 
 @dataclass(frozen=True)
@@ -83,7 +91,7 @@ def without_images(outage: float) -> Callable[[Feed], Feed]:
 
     def keep(feed: Feed) -> Feed:
         for m in feed:
-            if isinstance(m, ImuSample | CameraImuSample) or not in_outage(m.t, outage):
+            if not isinstance(m, BlobFrame | StereoFrame) or not in_outage(m.t, outage):
                 yield m
 
     return keep

@@ -38,6 +38,11 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
         help="with --level images: a row over a desk in each light beside the plain wall",
     )
     p.add_argument("--ablations", type=_words, default=(), metavar="A,B|all")
+    p.add_argument(
+        "--guided",
+        action="store_true",
+        help="rows of free motion after guided poses: untold, told, held badly; distal markers",
+    )
     p.add_argument("--fps", type=_positive, default=60.0)
     p.add_argument("--distractors", type=int, default=0, help="coloured balls in the room")
     p.add_argument("--seed", type=int, default=0)
@@ -133,7 +138,9 @@ def cases_of(args: argparse.Namespace) -> list[Any]:
                 case = replace(case, minutes=QUICK_MINUTES)
             files = tuple(map(str, args.motion))
             out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
-    return [*out, *_lit(args, out), *_ablations(args.ablations, out[: len(args.engines)])]
+    first = out[: len(args.engines)]
+    guided = _guided(first[0]) if args.guided else []
+    return [*out, *_lit(args, out), *guided, *_ablations(args.ablations, first)]
 
 
 def _lit(args: argparse.Namespace, cases: Sequence[Any]) -> list[Any]:
@@ -149,6 +156,15 @@ def _lit(args: argparse.Namespace, cases: Sequence[Any]) -> list[Any]:
         for case in cases
         if case.experiment != "head"
     ]
+
+
+def _guided(case: Any) -> list[Any]:
+    """What guided poses are worth, beside markers on the fingertips."""
+    from tracker.evaluation.vist.cases import DISTAL_GLOVE, GUIDED
+
+    case = replace(case, experiment="free", engine="chain")
+    rows = [replace(case, guided=how) for how in GUIDED]
+    return [*rows, replace(case, guided="untold", glove=DISTAL_GLOVE)]
 
 
 def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:

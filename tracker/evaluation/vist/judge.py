@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.evaluation.vist.cases import SETTLING, judged_in_outage
-from tracker.evaluation.vist.metrics import Trial
+from tracker.evaluation.vist.metrics import KEYPOINTS, Trial
 from tracker.messages import Array, CameraPose, Estimate, Tracking
 from tracker.pipeline import Pipeline
 from tracker.simulation.scenario import Simulation, Truth
@@ -35,12 +35,16 @@ class TrialRecord:
 
 @dataclass(frozen=True, eq=False)
 class Judge:
-    """``columns`` (4,) are the rows of the judged keypoints in an estimate."""
+    """``columns`` are the rows in an estimate of the judged keypoints and, after them, of joints.
+
+    Judged is what comes after ``begin`` (s), once the hand has been found.
+    """
 
     simulation: Simulation
     pipeline: Pipeline
     columns: list[int]
     in_camera: bool
+    begin: float = 0.0
 
     def trial(self, record: TrialRecord, participant: int, outage: float) -> Trial:
         """The errors of a trial; ``outage`` s without images again and again, 0 for none."""
@@ -53,13 +57,15 @@ class Judge:
         else:
             error = self._place(estimates, truths, [record.poses[i] for i in rows])
         sd = np.array([e.keypoint_sd[self.columns] for e in estimates]).reshape(error.shape)
+        n = len(KEYPOINTS)
         wearer = self.simulation.wearer
         return Trial(
             participant=participant,
             hand_length=self.simulation.hand.length * float(wearer.scale[:, 0].mean()),
             t=t[rows],
-            error=error,
-            sd=np.full_like(sd, np.nan) if outage else sd,
+            error=error[:, :n],
+            sd=np.full_like(sd[:, :n], np.nan) if outage else sd[:, :n],
+            joints=error[:, n:],
             seen=np.array(record.seen, np.int64)[rows],
             matches=record.matches,
             wrong_matches=record.wrong,
@@ -69,7 +75,7 @@ class Judge:
 
     def _judged(self, t: Array, outage: float) -> NDArray[np.bool_]:
         """(n,) bool: which of the instants count. Some recordings are short."""
-        ok = t > min(SETTLING, self.simulation.duration / 3)
+        ok = t > max(min(SETTLING, self.simulation.duration / 3), self.begin)
         if outage:
             ok &= np.array([judged_in_outage(x, outage) for x in t])
         return ok
@@ -77,7 +83,7 @@ class Judge:
     def _place(
         self, estimates: list[Estimate], truths: list[Truth], poses: list[CameraPose]
     ) -> Array:
-        """(n, 4) m, in G or in C."""
+        """(n, k) m, in G or in C."""
         shape = (len(estimates), len(self.columns), 3)
         given = np.array([e.keypoints[self.columns] for e in estimates]).reshape(shape)
         true = np.array([x.keypoints[self.columns] for x in truths]).reshape(shape)
@@ -88,7 +94,7 @@ class Judge:
         return np.linalg.norm(given - true, axis=2)
 
     def _articulation(self, estimates: list[Estimate], truths: list[Truth]) -> Array:
-        """(n, 4) m in the dorsum's frame, from segment poses: keypoints themselves are given up."""
+        """(n, k) m in the dorsum's frame, from segment poses: keypoints themselves are given up."""
         scale = self._scales()
         hand, glove = self.pipeline.hand, self.pipeline.glove
         out = np.full((len(estimates), len(self.columns)), np.nan)

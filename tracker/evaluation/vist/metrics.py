@@ -17,6 +17,16 @@ from tracker.messages import Array, IntArray
 KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 """What the paper measures: three fingertips and the back of the hand."""
 
+TIPS = 3  # the first of them
+
+JOINTS = (
+    "thumb_cmc",
+    "thumb_mcp",
+    "thumb_ip",
+    *(f"{f}_{joint}" for f in ("index", "middle") for joint in ("mcp", "pip", "dip")),
+)
+"""Joints of the digits that the paper's glove measures."""
+
 PCK_BOUNDS_MM = np.arange(0.0, 51.0)
 
 
@@ -24,7 +34,8 @@ PCK_BOUNDS_MM = np.arange(0.0, 51.0)
 class Trial:
     """One participant tracked once; n instants judged, columns in the order of `KEYPOINTS`.
 
-    error (n, 4) m, NaN where the engine says that it is lost; sd (n, 4) m the engine's own
+    error (n, 4) m, NaN where the engine says that it is lost; joints (n, 9) m the same of
+    `JOINTS`; sd (n, 4) m the engine's own
     standard deviation of a coordinate; seen (n,) markers matched in both images of the latest
     exposure; matches and wrong_matches count blobs; core_s is processor time of the tracker alone.
     """
@@ -34,6 +45,7 @@ class Trial:
     t: Array
     error: Array
     sd: Array
+    joints: Array
     seen: IntArray
     matches: int
     wrong_matches: int
@@ -47,6 +59,8 @@ class Summary:
 
     participants: int
     mean_mm: float
+    tips_mm: float
+    joints_mm: float
     sd_mm: float
     within_sd_mm: float
     between_sd_mm: float
@@ -75,6 +89,8 @@ def summarise(trials: Sequence[Trial]) -> Summary:
     return Summary(
         participants=len(trials),
         mean_mm=_mean(pooled),
+        tips_mm=_mean(pooled[:, :TIPS]),
+        joints_mm=_mean(1000 * _finite(np.concatenate([t.joints.ravel() for t in trials]))),
         sd_mm=float(pooled.std()) if pooled.size else np.nan,
         within_sd_mm=_mean(np.array([e.std() for e in of_each])),
         between_sd_mm=float(means.std(ddof=1)) if len(means) > 1 else np.nan,
@@ -96,6 +112,10 @@ def summarise(trials: Sequence[Trial]) -> Summary:
 def _present(trial: Trial) -> Array:
     """(k, 4) m errors of the instants at which every keypoint is given."""
     return trial.error[np.all(np.isfinite(trial.error), axis=1)]
+
+
+def _finite(values: Array) -> Array:
+    return values[np.isfinite(values)]
 
 
 def _mean(values: Array) -> float:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from tracker.errors import FileError
-from tracker.evaluation.vist.cases import ABLATIONS, Case
+from tracker.evaluation.vist.cases import ABLATIONS, GUIDED, PAPERS_GLOVE, Case
 from tracker.evaluation.vist.metrics import KEYPOINTS, Trial
 from tracker.evaluation.vist.paper import CAVEAT, HEAD_NOTE, PAPER
 from tracker.evaluation.vist.report_figures import FIGURES, Group, variants
@@ -22,6 +22,8 @@ TITLES = {
 }
 COLUMNS = (
     ("mean_mm", "mean, mm", 2),
+    ("tips_mm", "tips", 2),
+    ("joints_mm", "joints", 2),
     ("sd_mm", "SD", 2),
     ("within_sd_mm", "within SD", 2),
     ("between_sd_mm", "between SD", 2),
@@ -125,7 +127,7 @@ def _image(path: Path, text: str) -> str:
 
 def _table(rows: Sequence[dict[str, Any]], experiment: str) -> str:
     head = "".join(f"<th>{title}" for _, title, _ in COLUMNS)
-    body = "".join(_row(r["engine"], r, "") for r in rows)
+    body = "".join(_row(_name(r), r, "") for r in rows)
     if experiment in PAPER:
         body += _row("paper (people)", PAPER[experiment], "paper")
     return f"<table><tr><th>{head}{body}</table>"
@@ -148,6 +150,12 @@ def _ablations(folder: Path, results: Results, rows: Sequence[dict[str, Any]]) -
         variants(group, path)
         parts.append(_image(path, f"{experiment}, variants"))
     return "".join(parts)
+
+
+def _name(row: dict[str, Any]) -> str:
+    """Of a row that is no variant."""
+    parts = [row["engine"], GUIDED.get(row["guided"], "")]
+    return ", ".join([p for p in parts if p] + [row["glove"]] * (row["glove"] != PAPERS_GLOVE))
 
 
 def _row(name: str, values: dict[str, Any], kind: str) -> str:

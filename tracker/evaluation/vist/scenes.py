@@ -11,6 +11,7 @@ from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array
 from tracker.simulation.extras import OBJECTS, Distractors, FingertipDevices, HeldObject
+from tracker.simulation.guided import HELD_BADLY, GuidedPoses, HoldParams
 from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Faster, Motion
 from tracker.simulation.random_postures import RandomPostures
@@ -20,6 +21,7 @@ from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.scene import Extra
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import Solids
+from tracker.simulation.wearer import Wearer
 
 POSTURE_EVERY = 3.0  # s, as in the paper
 EACH_HELD = 40.0  # s: three objects in a trial of two minutes
@@ -52,6 +54,15 @@ def motion_of(case: Case, hand: HandModel, seed: int, variant: Ablation | None) 
         duration = 60.0 * case.minutes * speed  # so that a faster trial lasts as long
         motion = RandomPostures(hand, seed=seed, period=POSTURE_EVERY, duration=duration)
     return motion if speed == 1.0 else Faster(motion, speed)
+
+
+def guided_motion(
+    case: Case, hand: HandModel, glove: GloveModel, then: Motion, seed: int
+) -> GuidedPoses:
+    """Guided poses before ``then``, by the person that `simulation_of` draws from ``seed``."""
+    params = HELD_BADLY if case.guided == "badly" else HoldParams()
+    wearer = Wearer.random(hand, glove, seed, SimulationParams().wearer)
+    return GuidedPoses(wearer, then, seed, params)
 
 
 def simulation_of(

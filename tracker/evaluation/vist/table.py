@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from tracker.evaluation.vist.cases import Case
+from tracker.evaluation.vist.cases import GUIDED, PAPERS_GLOVE, Case
 from tracker.evaluation.vist.metrics import Summary, Trial, summarise
 from tracker.evaluation.vist.paper import PAPER
 
@@ -26,6 +26,8 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "seed": case.seed,
         "distractors": case.distractors,
         "light": case.light or None,
+        "guided": case.guided,
+        "glove": case.glove,
     }
     row.update(asdict(summary))
     row["paper"] = PAPER.get(case.experiment)
@@ -44,8 +46,8 @@ def _plain(value: Any) -> Any:
 
 
 HEAD = (
-    "experiment  engine  variant                            mean ± sd      pck20  pck35  "
-    "seen  wrong%  nees  core"
+    "experiment  engine  variant                            mean ± sd       tips joints  pck20"
+    "  pck35  seen  wrong%  nees  core"
 )
 
 
@@ -53,7 +55,8 @@ def line_of(case: Case, summary: Summary) -> str:
     """One row for people."""
     return (
         f"{case.experiment:<11} {case.engine:<7} {_variant(case):<32} "
-        f"{summary.mean_mm:6.2f} ± {summary.sd_mm:5.2f} mm {summary.pck20:6.1f} "
+        f"{summary.mean_mm:6.2f} ± {summary.sd_mm:5.2f} mm "
+        f"{summary.tips_mm:6.2f} {summary.joints_mm:6.2f} {summary.pck20:6.1f} "
         f"{summary.pck35:6.1f} {summary.matched_mean:5.1f} "
         f"{_known(100 * summary.wrong_match_rate, 7)} {_known(summary.nees_per_dof, 5)} "
         f"{summary.core_s_per_s:5.3f}"
@@ -67,6 +70,10 @@ def _known(value: float, width: int) -> str:
 
 def _variant(case: Case) -> str:
     parts = [case.ablation] if case.ablation else []
+    if case.guided:
+        parts.append(GUIDED[case.guided])
+    if case.glove != PAPERS_GLOVE:
+        parts.append(case.glove)
     if case.level == "images":
         parts.append(f"images, {case.light} light" if case.light else "images")
     if case.distractors:
@@ -82,5 +89,5 @@ def paper_line(experiment: str) -> str:
     seen = p.get("matched_mean")
     return (
         f"{experiment:<11} {'paper':<7} {'(people)':<32} {p['mean_mm']:6.2f} {plus_minus} "
-        f"{p['pck20']:6.1f} {p['pck35']:6.1f} {seen if seen is not None else '':>5}"
+        f"{'':13} {p['pck20']:6.1f} {p['pck35']:6.1f} {seen if seen is not None else '':>5}"
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 from importlib.resources import as_file
@@ -10,10 +11,10 @@ from importlib.resources import as_file
 import numpy as np
 
 import resources
-from tracker.evaluation.vist.cases import Ablation, Case, ablation_of
+from tracker.evaluation.vist.cases import PAPERS_GLOVE, Ablation, Case, ablation_of
 from tracker.evaluation.vist.judge import Judge, TrialRecord
-from tracker.evaluation.vist.metrics import KEYPOINTS, Trial
-from tracker.evaluation.vist.scenes import motion_of, simulation_of
+from tracker.evaluation.vist.metrics import JOINTS, KEYPOINTS, Trial
+from tracker.evaluation.vist.scenes import guided_motion, motion_of, simulation_of
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -22,12 +23,14 @@ from tracker.messages import (
     Array,
     BlobFrame,
     CameraImuSample,
+    Event,
     FrameResult,
     ImuSample,
     StereoFrame,
 )
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
+from tracker.simulation.guided import with_events
 from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector, detect_frame
@@ -37,47 +40,59 @@ CHECK_EVERY = 5  # frames between two whose matches are compared with the truth
 SAME_BLOB_PX = 6.0  # a blob farther than this from every true marker is something else
 
 
-@lru_cache(maxsize=1)
-def models() -> tuple[HandModel, GloveModel]:
-    """The reference hand and the paper's glove."""
+@lru_cache(maxsize=2)
+def models(glove_name: str = PAPERS_GLOVE) -> tuple[HandModel, GloveModel]:
+    """The reference hand and the paper's glove, or another one."""
     with as_file(resources.folder("hands") / "reference-right.toml") as path:
         hand = load_hand(path)
-    with as_file(resources.folder("gloves") / "vist-small.toml") as path:
+    with as_file(resources.folder("gloves") / f"{glove_name}.toml") as path:
         glove = load_glove(path, hand)
     return hand, glove
 
 
 def run_trial(case: Case, participant: int) -> Trial:
     """Simulate, track and judge. A function of its arguments alone (but for ``core_s``)."""
-    hand, glove = models()
+    hand, glove = models(case.glove)
     variant = ablation_of(case)
     seed = 1000 * case.seed + participant
     motion = motion_of(case, hand, seed, variant)
+    events: list[Event] = []
+    judged_from = 0.0
+    if case.guided:
+        motion = led = guided_motion(case, hand, glove, motion, seed)
+        events, judged_from = [] if case.guided == "untold" else led.events, led.free_from
     simulation = simulation_of(case, hand, glove, motion, seed, variant)
     settings = replace(Settings(), engine=case.engine)
     if variant is not None:
         settings = variant.settings(settings)
     pipeline = Pipeline(hand, glove, simulation.rig, settings)
-    record = _track(case, simulation, pipeline, variant)
+    record = _track(case, simulation, pipeline, variant, events)
     outage = variant.outage if variant is not None else 0.0
-    columns = [pipeline.keypoint_names.index(k) for k in KEYPOINTS]
-    judge = Judge(simulation, pipeline, columns, in_camera=case.experiment == "head")
+    columns = [pipeline.keypoint_names.index(k) for k in (*KEYPOINTS, *JOINTS)]
+    in_camera = case.experiment == "head"
+    judge = Judge(simulation, pipeline, columns, in_camera, judged_from)
     return judge.trial(record, participant, outage)
 
 
 def _track(
-    case: Case, simulation: Simulation, pipeline: Pipeline, variant: Ablation | None
+    case: Case,
+    simulation: Simulation,
+    pipeline: Pipeline,
+    variant: Ablation | None,
+    events: Sequence[Event],
 ) -> TrialRecord:
     record = TrialRecord()
     check = MatchCheck(simulation)
     search, images = ImageSearch(simulation), case.level == "images"
-    feed = simulation.messages(images)
+    feed = with_events(simulation.messages(images), events)
     for message in feed if variant is None else variant.feed(feed):
         begin = time.process_time()
         if isinstance(message, ImuSample):
             record.estimates.append(pipeline.feed_imu(message))
         elif isinstance(message, CameraImuSample):
             pipeline.feed_camera_imu(message)
+        elif isinstance(message, Event):
+            pipeline.feed_event(message)
         else:
             frame = message if isinstance(message, BlobFrame) else search.blobs(message, pipeline)
             pipeline.feed_frame(frame)

@@ -9,9 +9,13 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+import numpy as np
 
 from tracker.fusion.ablations.variants import check_variant
+from tracker.fusion.chain.guided.events import GuidedSaid
+from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
@@ -43,6 +47,7 @@ class ChainKept:
 
     timeline: TimelineKept[ChainState]
     tracker: TrackerKept
+    holds: list[Hold] = field(default_factory=list)
 
 
 class ChainEngine:
@@ -83,6 +88,20 @@ class ChainEngine:
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen; processed once IMU data cover its exposure."""
         self._timeline.feed_frame(frame)
+
+    def hear(self, said: GuidedSaid, t: float) -> None:
+        """A guided pose begins or ends at ``t`` (s)."""
+        holds = self._tracker.holds
+        if holds and not np.isfinite(holds[-1].end):
+            holds[-1].end = t
+            holds[-1].held = said.held and not said.begins and said.pose == holds[-1].pose
+        if said.begins:
+            holds.append(Hold(said.pose, t))
+
+    @property
+    def synergies(self) -> tuple[Array, Array]:
+        """The wearer's: gains (k, 2) and aside (S,) rad, as `Completion.wear` takes them."""
+        return self._tracker.synergies
 
     def take_results(self) -> list[FrameResult]:
         """What was made of images since the last call, oldest first."""
@@ -152,10 +171,13 @@ class ChainEngine:
 
     def get_state(self) -> ChainKept:
         """A copy of everything that changes."""
-        return copy.deepcopy(ChainKept(self._timeline.kept, self._tracker.kept))
+        return copy.deepcopy(
+            ChainKept(self._timeline.kept, self._tracker.kept, self._tracker.holds)
+        )
 
     def set_state(self, state: ChainKept) -> None:
         """Go on from `get_state`."""
         kept = copy.deepcopy(state)
         self._tracker.restore(kept.tracker)
+        self._tracker.holds[:] = kept.holds
         self._timeline.restore(kept.timeline)

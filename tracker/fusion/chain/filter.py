@@ -148,7 +148,7 @@ class ChainFilter:
 
     def stay(self) -> None:
         """A wearer whom no image locates stays about where he is, and comes to rest now and then;
-        to be used as often as anatomy (eq. 51)."""
+        to be used as often as anatomy (eq. 57)."""
         H = np.eye(6, len(self.state.P))
         self._use(H, -np.concatenate([self.state.p, self.state.v]), STAY_VARIANCE)
 
@@ -170,6 +170,13 @@ class ChainFilter:
         """Factor on anatomy's variance: at twice the usual rate each use says half as much."""
         since = max(self.state.t - self.kept.last_constraint, 1e-3)
         return max(1.0, self._params.constraint.period / since)  # eq. 37
+
+    def learn(self, H: Array, r: Array, R: Array) -> None:
+        """Rows H (m, C) on the calibration alone, with innovation r (m,) and noise R (m, m)."""
+        full = np.zeros((len(H), len(self.state.P)))
+        full[:, self._layout.n_dynamic :] = H
+        HP = full @ self.state.P
+        self._update(full, HP, HP @ full.T, r, R)
 
     def _use(self, H: Array, r: Array, variance: Array) -> None:
         """Rows H (m, N) that are few, with innovation r (m,) and variance (m,)."""

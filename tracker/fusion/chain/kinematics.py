@@ -222,7 +222,7 @@ def jacobians(
 
 @kernel
 def sd_of_ends(skeleton: ChainSkeleton, at: Blocks, body: Body, ends: Points, P: Matrix) -> Vector:
-    """(A,) m: root of a third of the trace of H P H^T of the ``ends`` of all segments (eq. 49)."""
+    """(A,) m: root of a third of the trace of H P H^T of the ``ends`` of all segments (eq. 55)."""
     used, column, value = origin_jacobians(skeleton, at, body)
     out = np.empty(len(used))
     for a in range(len(used)):

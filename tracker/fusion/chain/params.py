@@ -123,6 +123,40 @@ class BundleParams:
 
 
 @dataclass(frozen=True)
+class SynergyParams:
+    """Standard deviations over people, but for ``posture``; angles in degrees.
+
+    ``posture`` is what a distal joint does by itself from posture to posture.
+    """
+
+    ratio: float = 0.12
+    offset_deg: float = 6.0
+    aside_deg: float = 3.0
+    posture_deg: float = 4.0
+    thumb_ratio: float = 0.20
+    thumb_offset_deg: float = 9.0
+    thumb_aside_deg: float = 5.0
+    thumb_posture_deg: float = 5.0
+
+
+@dataclass(frozen=True)
+class GuidedParams:
+    """Standard deviations of what is true while a pose is held; lengths in m.
+
+    Those of joints come with the pose (`tracker.hand.poses`).
+    """
+
+    enabled: bool = True
+    gap: float = 0.0025  # between two pads that touch
+    pad: float = 0.005  # where on the pads, along and across
+    table: float = 0.003  # fingertips and palm about one plane
+    gate: float = 0.997  # share of poses rightly held that pass
+    by_will: float = 0.2  # rad, of a joint that is held other than it would be by itself
+    sample_period: float = 0.2  # s
+    moving: float = 0.12  # rad, all joints together, from the posture held longest
+
+
+@dataclass(frozen=True)
 class ChainParams:
     """The chain engine's settings. ``guide``, ``coupling``: `tracker.fusion.ablations.variants`."""
 
@@ -133,6 +167,8 @@ class ChainParams:
     constraint: ConstraintParams = field(default_factory=ConstraintParams)
     match: MatchParams = field(default_factory=MatchParams)
     bundle: BundleParams = field(default_factory=BundleParams)
+    synergy: SynergyParams = field(default_factory=SynergyParams)
+    guided: GuidedParams = field(default_factory=GuidedParams)
 
 
 def without_random_walks(params: ChainParams) -> ChainParams:

@@ -84,6 +84,10 @@ class PixelModel:
         self._segment = layout.glove.marker_segment(layout.hand)
         self._complete = Completion(layout)
 
+    def wear(self, gains: Array, aside: Array) -> None:
+        """From now on with a wearer's own synergies, as `Completion.wear`."""
+        self._complete.wear(gains, aside)
+
     def predict(self, state: ChainState, pose: CameraPose) -> Prediction:
         """Where markers should be."""
         lay, rig, noise = self._layout, self._rig, self._noise.pixel

@@ -19,7 +19,7 @@ from tracker.fusion.chain.prediction import Prediction
 from tracker.fusion.chain.previous import PreviousPrediction
 from tracker.fusion.chain.reports import frame_result
 from tracker.fusion.chain.state import ChainState
-from tracker.messages import BlobFrame, CameraPose, FrameResult, IntArray, Tracking
+from tracker.messages import Array, BlobFrame, CameraPose, FrameResult, IntArray, Tracking
 from tracker.records import record
 from tracker.vision.rig import StereoRig
 
@@ -79,6 +79,10 @@ class Recognition:
         self._pixels = PixelModel(layout, rig, params.noise)
         self._loose = LooseRows(layout, rig, params.noise)
         self.kept = RecognitionKept()
+
+    def wear(self, gains: Array, aside: Array) -> None:
+        """From now on with a wearer's own synergies, as `Completion.wear`."""
+        self._pixels.wear(gains, aside)
 
     def image(self, frame: BlobFrame) -> SeenImage:
         """What of a frame can be the glove's."""

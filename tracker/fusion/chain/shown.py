@@ -53,6 +53,10 @@ class ShownHand:
             tip_sd=np.zeros(len(layout.active)),
         )
 
+    def wear(self, gains: Array, aside: Array) -> None:
+        """From now on with a wearer's own synergies, as `Completion.wear`."""
+        self._output.complete.wear(gains, aside)
+
     # ---- what was sensed
 
     def returned(self, sample: ImuSample) -> IntArray:
@@ -116,7 +120,7 @@ class ShownHand:
 
 def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float) -> float:
     """m² an axis that the root's position gains while its nominal state alone is carried on for
-    ``tau`` s (docs/chain.md, eq. 50).
+    ``tau`` s (docs/chain.md, eq. 56).
 
     Velocity's error grows with time; a tilt's error takes gravity for motion, and so does an
     accelerometer's bias, both with its square.

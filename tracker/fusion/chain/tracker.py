@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerKept
+from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.filter import ChainFilter, FilterKept
+from tracker.fusion.chain.guided.holds import Hold
+from tracker.fusion.chain.guided.learning import GuidedKept, GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
@@ -17,7 +20,7 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracking import TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
-from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
+from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, Tracking
 from tracker.records import record
 from tracker.vision.rig import StereoRig
 
@@ -32,6 +35,7 @@ class TrackerKept:
     recognition: RecognitionKept
     wearer: WearerKept
     shown: ShownKept
+    guided: GuidedKept = field(default_factory=GuidedKept)
 
 
 class ChainTracker:
@@ -52,6 +56,9 @@ class ChainTracker:
         self._judge = TrackingJudge(params.match)
         self._recognition = Recognition(layout, rig, params)
         self._starter = Starter(layout, rig, params)
+        self._distal = DistalSegments(layout, params.synergy)
+        self.holds: list[Hold] = []
+        self._guided = GuidedLearning(layout, self._distal, params.guided, self.holds)
 
     @property
     def state(self) -> ChainState:
@@ -82,8 +89,9 @@ class ChainTracker:
         """Held together by anatomy."""
         self._judge.judge(self.state.t, enough=False)
         self.filter.constrain(self.state.t)
+        learned = self._learn_poses()
         self.shown.aged(self.state)
-        return False
+        return learned
 
     # ---- images
 
@@ -101,12 +109,33 @@ class ChainTracker:
             found = self._confirmed(image, found)
         # 3. What was seen corrects the state, together with anatomy.
         self._correct(image, found)
+        self._learn_poses()
         self._judge.judge(frame.t, self._judge.is_enough(found.tally))
         result = self._finish(image, found)
         self._judge.looked(frame.t, image.most_blobs)
         # 4. Now and then the calibration is solved for anew.
-        self.wearer.refine(self.state, image, found, self._buffer)
+        self.wearer.refine(self.state, image, found, self._buffer, self._guided)
         return result
+
+    def _learn_poses(self) -> bool:
+        """What guided poses show of the wearer; whether it was something now."""
+        if self.wearer.is_frozen or not self._params.guided.enabled:
+            return False
+        learned = self._guided.step(self.filter)
+        if learned:
+            self._wear()
+        return learned
+
+    def _wear(self) -> None:
+        """Show the hand with the wearer's own synergies."""
+        self.shown.wear(*self.synergies)
+        self._recognition.wear(*self.synergies)
+
+    @property
+    def synergies(self) -> tuple[Array, Array]:
+        """The wearer's, as `Completion.wear` takes them."""
+        own = self._guided.synergies
+        return self._distal.gains(own), self._distal.aside(own)
 
     def _confirmed(self, image: SeenImage, found: Recognised) -> Recognised:
         """After a while out of sight gates are wide, and a few blobs within them may be anything:
@@ -159,6 +188,8 @@ class ChainTracker:
         # 2. Go on from there, with what is frozen.
         self.filter.adopt(started)
         self.wearer.begin(started)
+        if not (self.wearer.is_frozen or known is not None):
+            self._guided.again(self.filter)
         self._judge.started(frame.t)
         self.shown.kept.one_camera = image.is_mono
         # 3. Correct it twice: the second pass matches and linearises at a better state.
@@ -189,10 +220,12 @@ class ChainTracker:
             self._recognition.kept,
             self.wearer.kept,
             self.shown.kept,
+            self._guided.kept,
         )
 
     def restore(self, kept: TrackerKept) -> None:
         """Go on from what was `kept`, which is taken over."""
         self.filter.kept, self._judge.kept = kept.filter, kept.tracking
         self._recognition.kept, self.wearer.kept = kept.recognition, kept.wearer
-        self.shown.kept = kept.shown
+        self.shown.kept, self._guided.kept = kept.shown, kept.guided
+        self._wear()

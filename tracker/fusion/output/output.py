@@ -229,7 +229,7 @@ def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bo
 @kernel
 def keypoint_sds(keypoints: Keypoints, active_sd: Vector) -> Vector:
     """(K,) m: by the sd (A,) of the nearest estimated ancestor, and by the steps from it
-    (docs/chain.md, eq. 49)."""
+    (docs/chain.md, eq. 55)."""
     segment, ancestor, steps = keypoints.segment, keypoints.ancestor, keypoints.steps
     out = np.empty(len(segment))
     for k in range(len(segment)):

@@ -14,6 +14,7 @@ import numpy as np
 
 from tracker.fusion.chain.bundle.keyframes import Keyframe, Keyframes
 from tracker.fusion.chain.bundle.rows import KeyframeRows
+from tracker.fusion.chain.guided.learning import GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.prior import initial_covariance
@@ -82,20 +83,25 @@ class Bundle:
         if frame is not None:
             work.keyframes.offer(frame, self._params)
 
-    def step(self, work: BundleWork, state: ChainState) -> WearerProfile | None:
-        """One keyframe further; the wearer, once a solution is complete."""
+    def step(
+        self, work: BundleWork, state: ChainState, poses: GuidedLearning
+    ) -> WearerProfile | None:
+        """One keyframe further; the wearer, once a solution is complete.
+
+        What guided ``poses`` have said counts beside the keyframes.
+        """
         if work.calibration is None:
-            self._begin_when_due(work, state)
+            self._begin_when_due(work, state, poses)
             return None
         k = len(work.back)
         self._linearise(work, k)
         if len(work.back) < len(work.frames):
             return None
-        return self._move_on(work)
+        return self._move_on(work, poses)
 
     # ---- one solution
 
-    def _begin_when_due(self, work: BundleWork, state: ChainState) -> None:
+    def _begin_when_due(self, work: BundleWork, state: ChainState, poses: GuidedLearning) -> None:
         p = self._params
         if np.isnan(work.next_at):
             work.pause = p.first_after
@@ -109,14 +115,15 @@ class Bundle:
         work.R_GB = [f.R_GB for f in work.frames]
         work.calibration = replace(state.copy(), P=np.zeros((0, 0)))
         work.sweep = 0
-        self._begin_sweep(work)
+        self._begin_sweep(work, poses)
 
-    def _begin_sweep(self, work: BundleWork) -> None:
-        """The sums start with what is known beforehand of hands and fittings."""
+    def _begin_sweep(self, work: BundleWork, poses: GuidedLearning) -> None:
+        """The sums start with what is known beforehand of hands and fittings, and by poses."""
         assert work.calibration is not None
         work.back, work.misfit, work.rows = [], 0.0, 0
-        work.N = self._information.copy()
-        work.g = -self._information @ self._off_nominal(work.calibration)
+        N, g = poses.information(work.calibration)
+        work.N = self._information + N
+        work.g = g - self._information @ self._off_nominal(work.calibration)
 
     def _off_nominal(self, state: ChainState) -> Array:
         """(C,) difference from the files' values."""
@@ -149,7 +156,7 @@ class Bundle:
         work.g += G.T @ r - B[:, :-1].T @ back[:, -1]
         work.back.append(back)
 
-    def _move_on(self, work: BundleWork) -> WearerProfile | None:
+    def _move_on(self, work: BundleWork, poses: GuidedLearning) -> WearerProfile | None:
         """Solve for the calibration, move it and all poses; the wearer after the last sweep.
 
         Postures that do not fit are dropped before the calibration can bend to them.
@@ -161,7 +168,7 @@ class Bundle:
         self._move(work, work.calibration)
         work.sweep += 1
         if work.sweep < self._params.sweeps:
-            self._begin_sweep(work)
+            self._begin_sweep(work, poses)
             return None
         solved, N = work.calibration, work.N
         if not self._believable(solved):

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from tracker.fusion.chain.bundle.keyframes import keyframe_of
 from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, adopt
 from tracker.fusion.chain.calibration import control
+from tracker.fusion.chain.guided.learning import GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile, profile_of, wear
@@ -111,14 +112,19 @@ class WearerCalibration:
             control.hold_calibration(state, self._layout)
 
     def refine(
-        self, state: ChainState, image: SeenImage, found: Recognised, buffer: ImuBuffer
+        self,
+        state: ChainState,
+        image: SeenImage,
+        found: Recognised,
+        buffer: ImuBuffer,
+        poses: GuidedLearning,
     ) -> None:
         """Remember this posture if it is worth it, and go a step on with the keyframes' bundle;
         not where the calibration is frozen or known beforehand."""
         if not self._params.bundle.enabled or self.is_frozen or self.is_known:
             return
         self._remember(state, image, found, buffer)
-        solved = self._bundle.step(self.kept.work, state)
+        solved = self._bundle.step(self.kept.work, state, poses)
         if solved is not None:
             adopt(state, self._layout, solved)
 

@@ -1,0 +1,137 @@
+"""A chain engine told of guided poses learns what is so, and nothing of what is not."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tracker.fusion.chain.guided.holds import HeldSample, Hold, chosen
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import BlobFrame, Event, ImuSample
+from tracker.pipeline import Pipeline
+from tracker.records import RECORDS
+from tracker.session.engine_state import pack, unpack
+from tracker.settings import Settings
+from tracker.simulation.guided import GuidedPoses, with_events
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.simulation.wearer import Wearer, WearerParams
+
+BENT = np.deg2rad(18.0)  # what this wearer's thumb bends more than the hand file says
+
+
+class BentThumb(Wearer):
+    """Somebody whose thumb's end joint is bent more than others', and else as the files say."""
+
+    def __init__(self, hand: HandModel, glove: GloveModel) -> None:
+        zeros = {k: 0.0 for k in WearerParams.__dataclass_fields__ if "time" not in k}
+        super().__init__(hand, glove, 0, WearerParams(**zeros))
+        self._synergy_offset[0] = BENT
+
+
+@pytest.fixture(scope="module")
+def scene(hand: HandModel, glove: GloveModel):
+    """A simulation of guided poses by that wearer, and its messages and events."""
+    wearer = BentThumb(hand, glove)
+    motion = GuidedPoses(wearer, RandomPostures(hand, 3, duration=2.0), 3)
+    sim = Simulation(hand, glove, motion, 3, SimulationParams(wearer=wearer.params), fps=20.0)
+    sim.wearer = sim.imus._wearer = sim.scene.wearer = wearer
+    return sim, list(sim.messages()), motion.events
+
+
+def run(scene, events: Iterable[Event]) -> Pipeline:
+    sim, messages, _ = scene
+    pipeline = Pipeline(sim.hand, sim.glove, sim.rig, Settings())
+    feed(pipeline, with_events(iter(messages), events))
+    return pipeline
+
+
+def feed(pipeline: Pipeline, messages) -> None:
+    for m in messages:
+        if isinstance(m, Event):
+            pipeline.feed_event(m)
+        elif isinstance(m, ImuSample):
+            pipeline.feed_imu(m)
+        elif isinstance(m, BlobFrame):
+            pipeline.feed_frame(m)
+
+
+def thumb_offset(pipeline: Pipeline) -> float:
+    """Of the learned synergy, rad beyond the file's."""
+    hand, (gains, _) = pipeline.hand, pipeline.engine.synergies
+    k = next(k for k, s in enumerate(hand.synergies) if s.angle == "thumb_ip_flexion")
+    return float(gains[k, 1] - hand.synergies[k].offset)
+
+
+@pytest.fixture(scope="module")
+def learned(scene) -> Pipeline:
+    return run(scene, scene[2])
+
+
+def test_pads_that_touch_show_how_the_thumb_is_bent(learned):
+    assert 0.15 * BENT < thumb_offset(learned) < BENT
+
+
+def test_without_being_told_it_learns_nothing(scene):
+    assert thumb_offset(run(scene, [])) == 0.0
+
+
+def test_what_was_not_held_teaches_nothing(scene):
+    skipped = [replace(e, data=e.data | {"held": False}) for e in scene[2]]
+    assert thumb_offset(run(scene, skipped)) == 0.0
+
+
+def test_a_pose_that_is_another_one_is_refused(scene):
+    """Flat hands announced as pinches and fists."""
+    wrong = [
+        replace(
+            e, data=e.data | {"pose": {"flat": "pinch_index", "spread": "fist"}[e.data["pose"]]}
+        )
+        for e in scene[2]
+        if e.data["pose"] in ("flat", "spread")
+    ]
+    pipeline = run(scene, wrong)
+    assert pipeline.get_state().engine.tracker.guided.told == []
+    assert thumb_offset(pipeline) == 0.0
+
+
+def test_what_poses_taught_is_saved_and_gone_on_with(scene, learned):
+    state = unpack(pack("chain", learned.get_state()))[1]
+    again = Pipeline(learned.hand, learned.glove, learned.rig, Settings())
+    again.set_state(state)
+    np.testing.assert_array_equal(again.engine.synergies[0], learned.engine.synergies[0])
+    t = learned.engine.newest + 0.01
+    np.testing.assert_array_equal(again.predict(t).keypoints, learned.predict(t).keypoints)
+    assert "chain.guided" in RECORDS
+
+
+def test_unknown_poses_are_said_and_passed_over(scene):
+    pipeline = Pipeline(scene[0].hand, scene[0].glove, scene[0].rig, Settings())
+    pipeline.feed_event(Event(1.0, "guided", "", {"pose": "salute", "phase": "begin"}))
+    assert "salute" in pipeline.take_words()[0]
+    pipeline.feed_event(Event(1.0, "note", "fine"))
+    assert pipeline.take_words() == []
+
+
+def test_an_engine_that_does_not_learn_says_so(scene):
+    settings = replace(Settings(), engine="vist")
+    pipeline = Pipeline(scene[0].hand, scene[0].glove, scene[0].rig, settings)
+    for event in scene[2]:
+        pipeline.feed_event(event)
+    assert pipeline.take_words() == ["The engine vist learns nothing from guided poses."]
+
+
+def test_instants_on_the_way_do_not_count():
+    def sample(t: float, bend: float) -> HeldSample:
+        return HeldSample(t, np.full((6, 3), bend), [])
+
+    hold = Hold("fist", 10.0, 12.0, True)
+    assert not hold.may_count(10.3)
+    assert not hold.may_count(11.9)
+    late = [sample(10.5 + 0.2 * k, 0.5 if k < 2 else 0.0) for k in range(7)]
+    best = chosen(hold, late, moving=0.12)
+    assert best is not None and best.posture.max() == 0.0
+    restless = [sample(10.5 + 0.2 * k, 0.3 * k) for k in range(7)]
+    assert chosen(hold, restless, moving=0.12) is None

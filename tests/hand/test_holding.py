@@ -1,0 +1,75 @@
+"""How a guided pose is held: by an estimate alone."""
+
+import numpy as np
+import pytest
+
+from tracker.hand.holding import how_held
+from tracker.hand.model import HandModel
+from tracker.hand.names import FINGERS
+from tracker.hand.poses import POSES
+from tracker.messages import Estimate, Tracking, Validity
+
+
+def shown(hand: HandModel, bent: dict[str, float], measured: bool = True) -> Estimate:
+    """An estimate of a hand with these angles, rad, all measured or none."""
+    angles = np.zeros(len(hand.joint_names))
+    for name, value in bent.items():
+        angles[hand.angle_index[name]] = value
+    R, p = hand.forward(angles, np.eye(3), np.zeros(3))
+    k = len(hand.keypoint_names)
+    state = int(Validity.MEASURED if measured else Validity.INFERRED)
+    return Estimate(
+        0.0,
+        Tracking.TRACKING,
+        hand.keypoints(R, p),
+        np.zeros((k, 4)),
+        np.full(k, state),
+        np.zeros(k),
+        angles,
+        np.full(len(angles), state),
+        R,
+        p,
+    )
+
+
+def fist() -> dict[str, float]:
+    return {f"{f.joint}_flexion": f.value for f in POSES["fist"].flexions if f.joint[:5] != "thumb"}
+
+
+@pytest.mark.parametrize("pose", ["flat", "spread"])
+def test_a_straight_hand_is_flat(hand, pose):
+    assert how_held(POSES[pose], shown(hand, {}), hand).is_held
+
+
+def test_a_fist_is_a_fist_and_not_flat(hand):
+    assert how_held(POSES["fist"], shown(hand, fist()), hand).is_held
+    assert not how_held(POSES["flat"], shown(hand, fist()), hand).is_held
+
+
+def test_the_joint_that_is_most_off_is_named_with_a_word(hand):
+    bent = {"index_pip_flexion": 0.9, "middle_pip_flexion": 0.5}
+    held = how_held(POSES["flat"], shown(hand, bent), hand)
+    assert (held.is_held, held.joint) == (False, "index_pip")
+    assert held.off == pytest.approx(0.9)
+    assert held.word == "Straighten the index finger more"
+    open_fist = how_held(POSES["fist"], shown(hand, {}), hand)
+    assert open_fist.off < 0 and open_fist.word.startswith("Bend")
+
+
+def test_fingertips_apart_are_not_a_pinch(hand):
+    held = how_held(POSES["pinch_index"], shown(hand, {}), hand)
+    assert (held.is_held, held.joint) == (False, "index")
+    assert held.off > 0.05
+    assert "thumb" in held.word
+
+
+def test_what_nothing_measures_is_not_held_against_the_wearer(hand):
+    guessed = shown(hand, fist(), measured=False)
+    for pose in ("flat", *(f"pinch_{f}" for f in FINGERS)):
+        assert how_held(POSES[pose], guessed, hand).is_held
+
+
+def test_a_hand_that_is_not_there_holds_nothing(hand):
+    estimate = shown(hand, {})
+    object.__setattr__(estimate, "tracking", Tracking.SEARCHING)
+    assert not how_held(POSES["flat"], estimate, hand).is_held

@@ -1,0 +1,165 @@
+"""The chain filter learns from held poses: calibration and synergies (docs/chain.md, "Guided
+poses").
+
+The filter has moved on when a pose turns out to have been held, so what the pose says is brought
+into a form that waits: with P of that instant the posture is eliminated, what is left speaks of the
+calibration alone, which hardly changes since. That form also goes into the keyframes' solution, and
+into a start from nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy.linalg import block_diag, cho_factor, cho_solve
+from scipy.stats import chi2
+
+from tracker.fusion.chain.distal import DistalSegments, Synergies
+from tracker.fusion.chain.filter import ChainFilter
+from tracker.fusion.chain.guided.holds import HeldSample, Hold, Told, chosen
+from tracker.fusion.chain.guided.rows import HeldRows, PoseRows
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import GuidedParams
+from tracker.fusion.chain.state import ChainState
+from tracker.geometry import so3
+from tracker.geometry.kernels import relative_rotations
+from tracker.hand.poses import POSES
+from tracker.messages import Array
+from tracker.records import record
+
+CALIBRATION = ("bg", "R_IB", "ba", "scale", "joint", "marker")
+"""Of a state, in the order of the error state."""
+
+
+@record("chain.guided")
+@dataclass(eq=False)
+class GuidedKept:
+    """All of the learning that changes."""
+
+    over: int = 0  # holds that nothing is expected of any more
+    last: float = -np.inf  # s of the last sample
+    samples: list[HeldSample] = field(default_factory=list)  # of the hold that goes on
+    told: list[Told] = field(default_factory=list)  # what was believed
+    synergies: Synergies | None = None  # None: as before the first pose
+
+
+class GuidedLearning:
+    """For one hand with one glove; ``holds`` is added to by whoever hears of poses."""
+
+    def __init__(
+        self, layout: ChainLayout, distal: DistalSegments, params: GuidedParams, holds: list[Hold]
+    ) -> None:
+        self._layout, self._distal, self._params = layout, distal, params
+        self._rows = PoseRows(layout, distal, params)
+        self._holds = holds
+        self.kept = GuidedKept()
+
+    @property
+    def synergies(self) -> Synergies:
+        """As they are known now."""
+        return self.kept.synergies or self._distal.prior()
+
+    # ---- while the filter goes on
+
+    def step(self, filter_: ChainFilter) -> bool:
+        """The filter's state has moved on; whether something was learned of a pose."""
+        learned = False
+        while self.kept.over < len(self._holds):
+            hold = self._holds[self.kept.over]
+            self._sample(filter_.state, hold)
+            if not hold.is_over(filter_.state.t):
+                break
+            learned |= self._finish(filter_, hold)
+        return learned
+
+    def _sample(self, state: ChainState, hold: Hold) -> None:
+        due = state.t - self.kept.last >= self._params.sample_period
+        if not due or not hold.may_count(state.t):
+            return
+        self.kept.last = state.t
+        posture = relative_rotations(state.R_GB, self._layout.parent)
+        rows = self._rows(state, self.synergies, POSES[hold.pose])
+        told = [self._reduced(state, hold.pose, r) for r in rows]
+        self.kept.samples.append(HeldSample(state.t, posture, told))
+
+    def _finish(self, filter_: ChainFilter, hold: Hold) -> bool:
+        """A hold is over: learn from it if it was one."""
+        samples, self.kept.samples = self.kept.samples, []
+        self.kept.over += 1
+        sample = chosen(hold, samples, self._params.moving) if hold.held else None
+        if sample is None:
+            return False
+        believed = [told for told in sample.told if self._learn(filter_, told)]
+        self.kept.told += believed
+        return bool(believed)
+
+    def _reduced(self, state: ChainState, pose: str, rows: HeldRows) -> Told:
+        """``rows`` with the posture eliminated by what P knows of it (eq. 53)."""
+        n = self._layout.n_dynamic
+        P_cc = state.P[n:, n:]
+        HP = rows.H @ state.P
+        unit = np.sqrt(np.diag(P_cc))
+        factor = cho_factor(P_cc / np.outer(unit, unit), lower=True)
+        H = (cho_solve(factor, (HP[:, n:] / unit).T) / unit[:, None]).T
+        R = rows.R + HP @ rows.H.T - HP[:, n:] @ H.T
+        kept = [np.array(getattr(state, name)) for name in CALIBRATION]
+        return Told(pose, H, rows.H_own, rows.r, (R + R.T) / 2, kept, self.synergies.value.copy())
+
+    # ---- what is made of it
+
+    def innovation(self, told: Told, state: ChainState, own: Array) -> Array:
+        """(m,) of ``told`` at another state's calibration and other synergies (d, 3)."""
+        moved = calibration_error(told.calibration, state)
+        return np.asarray(told.r - told.H @ moved - told.H_own @ (own - told.own).ravel())
+
+    def _learn(self, filter_: ChainFilter, told: Told) -> bool:
+        """Correct calibration and synergies, unless the pose is not what was said (eq. 54)."""
+        own, state, n = self.synergies, filter_.state, self._layout.n_dynamic
+        r = self.innovation(told, state, own.value)
+        by_own = told.H_own @ own.P @ told.H_own.T
+        by_state = told.H @ state.P[n:, n:] @ told.H.T
+        distance = float(r @ np.linalg.solve(by_own + by_state + told.R, r))
+        if distance > chi2.ppf(self._params.gate, len(r)):
+            return False
+        R = told.R * max(1.0, distance / len(r))  # held less well than people usually do
+        filter_.learn(told.H, r, R + by_own)
+        gain = own.P @ told.H_own.T @ np.linalg.inv(by_own + by_state + R)
+        P = own.P - gain @ told.H_own @ own.P
+        self.kept.synergies = own.moved(gain @ r, (P + P.T) / 2)
+        return True
+
+    def again(self, filter_: ChainFilter) -> None:
+        """The filter has started from nothing: tell its calibration what poses have said."""
+        if self.kept.told:
+            own, told = self._distal.prior(), self.kept.told
+            H_own = np.concatenate([t.H_own for t in told])
+            r = np.concatenate([self.innovation(t, filter_.state, own.value) for t in told])
+            R = block_diag(*(t.R for t in told)) + H_own @ own.P @ H_own.T
+            filter_.learn(np.concatenate([t.H for t in told]), r, R)
+
+    def information(self, state: ChainState) -> tuple[Array, Array]:
+        """(C, C) and (C,) of the normal equations by the calibration at a state's, the synergies
+        eliminated: all that poses have said."""
+        own, n = self._distal.prior(), self._layout.blocks.size - self._layout.n_dynamic
+        N, g = np.zeros((n, n)), np.zeros(n)
+        N_own, g_own = np.linalg.inv(own.P), np.zeros(own.value.size)
+        N_both = np.zeros((n, own.value.size))
+        for told in self.kept.told:
+            r = self.innovation(told, state, own.value)
+            weighed, weighed_own = (np.linalg.solve(told.R, H).T for H in (told.H, told.H_own))
+            N, N_own = N + weighed @ told.H, N_own + weighed_own @ told.H_own
+            N_both += weighed @ told.H_own
+            g, g_own = g + weighed @ r, g_own + weighed_own @ r
+        back = np.linalg.solve(N_own, np.column_stack([N_both.T, g_own]))
+        return N - N_both @ back[:, :-1], g - N_both @ back[:, -1]
+
+
+def calibration_error(begin: list[Array], state: ChainState) -> Array:
+    """(C,) from the calibration arrays ``begin`` to those of a state, as an error vector."""
+    parts = []
+    for name, before in zip(CALIBRATION, begin, strict=True):
+        now = getattr(state, name)
+        turned = so3.log(np.swapaxes(before, 1, 2) @ now) if name == "R_IB" else now - before
+        parts.append(turned.ravel())
+    return np.concatenate(parts)

@@ -1,0 +1,77 @@
+"""How well a guided pose is held, by what the tracker shows: for whoever leads the wearer.
+
+A pure function of one estimate. It judges what was measured; joints that are only inferred would
+tell the wearer what the tracker believes of him.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.hand.model import HandModel
+from tracker.hand.names import CHAINS
+from tracker.hand.poses import GuidedPose, HeldFlexion
+from tracker.messages import Estimate, Tracking, Validity
+
+ALLOWED = 2.5  # sds of a pose that a joint may be off, besides the tracker's own error
+OWN_ERROR = np.deg2rad(8.0)  # rad, of an angle that is shown
+NEAR = 0.025  # m between two fingertips' axes' ends that touch: radii and the tracker's error
+
+
+class Holding(NamedTuple):
+    """``is_held``, and if not what is most amiss: ``joint`` (or the finger to be touched), ``off``
+    rad or m by which it is, ``word`` a short advice in the user's words."""
+
+    is_held: bool
+    joint: str = ""
+    off: float = 0.0
+    word: str = ""
+
+
+def how_held(pose: GuidedPose, estimate: Estimate, hand: HandModel) -> Holding:
+    """How ``pose`` is held in ``estimate``."""
+    if estimate.tracking == Tracking.SEARCHING:
+        return Holding(False, word="Show the hand to the camera")
+    amiss = [_joint(f, estimate, hand) for f in pose.flexions]
+    if pose.touches:
+        amiss.append(_touch(pose.touches, estimate, hand))
+    worst = max((a for a in amiss if a is not None), key=lambda a: a[0], default=None)
+    if worst is None or worst[0] <= 1.0:
+        return Holding(True)
+    return worst[1]
+
+
+def _joint(held: HeldFlexion, estimate: Estimate, hand: HandModel) -> tuple[float, Holding] | None:
+    """How many times farther off than allowed a joint is; None where nothing measures it."""
+    column = hand.angle_index.get(f"{held.joint}_flexion", -1)
+    if column < 0 or estimate.angle_state[column] != int(Validity.MEASURED):
+        return None
+    off = float(estimate.angles[column] - held.value)
+    finger = held.joint.split("_")[0]
+    name = finger if finger == "thumb" else f"{finger} finger"
+    word = f"Straighten the {name} more" if off > 0 else f"Bend the {name} more"
+    return abs(off) / (ALLOWED * held.sd + OWN_ERROR), Holding(False, held.joint, off, word)
+
+
+def _touch(finger: str, estimate: Estimate, hand: HandModel) -> tuple[float, Holding] | None:
+    """The same of the distance between two fingertips."""
+    rows = [hand.index.get(CHAINS[digit][-1], -1) for digit in ("thumb", finger)]
+    if min(rows) < 0:
+        return None
+    tips = [
+        estimate.segment_p[r] + estimate.segment_R[r] @ [hand.segments[r].length, 0.0, 0.0]
+        for r in rows
+    ]
+    apart = float(np.linalg.norm(tips[0] - tips[1]))
+    if not _is_measured(finger, estimate, hand):
+        return None
+    word = f"Bring thumb and {finger} fingertip together"
+    return apart / NEAR, Holding(False, finger, apart, word)
+
+
+def _is_measured(finger: str, estimate: Estimate, hand: HandModel) -> bool:
+    """Whether a sensor tells of the finger's middle joint."""
+    column = hand.angle_index.get(f"{finger}_pip_flexion", -1)
+    return column >= 0 and estimate.angle_state[column] == int(Validity.MEASURED)

@@ -1,0 +1,89 @@
+"""Poses that a wearer is asked to hold, so that the tracker learns what free motion does not show.
+
+What is true of each is what people manage (docs/sessions.md, "Guided poses"): values with standard
+deviations, not exact truth.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.hand.names import FINGERS
+
+HELD = 2.0  # s that each pose is held
+BETWEEN = 1.5  # s from one pose to the next
+LATE = 0.5  # s after the beginning by which a wearer has reached the pose
+EARLY = 0.2  # s before the end at which he may let it go
+
+
+class HeldFlexion(NamedTuple):
+    """Flexion of a joint (``index_pip``) while a pose is held: value and sd, rad.
+
+    ``by_will``: the joint is held so whatever it does by itself, which it tells little of.
+    """
+
+    joint: str
+    value: float
+    sd: float
+    by_will: bool = False
+
+
+@dataclass(frozen=True)
+class GuidedPose:
+    """``words`` tell the wearer what to do; ``touches`` is the finger whose pad the thumb's pad
+    touches, ``on_table``: fingertips and palm lie in one plane."""
+
+    name: str
+    words: str
+    flexions: tuple[HeldFlexion, ...] = ()
+    touches: str = ""
+    on_table: bool = False
+
+
+def _each(
+    mcp: tuple[float, float], pip: tuple[float, float], dip: tuple[float, float]
+) -> tuple[HeldFlexion, ...]:
+    """Of all four fingers: value and sd in degrees."""
+    return tuple(
+        HeldFlexion(f"{finger}_{joint}", float(np.deg2rad(value)), float(np.deg2rad(sd)))
+        for finger in FINGERS
+        for joint, (value, sd) in (("mcp", mcp), ("pip", pip), ("dip", dip))
+    )
+
+
+def _thumb(value: float, sd: float) -> tuple[HeldFlexion, ...]:
+    held = float(np.deg2rad(value)), float(np.deg2rad(sd))
+    return HeldFlexion("thumb_mcp", *held), HeldFlexion("thumb_ip", *held, by_will=True)
+
+
+_STRAIGHT = _each((0, 5), (0, 5), (0, 5))
+_CLENCHED = _each((80, 7), (95, 7), (60, 11))
+
+POSES: dict[str, GuidedPose] = {
+    p.name: p
+    for p in (
+        GuidedPose(
+            "flat",
+            "Lay the hand flat on the table, fingers together, the thumb beside them",
+            _STRAIGHT,
+            on_table=True,
+        ),
+        GuidedPose(
+            "spread", "Flat on the table, fingers and thumb spread", _STRAIGHT, on_table=True
+        ),
+        GuidedPose("fist", "Make a firm fist, the thumb over the fingers", _CLENCHED),
+        GuidedPose("thumb_up", "A fist with the thumb straight up", _CLENCHED + _thumb(0, 10)),
+        *(
+            GuidedPose(
+                f"pinch_{finger}",
+                f"Touch the pad of the {finger} finger with the pad of the thumb",
+                touches=finger,
+            )
+            for finger in FINGERS
+        ),
+    )
+}
+"""By name, in the order in which a wearer is led through them."""
