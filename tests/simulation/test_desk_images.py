@@ -7,9 +7,11 @@ import desk_scores
 import numpy as np
 import pytest
 
+from tracker import library
 from tracker.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.simulation.demo import DemoSpec, build
 from tracker.simulation.desk.ground import REFERENCE, strength
 from tracker.simulation.desk.lights import LIGHTS, linear, tone_curve
 from tracker.simulation.desk.renderer import DeskParams, DeskRenderer
@@ -17,6 +19,7 @@ from tracker.simulation.desk.sensor import Sensor, bayer_noise, develop
 from tracker.simulation.desk.shadow import cast_shadow, lit_share
 from tracker.simulation.head import MOVING, Head
 from tracker.simulation.motion import Still
+from tracker.simulation.render import Renderer
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scene import SimulatedScene
 from tracker.simulation.solids import capsules
@@ -151,3 +154,12 @@ def test_rooms_that_cannot_be_are_told(hand: HandModel, glove: GloveModel) -> No
     scene.head = Head(scene.rig.pose, 1, MOVING)
     with pytest.raises(ConfigError, match="camera on a stand"):
         DeskRenderer(scene)
+
+
+def test_a_demo_may_show_a_desk() -> None:
+    texts = library.texts()
+    plain, desk = (build(DemoSpec(*texts, light=light)).renderer for light in ("", "led"))
+    assert isinstance(plain, Renderer)
+    assert isinstance(desk, DeskRenderer)
+    assert desk.params.exposures == 1
+    assert desk.pair(1.0)[0].shape == plain.pair(1.0)[0].shape

@@ -1,4 +1,4 @@
-"""The commands ``simulate``, ``track``, ``light`` and what else works on recordings."""
+"""The commands ``simulate``, ``track``, ``crop`` and ``light``."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tracker.glove.files import parse_glove
@@ -10,7 +10,7 @@ from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
-from tracker.simulation.render import RenderParams
+from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
 
 
@@ -25,6 +25,7 @@ class DemoSpec:
     fps: float = 30.0
     motion: str = ""
     exposures: int = 1  # per image: no motion blur, half the time to draw
+    light: str = ""  # over a desk with things on it; a plain wall, drawn in half the time, if empty
 
 
 def build(spec: DemoSpec) -> Simulation:
@@ -36,8 +37,9 @@ def build(spec: DemoSpec) -> Simulation:
         motion = _recorded(Path(spec.motion), hand)
     else:
         motion = RandomPostures(hand, spec.seed, duration=spec.duration)
-    params = SimulationParams(render=RenderParams(exposures=spec.exposures))
-    return Simulation(hand, glove, motion, spec.seed, params, fps=spec.fps)
+    room = room_of("desk" if spec.light else "plain", spec.light, seed=spec.seed)
+    params = SimulationParams(render=replace(room.render, exposures=spec.exposures))
+    return Simulation(hand, glove, motion, spec.seed, params, fps=spec.fps, extras=room.extras)
 
 
 def _recorded(path: Path, hand: HandModel) -> Motion:
