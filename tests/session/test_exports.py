@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation
 
 from tracker.cli import main
 from tracker.errors import ConfigError, FileError
-from tracker.messages import CameraPose, Estimate, ImuSample
+from tracker.messages import CameraPose, Estimate, Event, ImuSample
 from tracker.session.export.axes import AXES
 from tracker.session.export.load import load_series
 from tracker.session.export.options import FORMATS, ExportOptions
@@ -42,11 +42,16 @@ def test_csv_has_the_columns_and_empty_cells(tracked, tmp_path: Path, session_in
     export(path, "csv", tmp_path / "o.csv")
     with (tmp_path / "o.csv").open() as file:
         rows = list(csv.DictReader(file))
-    assert list(rows[0])[:5] == ["t", "wrist_x", "wrist_y", "wrist_z", "wrist_state"]
-    assert list(rows[0])[-1] == session_info.hand.joint_names[-1]
+    wrist = [f"wrist_{c}" for c in ("x", "y", "z", "qx", "qy", "qz", "qw", "sd", "state")]
+    assert list(rows[0])[:10] == ["t", *wrist]
+    last = session_info.hand.joint_names[-1]
+    assert list(rows[0])[-2:] == [last, f"{last}_state"]
+    assert [float(rows[4][c]) for c in wrist[3:7]] == pytest.approx(estimates[4].keypoint_q[0])
+    assert float(rows[4]["wrist_sd"]) == pytest.approx(estimates[4].keypoint_sd[0], rel=1e-8)
     name, angle = session_info.keypoint_names[3], session_info.hand.joint_names[2]
     assert rows[8][f"{name}_x"] == rows[8][angle] == ""
-    assert rows[8][f"{name}_state"] == "lost"
+    assert rows[8][f"{name}_state"] == rows[8][f"{angle}_state"] == "lost"
+    assert rows[8][f"{name}_sd"] == "" and rows[7][f"{angle}_state"] == "inferred"
     assert rows[0]["t"] == "1760000000.123457"
     assert float(rows[7]["wrist_y"]) == pytest.approx(estimates[7].keypoints[0, 1], rel=1e-8)
     assert float(rows[7][angle]) == pytest.approx(estimates[7].angles[2], rel=1e-8)
@@ -60,6 +65,9 @@ def test_parquet_in_pyarrow(tracked, tmp_path: Path, session_info) -> None:
     assert table[f"{name}_x"].null_count == 6
     assert table["wrist_z"][4].as_py() == estimates[4].keypoints[0, 2]
     assert table[f"{name}_state"][8].as_py() == "lost"
+    assert table["wrist_qw"][4].as_py() == estimates[4].keypoint_q[0, 3]
+    told = table.schema.metadata
+    assert told[b"axes"] == b"x forward, y left, z up" and told[b"length_unit"] == b"m"
 
 
 def test_hdf5_in_h5py(tracked, tmp_path: Path) -> None:
@@ -71,19 +79,67 @@ def test_hdf5_in_h5py(tracked, tmp_path: Path) -> None:
         assert np.allclose(position[5], estimates[5].keypoints * 1000)
         assert np.isnan(position[8, 3]).all()
         assert np.array_equal(file["joints/angle"][5], estimates[5].angles)
+        assert np.allclose(file["keypoints/sd"][5], estimates[5].keypoint_sd * 1000)
+        assert file.attrs["axes"] == "x forward, y left, z up"
 
 
-def test_c3d_in_ezc3d(tracked, tmp_path: Path, session_info) -> None:
+def test_c3d_says_what_was_measured(tracked, tmp_path: Path, session_info) -> None:
     path, estimates = tracked
     export(path, "c3d", tmp_path / "o.c3d")
     file = ezc3d.c3d(str(tmp_path / "o.c3d"))
-    assert file["parameters"]["POINT"]["LABELS"]["value"] == list(session_info.keypoint_names)
+    n = len(session_info.keypoint_names)
+    labels = file["parameters"]["POINT"]["LABELS"]["value"]
+    assert labels[:n] == list(session_info.keypoint_names)
     assert file["parameters"]["POINT"]["RATE"]["value"][0] == pytest.approx(100)
-    points = file["data"]["points"]
-    assert np.allclose(points[:3, :, 5].T, estimates[5].keypoints * 1000, atol=1e-3)
-    assert np.isnan(points[:3, 3, 8]).all()
+    assert file["parameters"]["GLOVETRACK"]["AXES"]["value"] == ["x forward, y left, z up"]
+    points, residual = file["data"]["points"], file["data"]["meta_points"]["residuals"][0]
+    assert np.allclose(points[:3, :n, 5].T, estimates[5].keypoints * 1000, atol=1e-3)
+    assert np.isnan(points[:3, 3, 8]).all() and residual[3, 8] == -1
+    sd_mm = 1000 * estimates[5].keypoint_sd  # random, up to 1000: a byte holds no more than 127
+    assert np.allclose(residual[:n, 5], np.clip(np.ceil(sd_mm), 1, 127))
     analog = file["data"]["analogs"][0, 4, 5]
     assert analog == pytest.approx(np.rad2deg(estimates[5].angles[4]), abs=1e-4)
+
+
+def test_c3d_has_inferred_points_with_residual_zero(
+    tmp_path: Path, record: Callable[..., Path], maker
+) -> None:
+    e = maker.estimate(0)
+    state = np.array(e.keypoint_state)
+    state[1::2] = 1
+    path = record(tmp_path / "in.mcap", [replace(e, keypoint_state=state, t=e.t + k / 100)
+                                         for k in range(10)])  # fmt: skip
+    export(path, "c3d", tmp_path / "o.c3d", ExportOptions(units="m"))
+    residual = ezc3d.c3d(str(tmp_path / "o.c3d"))["data"]["meta_points"]["residuals"][0]
+    inferred = residual[: len(state), 4] == 0
+    assert np.array_equal(inferred, state == 1) and (residual[: len(state)][~inferred] > 0).all()
+
+
+def test_c3d_carries_markers_imus_and_notes(
+    tmp_path: Path, record: Callable[..., Path], maker, session_info
+) -> None:
+    messages = list(maker.stream(600, images=False))
+    note = Event(messages[0].t + 0.25, "note", "a mark")
+    path = record(tmp_path / "in.mcap", [*messages, note])
+    export(path, "c3d", tmp_path / "o.c3d")
+    file = ezc3d.c3d(str(tmp_path / "o.c3d"))
+    glove, hand = session_info.glove, session_info.hand
+    labels = file["parameters"]["POINT"]["LABELS"]["value"]
+    e = [m for m in messages if isinstance(m, Estimate)][3]
+    for marker in (glove.markers[0], glove.markers[-1]):
+        s = hand.index[marker.segment]
+        wanted = e.segment_p[s] + e.segment_R[s] @ marker.position
+        column = labels.index(f"M{marker.id:02d}_{marker.segment}")
+        assert np.allclose(file["data"]["points"][:3, column, 3], wanted * 1000, atol=1e-3)
+    names = file["parameters"]["ANALOG"]["LABELS"]["value"]
+    packet = [m for m in messages if isinstance(m, ImuSample)][4]
+    imu = 1  # the other is missing in this packet's neighbour
+    column = names.index(f"{glove.imu_names[imu]}_gyr_x")
+    assert file["data"]["analogs"][0, column, 4] == pytest.approx(packet.gyro[imu, 0], abs=1e-5)
+    assert file["parameters"]["ANALOG"]["UNITS"]["value"][column] == "rad/s"
+    events = file["parameters"]["EVENT"]
+    assert events["DESCRIPTIONS"]["value"] == ["a mark"]  # the other came after the last estimate
+    assert events["TIMES"]["value"][1, 0] == pytest.approx(0.25, abs=1e-4)
 
 
 def test_trc_and_mot_as_opensim_reads_them(tracked, tmp_path: Path) -> None:

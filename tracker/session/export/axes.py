@@ -49,10 +49,21 @@ def turned(m: EstimateSeries, name: str) -> EstimateSeries:
     axes = AXES[name]
     if np.array_equal(axes.rows, np.eye(3)):
         return m
-    q = np.full_like(m.q, np.nan)
-    known = np.isfinite(m.q).all(axis=-1)
+    return replace(
+        m,
+        keypoints=m.keypoints @ axes.rows.T,
+        q=_turned(m.q, axes),
+        segment_p=m.segment_p @ axes.rows.T,
+        segment_q=_turned(m.segment_q, axes),
+    )
+
+
+def _turned(given: Array, axes: Axes) -> Array:
+    """Orientations (N, n, 4) in other axes."""
+    q = np.full_like(given, np.nan)
+    known = np.isfinite(given).all(axis=-1)
     if known.any():
         own = _MIRROR if axes.left_handed else np.eye(3)
-        R = axes.rows @ Rotation.from_quat(m.q[known]).as_matrix() @ own
+        R = axes.rows @ Rotation.from_quat(given[known]).as_matrix() @ own
         q[known] = Rotation.from_matrix(R).as_quat()
-    return replace(m, keypoints=m.keypoints @ axes.rows.T, q=q)
+    return q

@@ -15,9 +15,10 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from tracker.messages import Validity
 from tracker.session.export.holes import LONGEST_FILLED, gaps
 from tracker.session.export.load import load_series
-from tracker.session.export.options import ExportOptions
+from tracker.session.export.options import BONE_AXES, ExportOptions
 from tracker.session.export.resample import continuous
 from tracker.session.export.series import EstimateSeries
 from tracker.session.export.skeleton import Skeleton, skeleton
@@ -76,7 +77,7 @@ def _document(m: EstimateSeries, tree: Skeleton) -> bytes:
     }
     animation = _animation(m, tree, buffer)
     document = {
-        "asset": {"version": "2.0", "generator": "Glovetrack"},
+        "asset": {"version": "2.0", "generator": "Glovetrack", "extras": _told(m, tree)},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": _nodes(tree),
@@ -92,6 +93,16 @@ def _document(m: EstimateSeries, tree: Skeleton) -> bytes:
     head = struct.pack("<4sII", b"glTF", 2, total)
     chunks = struct.pack("<I4s", len(text), b"JSON") + text
     return head + chunks + struct.pack("<I4s", len(buffer.data), b"BIN\0") + bytes(buffer.data)
+
+
+def _told(m: EstimateSeries, tree: Skeleton) -> dict[str, Any]:
+    """What viewers pass over and programs may read: axes, and in which share of the time each
+    node's place was measured, inferred and lost."""
+    shares = {}
+    for name in tree.names:
+        state = m.state[:, m.keypoint_names.index(name)]
+        shares[name] = {s.name.lower(): round(float((state == s).mean()), 6) for s in Validity}
+    return {"axes": m.notes["axes_are"], "bone_axes": BONE_AXES, "states": shares}
 
 
 def _nodes(tree: Skeleton) -> list[dict[str, Any]]:

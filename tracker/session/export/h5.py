@@ -9,22 +9,25 @@ import numpy as np
 
 from tracker.messages import Validity
 from tracker.session.export.load import load_series
-from tracker.session.export.options import UNITS, ExportOptions
+from tracker.session.export.options import BONE_AXES, UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
 
 
 def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``/stamp_ns``, ``/keypoints/{position,orientation,state}`` and ``/joints/{angle,state}``."""
+    """``/stamp_ns``, ``/keypoints/{position,orientation,sd,state}``, ``/joints/{angle,state}``."""
     m = load_series(reader, options)
     unit = options.units or "m"
     # Made in memory: where a disk fills up under it the library ends the program at its exit.
     with h5py.File(path.name, "w", driver="core", backing_store=False) as file:
+        file.attrs["axes"] = str(m.notes["axes_are"])
+        file.attrs["bone_axes"] = BONE_AXES
         file.create_dataset("stamp_ns", data=m.stamp_ns).attrs["unit"] = "ns since 1970"
         points = file.create_group("keypoints")
         points.attrs["names"] = list(m.keypoint_names)
         _put(points, "position", m.keypoints * UNITS[unit], unit)
         _put(points, "orientation", m.q, "quaternion x, y, z, w")
+        _put(points, "sd", m.sd * UNITS[unit], unit)
         _put(points, "state", m.state.astype(np.int8), _states())
         joints = file.create_group("joints")
         joints.attrs["names"] = list(m.joint_names)

@@ -27,7 +27,8 @@ def load_series(
     named = options.axes or axes
     series = turned(series, named)
     if "time" in options.anonymous:
-        series = replace(series, stamp_ns=series.stamp_ns - series.stamp_ns[0])
+        zero = int(series.stamp_ns[0])
+        series = replace(series, stamp_ns=series.stamp_ns - zero, zero_ns=zero)
     notes: dict[str, object] = {
         "axes": named,
         "axes_are": AXES[named].words,

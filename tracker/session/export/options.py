@@ -17,6 +17,8 @@ FOLDERS = ("png",)
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")
 UNITS = {"m": 1.0, "cm": 100.0, "mm": 1000.0}
 """How many of each make a metre."""
+BONE_AXES = "x along the bone to its tip, z out of the back of the hand"
+"""Axes that the orientation of a keypoint turns: of the bone that begins there."""
 RATES = (1.0, 2000.0)
 """Lowest and highest rate to resample to, Hz."""
 PERSONAL = ("participant", "notes")

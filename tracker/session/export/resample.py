@@ -24,7 +24,7 @@ def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
     """Estimates at ``rate`` Hz.
 
     A number next to one that was lost stays lost, and nothing is put where no estimate is known
-    for longer than `holes.LONGEST_FILLED`; states are those of the nearest estimate, or lost.
+    for longer than `holes.LONGEST_FILLED`; states and sd are the nearest estimate's, or lost.
     Raises FileError where the stamps would make far more rows than there are estimates.
     """
     m = m.rows(np.flatnonzero(np.diff(m.stamp_ns, prepend=m.stamp_ns[0] - 1) > 0))
@@ -48,6 +48,9 @@ def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
         keypoints=keypoints,
         angles=angles,
         q=_slerp(m.elapsed, smooth.q, t),
+        sd=np.where(np.isfinite(keypoints).all(axis=2), near.sd, np.nan),
+        segment_p=_spline(m.elapsed, smooth.segment_p, t),
+        segment_q=_slerp(m.elapsed, smooth.segment_q, t),
         state=np.where(np.isfinite(keypoints).all(axis=2), near.state, Validity.LOST),
         angle_state=np.where(np.isfinite(angles), near.angle_state, Validity.LOST),
     )
@@ -63,6 +66,8 @@ def low_passed(m: EstimateSeries, rate: float) -> EstimateSeries:
         keypoints=_smoothed(m.elapsed, m.keypoints, kernel),
         angles=_smoothed(m.elapsed, m.angles, kernel),
         q=_smoothed_turns(m.elapsed, m.q, kernel),
+        segment_p=_smoothed(m.elapsed, m.segment_p, kernel),
+        segment_q=_smoothed_turns(m.elapsed, m.segment_q, kernel),
     )
 
 

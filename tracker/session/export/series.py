@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from tracker.clock import NS
 from tracker.errors import ConfigError, FileError
@@ -15,8 +16,9 @@ from tracker.session.reader import SessionReader
 
 @dataclass(frozen=True, eq=False)
 class EstimateSeries:
-    """N estimates: stamp_ns (N,), keypoints (N, K, 3) m, q (N, K, 4), state (N, K),
-    angles (N, J) rad, angle_state (N, J); NaN where lost.
+    """N estimates: stamp_ns (N,), keypoints (N, K, 3) m, q (N, K, 4), state (N, K), sd (N, K) m,
+    angles (N, J) rad, angle_state (N, J); NaN where lost. segment_p (N, S, 3) m and segment_q
+    (N, S, 4) of all the hand's segments, whatever `only` keeps. ``zero_ns`` was taken from stamps.
     """
 
     info: SessionInfo
@@ -26,8 +28,12 @@ class EstimateSeries:
     keypoints: Array
     q: Array
     state: IntArray
+    sd: Array
     angles: Array
     angle_state: IntArray
+    segment_p: Array
+    segment_q: Array
+    zero_ns: int = 0
     notes: dict[str, object] = field(default_factory=dict)
 
     def __len__(self) -> int:
@@ -41,8 +47,11 @@ class EstimateSeries:
             keypoints=self.keypoints[rows],
             q=self.q[rows],
             state=self.state[rows],
+            sd=self.sd[rows],
             angles=self.angles[rows],
             angle_state=self.angle_state[rows],
+            segment_p=self.segment_p[rows],
+            segment_q=self.segment_q[rows],
         )
 
     def between(self, start: float | None, stop: float | None) -> EstimateSeries:
@@ -68,6 +77,7 @@ class EstimateSeries:
             keypoints=self.keypoints[:, points],
             q=self.q[:, points],
             state=self.state[:, points],
+            sd=self.sd[:, points],
             angles=self.angles[:, joints],
             angle_state=self.angle_state[:, joints],
         )
@@ -104,9 +114,21 @@ def recorded_series(reader: SessionReader) -> EstimateSeries:
         np.array([m.keypoints for m in found]),
         np.array([m.keypoint_q for m in found]),
         np.array([m.keypoint_state for m in found]),
+        np.array([m.keypoint_sd for m in found]),
         np.array([m.angles for m in found]),
         np.array([m.angle_state for m in found]),
+        np.array([m.segment_p for m in found]),
+        _quaternions(np.array([m.segment_R for m in found])),
     )
+
+
+def _quaternions(R: Array) -> Array:
+    """(..., 4) xyzw of (..., 3, 3); NaN where lost."""
+    q = np.full((*R.shape[:-2], 4), np.nan)
+    known = np.isfinite(R).all(axis=(-1, -2))
+    if known.any():
+        q[known] = Rotation.from_matrix(R[known]).as_quat()
+    return q
 
 
 def state_words(state: IntArray) -> list[str]:

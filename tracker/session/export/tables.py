@@ -8,36 +8,50 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import numpy as np
+
 from tracker.errors import ConfigError
+from tracker.messages import Array
 from tracker.session.export.load import load_series
-from tracker.session.export.options import UNITS, ExportOptions
+from tracker.session.export.options import BONE_AXES, UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries, seconds_text, state_words
 from tracker.session.reader import SessionReader
 
+NUMBERS = ("x", "y", "z", "qx", "qy", "qz", "qw", "sd")
+"""What is told of each keypoint in numbers: its place, how the bone turns, and how sure it is."""
+
 
 def columns(m: EstimateSeries) -> list[str]:
-    """Names of the columns: time, keypoints with their state, angles."""
-    points = [f"{k}_{c}" for k in m.keypoint_names for c in ("x", "y", "z", "state")]
-    return ["t", *points, *m.joint_names]
+    """Names of the columns: time, keypoints with their state, angles with theirs."""
+    points = [f"{k}_{c}" for k in m.keypoint_names for c in (*NUMBERS, "state")]
+    return ["t", *points, *(c for j in m.joint_names for c in (j, f"{j}_state"))]
+
+
+def _numbers(m: EstimateSeries, scale: float) -> Array:
+    """(N, K, n) of `NUMBERS`; lengths times ``scale``."""
+    sd = np.where(np.isfinite(m.keypoints).all(axis=2), m.sd, np.nan)
+    return np.concatenate([m.keypoints * scale, m.q, sd[..., None] * scale], axis=2)
 
 
 def export_csv(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """``t`` is in seconds since 1970 to the microsecond; positions in m unless asked otherwise."""
     m = load_series(reader, options)
-    scale = UNITS[options.units or "m"]
+    numbers = _numbers(m, UNITS[options.units or "m"])
     with path.open("w", encoding="utf-8", newline="") as out:
         csv.writer(out, lineterminator="\n").writerow(columns(m))
         for i in range(len(m)):
-            out.write(",".join(_row(m, i, scale)) + "\n")
+            out.write(",".join(_row(m, i, numbers[i])) + "\n")
     return m
 
 
-def _row(m: EstimateSeries, i: int, scale: float) -> list[str]:
+def _row(m: EstimateSeries, i: int, numbers: Array) -> list[str]:
     cells = [seconds_text(int(m.stamp_ns[i]))]
-    for point, state in zip(m.keypoints[i] * scale, state_words(m.state[i]), strict=True):
+    for point, state in zip(numbers, state_words(m.state[i]), strict=True):
         cells += [_cell(float(v)) for v in point]
         cells.append(state)
-    return cells + [_cell(float(a)) for a in m.angles[i]]
+    for angle, state in zip(m.angles[i], state_words(m.angle_state[i]), strict=True):
+        cells += [_cell(float(angle)), state]
+    return cells
 
 
 def _cell(value: float) -> str:
@@ -45,26 +59,39 @@ def _cell(value: float) -> str:
 
 
 def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """``t`` is a UTC timestamp; ``<keypoint>_state`` a dictionary of words.
-
-    ConfigError without the extra ``parquet``.
+    """``t`` is a UTC timestamp; states are dictionaries of words; axes and units are told in the
+    schema's metadata. ConfigError without the extra ``parquet``.
     """
-    pa, pq = _arrow()
+    pa, pq = arrow()
     m = load_series(reader, options)
-    scale = UNITS[options.units or "m"]
+    unit = options.units or "m"
+    numbers = _numbers(m, UNITS[unit])
     table: dict[str, Any] = {"t": pa.array(m.stamp_ns, pa.timestamp("ns", "UTC"))}
     for k, name in enumerate(m.keypoint_names):
-        for c, axis in enumerate("xyz"):
-            table[f"{name}_{axis}"] = pa.array(m.keypoints[:, k, c] * scale, from_pandas=True)
+        for c, what in enumerate(NUMBERS):
+            table[f"{name}_{what}"] = pa.array(numbers[:, k, c], from_pandas=True)
         table[f"{name}_state"] = pa.array(state_words(m.state[:, k])).dictionary_encode()
     for j, name in enumerate(m.joint_names):
         table[name] = pa.array(m.angles[:, j], from_pandas=True)
-    pq.write_table(pa.table(table), path)
+        table[f"{name}_state"] = pa.array(state_words(m.angle_state[:, j])).dictionary_encode()
+    pq.write_table(pa.table(table).replace_schema_metadata(_told(m, unit)), path)
     return m
 
 
-def _arrow() -> tuple[ModuleType, ModuleType]:
-    """Arrow, which takes 165 MB and serves this format alone."""
+def _told(m: EstimateSeries, unit: str) -> dict[str, str]:
+    """What the columns' numbers mean."""
+    return {
+        "axes": str(m.notes["axes_are"]),
+        "bone_axes": BONE_AXES,
+        "length_unit": unit,
+        "angle_unit": "rad",
+        "quaternion": "x, y, z, w of the bone that begins at the keypoint",
+        "sd": "root of the mean variance of the keypoint's place",
+    }
+
+
+def arrow() -> tuple[ModuleType, ModuleType]:
+    """Arrow, which takes 165 MB and serves Parquet alone. ConfigError without it."""
     try:
         import pyarrow
         import pyarrow.parquet

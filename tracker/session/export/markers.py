@@ -1,0 +1,76 @@
+"""The glove's markers where the tracked hand carries them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from tracker.messages import Array, Calibration, IntArray, Validity
+from tracker.session.export.axes import AXES
+from tracker.session.export.series import EstimateSeries
+from tracker.session.reader import SessionReader
+
+
+class Markers(NamedTuple):
+    """names (M,); position (N, M, 3) m, NaN where lost; state (N, M) and sd (N, M) m of the
+    joint at which the marker's segment begins."""
+
+    names: tuple[str, ...]
+    position: Array
+    state: IntArray
+    sd: Array
+
+
+class Sizes(NamedTuple):
+    """Factors (C, S, 3) of a session's calibrations, the nominal size first, and from when on
+    (C,) ns each holds."""
+
+    since_ns: IntArray
+    scale: Array
+
+    def at(self, stamp_ns: IntArray) -> IntArray:
+        """(N,) which of them holds at each instant."""
+        return np.maximum(np.searchsorted(self.since_ns, stamp_ns, side="right") - 1, 0)
+
+
+def read_sizes(reader: SessionReader) -> Sizes:
+    hand = reader.info.hand
+    since, scale = [np.iinfo(np.int64).min], [np.ones((len(hand.segments), 3))]
+    for m in reader.messages([Calibration]):
+        assert isinstance(m, Calibration)
+        now = scale[-1].copy()
+        for name, factors in zip(m.segments, m.scale, strict=True):
+            if name in hand.index and np.isfinite(factors).all():
+                now[hand.index[name]] = factors
+        since.append(reader.anchor.wall(m.t))
+        scale.append(now)
+    return Sizes(np.array(since, np.int64), np.array(scale))
+
+
+def carried_markers(reader: SessionReader, m: EstimateSeries) -> Markers:
+    """Of ``m``, which has all its keypoints.
+
+    Where the calibrated hand has them: that the fabric slips is not in it.
+    """
+    info, sizes = m.info, read_sizes(reader)
+    segment = info.glove.marker_segment(info.hand)
+    scale = sizes.scale[:, segment]  # (C, M, 3)
+    own = np.array([1.0, -1.0, 1.0]) if AXES[str(m.notes["axes"])].left_handed else np.ones(3)
+    offset = (info.glove.marker_position * scale * own)[sizes.at(m.stamp_ns + m.zero_ns)]
+    q, p = m.segment_q[:, segment], m.segment_p[:, segment]
+    position = np.full(p.shape, np.nan)
+    known = np.isfinite(q).all(axis=2) & np.isfinite(p).all(axis=2)
+    position[known] = p[known] + Rotation.from_quat(q[known]).apply(offset[known])
+    base = _base_of(info.glove.keypoint_segments(info.hand), len(info.hand.segments))[segment]
+    state = np.where(known, m.state[:, base], int(Validity.LOST))
+    position[state == Validity.LOST] = np.nan
+    names = tuple(f"M{k.id:02d}_{k.segment}" for k in info.glove.markers)
+    return Markers(names, position, state, m.sd[:, base])
+
+
+def _base_of(segments: IntArray, count: int) -> IntArray:
+    """(S,) row of the first keypoint of each segment; 0 where it has none."""
+    first = {int(s): k for k, s in reversed(list(enumerate(segments)))}
+    return np.array([first.get(s, 0) for s in range(count)], np.int64)
