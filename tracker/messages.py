@@ -134,7 +134,7 @@ class RejectedBlobs(_Frozen):
 
     uv: Array
     hue: IntArray
-    reason: tuple[str, ...]  # "size", "convexity", "circularity", "edge"
+    reason: tuple[str, ...]  # as `tracker.vision.detector.REASONS`
 
     @staticmethod
     def empty() -> RejectedBlobs:

@@ -6,6 +6,9 @@ the larger one wraps through 0.
 
 from __future__ import annotations
 
+import base64
+import binascii
+import zlib
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -21,6 +24,9 @@ from tracker.toml_reader import TomlTable, read_text, read_toml
 HUES = 180
 LEVELS = 256
 SCHEMA = 1
+LEARNED_BITS = 6  # of each channel that tell what was learned of a colour
+LEARNED_CELLS = 1 << 3 * LEARNED_BITS
+ROOM, WORN, UNKNOWN = 0, 254, 255  # classes of a colour: the room's, the glove's cloth, never met
 
 
 @dataclass(frozen=True)
@@ -67,15 +73,43 @@ class ShapeLimits:
     size: tuple[float, float] = (0.35, 1.6)
     convexity: float = 0.85  # area / hull area, at least
     circularity: float = 0.45  # 4 pi area / perimeter², at least
+    contrast: float = 0.25  # of its mean against what is around it, at least
+
+
+@dataclass(frozen=True)
+class LearnedColours:
+    """What was learned of the colours of markers, cloth and room, for `LEARNED_CELLS` colours.
+
+    ``packed`` holds a class for each, by b << 12 | g << 6 | r of the channels' upper six bits:
+    k + 1 for hue k, `ROOM`, `WORN` (the glove's own cloth) or `UNKNOWN`. ``cloth`` is the least
+    share of what is around a marker that is the glove's cloth.
+    """
+
+    packed: bytes  # zlib
+    cloth: float = 0.0
+
+    @staticmethod
+    def of(classes: NDArray[np.uint8], cloth: float = 0.0) -> LearnedColours:
+        """From classes (LEARNED_CELLS,)."""
+        return LearnedColours(zlib.compress(classes.tobytes(), 9), cloth)
+
+    def classes(self) -> NDArray[np.uint8]:
+        """(LEARNED_CELLS,) of each colour."""
+        return np.frombuffer(zlib.decompress(self.packed), np.uint8)
 
 
 @dataclass(frozen=True)
 class ColourProfile:
-    """Hues in the order that blobs are numbered by. A pixel of two hues counts as the first."""
+    """Hues in the order that blobs are numbered by. A pixel of two hues counts as the first.
+
+    What was ``learned`` decides within the intervals: a colour that the room has too counts as the
+    room's, and one that was never met counts as the intervals say.
+    """
 
     name: str
     hues: tuple[HueRange, ...]
     shape: ShapeLimits = ShapeLimits()
+    learned: LearnedColours | None = None
 
     @property
     def hue_names(self) -> tuple[str, ...]:
@@ -105,8 +139,27 @@ def parse_profile(text: str, name: str = "colours.toml") -> ColourProfile:
     if not hues:
         raise root.fail("hues", "must hold at least one hue")
     shape = _shape(root.table("shape", {}))
+    learned = _learned(root.table("learned", {}), len(hues)) if root.has("learned") else None
     root.finish()
-    return ColourProfile(title, hues, shape)
+    return ColourProfile(title, hues, shape, learned)
+
+
+def _learned(table: TomlTable, hues: int) -> LearnedColours:
+    cloth = table.number("cloth", 0.0, 0.0, 1.0)
+    text = table.text("classes")
+    table.finish()
+    try:
+        packed = base64.b64decode(text, validate=True)
+        unpacker = zlib.decompressobj()
+        data = unpacker.decompress(packed, LEARNED_CELLS + 1)
+    except (binascii.Error, zlib.error) as error:
+        raise table.fail("classes", "is damaged: it must be base64 of zlib data") from error
+    classes = np.frombuffer(data, np.uint8)
+    if len(classes) != LEARNED_CELLS or not unpacker.eof:
+        raise table.fail("classes", f"must hold {LEARNED_CELLS} bytes")
+    if np.any((classes > hues) & (classes < WORN)):
+        raise table.fail("classes", f"names a hue beyond the {hues} that there are")
+    return LearnedColours(packed, cloth)
 
 
 def _hue_range(name: str, table: TomlTable) -> HueRange:
@@ -135,8 +188,9 @@ def _shape(table: TomlTable) -> ShapeLimits:
         raise table.fail("size", "must be two numbers, 0 or more, the smaller first")
     convexity = table.number("convexity", default.convexity, 0.0, 1.0)
     circularity = table.number("circularity", default.circularity, 0.0, 1.0)
+    contrast = table.number("contrast", default.contrast, 0.0, 1.0)
     table.finish()
-    return ShapeLimits((float(low), float(high)), convexity, circularity)
+    return ShapeLimits((float(low), float(high)), convexity, circularity, contrast)
 
 
 def profile_to_toml(profile: ColourProfile) -> str:
@@ -150,5 +204,12 @@ def profile_to_toml(profile: ColourProfile) -> str:
         "size": [float(v) for v in s.size],
         "convexity": float(s.convexity),
         "circularity": float(s.circularity),
+        "contrast": float(s.contrast),
     }
-    return tomli_w.dumps({"schema": SCHEMA, "name": profile.name, "hues": hues, "shape": shape})
+    out = {"schema": SCHEMA, "name": profile.name, "hues": hues, "shape": shape}
+    if profile.learned is not None:
+        out["learned"] = {
+            "cloth": float(profile.learned.cloth),
+            "classes": base64.b64encode(profile.learned.packed).decode(),
+        }
+    return tomli_w.dumps(out)

@@ -29,7 +29,14 @@ from tracker.vision.shape_tests import (
 )
 
 Image = NDArray[np.uint8]
-REASONS = ("size", "convexity", "circularity", "edge")  # in the order of `shape_tests`
+REASONS = (
+    "size",
+    "convexity",
+    "circularity",
+    "edge",
+    "contrast",
+    "cloth",
+)  # in the order of `shape_tests`
 NOWHERE = ExpectedBlobs(np.zeros((0, 2)), np.zeros(0), np.zeros(0, np.int64), np.zeros(0))
 HIGHEST_MARK = 255
 LARGE = 2.0  # times the largest blob: two that touch are to be parted, more are background
@@ -80,12 +87,13 @@ class Detector:
 
     def _set(self, params: DetectorParams, metre_px: float) -> None:
         self.params, self._metre_px = params, metre_px
-        shape = self.profile.shape
+        shape, learned = self.profile.shape, self.profile.learned
         low, high = shape.size[0], shape.size[1]
         shortest, longest = metre_px / params.farthest, metre_px / params.nearest
         self._limits = RegionLimits(
-            low * shortest, high * longest, low, high, shape.convexity, shape.circularity
-        )
+            low * shortest, high * longest, low, high, shape.convexity, shape.circularity,
+            shape.contrast, learned.cloth if learned is not None else 0.0,
+        )  # fmt: skip
 
     def with_params(self, params: DetectorParams) -> Detector:
         """Another detector for the same colours; the table is shared."""

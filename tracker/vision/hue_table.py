@@ -15,8 +15,24 @@ from numpy.typing import NDArray
 
 from tracker.errors import ConfigError
 from tracker.kernels import kernel
-from tracker.kernels.arrays import ByteStack, Int8Vector, IntMatrix, UInt16Vector, Written
-from tracker.vision.colours import HUES, LEVELS, ColourProfile
+from tracker.kernels.arrays import (
+    ByteStack,
+    ByteVector,
+    Int8Vector,
+    IntMatrix,
+    UInt16Vector,
+    Written,
+)
+from tracker.vision.colours import (
+    HUES,
+    LEARNED_BITS,
+    LEARNED_CELLS,
+    LEVELS,
+    ROOM,
+    UNKNOWN,
+    WORN,
+    ColourProfile,
+)
 
 MAX_HUES = 30  # bits of a mask
 
@@ -24,11 +40,13 @@ CELL_BITS = 3  # of each channel that a cell leaves open
 CELLS = LEVELS >> CELL_BITS  # along each channel
 CELL_SIDE = 1 << CELL_BITS
 CELL_COLOURS = CELL_SIDE**3
+CLOTH = -1
 VIVID_SATURATION = 86  # from which max - min is at least a third of max, and so half of min
 
 
 class HueTable(NamedTuple):
-    """Classes are 0 for none of a profile's hues and k + 1 for its hue k.
+    """Classes are 0 for none of a profile's hues, k + 1 for its hue k, and `CLOTH` for the glove's
+    own, where that was learned.
 
     cells (2^15,) numbers of patterns, by b << 10 | g << 5 | r of the channels' upper five bits;
     patterns (512 n,) classes, by number << 9 | b << 6 | g << 3 | r of their lower three. vivid is 1
@@ -60,7 +78,9 @@ def hue_table(profile: ColourProfile) -> HueTable:
         )
     cells = np.empty(CELLS**3, np.uint16)
     patterns = np.empty((len(profile.hues) + 1 + len(cells)) * CELL_COLOURS, np.int8)
-    count = _fill_table(_masks(profile), len(profile.hues), cells, patterns)
+    learned = profile.learned
+    known = np.full(LEARNED_CELLS, UNKNOWN, np.uint8) if learned is None else learned.classes()
+    count = _fill_table(_masks(profile), len(profile.hues), known, cells, patterns)
     vivid = all(h.saturation[0] >= VIVID_SATURATION for h in profile.hues)
     return HueTable(cells, patterns[: count * CELL_COLOURS].copy(), int(vivid))
 
@@ -79,7 +99,26 @@ def _masks(profile: ColourProfile) -> IntMatrix:
 
 @kernel
 def exact_class(b: int, g: int, r: int, masks: IntMatrix) -> int:
-    """Class of one colour, with the fixed-point HSV of OpenCV's cvtColor."""
+    """Class of one colour by the intervals alone."""
+    bits = interval_bits(b, g, r, masks)
+    out = 0
+    while bits:
+        out += 1
+        if bits & 1:
+            return out
+        bits >>= 1
+    return 0
+
+
+@kernel
+def in_intervals(b: int, g: int, r: int, masks: IntMatrix, hue: int) -> bool:
+    """Whether a colour lies within the intervals of the hue with this class."""
+    return bool((interval_bits(b, g, r, masks) >> (hue - 1)) & 1)
+
+
+@kernel
+def interval_bits(b: int, g: int, r: int, masks: IntMatrix) -> int:
+    """Bit k for hue k that takes a colour, with the fixed-point HSV of OpenCV's cvtColor."""
     v = max(b, g, r)
     d = v - min(b, g, r)
     s = (d * _SATURATION[v] + 2048) >> 12
@@ -92,14 +131,23 @@ def exact_class(b: int, g: int, r: int, masks: IntMatrix) -> int:
     h = (h * _HUE[d] + 2048) >> 12
     if h < 0:
         h += HUES
-    bits = masks[0, h] & masks[1, s] & masks[2, v]
-    out = 0
-    while bits:
-        out += 1
-        if bits & 1:
-            return out
-        bits >>= 1
-    return 0
+    return int(masks[0, h] & masks[1, s] & masks[2, v])
+
+
+@kernel
+def known_class(b: int, g: int, r: int, masks: IntMatrix, known: ByteVector) -> int:
+    """Class of one colour, with what was learned of it: a colour of the room has none though it
+    lies within a hue's intervals, one of a hue must lie within that hue's."""
+    shift = 8 - LEARNED_BITS
+    cell = ((b >> shift) << LEARNED_BITS | g >> shift) << LEARNED_BITS | r >> shift
+    learned = int(known[cell])
+    if learned == ROOM:
+        return 0
+    if learned == WORN:
+        return CLOTH
+    if learned == UNKNOWN:
+        return exact_class(b, g, r, masks)
+    return learned if in_intervals(b, g, r, masks, learned) else 0
 
 
 @kernel(inline="always")
@@ -127,9 +175,16 @@ def is_vivid(b: int, g: int, r: int) -> np.bool_:
 
 @kernel
 def _fill_table(
-    masks: IntMatrix, hues: int, cells: Written[UInt16Vector], patterns: Written[Int8Vector]
+    masks: IntMatrix,
+    hues: int,
+    known: ByteVector,
+    cells: Written[UInt16Vector],
+    patterns: Written[Int8Vector],
 ) -> int:
-    """Fill both arrays; returns how many patterns there are. Those of one class come first."""
+    """Fill both arrays; returns how many patterns there are. Those of one class come first.
+
+    ``known`` is what was learned, as `tracker.vision.colours.LearnedColours.classes` has it.
+    """
     for k in range(hues + 1):
         patterns[k * CELL_COLOURS : (k + 1) * CELL_COLOURS] = k
     count, cell = hues + 1, 0
@@ -137,8 +192,8 @@ def _fill_table(
         for g in range(0, LEVELS, CELL_SIDE):
             for r in range(0, LEVELS, CELL_SIDE):
                 own = patterns[count * CELL_COLOURS : (count + 1) * CELL_COLOURS]
-                _fill_pattern(b, g, r, masks, own)
-                if own.min() == own.max():
+                _fill_pattern(b, g, r, masks, known, own)
+                if own.min() == own.max() and own[0] >= 0:
                     cells[cell] = own[0]
                 else:
                     cells[cell] = count
@@ -148,11 +203,13 @@ def _fill_table(
 
 
 @kernel
-def _fill_pattern(b: int, g: int, r: int, masks: IntMatrix, own: Written[Int8Vector]) -> None:
+def _fill_pattern(
+    b: int, g: int, r: int, masks: IntMatrix, known: ByteVector, own: Written[Int8Vector]
+) -> None:
     """The classes of the cell with this darkest corner."""
     index = 0
     for i in range(b, b + CELL_SIDE):
         for j in range(g, g + CELL_SIDE):
             for k in range(r, r + CELL_SIDE):
-                own[index] = exact_class(i, j, k, masks)
+                own[index] = known_class(i, j, k, masks, known)
                 index += 1

@@ -17,11 +17,13 @@ from tracker.kernels.arrays import (
     Written,
 )
 from tracker.vision.components import Scan, axes, bounds, cut, fill, hull, moments, waist
-from tracker.vision.hue_table import colour_class, is_vivid
+from tracker.vision.hue_table import CLOTH, colour_class, is_vivid
 
 # Columns of a measurement row.
 HUE, U, V, AREA, MAJOR, MINOR, CONVEXITY, CIRCULARITY, WIDTH, HEIGHT, EDGE = range(11)
-COLUMNS = 11
+CONTRAST, CLOTH_SHARE = 11, 12
+COLUMNS = 13
+RIM_PX = 2  # from a region to what is looked at around it
 
 WORD = 8  # bytes
 
@@ -66,7 +68,7 @@ def find_regions(scan: Scan, windows: IntMatrix, min_area: float) -> Matrix:
                 for seed in range(word * WORD, min((word + 1) * WORD, seeds)):
                     x = first + seed * stride
                     hue = int(line.view(np.int8)[seed])
-                    if hue == 0 or visited[y, x] >= mark:
+                    if hue <= 0 or visited[y, x] >= mark:
                         continue
                     # 3. the region, unless a thread or background
                     if not _is_broad(image, y, x, hue, cells, patterns):
@@ -77,7 +79,7 @@ def find_regions(scan: Scan, windows: IntMatrix, min_area: float) -> Matrix:
                     # 4. what it measures, as one blob or two
                     if n + 2 > len(out):
                         out = np.concatenate((out, np.empty_like(out)))
-                    n += _measure_parts(runs[:used], hue, min_area, image.shape, out[n : n + 2])
+                    n += _measure_parts(scan, runs[:used], hue, min_area, out[n : n + 2])
     return out[:n]
 
 
@@ -161,10 +163,10 @@ def _classify_vivid(
 
 @kernel
 def _measure_parts(
-    runs: Int32Matrix, hue: int, min_area: float, shape: tuple[int, int, int], rows: Written[Matrix]
+    scan: Scan, runs: Int32Matrix, hue: int, min_area: float, rows: Written[Matrix]
 ) -> int:
     """Measure a region as one blob, or as two where a waist says so; returns how many."""
-    if not _measure(runs, hue, min_area, shape, rows[0]):
+    if not _measure(scan, runs, hue, min_area, rows[0]):
         return 0
     if rows[0, MAJOR] < SPLIT_ELONGATION * rows[0, MINOR] or rows[0, MINOR] < SPLIT_THICKNESS:
         return 1
@@ -178,7 +180,7 @@ def _measure_parts(
     parts, before = cut(runs, u, v, angle, position)
     halves = np.empty((2, COLUMNS))
     for i, part in enumerate((parts[:before], parts[before:])):
-        if len(part) == 0 or not _measure(part, hue, min_area, shape, halves[i]):
+        if len(part) == 0 or not _measure(scan, part, hue, min_area, halves[i]):
             return 1
         if halves[i, CONVEXITY] < SPLIT_CONVEXITY:
             return 1
@@ -188,12 +190,13 @@ def _measure_parts(
 
 @kernel
 def _measure(
-    runs: Int32Matrix, hue: int, min_area: float, shape: tuple[int, int, int], row: Written[Vector]
+    scan: Scan, runs: Int32Matrix, hue: int, min_area: float, row: Written[Vector]
 ) -> bool:
     """Fill one row; False where the region is a speck."""
     area, u, v, uu, uv, vv = moments(runs)
     if area < min_area:
         return False
+    shape = scan.image.shape
     left, right, top, bottom = bounds(runs)
     pixels, girth = hull(runs, top, bottom)
     major, minor, _ = axes(uu, uv, vv)
@@ -204,4 +207,43 @@ def _measure(
     row[WIDTH], row[HEIGHT] = right - left + 1, bottom - top + 1
     edge = left == 0 or top == 0 or right == shape[1] - 1 or bottom == shape[0] - 1
     row[EDGE] = 1.0 if edge else 0.0
+    row[CONTRAST], row[CLOTH_SHARE] = _surroundings(scan, runs, top, bottom)
     return True
+
+
+@kernel
+def _surroundings(scan: Scan, runs: Int32Matrix, top: int, bottom: int) -> tuple[float, float]:
+    """How far a region's mean colour is from that around it (largest difference of a channel over
+    the region's brightest channel), and the share of what is around it that is the glove's cloth.
+
+    Around it are the pixels `RIM_PX` left and right of each of its rows, above and below it.
+    """
+    image, cells, patterns = scan.image, scan.table.cells, scan.table.patterns
+    rows = bottom - top + 1
+    first, last = np.full(rows, image.shape[1]), np.full(rows, -1)
+    inside, rim = np.zeros(3), np.zeros(3)
+    area, around, cloth = 0, 0, 0
+    for k in range(len(runs)):
+        y, a, b = int(runs[k, 0]), int(runs[k, 1]), int(runs[k, 2])
+        first[y - top], last[y - top] = min(first[y - top], a), max(last[y - top], b)
+        area += b - a + 1
+        for x in range(a, b + 1):
+            for c in range(3):
+                inside[c] += image[y, x, c]
+    for row in range(-RIM_PX, rows + RIM_PX):
+        near = min(max(row, 0), rows - 1)
+        y, a, b = top + row, first[near] - RIM_PX, last[near] + RIM_PX
+        if y < 0 or y >= image.shape[0]:
+            continue
+        step = max(b - a, 1) if 0 <= row < rows else 1
+        for x in range(a, b + 1, step):
+            if 0 <= x < image.shape[1] and (0 <= row < rows or row in (-RIM_PX, rows + RIM_PX - 1)):
+                around += 1
+                cloth += colour_class(image, y, x, cells, patterns) == CLOTH
+                for c in range(3):
+                    rim[c] += image[y, x, c]
+    if around == 0:
+        return 0.0, 0.0
+    inside /= area
+    rim /= around
+    return np.abs(inside - rim).max() / max(inside.max(), 1.0), cloth / around

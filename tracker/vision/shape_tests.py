@@ -10,13 +10,14 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Vector
 from tracker.vision import search
 
-SIZE, CONVEXITY, CIRCULARITY, EDGE = range(4)
+SIZE, CONVEXITY, CIRCULARITY, EDGE, CONTRAST, CLOTH = range(6)
 SQUARE_CIRCULARITY = np.pi / 4
 
 
 class RegionLimits(NamedTuple):
     """What a marker's region must keep: least and greatest long axis, px; the same as a ratio to
-    the size that is expected; least convexity and circularity."""
+    the size that is expected; least convexity, circularity, contrast to what is around and share of
+    the glove's cloth in that."""
 
     shortest: float
     longest: float
@@ -24,6 +25,8 @@ class RegionLimits(NamedTuple):
     greatest_ratio: float
     convexity: float
     circularity: float
+    contrast: float
+    cloth: float
 
 
 class ExpectedBlobs(NamedTuple):
@@ -67,6 +70,10 @@ def first_failure(rows: Matrix, limits: RegionLimits, expected: ExpectedBlobs) -
             out[i] = CIRCULARITY
         elif rows[i, search.EDGE] > 0:
             out[i] = EDGE
+        elif rows[i, search.CONTRAST] < limits.contrast:
+            out[i] = CONTRAST
+        elif rows[i, search.CLOTH_SHARE] < limits.cloth:
+            out[i] = CLOTH
     return out
 
 

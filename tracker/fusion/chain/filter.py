@@ -109,8 +109,16 @@ class ChainFilter:
         reset_pose(trial.P, self._layout, self._params.prior)
         return trial
 
+    def shifted_by(self, shift: Array, sd: float) -> ChainState:
+        """A copy of the state with the hand shifted by (3,) m, which is known to ``sd`` m."""
+        trial = self.state.copy()
+        HP = trial.P[:3].copy()
+        dx = correct(trial.P, HP, HP[:, :3].copy(), shift, sd**2 * np.eye(3))
+        inject(trial, self._layout, dx)
+        return trial
+
     def move(self, moved: ChainState) -> None:
-        """Go on from what `moved_to` gave."""
+        """Go on from what `moved_to` gave, or `shifted_by`."""
         if self._tape is not None:
             self._tape.forgotten(self._layout.n_dynamic)
         self.kept.state = moved
@@ -159,9 +167,9 @@ class ChainFilter:
         self._update(*joined(*seen, H, r, variance, self.state.P))
         self.kept.last_constraint = self.state.t
 
-    def corrected(self, seen: Rows) -> ChainState:
-        """What `correct` without anatomy would make of the state; moves nothing."""
-        trial = self.state.copy()
+    def corrected(self, seen: Rows, state: ChainState | None = None) -> ChainState:
+        """What `correct` without anatomy makes of ``state``, else of its own; moves nothing."""
+        trial = (state or self.state).copy()
         H, HP, r, R = seen
         inject(trial, self._layout, correct(trial.P, HP, H @ HP.T + R, r, np.zeros_like(R)))
         return trial

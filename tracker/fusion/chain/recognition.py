@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tracker.fusion.chain.digits import SeenPoints
 from tracker.fusion.chain.filter import Rows
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.loose import LooseRows
@@ -19,9 +20,11 @@ from tracker.fusion.chain.prediction import Prediction
 from tracker.fusion.chain.previous import PreviousPrediction
 from tracker.fusion.chain.reports import frame_result
 from tracker.fusion.chain.state import ChainState
+from tracker.fusion.chain.support import Evidence, digit_of, evidence
 from tracker.messages import Array, BlobFrame, CameraPose, FrameResult, IntArray, Tracking
 from tracker.records import record
 from tracker.vision.rig import StereoRig
+from tracker.vision.stereo import all_pairs
 
 
 class SeenImage(NamedTuple):
@@ -78,6 +81,7 @@ class Recognition:
         self._layout, self._rig, self._params = layout, rig, params
         self._pixels = PixelModel(layout, rig, params.noise)
         self._loose = LooseRows(layout, rig, params.noise)
+        self.digit = digit_of(layout)
         self.kept = RecognitionKept()
 
     def wear(self, gains: Array, aside: Array) -> None:
@@ -101,6 +105,29 @@ class Recognition:
         """Blobs near where ``state`` expects markers, whatever was before."""
         prediction = self._pixels.predict(state, image.pose)
         return Recognised(prediction, self._pixels.match(prediction, image.blobs))
+
+    def evidence(self, image: SeenImage, found: Recognised) -> Evidence:
+        """How well the image supports what was expected."""
+        left, right = image.blobs
+        lay, digit = self._layout, self.digit
+        of_marker, hue = digit[lay.marker_segment], lay.glove.marker_hue
+        digits = int(digit.max(initial=-1)) + 1
+        return Evidence(
+            *evidence(found.prediction, found.match, left, right, hue, of_marker, digits)
+        )
+
+    def free_points(self, image: SeenImage, found: Recognised, digit: int) -> SeenPoints:
+        """Stereo points of the blobs that no marker but those of ``digit`` is matched with."""
+        others = self.digit[self._layout.marker_segment] != digit
+        sides = []
+        for seen, match in zip(image.blobs, found.match, strict=True):
+            free = np.ones(len(seen.uv), bool)
+            free[match[others & (match >= 0)]] = False
+            sides.append(SeenBlobs(seen.uv[free], seen.hue[free], seen.source[free]))
+        left, right = sides
+        pairs = all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
+        p_G = pairs.p_C @ image.pose.R_GC.T + image.pose.p_GC
+        return SeenPoints(p_G, left.hue[pairs.left_index], image.pose.p_GC)
 
     def misfit_px(self, image: SeenImage, found: Recognised) -> float:
         """Median distance of the recognised blobs from where they were expected."""

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracker import GRAVITY
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions, tip_sd
@@ -12,6 +13,8 @@ from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_unsure_distance
 from tracker.fusion.chain.state import ChainState
+from tracker.fusion.chain.support import Evidence, digit_of
+from tracker.fusion.chain.tracking import DOUBT_AFTER
 from tracker.fusion.output.output import HandOutput, Sensed, sensed_lately
 from tracker.messages import (
     SEEN_LATELY,
@@ -38,6 +41,10 @@ class ShownKept:
     felt: Array  # (n,) s when each IMU answered last
     tip_sd: Array  # (A,) m of each active segment's end
     one_camera: bool = False  # started with one camera, and no marker was seen by both since
+    doubted: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, bool))
+    """(A,) markers do not speak for where each segment is; none in what older versions kept"""
+    poor_since: Array = field(default_factory=lambda: np.zeros(0))
+    """(D,) s since when a digit's markers are not where they should be; as above"""
 
 
 class ShownHand:
@@ -46,6 +53,7 @@ class ShownHand:
     def __init__(self, layout: ChainLayout, noise: NoiseParams) -> None:
         self._layout, self._noise = layout, noise
         self._output = HandOutput(layout)
+        self._digit = digit_of(layout)
         markers, imus = len(layout.glove.markers), len(layout.glove.imus)
         self.kept = ShownKept(
             seen=np.full(markers, -np.inf),
@@ -75,12 +83,43 @@ class ShownHand:
         """Which markers an image showed; match (2, M), -1 for none."""
         self.kept.seen[match.max(axis=0) >= 0] = t
 
+    # ---- what is believed
+
+    def started(self) -> None:
+        """Nothing has spoken for the pose but the search that found it."""
+        self.kept.doubted = np.ones(len(self._layout.active), bool)
+        self.kept.poor_since = np.full(int(self._digit.max(initial=-1)) + 1, -np.inf)
+
+    def supported(self, t: float, seen: Evidence, sure: bool) -> None:
+        """An image supports the digits as ``seen`` tells; ``sure`` is the hand as a whole."""
+        now = self.kept
+        if not len(now.doubted):
+            self.started()
+        now.poor_since[seen.supported] = np.inf
+        now.poor_since[seen.unsupported] = np.minimum(now.poor_since[seen.unsupported], t)
+        poor = t - now.poor_since >= DOUBT_AFTER
+        if sure and len(poor):
+            now.doubted = (self._digit >= 0) & poor[self._digit]
+        else:
+            now.doubted = np.full(len(self._layout.active), not sure)
+
+    def badly_seen(self, t: float, seen: Evidence) -> IntArray:
+        """(k,) digits that should be looked for elsewhere, as of an image at ``t``."""
+        poor = seen.poor
+        if not len(self.kept.poor_since):
+            return poor[:0]
+        return poor[self.kept.poor_since[poor] <= t - DOUBT_AFTER]
+
+    # ---- what was sensed
+
     def sensed(self, t: float, tracking: Tracking) -> Sensed:
         """What was sensed lately, as of ``t``."""
         lay, now = self._layout, self.kept
         segments = sensed_lately(
             now.felt, lay.imu_segment, now.seen, lay.marker_segment, len(lay.active), t, SEEN_LATELY
         )
+        if len(now.doubted):
+            segments[now.doubted] = 0
         return Sensed(segments, tracking)
 
     # ---- how sure

@@ -13,10 +13,12 @@ from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.recognition import Recognised, Recognition, RecognitionKept, SeenImage
+from tracker.fusion.chain.second_look import SecondLook
 from tracker.fusion.chain.shown import ShownHand, ShownKept
 from tracker.fusion.chain.start.mono_start import release_size
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
+from tracker.fusion.chain.support import Evidence
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracking import TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
@@ -59,6 +61,9 @@ class ChainTracker:
         self._distal = DistalSegments(layout, params.synergy)
         self.holds: list[Hold] = []
         self._guided = GuidedLearning(layout, self._distal, params.guided, self.holds)
+        self._second = SecondLook(
+            layout, self.filter, self._recognition, self._starter, params.match
+        )
 
     @property
     def state(self) -> ChainState:
@@ -103,14 +108,18 @@ class ChainTracker:
         # 2. Which blob is which marker: near the prediction, else anywhere.
         image = self._recognition.image(frame)
         found = self._recognition.follow(self.state, image)
+        found, seen = self._second.through_the_crowd(image, found)
         if self._judge.should_search(frame.t, found.tally):
             found = self._search_again(image, found)
-        if self._judge.is_coasting(frame.t):
-            found = self._confirmed(image, found)
+            seen = self._recognition.evidence(image, found)
+        if not seen.is_credible or not self._is_back(image, found):
+            found = found.nothing()
+        elif not image.is_mono:
+            found = self._with_digits(image, found, seen)
         # 3. What was seen corrects the state, together with anatomy.
         self._correct(image, found)
         self._learn_poses()
-        self._judge.judge(frame.t, self._judge.is_enough(found.tally))
+        self._support(frame.t, seen, found)
         result = self._finish(image, found)
         self._judge.looked(frame.t, image.most_blobs)
         # 4. Now and then the calibration is solved for anew.
@@ -137,16 +146,26 @@ class ChainTracker:
         own = self._guided.synergies
         return self._distal.gains(own), self._distal.aside(own)
 
-    def _confirmed(self, image: SeenImage, found: Recognised) -> Recognised:
-        """After a while out of sight gates are wide, and a few blobs within them may be anything:
-        they count if there are enough, and the hand that they correct fits them."""
-        if not self._judge.is_believable(found.tally):
-            return found.nothing()
-        trial = self.filter.corrected(self._recognition.rows(self.state, image, found))
-        there = self._recognition.look(trial, image)
-        still = there.tally.matched >= found.tally.matched - 1
-        fits = self._recognition.misfit_px(image, there) <= self._params.match.misfit_px
-        return found if still and fits else found.nothing()
+    def _support(self, t: float, seen: Evidence, found: Recognised) -> None:
+        """Judge tracking by what an image shows of the hand."""
+        enough = self._judge.is_enough(found.tally)
+        self._judge.judge(t, enough)
+        self.shown.supported(t, seen, self._judge.support(t, enough and seen.is_likely))
+
+    def _is_back(self, image: SeenImage, found: Recognised) -> bool:
+        """Whether a hand that was out of sight is what is seen now; true where it was not."""
+        if not self._judge.is_coasting(image.frame.t):
+            return True
+        there = self._judge.is_believable(found.tally)
+        return there and self._second.after_a_while(image, found)
+
+    def _with_digits(self, image: SeenImage, found: Recognised, seen: Evidence) -> Recognised:
+        """Put digits whose markers are not where they should be where they are."""
+        poor = self.shown.badly_seen(image.frame.t, seen)
+        if len(poor) and self._judge.should_search_digits(image.frame.t):
+            for digit in poor.tolist():
+                found = self._second.with_digit(image, found, digit)
+        return found
 
     def _correct(self, image: SeenImage, found: Recognised) -> None:
         self.filter.correct(self._recognition.rows(self.state, image, found))
@@ -160,6 +179,8 @@ class ChainTracker:
         moved = self.filter.moved_to(pose)
         there = self._recognition.look(moved, image)
         if there.tally.matched <= 1.2 * count:
+            return found
+        if not self._recognition.evidence(image, there).is_start:
             return found
         self.filter.move(moved)
         return there
@@ -182,7 +203,9 @@ class ChainTracker:
         if not self._judge.should_start(frame.t):
             return None
         image = self._recognition.image(frame)
-        started = self._starter.first(self._buffer, image.blobs, image.pose, frame.t, known)
+        t = frame.t
+        candidates = self._starter.candidates(self._buffer, image.blobs, image.pose, t, known)
+        started = self._second.likeliest(image, candidates)
         if started is None:
             return None
         # 2. Go on from there, with what is frozen.
@@ -191,11 +214,19 @@ class ChainTracker:
         if not (self.wearer.is_frozen or known is not None):
             self._guided.again(self.filter)
         self._judge.started(frame.t)
+        self.shown.started()
         self.shown.kept.one_camera = image.is_mono
         # 3. Correct it twice: the second pass matches and linearises at a better state.
         for _ in range(2):
             found = self._recognition.look(self.state, image)
             self._correct(image, found)
+        # 4. Digits that are elsewhere are put there.
+        there = self._recognition.look(self.state, image)
+        seen = self._recognition.evidence(image, there)
+        if not image.is_mono:
+            self._with_digits(image, there, seen)
+        self._judge.support(frame.t, seen.is_likely)
+        self.shown.supported(frame.t, seen, sure=False)
         return self._finish(image, found)
 
     def _finish(self, image: SeenImage, found: Recognised) -> FrameResult:

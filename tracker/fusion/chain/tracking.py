@@ -16,6 +16,9 @@ KEEP_CALIBRATION = 5.0  # s after which a hand that is still lost is looked for 
 MANY_MARKERS = 6  # in an image that shows the hand
 DOUBTFUL_SHARE = 0.35  # of the expected markers
 ENOUGH_SHARE = 0.6  # of the few markers that can be seen of a hand edge-on
+DOUBT_AFTER = 0.08  # s without support, after which nothing is called measured
+SURE_AFTER = 0.08  # s with support, after which it is again
+DIGIT_PERIOD = 0.09  # s between two searches for digits
 BELIEVABLE_SHARE = 0.5  # of the expected markers, for a hand that was out of sight
 
 
@@ -30,6 +33,9 @@ class TrackingKept:
     last_start: float = -np.inf  # last search from nothing
     in_vain_since: float = np.inf  # lost, although images show markers
     doubtful_since: float = np.inf
+    supported_since: float = np.inf  # images show more of the hand than chance does
+    last_supported: float = -np.inf
+    last_digits: float = -np.inf  # last search for digits
 
 
 class TrackingJudge:
@@ -68,7 +74,28 @@ class TrackingJudge:
         elif gap > self._params.lost_after:
             now.tracking = Tracking.COASTING
 
+    def support(self, t: float, there: bool) -> bool:
+        """After an image that supports the pose or not: whether what is shown may be called
+        measured.
+
+        A pose that has just been found, or doubted, is sure only after a while of support.
+        """
+        now = self.kept
+        if there:
+            now.last_supported = t
+            now.supported_since = min(now.supported_since, t)
+        elif t - now.last_supported > DOUBT_AFTER:
+            now.supported_since = np.inf
+        return t - now.supported_since >= SURE_AFTER
+
     # ---- when to search
+
+    def should_search_digits(self, t: float) -> bool:
+        """A search for digits is due; then it is noted."""
+        if t - self.kept.last_digits < DIGIT_PERIOD:
+            return False
+        self.kept.last_digits = t
+        return True
 
     def should_search(self, t: float, tally: Tally) -> bool:
         """Lost, or too few of the expected markers are there for too long; then it is noted."""
@@ -91,6 +118,7 @@ class TrackingJudge:
     def started(self, t: float) -> None:
         """The hand was found from nothing."""
         self.kept.tracking, self.kept.last_good = Tracking.TRACKING, t
+        self.kept.supported_since = np.inf
         self.kept.in_vain_since = np.inf
 
     def started_anywhere(self) -> None:

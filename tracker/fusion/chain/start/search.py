@@ -197,6 +197,7 @@ def _best_shift(
 ) -> tuple[Vector, float, int]:
     """The translation with the largest weighted support, refined to the mean of its supporters."""
     n, m = len(points), len(markers)
+    sorted_points, first = _by_hue(points, hue, marker_hue.max())
     # 1. how many pairs of one hue to pass over, so that at most ``most`` propose a translation
     pairs = 0
     for i in range(n):
@@ -204,7 +205,7 @@ def _best_shift(
             if hue[i] == marker_hue[j]:
                 pairs += 1
     stride = max(1, (pairs + most - 1) // most)
-    # 2. all markers vote on each (eq. 41)
+    # 2. all markers vote on each (eq. 41), until it cannot win any more
     best, best_shift, count = -1.0, np.zeros(3), 0
     for i in range(n):
         for j in range(m):
@@ -214,9 +215,13 @@ def _best_shift(
             if count % stride:
                 continue
             t = points[i] - markers[j]
-            s = 0.0
+            s, left = 0.0, weight.sum()
             for k in range(m):
-                s += weight[k] * _support(points, hue, markers[k], marker_hue[k], t, radius)
+                if s + left <= best:
+                    break
+                own = sorted_points[first[marker_hue[k]] : first[marker_hue[k] + 1]]
+                s += weight[k] * _support(own, markers[k], t, radius)
+                left -= weight[k]
             if s > best:
                 best, best_shift = s, t
     # 3. the winner is moved to where its supporters want it
@@ -224,19 +229,43 @@ def _best_shift(
 
 
 @kernel
-def _support(
-    points: Matrix, hue: IntVector, marker: Vector, marker_hue: int, t: Vector, radius: float
-) -> float:
-    """1 at the marker, 0 at ``radius`` and beyond, for the nearest point of the marker's hue."""
+def _by_hue(points: Matrix, hue: IntVector, highest: int) -> tuple[Matrix, IntVector]:
+    """Points (n, 3) sorted by hue and within it by x; hue h begins at row ``first[h]``."""
+    order = np.argsort(points[:, 0], kind="mergesort")
+    out, first = np.empty_like(points), np.zeros(highest + 2, np.int64)
+    n = 0
+    for h in range(highest + 1):
+        first[h] = n
+        for i in order:
+            if hue[i] == h:
+                out[n] = points[i]
+                n += 1
+    first[highest + 1] = n
+    return out, first
+
+
+@kernel
+def _support(points: Matrix, marker: Vector, t: Vector, radius: float) -> float:
+    """1 at the marker, 0 at ``radius`` and beyond, for the nearest of the points (n, 3) of its hue,
+    sorted by x."""
     best = radius * radius
-    for i in range(len(points)):
-        if hue[i] == marker_hue:
-            d2 = 0.0
-            for r in range(3):
-                d = points[i, r] - marker[r] - t[r]
-                d2 += d * d
-            if d2 < best:
-                best = d2
+    x = marker[0] + t[0]
+    low, high = 0, len(points)
+    while low < high:  # the first that is near enough along x
+        middle = (low + high) // 2
+        if points[middle, 0] < x - radius:
+            low = middle + 1
+        else:
+            high = middle
+    for i in range(low, len(points)):
+        if points[i, 0] > x + radius:
+            break
+        d2 = 0.0
+        for r in range(3):
+            d = points[i, r] - marker[r] - t[r]
+            d2 += d * d
+        if d2 < best:
+            best = d2
     return 1.0 - best / (radius * radius)
 
 

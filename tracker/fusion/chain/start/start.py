@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from tracker.fusion.chain.kinematics import marker_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pixels import SeenBlobs
@@ -36,6 +37,9 @@ LOOK_BACK = 0.3  # s of packets that are averaged for tilt
 STILL_GYRO = 0.05  # rad/s: sd below which the mean gyro reading is a bias
 REST_PACKETS = 20
 STILL_BIAS_SD = 0.015  # rad/s, what a wearer at rest still turns
+CANDIDATES = 3  # that are tried at a start
+SHIFT = 0.12  # m by which a hand may have moved otherwise than expected between two images
+SHIFT_RADIUS = 0.015  # m, within which a point supports a marker of a hand that is shifted
 MAX_BIAS = 0.2  # rad/s: more than this is motion (turn-on bias is at most 0.09)
 
 
@@ -54,23 +58,36 @@ class Starter:
         t: float,
         known: WearerProfile | None = None,
     ) -> ChainState | None:
-        """A state to start from, or None where the image does not show a hand for sure.
+        """The likeliest of `candidates`, or None where the image does not show a hand for sure."""
+        found = self.candidates(buffer, seen, pose, t, known)
+        return found[0] if found else None
+
+    def candidates(
+        self,
+        buffer: ImuBuffer,
+        seen: tuple[SeenBlobs, ...],
+        pose: CameraPose,
+        t: float,
+        known: WearerProfile | None = None,
+    ) -> list[ChainState]:
+        """States to start from, the likeliest first.
 
         ``known`` is what has been learned of the wearer.
         """
         packets = [s for s in buffer if t - LOOK_BACK <= s.t <= t + 0.05]
         if len(packets) < 5:
-            return None
+            return []
         state, postures = self._by_packets(packets, t, known)
         headings = np.arange(0, 2 * np.pi, np.deg2rad(self._search.heading_step_deg))
-        best = self._best(state, postures, headings, seen, pose, self._search)
-        if best is None:
-            return None
-        state.R_GB, state.p = best.R_GB, best.p
-        if any(len(s.uv) == 0 for s in seen):
-            along_the_ray(state.P, state.p, pose, self._mono.distance_sd)
-            keep_size(state.P, self._layout)
-        return state
+        out = []
+        for best in self._best(state, postures, headings, seen, pose, self._search)[:CANDIDATES]:
+            moved = state.copy()
+            moved.R_GB, moved.p = best.R_GB, best.p
+            if any(len(s.uv) == 0 for s in seen):
+                along_the_ray(moved.P, moved.p, pose, self._mono.distance_sd)
+                keep_size(moved.P, self._layout)
+            out.append(moved)
+        return out
 
     def by_gravity(
         self, buffer: ImuBuffer, known: WearerProfile | None = None
@@ -117,9 +134,33 @@ class Starter:
         headings = np.deg2rad(np.arange(-60, 61, 7.5))
         params = replace(self._search, radius=0.020, min_score=0.3)
         best = self._best(state, [state.R_GB], headings, seen, pose, params)
-        if best is None or best.support <= 1.3 * matched:
+        if not best or best[0].support <= 1.3 * matched:
             return None
-        return best
+        return best[0]
+
+    def shift(
+        self, state: ChainState, seen: tuple[SeenBlobs, ...], pose: CameraPose
+    ) -> Array | None:
+        """(3,) m from where the hand is taken to be to where most of its markers want it, near by;
+        None where few want the same."""
+        points = self.points(seen, pose)
+        there = marker_positions(state, self._layout)
+        apart = points.p_G - there.mean(axis=0)
+        reach = np.linalg.norm(there - there.mean(axis=0), axis=1).max() + SHIFT
+        near = np.linalg.norm(apart, axis=1) <= reach
+        points = StereoPoints(points.p_G[near], points.hue[near], points.p_GC)
+        params = replace(self._search, radius=SHIFT_RADIUS, min_score=0.3)
+        best = vote(state, self._layout, [state.R_GB], np.zeros(1), points, params)
+        if not best or np.linalg.norm(best[0].p - state.p) > SHIFT:
+            return None
+        return best[0].p - state.p
+
+    def points(self, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> StereoPoints:
+        """All pairs of blobs that may be one point."""
+        left, right = seen
+        pairs = all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
+        p_G = pairs.p_C @ pose.R_GC.T + pose.p_GC
+        return StereoPoints(p_G, left.hue[pairs.left_index], pose.p_GC)
 
     def _best(
         self,
@@ -129,18 +170,14 @@ class Starter:
         seen: tuple[SeenBlobs, ...],
         pose: CameraPose,
         params: SearchParams,
-    ) -> Pose | None:
-        left, right = seen
-        if len(left.uv) == 0 or len(right.uv) == 0:
-            return self._best_mono(state, postures, headings, seen, pose)
-        pairs = all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
-        if len(pairs.p_C) < params.min_points:
-            return None
-        points = StereoPoints(
-            pairs.p_C @ pose.R_GC.T + pose.p_GC, left.hue[pairs.left_index], pose.p_GC
-        )
-        poses = vote(state, self._layout, postures, headings, points, params)
-        return poses[0] if poses else None
+    ) -> list[Pose]:
+        if any(len(s.uv) == 0 for s in seen):
+            found = self._best_mono(state, postures, headings, seen, pose)
+            return [] if found is None else [found]
+        points = self.points(seen, pose)
+        if len(points.p_G) < params.min_points:
+            return []
+        return vote(state, self._layout, postures, headings, points, params)
 
     def _best_mono(
         self,
