@@ -14,6 +14,7 @@ from tracker.fusion.chain.recognition import Recognised, Recognition, SeenImage
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence
+from tracker.messages import IntArray
 
 SHIFT_SD = 0.008  # m, of a shift that all markers have voted for
 FITTED = 2  # corrections of a copy before it is judged
@@ -72,7 +73,13 @@ class SecondLook:
         still = there.tally.matched >= found.tally.matched - 1
         return still and self._recognition.misfit_px(image, there) <= self._params.misfit_px
 
-    def with_digit(self, image: SeenImage, found: Recognised, digit: int) -> Recognised:
+    def with_digits(self, image: SeenImage, found: Recognised, digits: IntArray) -> Recognised:
+        """Put digits (k,) whose markers are not where they should be where they are."""
+        for digit in digits.tolist():
+            found = self._with_digit(image, found, digit)
+        return found
+
+    def _with_digit(self, image: SeenImage, found: Recognised, digit: int) -> Recognised:
         """Move a digit to where the image supports it better, if it does anywhere."""
         state = self._filter.state
         points = self._recognition.free_points(image, found, digit)

@@ -18,7 +18,6 @@ from tracker.fusion.chain.shown import ShownHand, ShownKept
 from tracker.fusion.chain.start.mono_start import release_size
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.chain.support import Evidence
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracking import TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
@@ -114,12 +113,15 @@ class ChainTracker:
             seen = self._recognition.evidence(image, found)
         if not seen.is_credible or not self._is_back(image, found):
             found = found.nothing()
-        elif not image.is_mono:
-            found = self._with_digits(image, found, seen)
+        elif not image.is_mono and self._judge.should_search_digits(frame.t):
+            found = self._second.with_digits(image, found, self.shown.badly_seen(frame.t, seen))
         # 3. What was seen corrects the state, together with anatomy.
         self._correct(image, found)
         self._learn_poses()
-        self._support(frame.t, seen, found)
+        enough = self._judge.is_enough(found.tally)
+        self._judge.judge(frame.t, enough)
+        sure = self._judge.support(frame.t, enough and seen.is_likely)
+        self.shown.supported(frame.t, seen, sure)
         result = self._finish(image, found)
         self._judge.looked(frame.t, image.most_blobs)
         # 4. Now and then the calibration is solved for anew.
@@ -146,26 +148,12 @@ class ChainTracker:
         own = self._guided.synergies
         return self._distal.gains(own), self._distal.aside(own)
 
-    def _support(self, t: float, seen: Evidence, found: Recognised) -> None:
-        """Judge tracking by what an image shows of the hand."""
-        enough = self._judge.is_enough(found.tally)
-        self._judge.judge(t, enough)
-        self.shown.supported(t, seen, self._judge.support(t, enough and seen.is_likely))
-
     def _is_back(self, image: SeenImage, found: Recognised) -> bool:
         """Whether a hand that was out of sight is what is seen now; true where it was not."""
         if not self._judge.is_coasting(image.frame.t):
             return True
         there = self._judge.is_believable(found.tally)
         return there and self._second.after_a_while(image, found)
-
-    def _with_digits(self, image: SeenImage, found: Recognised, seen: Evidence) -> Recognised:
-        """Put digits whose markers are not where they should be where they are."""
-        poor = self.shown.badly_seen(image.frame.t, seen)
-        if len(poor) and self._judge.should_search_digits(image.frame.t):
-            for digit in poor.tolist():
-                found = self._second.with_digit(image, found, digit)
-        return found
 
     def _correct(self, image: SeenImage, found: Recognised) -> None:
         self.filter.correct(self._recognition.rows(self.state, image, found))
@@ -224,7 +212,7 @@ class ChainTracker:
         there = self._recognition.look(self.state, image)
         seen = self._recognition.evidence(image, there)
         if not image.is_mono:
-            self._with_digits(image, there, seen)
+            self._second.with_digits(image, there, self.shown.badly_seen(frame.t, seen))
         self._judge.support(frame.t, seen.is_likely)
         self.shown.supported(frame.t, seen, sure=False)
         return self._finish(image, found)
