@@ -33,9 +33,12 @@ from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
 from tracker.records import record
 from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
+from tracker.vision.colours import hue_rows
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.region_prediction import RegionPrediction
 from tracker.vision.rig import StereoRig, ideal_rig
+from tracker.vision.sharing import HandInView
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand
 
 
 def build_engine(
@@ -102,6 +105,7 @@ class Pipeline:
         self._results: list[FrameResult] = []
         self._words: list[str] = []
         self._told = False
+        self._marker_segment, self._shape = glove.marker_segment(hand), HandShape.of(hand)
 
     @property
     def engine(self) -> Engine:
@@ -215,6 +219,22 @@ class Pipeline:
             hue=self.glove.marker_hue[ids],
             hue_names=self.glove.hues,
         ).after(before)
+
+    def in_view(self, frame: BlobFrame) -> HandInView | None:
+        """The hand as it is expected in an image that was not fed yet, hues numbered as the
+        image's; None while its place is unknown."""
+        found = self._engine.expected(frame.t - self._timing.applied)
+        if found is None:
+            return None
+        estimate, glove, ids = found.estimate, self.glove, found.ids
+        segment = self._marker_segment[ids]
+        turned = np.einsum("mij,mj->mi", estimate.segment_R[segment], glove.marker_normal[ids])
+        return HandInView(
+            MarkerRows(found.p_G, turned, segment),
+            hue_rows(glove.hues, frame.hue_names)[glove.marker_hue[ids]],
+            found.sd,
+            PosedHand(self._shape, estimate.segment_R, estimate.segment_p),
+        )
 
     def get_state(self) -> PipelineKept:
         """Everything that changes and that estimates depend on; `set_state` goes on identically."""

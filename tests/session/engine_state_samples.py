@@ -29,6 +29,7 @@ from tracker.session.engine_state import pack
 from tracker.settings import Settings
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
+from tracker.two_hands import TwoHandsKept
 
 DATA = Path(__file__).parent / "data"
 NAMES = DATA / "engine_state_names.txt"
@@ -46,6 +47,10 @@ SAMPLES: dict[str, Callable[[Settings], Settings]] = {
     "switching": lambda s: replace(s, engine="switching"),
     "madgwick": lambda s: replace(s, engine="madgwick"),
 }
+
+
+NOT_OF_A_PIPELINE = (TwoHandsKept,)
+"""Records that are written beside those of pipelines; loading them makes them known."""
 
 
 def small_glove() -> tuple[HandModel, GloveModel]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from tracker.messages import (
     Array,
@@ -15,6 +15,16 @@ from tracker.messages import (
 )
 
 COAST_DAMPING = 2.0  # 1/s: how fast a velocity that no marker confirms dies away
+
+
+class ExpectedHand(NamedTuple):
+    """A hand at an image's instant as what was before it tells: the estimate, and its markers'
+    p_G (m, 3) m, their sd (m,) m and ids (m,)."""
+
+    estimate: Estimate
+    p_G: Array
+    sd: Array
+    ids: IntArray
 
 
 class Engine(Protocol):
@@ -34,6 +44,9 @@ class Engine(Protocol):
 
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
         """Markers expected in G (n, 3), their sd (n,) m and ids (n,); None while searching."""
+
+    def expected(self, t: float) -> ExpectedHand | None:
+        """The hand in an image of ``t`` that was not used yet; None while its place is unknown."""
 
     def calibration(self) -> Calibration:
         """Estimated parameters with their uncertainty."""

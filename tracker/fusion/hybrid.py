@@ -17,6 +17,7 @@ from tracker.errors import ConfigError
 from tracker.fusion.chain.engine import ChainEngine, ChainKept
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.engine import ExpectedHand
 from tracker.fusion.hybrid_params import HybridParams
 from tracker.fusion.output.output import HandOutput, Sensed
 from tracker.glove.model import GloveModel
@@ -44,6 +45,7 @@ from tracker.online.imu_health import ImuHealth, ImuHealthKept
 from tracker.records import record
 from tracker.vision.rig import StereoRig
 
+FINGER_SD = 0.01  # m of a finger's markers, by the finger's two IMUs alone
 MAX_REPEAT = 20  # lost packets that are bridged by holding the last readings
 
 
@@ -218,6 +220,17 @@ class HybridEngine:
     def predicted_markers(self, t: float) -> tuple[Array, Array, IntArray] | None:
         """None: finger markers of the same hues are there too, so no position is ruled out."""
         return None
+
+    def expected(self, t: float) -> ExpectedHand | None:
+        """The hand in an image of ``t`` that was not used yet; None while its place is unknown."""
+        dorsum = self._dorsum.expected(t)
+        if dorsum is None:
+            return None
+        whole, glove = self._whole(dorsum.estimate, t), self._glove
+        segment = glove.marker_segment(self._hand)
+        turned = np.einsum("mij,mj->mi", whole.segment_R[segment], glove.marker_position)
+        sd = np.hypot(dorsum.sd.max(initial=0.0), FINGER_SD * (segment != self._hand.root))
+        return ExpectedHand(whole, whole.segment_p[segment] + turned, sd, np.arange(len(segment)))
 
     def calibration(self) -> Calibration:
         return self._dorsum.calibration()

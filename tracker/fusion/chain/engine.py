@@ -22,6 +22,7 @@ from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracker import ChainTracker, TrackerKept
+from tracker.fusion.engine import ExpectedHand
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.fusion.time.timeline import Timeline, TimelineKept
 from tracker.glove.model import GloveModel
@@ -116,6 +117,13 @@ class ChainEngine:
         if self.tracking in (Tracking.SEARCHING, Tracking.LOST):
             return None
         return self._tracker.shown.markers(self._timeline.head_at(t))
+
+    def expected(self, t: float) -> ExpectedHand | None:
+        """The hand in an image of ``t`` that was not used yet; None while its place is unknown."""
+        if self.tracking in (Tracking.SEARCHING, Tracking.LOST):
+            return None
+        past = self._timeline.past_at(t)
+        return ExpectedHand(self._estimate(past, t), *self._tracker.shown.markers(past))
 
     def _estimate(self, state: ChainState, t: float) -> Estimate:
         return self._tracker.shown.estimate(state, t, self.tracking, self._tracker.state)

@@ -154,6 +154,13 @@ class Timeline(Generic[S]):
             self._filter.carry(state, t)
         return state
 
+    def past_at(self, t: float) -> S:
+        """A copy of the filter's own nominal state, which lives in the past, carried to ``t``."""
+        state: S = self._filter.state.copy_nominal()
+        if not self._searching and t > state.t:
+            self._filter.carry(state, t)
+        return state
+
     @property
     def newest(self) -> float | None:
         """Instant (s) of the newest packet that was taken."""

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.shown import called_measured
+from tracker.fusion.engine import ExpectedHand
 from tracker.fusion.output.output import HandOutput
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.fusion.time.timeline import Timeline, TimelineKept
@@ -87,9 +88,19 @@ class VistEngine:
         """Markers expected in G (n, 3), their sd (n,) m and ids (n,); None while searching."""
         if self._tracker.tracking in (Tracking.SEARCHING, Tracking.LOST):
             return None
+        return self._markers(self._timeline.head_at(t))
+
+    def _markers(self, state: VistState) -> tuple[Array, Array, IntArray]:
         segment = self._layout.chain.marker_segment
-        p_G = positions(self._timeline.head_at(t), segment, self._layout.marker_lever)
+        p_G = positions(state, segment, self._layout.marker_lever)
         return p_G, self._tracker.kept.track.tip_sd[segment], self._layout.kept.copy()
+
+    def expected(self, t: float) -> ExpectedHand | None:
+        """The hand in an image of ``t`` that was not used yet; None while its place is unknown."""
+        if self._tracker.tracking in (Tracking.SEARCHING, Tracking.LOST):
+            return None
+        past = self._timeline.past_at(t)
+        return ExpectedHand(self._estimate(past, t), *self._markers(past))
 
     def _estimate(self, state: VistState, t: float) -> Estimate:
         p_GB, sensed = state.p_GB(self._layout), self._tracker.sensed(t)

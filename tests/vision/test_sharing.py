@@ -1,0 +1,85 @@
+"""Blobs that two hands could claim."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.messages import BlobFrame, Blobs
+from tracker.vision.rig import ideal_rig
+from tracker.vision.sharing import OTHERS, HandInView, share
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand
+
+RIG = ideal_rig()
+TO_CAMERA = -RIG.pose.R_GC[:, 2]
+
+
+def at(x: float, y: float, z: float) -> np.ndarray:
+    """A point of C in G."""
+    return RIG.pose.R_GC @ np.array([x, y, z]) + RIG.pose.p_GC
+
+
+def hand(points: np.ndarray, sd: float = 0.003, away: float = 0.05) -> HandInView:
+    """Markers that face the camera, on a short thin bone ``away`` m behind them."""
+    shape = HandShape(np.array([0.01]), np.array([0.005]), np.zeros(1))
+    body = PosedHand(shape, np.eye(3)[None], points[:1] - away * TO_CAMERA)
+    rows = MarkerRows(points, np.tile(TO_CAMERA, (len(points), 1)), np.zeros(len(points), np.int64))
+    return HandInView(rows, np.zeros(len(points), np.int64), np.full(len(points), sd), body)
+
+
+def seen(points: np.ndarray) -> BlobFrame:
+    p_C = (points - RIG.pose.p_GC) @ RIG.pose.R_GC
+    sides = []
+    for right in (False, True):
+        n = len(points)
+        uv = RIG.project(p_C, right)
+        sides.append(Blobs(uv, np.full((n, 2), 15.0), np.zeros(n, np.int64), np.ones(n)))
+    return BlobFrame(0.0, 0.0, ("red",), *sides)
+
+
+def mine(frame: BlobFrame) -> list[bool]:
+    assert frame.left is not None
+    return [bool(h != OTHERS) for h in frame.left.hue]
+
+
+def test_a_marker_belongs_to_one_hand() -> None:
+    a, b = at(-0.05, 0.0, 0.35), at(0.05, 0.0, 0.35)
+    left, right = share(seen(np.array([a, b])), [hand(a[None]), hand(b[None])], RIG, RIG.pose)
+    assert mine(left) == [True, False] and mine(right) == [False, True]
+
+
+def test_two_markers_side_by_side_go_to_the_hands_that_fit_both_best() -> None:
+    """The second blob is nearer to the first hand's marker than to its own, but that is taken."""
+    a, b = at(0.0, 0.0, 0.35), at(0.012, 0.0, 0.35)
+    blobs = np.array([at(-0.001, 0.0, 0.35), at(0.005, 0.0, 0.35)])
+    left, right = share(seen(blobs), [hand(a[None]), hand(b[None])], RIG, RIG.pose)
+    assert mine(left) == [True, False] and mine(right) == [False, True]
+
+
+def test_a_marker_behind_the_other_hand_claims_nothing() -> None:
+    """Both expect a marker in the same pixels; the nearer hand's bone hides the farther one's."""
+    near, far = at(0.0, 0.0, 0.30), at(0.0, 0.0, 0.40)
+    upper = hand(near[None], away=0.005)
+    lower = hand(far[None])
+    left, right = share(seen(near[None]), [lower, upper], RIG, RIG.pose)
+    assert mine(left) == [False] and mine(right) == [True]
+
+
+def test_a_hand_that_is_looked_for_may_not_take_what_the_other_explains() -> None:
+    own, free = at(0.0, 0.0, 0.35), at(0.15, 0.0, 0.35)
+    known, unknown = share(seen(np.array([own, free])), [hand(own[None]), None], RIG, RIG.pose)
+    assert mine(unknown) == [False, True]
+    assert mine(known) == [True, True], "what no one expects is everyone's"
+
+
+def test_where_no_hand_is_known_an_image_passes_as_it_is() -> None:
+    frame = seen(np.array([at(0.0, 0.0, 0.35)]))
+    assert all(own is frame for own in share(frame, [None, None], RIG, RIG.pose))
+
+
+def test_rows_stay_and_an_absent_side_stays_absent() -> None:
+    a, b = at(-0.05, 0.0, 0.35), at(0.05, 0.0, 0.35)
+    frame = seen(np.array([a, b]))
+    one = BlobFrame(0.0, 0.0, ("red",), frame.left, None)
+    left, _ = share(one, [hand(a[None]), hand(b[None])], RIG, RIG.pose)
+    assert left.right is None and left.left is not None and frame.left is not None
+    assert np.array_equal(left.left.uv, frame.left.uv)

@@ -1,0 +1,140 @@
+"""Two people's hands before one camera, a left and a right one, that hide one another."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.clock import nanoseconds
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array, BlobFrame, Blobs, ImuSample, IntArray, StereoFrame
+from tracker.simulation.meeting import CLOSE, Meeting, OneOfTwo
+from tracker.simulation.motion import Motion
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.simulation.scene import touching
+from tracker.simulation.smooth import rng_for
+from tracker.simulation.solids import BodyShape, Solids
+from tracker.simulation.wearer import Wearer
+from tracker.vision.rig import StereoRig, ideal_rig
+
+SIDES = ("left", "right")
+
+
+class Dressed(NamedTuple):
+    """A hand and what it wears."""
+
+    hand: HandModel
+    glove: GloveModel
+
+
+class Sided(NamedTuple):
+    """A message, and the side of the glove that it is of; empty for what both are seen in."""
+
+    side: str
+    message: ImuSample | BlobFrame | StereoFrame
+
+
+class OtherHand:
+    """The other hand as something in the scene: it hides, and brings no blobs of its own."""
+
+    def __init__(self, wearer: Wearer, motion: Motion) -> None:
+        self._wearer, self._motion, self._shape = wearer, motion, BodyShape.of(wearer)
+
+    def solids(self, t: float, R_GB: Array, p_GB: Array) -> Solids:
+        R, p, _ = self._wearer.segments(self._motion, np.array([t]))
+        mine = self._shape.solids(R[0], p[0])
+        nobody = -np.ones_like(mine.owner), -np.ones_like(mine.box_owner)
+        return mine._replace(owner=nobody[0], box_owner=nobody[1])
+
+    def coloured(self, t: float) -> tuple[Array, Array, tuple[str, ...]]:
+        return np.zeros((0, 3)), np.zeros(0), ()
+
+
+class TwoHandsSimulation:
+    """A left and a right hand that meet, in G of one camera. One seed draws everything."""
+
+    def __init__(
+        self,
+        dressed: Mapping[str, Dressed],
+        seed: int,
+        duration: float,
+        fps: float = 60.0,
+        params: SimulationParams | None = None,
+        rig: StereoRig | None = None,
+    ) -> None:
+        self.seed, self.rig, self.fps = seed, rig or ideal_rig(), fps
+        params = params or SimulationParams()
+        meeting, camera = Meeting(seed, duration), self.rig.pose
+        seeds = {side: 2 * seed + k for k, side in enumerate(SIDES)}
+        motions = {
+            side: OneOfTwo(
+                RandomPostures(dressed[side].hand, seeds[side], 3.0, duration, CLOSE, camera),
+                meeting, side, camera,
+            )
+            for side in SIDES
+        }  # fmt: skip
+        others = {}
+        for side, other in zip(SIDES, reversed(SIDES), strict=True):
+            wearer = Wearer.random(*dressed[other], seeds[other], params.wearer)
+            others[side] = OtherHand(wearer, motions[other])
+        self.hands = {
+            side: Simulation(
+                *dressed[side], motions[side], seeds[side], params, fps, self.rig, [others[side]]
+            )
+            for side in SIDES
+        }
+        self.alone = {
+            side: Simulation(*dressed[side], motions[side], seeds[side], params, fps, self.rig)
+            for side in SIDES
+        }
+        """Each as it is where the other hand is not there."""
+
+    @property
+    def duration(self) -> float:
+        return self.hands["left"].duration
+
+    def blob_frames(self) -> Iterator[BlobFrame]:
+        """What a good detector finds of both hands."""
+        for index, t, arrival in self.hands["left"].exposures():
+            left, right = (self.hands[side].scene.blobs(t, arrival, index) for side in SIDES)
+            yield both_seen(left, right, self.seed)
+
+    def messages(self) -> Iterator[Sided]:
+        """All packets and blobs in the order of arrival; packets first of what arrives together."""
+        parts = [self._packets(side) for side in SIDES]
+        frames = (Sided("", frame) for frame in self.blob_frames())
+        return heapq.merge(*parts, frames, key=lambda m: m.message.t_arrival)
+
+    def _packets(self, side: str) -> Iterator[Sided]:
+        for sample in self.hands[side].imu_samples():
+            yield Sided(side, sample)
+
+
+def both_seen(a: BlobFrame, b: BlobFrame, seed: int) -> BlobFrame:
+    """The blobs of two hands in one exposure, in no telling order."""
+    ns = nanoseconds(a.t)
+    rng = rng_for(seed, "both", ns % 2**32, ns // 2**32)
+    names = tuple(dict.fromkeys((*a.hue_names, *b.hue_names)))
+    number = np.array([names.index(n) for n in b.hue_names], np.int64)
+    sides = [_merged(x, y, number, rng) for x, y in ((a.left, b.left), (a.right, b.right))]
+    return replace(a, hue_names=names, left=sides[0], right=sides[1])
+
+
+def _merged(
+    a: Blobs | None, b: Blobs | None, number: IntArray, rng: np.random.Generator
+) -> Blobs | None:
+    """``number`` are the hues of ``b`` in the numbering of ``a``. Those that touch are one, and of
+    no marker's shape."""
+    if a is None or b is None:
+        return a or b
+    uv, size = np.concatenate([a.uv, b.uv]), np.concatenate([a.size, b.size])
+    hue = np.concatenate([a.hue, number[b.hue]]).astype(np.int64)
+    score = np.concatenate([a.score, b.score])
+    kept = rng.permutation(np.flatnonzero(~touching(uv, size, hue)))
+    return Blobs(uv[kept], size[kept], hue[kept], score[kept])

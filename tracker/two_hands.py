@@ -1,0 +1,127 @@
+"""Two gloves before one camera: a pipeline each, and blobs shared out between them.
+
+A hand alone goes through its pipeline as if there were no other: with one pipeline, images pass
+untouched and estimates are the same to the last bit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from tracker.errors import ConfigError
+from tracker.messages import BlobFrame, CameraImuSample, Estimate, FrameResult, ImuSample
+from tracker.pipeline import Pipeline, PipelineKept
+from tracker.records import record
+from tracker.vision.sharing import share
+
+SIDES = ("left", "right")
+CLASH_BLOBS = 6
+"""Blobs that two hands took for their own in one image: one of the hands is not there."""
+
+
+@record("two_hands")
+@dataclass(eq=False)
+class TwoHandsKept:
+    """All of two hands that changes. ``left`` and ``right`` are their pipelines', ``last`` what the
+    newest image gave each of them; the left one's first."""
+
+    left: PipelineKept
+    right: PipelineKept
+    last: list[FrameResult | None]
+
+
+class TwoHands:
+    """A pipeline for each side, fed with its own glove's packets and with one camera's images.
+
+    ``make`` builds the pipeline of a side anew; it is asked again when a hand turns out to have
+    been found where the other one is. Raises ConfigError where a glove is of the other side.
+    """
+
+    def __init__(self, make: Mapping[str, Callable[[], Pipeline]]) -> None:
+        self.pipelines = {side: make[side]() for side in SIDES}
+        for side, pipeline in self.pipelines.items():
+            if pipeline.glove.side != side:
+                raise ConfigError(
+                    f"The glove {pipeline.glove.name} is made for the {pipeline.glove.side} hand "
+                    f"and cannot track the {side} one."
+                )
+        self._fresh = {side: p.get_state() for side, p in self.pipelines.items()}
+        self._last: dict[str, FrameResult | None] = dict.fromkeys(SIDES)
+        self._results: dict[str, list[FrameResult]] = {side: [] for side in SIDES}
+
+    def feed_imu(self, side: str, sample: ImuSample) -> Estimate:
+        """Take a packet of one glove; that hand at the packet's instant."""
+        estimate = self.pipelines[side].feed_imu(sample)
+        self._collect()
+        return estimate
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        """Take what was seen in an image of both hands."""
+        pipelines = list(self.pipelines.values())
+        expected = [p.in_view(frame) for p in pipelines]
+        pose = frame.pose or pipelines[0].camera_pose(frame.t)
+        for pipeline, own in zip(
+            pipelines, share(frame, expected, pipelines[0].rig, pose), strict=True
+        ):
+            pipeline.feed_frame(own)
+        self._collect()
+
+    def feed_camera_imu(self, sample: CameraImuSample) -> None:
+        """Take a sample of the camera's own IMU."""
+        for pipeline in self.pipelines.values():
+            pipeline.feed_camera_imu(sample)
+
+    def take_results(self, side: str) -> list[FrameResult]:
+        """What a hand's pipeline made of images since the last call, oldest first."""
+        results, self._results[side] = self._results[side], []
+        return results
+
+    def _collect(self) -> None:
+        for side, pipeline in self.pipelines.items():
+            found = pipeline.take_results()
+            self._results[side] += found
+            if found:
+                self._last[side] = found[-1]
+                self._part()
+
+    def _part(self) -> None:
+        """Of two hands that took the same blobs, the one with fewer markers starts anew.
+
+        Blobs that a tracked hand expects are kept from the other, so this is a start: both hands
+        were looked for in the same image, and one was found where the other is.
+        """
+        left, right = (self._last[side] for side in SIDES)
+        if left is None or right is None or left.t != right.t:
+            return
+        if in_common(left, right) < CLASH_BLOBS:
+            return
+        weaker = SIDES[int(agreement(left) > agreement(right))]
+        self.pipelines[weaker].set_state(self._fresh[weaker])
+        self._last[weaker] = None
+
+    def get_state(self) -> TwoHandsKept:
+        """Everything that changes and that estimates depend on."""
+        left, right = (self.pipelines[side].get_state() for side in SIDES)
+        return TwoHandsKept(left, right, [self._last[side] for side in SIDES])
+
+    def set_state(self, state: Any) -> None:
+        """Go on from `get_state`."""
+        self.pipelines["left"].set_state(state.left)
+        self.pipelines["right"].set_state(state.right)
+        self._last = dict(zip(SIDES, state.last, strict=True))
+
+
+def in_common(a: FrameResult, b: FrameResult) -> int:
+    """Blobs that both took, in both images."""
+    pairs = ((a.match_left, b.match_left), (a.match_right, b.match_right))
+    return sum(len(np.intersect1d(x[x >= 0], y[y >= 0])) for x, y in pairs)
+
+
+def agreement(result: FrameResult) -> float:
+    """Share of the markers that should be seen which are, times how many those are."""
+    seen = float(((result.match_left >= 0) | (result.match_right >= 0)).sum())
+    return seen**2 / max(float(result.visible.sum()), 1.0)
