@@ -82,10 +82,16 @@ class Outputs(QObject):
             self.params = replace(self.params, **changes)
         if asked.host != StreamParams.host:
             self.params = replace(self.params, host=asked.host)
+        if asked.joints != StreamParams.joints:
+            self.params = replace(self.params, joints=asked.joints)
 
     def move(self, host: str) -> None:
         """To or at another address; what runs is opened again there."""
         self._change(replace(self.params, host=host), [n for n in STREAMS if self.is_on(n)])
+
+    def set_joints(self, joints: str) -> None:
+        """Send our keypoints or OpenXR's joints; what runs is opened again with them."""
+        self._change(replace(self.params, joints=joints), [n for n in STREAMS if self.is_on(n)])
 
     def set_port(self, name: str, port: int) -> None:
         changes: dict[str, Any] = {f"{name}_port": port}

@@ -8,6 +8,7 @@ from functools import partial
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QCheckBox,
+    QComboBox,
     QGridLayout,
     QGroupBox,
     QHBoxLayout,
@@ -29,6 +30,8 @@ from app.panels.panel import Panel
 from app.panels.remote import RemoteBox
 from app.viewmodels.streams import (
     MOTORS,
+    OPENXR,
+    OWN,
     REACH,
     STREAMS,
     WITHOUT_PORT,
@@ -95,7 +98,23 @@ class StreamsPanel(Panel):
         row = QHBoxLayout()
         row.addWidget(label)
         row.addWidget(self.address, 1)
+        row.addWidget(self._joints())
         return row
+
+    def _joints(self) -> QComboBox:
+        """What every output tells of the hand."""
+        self.joints = QComboBox()
+        self.joints.setAccessibleName(self.tr("Joints"))
+        self.joints.setToolTip(
+            self.tr("What streams carry: our 21 joints, or the 26 joints of OpenXR in its axes")
+        )
+        for text, value in ((self.tr("Our joints"), OWN), (self.tr("OpenXR joints"), OPENXR)):
+            self.joints.addItem(text, value)
+        self.joints.setCurrentIndex(max(self.joints.findData(self._outputs.params.joints), 0))
+        self.joints.activated.connect(
+            lambda _i: self._outputs.set_joints(self.joints.currentData())
+        )
+        return self.joints
 
     def _move(self) -> None:
         host = self.address.text().strip()

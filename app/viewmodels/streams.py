@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
 from tracker.hand.names import CHAINS
 from tracker.streaming.params import STREAMS as STREAMS
+from tracker.streaming.publisher import OPENXR as OPENXR
+from tracker.streaming.publisher import OWN as OWN
 from tracker.streaming.streams import StreamCounts
 
 MOTORS = tuple(CHAINS)

@@ -21,6 +21,7 @@ from tracker.errors import GlovetrackError
 from tracker.sensors.protocol import BAUDS
 from tracker.shared_memory import NoSharedMemory
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
+from tracker.streaming.publisher import JOINT_SETS
 from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
 
 if TYPE_CHECKING:
@@ -39,7 +40,9 @@ def open_window(argv: Sequence[str]) -> int:
     parser = _parser()
     args = parser.parse_args(argv)
     try:
-        args.streams = with_streams(StreamParams(), args.stream, args.stream_host)
+        args.streams = with_streams(
+            StreamParams(), args.stream, args.stream_host, args.stream_joints
+        )
         with_doors(RemoteParams(), args.remote, args.remote_host)
     except GlovetrackError as error:
         parser.error(str(error))
@@ -133,6 +136,13 @@ def _parser() -> argparse.ArgumentParser:
         help=f"outputs to turn on for this run: {', '.join(STREAMS)}",
     )
     parser.add_argument("--stream-host", default="", metavar="HOST", help="to or at which address")
+    parser.add_argument(
+        "--stream-joints",
+        default="",
+        choices=("", *JOINT_SETS),
+        metavar="|".join(JOINT_SETS),
+        help="what streams carry: our keypoints, or OpenXR's 26 joints",
+    )
     parser.add_argument(
         "--remote",
         default="",

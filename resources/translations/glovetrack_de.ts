@@ -1764,6 +1764,16 @@
     </message>
     <message>
       <location filename="app/panels/streams.py" />
+      <source>Joints</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>What streams carry: our 21 joints, or the 26 joints of OpenXR in its axes</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
       <source>Stream</source>
       <translation type="unfinished" />
     </message>
@@ -1810,6 +1820,16 @@
     <message>
       <location filename="app/panels/streams.py" />
       <source>The sphere has no place yet.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Our joints</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>OpenXR joints</source>
       <translation type="unfinished" />
     </message>
     <message>

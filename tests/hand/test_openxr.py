@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from tests.conftest import RESOURCES
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
-from tracker.hand.openxr import JOINTS, OpenXrHand, to_openxr
+from tracker.hand.openxr import JOINTS, OpenXrHand, joint_radii, openxr_joints, to_openxr
 from tracker.messages import Estimate, Tracking, Validity
 
 CHAINS = [
@@ -38,7 +38,7 @@ def converted(side: str = "right", R_GB: np.ndarray | None = None, lost: str = "
     rng = np.random.default_rng(3)
     angles = rng.uniform(*hand.angle_limits.T)
     pose = np.eye(3) if R_GB is None else R_GB
-    return to_openxr(estimate(hand, angles, pose, lost), hand.keypoint_names)
+    return to_openxr(estimate(hand, angles, pose, lost), hand.keypoint_names, joint_radii(hand))
 
 
 def axes(xr: OpenXrHand, joint: str) -> np.ndarray:
@@ -73,7 +73,7 @@ def test_minus_z_leads_from_each_joint_to_the_next(side: str) -> None:
 def test_a_flat_hand_palm_down_pointing_forward_is_not_rotated(side: str) -> None:
     hand = load_hand(RESOURCES / "hands" / f"reference-{side}.toml")
     e = estimate(hand, np.zeros(len(hand.joint_names)), np.eye(3))
-    xr = to_openxr(e, hand.keypoint_names)
+    xr = to_openxr(e, hand.keypoint_names, joint_radii(hand))
     for joint in ("palm", "wrist", "index_proximal", "little_tip"):
         assert_allclose(axes(xr, joint), np.eye(3), atol=1e-9, err_msg=joint)
     wrist, middle, thumb = (
@@ -105,7 +105,43 @@ def test_lost_is_nan_without_flags_and_takes_what_hangs_on_it() -> None:
     for joint in ("middle_proximal", "middle_metacarpal", "palm"):
         i = JOINTS.index(joint)
         assert np.isnan(xr.position[i]).all() and np.isnan(xr.orientation[i]).all()
-        assert xr.flags[i] == 0
+        assert xr.flags[i] == 0 and np.isnan(xr.radius[i])
     assert xr.flags[JOINTS.index("middle_tip")] == 0b1111
     assert xr.flags[JOINTS.index("index_metacarpal")] == 0b0011
     assert np.isnan(converted(lost="wrist").position[0]).all()
+
+
+def test_a_radius_is_half_the_fingers_thickness_at_the_joint() -> None:
+    hand = load_hand(RESOURCES / "hands" / "reference-right.toml")
+    xr = converted()
+    thickness = {s.name: 2 * s.radius for s in hand.segments}
+    wanted = {
+        "wrist": "dorsum",
+        "palm": "dorsum",
+        "ring_metacarpal": "dorsum",
+        "thumb_metacarpal": "thumb_metacarpal",
+        "index_intermediate": "index_intermediate",
+        "little_tip": "little_distal",
+    }
+    for joint, segment in wanted.items():
+        assert xr.radius[JOINTS.index(joint)] == thickness[segment] / 2, joint
+
+
+def test_many_instants_at_once_are_the_same_as_one_by_one() -> None:
+    hand = load_hand(RESOURCES / "hands" / "reference-left.toml")
+    rng = np.random.default_rng(8)
+    found = [
+        estimate(hand, rng.uniform(*hand.angle_limits.T), Rotation.random(rng=rng).as_matrix(), n)
+        for n in ("", "wrist", "index_mcp", "")
+    ]
+    many = openxr_joints(
+        np.array([e.keypoints for e in found]),
+        np.array([e.keypoint_q for e in found]),
+        np.array([e.keypoint_state for e in found]),
+        hand.keypoint_names,
+        joint_radii(hand),
+    )
+    for k, e in enumerate(found):
+        one = to_openxr(e, hand.keypoint_names, joint_radii(hand))
+        for name in ("position", "orientation", "state", "radius"):
+            assert_allclose(getattr(many, name)[k], getattr(one, name), atol=1e-14, err_msg=name)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+import pyarrow.parquet as pq
 import pytest
 from PIL import Image
 from rosbags.highlevel import AnyReader
@@ -16,7 +17,8 @@ from scipy.spatial.transform import Rotation
 
 from tracker.cli import main
 from tracker.errors import ConfigError, FileError
-from tracker.messages import CameraPose, Estimate, Event, ImuSample
+from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
+from tracker.messages import CameraPose, Estimate, Event, ImuSample, Validity
 from tracker.session.export.axes import AXES
 from tracker.session.export.load import load_series
 from tracker.session.export.options import AXES_NAMES, FORMATS, ExportOptions
@@ -201,3 +203,47 @@ def test_a_skeleton_cannot_leave_out_joints(tracked, tmp_path: Path) -> None:
         export(path, "bvh", tmp_path / "o.bvh", ExportOptions(joints=("wrist",)))
     with pytest.raises(ConfigError, match="every n-th"):
         ExportOptions(every=0)
+
+
+@pytest.mark.parametrize("format", ["csv", "parquet"])
+def test_openxrs_joints_in_a_table(record, maker, session_info, tmp_path: Path, format) -> None:
+    estimates = [maker.estimate(10.0 * k, lost=k == 2) for k in range(4)]
+    path, out = record(tmp_path / "in.mcap", estimates), tmp_path / f"o.{format}"
+    export(path, format, out, ExportOptions(joints=("openxr",)))
+    if format == "csv":
+        rows = list(csv.DictReader(out.read_text().splitlines()))
+    else:
+        rows = pq.read_table(out).drop_columns(["t"]).to_pylist()
+    radii = joint_radii(session_info.hand)
+    assert [n for n in rows[0] if n.startswith("palm")] == [
+        *(f"palm_{c}" for c in ("x", "y", "z", "qx", "qy", "qz", "qw", "sd", "radius", "state"))
+    ]
+    for row, e in zip(rows, estimates, strict=True):
+        wanted = to_openxr(e, session_info.keypoint_names, radii)
+        for i, joint in enumerate(JOINTS):
+            read = [row[f"{joint}_{c}"] for c in ("x", "y", "z", "qx", "qy", "qz", "qw", "radius")]
+            if row[f"{joint}_state"] == "lost":
+                assert set(read) <= {"", None} and wanted.state[i] == Validity.LOST
+                continue
+            pose = [*wanted.position[i], *wanted.orientation[i], wanted.radius[i]]
+            same = 1.0 if np.dot(wanted.orientation[i], [float(v) for v in read[3:7]]) > 0 else -1.0
+            pose[3:7] = [same * v for v in pose[3:7]]
+            assert np.allclose([float(v) for v in read], pose, atol=1e-8), joint
+    assert rows[2]["thumb_distal_state"] == "lost", "the keypoint that was lost is thumb_ip"
+
+
+def test_openxrs_joints_are_turned_like_all_others(record, maker, tmp_path: Path) -> None:
+    path = record(tmp_path / "in.mcap", [maker.estimate(10.0 * k) for k in range(5)])
+    with SessionReader(path) as reader:
+        own = load_series(reader, ExportOptions(joints=("wrist",)))
+        ros = load_series(reader, ExportOptions(joints=("openxr",), axes="ros"))
+        up = load_series(reader, ExportOptions(joints=("openxr",)))
+    wrist = JOINTS.index("wrist")
+    assert np.allclose(ros.keypoints[:, wrist], own.keypoints[:, 0])
+    assert np.allclose(up.keypoints[:, wrist], own.keypoints[:, 0] @ AXES["y-up"].rows.T)
+    assert up.notes["axes"] == "y-up"
+
+
+def test_openxrs_joints_and_names_of_ours_do_not_mix() -> None:
+    with pytest.raises(ConfigError, match="not both"):
+        ExportOptions(joints=("openxr", "wrist"))

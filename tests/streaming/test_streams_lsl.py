@@ -21,7 +21,7 @@ from tracker.streaming.publisher import Names
 
 def test_channels_name_every_value_of_a_sample(make_estimate, names: Names) -> None:
     e = make_estimate(lost=("thumb_tip", "thumb_ip_flexion"), angles={"ring_pip_flexion": 0.5})
-    read = dict(zip([label for label, _ in channels(names)], sample(e), strict=True))
+    read = dict(zip([label for label, _ in channels(names)], sample(e, names), strict=True))
     i = names.keypoints.index("ring_tip")
     assert_allclose([read[f"ring_tip_{a}"] for a in "xyz"], e.keypoints[i])
     assert read["ring_tip_state"] == 2 and read["tracking"] == 1
@@ -33,7 +33,7 @@ def test_channels_name_every_value_of_a_sample(make_estimate, names: Names) -> N
 def test_numbers_of_a_lost_row_are_not_sent(make_estimate, names: Names) -> None:
     e = make_estimate()
     nothing = replace(e, keypoint_state=0 * e.keypoint_state, angle_state=0 * e.angle_state)
-    read = dict(zip([label for label, _ in channels(names)], sample(nothing), strict=True))
+    read = dict(zip([label for label, _ in channels(names)], sample(nothing, names), strict=True))
     values = {k: v for k, v in read.items() if not k.endswith("_state") and k != "tracking"}
     assert len(values) == 3 * len(names.keypoints) + len(names.angles)
     assert all(math.isnan(v) for v in values.values())
@@ -51,7 +51,7 @@ def test_an_inlet_reads_what_was_sent_with_its_stamp(make_estimate, names: Names
         e = make_estimate(t)
         out.send(e)
         values, stamp = inlet.pull_sample(timeout=5)
-        assert_allclose(values, np.float32(sample(e)))
+        assert_allclose(values, np.float32(sample(e, names)))
         assert abs(stamp - pylsl.local_clock() - (t - time.monotonic())) < 0.01
         assert inlet.info(5).get_channel_labels() == [label for label, _ in channels(names)]
         inlet.close_stream()

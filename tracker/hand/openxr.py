@@ -11,12 +11,14 @@ never better than inferred.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
-from tracker.geometry import so3
-from tracker.hand.names import FINGERS
+from tracker.hand.model import HandModel
+from tracker.hand.names import FINGERS, KEYPOINTS
 from tracker.messages import Array, Estimate, IntArray, Validity
 
 R_BX = np.array([[0.0, 0, -1], [-1, 0, 0], [0, 1, 0]])
@@ -30,6 +32,8 @@ JOINTS = (
     *(f"{f}_{part}" for f in FINGERS for part in PARTS),
 )
 """In the order of XrHandJointEXT."""
+
+PALM_JOINT, WRIST = JOINTS.index("palm"), JOINTS.index("wrist")
 
 KEYPOINT_OF = {
     "wrist": "wrist",
@@ -53,69 +57,118 @@ FLAGS = {
     Validity.INFERRED: ORIENTATION_VALID | POSITION_VALID,
     Validity.MEASURED: ORIENTATION_VALID | POSITION_VALID | ORIENTATION_TRACKED | POSITION_TRACKED,
 }
+_FLAGS = np.array([FLAGS[v] for v in sorted(Validity)], np.int64)
 
 
 @dataclass(frozen=True, eq=False)
 class OpenXrHand:
-    """Rows in the order of `JOINTS`; NaN where lost.
+    """Rows in the order of `JOINTS`; NaN where lost. Leading axes (...) are instants, if any.
 
-    position (26, 3) m and orientation (26, 4) xyzw in OpenXR's world; state (26,) of Validity.
+    position (..., 26, 3) m and orientation (..., 26, 4) xyzw in OpenXR's world; state (..., 26) of
+    Validity; radius (..., 26) m, half the finger's thickness at the joint. ``t`` s of one instant,
+    NaN for many.
     """
 
     t: float
     position: Array
     orientation: Array
     state: IntArray
+    radius: Array
 
     @property
     def flags(self) -> IntArray:
-        """(26,) XrSpaceLocationFlags."""
-        return np.array([FLAGS[Validity(int(s))] for s in self.state], np.int64)
+        """(..., 26) XrSpaceLocationFlags."""
+        return _FLAGS[self.state]
 
 
-def to_openxr(estimate: Estimate, keypoint_names: Sequence[str]) -> OpenXrHand:
-    """The 26 joints of an estimate whose keypoints are named by ``keypoint_names``."""
+def to_openxr(estimate: Estimate, keypoint_names: Sequence[str], radii: Array) -> OpenXrHand:
+    """The 26 joints of an estimate whose keypoints are named by ``keypoint_names``.
+
+    ``radii`` (26,) m as `joint_radii` gives them.
+    """
+    e = estimate
+    many = openxr_joints(e.keypoints, e.keypoint_q, e.keypoint_state, keypoint_names, radii)
+    return replace(many, t=e.t)
+
+
+def joint_radii(hand: HandModel) -> Array:
+    """(26,) m: half the thickness of the bone that a joint begins, or at a tip ends.
+
+    Palm, wrist and the fingers' metacarpals have that of the dorsum; NaN where the hand has no
+    such bone.
+    """
+    found = (hand.index.get(_segment_at(joint)) for joint in JOINTS)
+    return np.array([np.nan if i is None else hand.segments[i].radius for i in found])
+
+
+def _segment_at(joint: str) -> str:
+    """Name of the segment whose thickness a joint has."""
+    if joint in KEYPOINT_OF:
+        return KEYPOINTS[KEYPOINT_OF[joint]][0]
+    return KEYPOINTS["wrist"][0]
+
+
+def openxr_joints(
+    keypoints: Array, q: Array, state: IntArray, keypoint_names: Sequence[str], radii: Array
+) -> OpenXrHand:
+    """The joints of one instant or of many at once.
+
+    keypoints (..., K, 3) m and q (..., K, 4) xyzw of each one's segment, both in G; state (..., K)
+    of Validity; radii (26,) m.
+    """
+    rows = keypoint_rows(keypoint_names)
+    there = [j for j, row in enumerate(rows) if row >= 0]
+    columns = [row for row in rows if row >= 0]
+    shape = (*keypoints.shape[:-2], len(JOINTS))
+    p, out_q = np.full((*shape, 3), np.nan), np.full((*shape, 4), np.nan)
+    out_state = np.full(shape, int(Validity.LOST), np.int64)
+    out_state[..., there] = state[..., columns]
+    # R_BX^T R R_BX turns about the same axis as R, told in OpenXR's axes.
+    p[..., there, :] = keypoints[..., columns, :] @ R_BX
+    out_q[..., there, :3] = q[..., columns, :3] @ R_BX
+    out_q[..., there, 3] = q[..., columns, 3]
+    unknown = ~(np.isfinite(p).all(axis=-1) & np.isfinite(out_q).all(axis=-1))
+    out_state[unknown] = Validity.LOST
+    _add_palm(p, out_q, out_state)
+    lost = out_state == Validity.LOST
+    p[lost], out_q[lost] = np.nan, np.nan
+    return OpenXrHand(np.nan, p, out_q, out_state, np.where(lost, np.nan, radii))
+
+
+@lru_cache
+def keypoint_rows(keypoint_names: Sequence[str]) -> tuple[int, ...]:
+    """(26,) row of the keypoint at each joint, -1 where there is none."""
     row_of = {n: i for i, n in enumerate(keypoint_names)}
-    n = len(JOINTS)
-    p_G, R_GB = np.full((n, 3), np.nan), np.full((n, 3, 3), np.nan)
-    state = np.full(n, int(Validity.LOST), np.int64)
-    for j, joint in enumerate(JOINTS):
-        i = row_of.get(KEYPOINT_OF.get(joint, ""))
-        if i is not None and estimate.keypoint_state[i] != Validity.LOST:
-            p_G[j], state[j] = estimate.keypoints[i], estimate.keypoint_state[i]
-            R_GB[j] = so3.matrix_from_quat(estimate.keypoint_q[i])
-    _add_palm(p_G, R_GB, state)
-    return OpenXrHand(estimate.t, p_G @ R_BX, _quaternions(R_BX.T @ R_GB @ R_BX), state)
+    return tuple(row_of.get(KEYPOINT_OF.get(joint, ""), -1) for joint in JOINTS)
 
 
-def _add_palm(p_G: Array, R_GB: Array, state: IntArray) -> None:
+def _add_palm(p: Array, q: Array, state: IntArray) -> None:
     """Palm and finger metacarpals, from the wrist and the knuckles where both are known."""
-    wrist = JOINTS.index("wrist")
     for finger in FINGERS:
         knuckle = JOINTS.index(f"{finger}_proximal")
-        if Validity.LOST in (state[wrist], state[knuckle]):
+        known = (state[..., WRIST] != Validity.LOST) & (state[..., knuckle] != Validity.LOST)
+        if not known.any():
             continue
         j = JOINTS.index(f"{finger}_metacarpal")
-        along = p_G[knuckle] - p_G[wrist]
-        p_G[j] = p_G[wrist] + METACARPAL_BASE * along
-        R_GB[j] = _along(along, R_GB[wrist, :, 2])
-        state[j] = Validity.INFERRED
+        wrist, q_wrist = p[known, WRIST], q[known, WRIST]
+        along = p[known, knuckle] - wrist
+        p[known, j], q[known, j] = wrist + METACARPAL_BASE * along, _along(along, q_wrist)
+        state[known, j] = Validity.INFERRED
         if finger == "middle":
-            p_G[0], R_GB[0] = p_G[wrist] + PALM * along, R_GB[wrist]
-            state[0] = Validity.INFERRED
+            p[known, PALM_JOINT], q[known, PALM_JOINT] = wrist + PALM * along, q_wrist
+            state[known, PALM_JOINT] = Validity.INFERRED
 
 
-def _along(x: Array, z: Array) -> Array:
-    """(3, 3) axes with x along the first and z as near to the second as can be."""
-    x = x / np.linalg.norm(x)
-    y = np.cross(z, x)
-    y /= np.linalg.norm(y)
-    return np.column_stack([x, y, np.cross(x, y)])
+def _along(bone: Array, q_wrist: Array) -> Array:
+    """(n, 4) joints whose -z is along ``bone`` (n, 3), with y as near to the wrist's as can be."""
+    z = -bone / np.linalg.norm(bone, axis=-1, keepdims=True)
+    x = np.cross(_y_axis(q_wrist), z)
+    x /= np.linalg.norm(x, axis=-1, keepdims=True)
+    R = np.stack([x, np.cross(z, x), z], axis=-1)
+    return np.asarray(Rotation.from_matrix(R).as_quat(canonical=True))
 
 
-def _quaternions(R: Array) -> Array:
-    """(n, 4) xyzw; NaN rows stay NaN."""
-    out = np.full((len(R), 4), np.nan)
-    known = np.isfinite(R).all(axis=(1, 2))
-    out[known] = so3.quat_from_matrix(R[known])
-    return out
+def _y_axis(q: Array) -> Array:
+    """(n, 3) second columns of the rotations q (n, 4)."""
+    x, y, z, w = q.T
+    return np.stack([2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)], axis=-1)

@@ -50,7 +50,9 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     command.add_argument("--start", type=float, metavar="S", help="from the first estimate")
     command.add_argument("--stop", type=float, metavar="S", help="from the first estimate")
     command.add_argument("--every", type=int, default=1, metavar="N", help="draw every Nth image")
-    command.add_argument("--joints", metavar="A,B", help="only these keypoints and angles")
+    command.add_argument(
+        "--joints", metavar="A,B", help="only these keypoints and angles, or openxr: its 26 joints"
+    )
     command.add_argument(
         "--anonymous",
         nargs="*",

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from tracker.hand.names import bones
+from tracker.hand.openxr import JOINTS
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.payload import DECIMALS
 from tracker.streaming.publisher import STATE_WORDS, Names
@@ -111,13 +112,18 @@ def estimate_schema(names: Names) -> Json:
     numbers = _array(NUMBER)
     point = _object(state=STRING, position=numbers, orientation_xyzw=numbers, sd=NUMBER)
     angle = _object(state=STRING, value=NUMBER)
+    joint = _object(state=STRING, position=numbers, orientation_xyzw=numbers, radius=NUMBER)
+    if names.openxr:
+        points = {"joints": _object(**dict.fromkeys(JOINTS, joint))}
+    else:
+        points = {"keypoints": _object(**dict.fromkeys(names.keypoints, point))}
     return _object(
         "glovetrack.Estimate",
         schema=INTEGER,
         side=STRING,
         t=NUMBER,
         tracking=STRING,
-        keypoints=_object(**dict.fromkeys(names.keypoints, point)),
+        **points,
         angles=_object(**dict.fromkeys(names.angles, angle)),
     )
 

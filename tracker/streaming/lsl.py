@@ -1,8 +1,9 @@
 """Estimates as a Lab Streaming Layer outlet: float32 channels, NaN where lost.
 
-Channels, labelled in the stream's header: per keypoint ``_x _y _z`` (m, G) and ``_state``, per
-angle its value (rad) and ``_state``; last ``tracking``. States are the numbers of
-`tracker.messages`. Stamps are the estimates' own instants on LSL's clock.
+Channels, labelled in the stream's header: per keypoint ``_x _y _z`` (m, G) and ``_state``, or per
+OpenXR joint ``_x _y _z _qx _qy _qz _qw _radius`` (m, OpenXR's world) and ``_state``; per angle its
+value (rad) and ``_state``; last ``tracking``. States are the numbers of `tracker.messages`. Stamps
+are the estimates' own instants on LSL's clock.
 """
 
 from __future__ import annotations
@@ -13,10 +14,13 @@ from collections.abc import Callable
 import numpy as np
 import pylsl
 
-from tracker.messages import Estimate, Validity
+from tracker.hand.openxr import JOINTS
+from tracker.messages import Array, Estimate, Validity
+from tracker.streaming.payload import openxr_of
 from tracker.streaming.publisher import Names
 
 XYZ = ("x", "y", "z")
+QUATERNION = ("qx", "qy", "qz", "qw")
 LOCAL_ONLY = "[multicast]\nResolveScope = machine\n"
 BUFFER_S = 10  # s of samples kept for a client that does not read
 
@@ -47,7 +51,7 @@ class LslPublisher:
 
     def send(self, estimate: Estimate) -> None:
         if self._outlet is not None:
-            self._outlet.push_sample(sample(estimate), estimate.t + self._offset)
+            self._outlet.push_sample(sample(estimate, self._names), estimate.t + self._offset)
 
     def close(self) -> None:
         self._outlet = None  # liblsl ends the outlet when its handle goes
@@ -56,23 +60,33 @@ class LslPublisher:
 def channels(names: Names) -> list[tuple[str, str]]:
     """Label and unit of every channel."""
     out: list[tuple[str, str]] = []
-    for n in names.keypoints:
-        out += [(f"{n}_{axis}", "m") for axis in XYZ] + [(f"{n}_state", "")]
+    for n in JOINTS if names.openxr else names.keypoints:
+        out += [(f"{n}_{axis}", "m") for axis in XYZ]
+        if names.openxr:
+            out += [(f"{n}_{q}", "") for q in QUATERNION] + [(f"{n}_radius", "m")]
+        out.append((f"{n}_state", ""))
     for n in names.angles:
         out += [(n, "rad"), (f"{n}_state", "")]
     return [*out, ("tracking", "")]
 
 
-def sample(e: Estimate) -> list[float]:
+def sample(e: Estimate, names: Names) -> list[float]:
     """One sample in the order of `channels`; NaN where lost."""
-    lost = (e.keypoint_state == Validity.LOST)[:, None]
-    points = np.where(lost, np.nan, e.keypoints)
     angles = np.where(e.angle_state == Validity.LOST, np.nan, e.angles)
     return [
-        *np.column_stack([points, e.keypoint_state]).ravel().tolist(),
+        *_points(e, names).ravel().tolist(),
         *np.column_stack([angles, e.angle_state]).ravel().tolist(),
         float(e.tracking),
     ]
+
+
+def _points(e: Estimate, names: Names) -> Array:
+    """A row per keypoint or OpenXR joint."""
+    if names.openxr:
+        x = openxr_of(e, names)
+        return np.column_stack([x.position, x.orientation, x.radius, x.state])
+    lost = (e.keypoint_state == Validity.LOST)[:, None]
+    return np.column_stack([np.where(lost, np.nan, e.keypoints), e.keypoint_state])
 
 
 def stream_info(names: Names) -> pylsl.StreamInfo:

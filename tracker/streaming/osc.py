@@ -7,7 +7,8 @@ relative to a forearm that nothing measures; the hand's pose goes as a tracker o
 
 VMC knows no validity. A lost bone is not sent (the avatar keeps its last pose), and each bone's
 state goes with every bundle as ``/Glovetrack/Bone/State name state``, which receivers of plain VMC
-pass over.
+pass over. Where OpenXR's joints are asked for, a second bundle has them as
+``/Glovetrack/OpenXR/Joint name x y z qx qy qz qw radius state``, without a pose where lost.
 """
 
 from __future__ import annotations
@@ -16,15 +17,18 @@ import numpy as np
 
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
+from tracker.hand.openxr import JOINTS
 from tracker.messages import Array, Estimate, Tracking, Validity
 from tracker.streaming.datagram import DatagramSocket
 from tracker.streaming.osc_encode import bundle, message
-from tracker.streaming.publisher import LOOPBACK, STATE_WORDS
+from tracker.streaming.payload import openxr_of
+from tracker.streaming.publisher import LOOPBACK, STATE_WORDS, Names
 from tracker.streaming.vmc_pose import AvatarHand, unity_pose
 
 DEFAULT_PORT = 39540  # of a VMC "Marionette"
 CALIBRATED, NORMAL_MODE = 3, 0
 STATE = "/Glovetrack/Bone/State"
+OPENXR_JOINT = "/Glovetrack/OpenXR/Joint"
 PARTS = ("proximal", "intermediate", "distal")
 UNITY_BONES = {
     "thumb_metacarpal": "ThumbProximal",
@@ -37,9 +41,16 @@ UNITY_BONES = {
 class VmcPublisher:
     """Sends one OSC bundle per estimate to one address and never waits."""
 
-    def __init__(self, hand: HandModel, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
+    def __init__(
+        self,
+        hand: HandModel,
+        host: str = LOOPBACK,
+        port: int = DEFAULT_PORT,
+        names: Names | None = None,
+    ) -> None:
+        """``names``: of the estimates' rows, where OpenXR's joints are to go along."""
         self.name = f"VMC to {host}:{port}"
-        self._hand = hand
+        self._hand, self._names = hand, names
         self._avatar = AvatarHand(hand)
         self._bones = [
             (i, hand.side.title() + UNITY_BONES[s.name])
@@ -50,6 +61,8 @@ class VmcPublisher:
 
     def send(self, estimate: Estimate) -> None:
         self._socket.send(self._bundle(estimate))
+        if self._names is not None and self._names.openxr:
+            self._socket.send(openxr_bundle(estimate, self._names))
 
     def close(self) -> None:
         self._socket.close()
@@ -86,6 +99,20 @@ class VmcPublisher:
         if not columns or not np.isfinite(e.angles[columns]).all():
             return Validity.LOST
         return Validity(int(e.angle_state[columns].min()))
+
+
+def openxr_bundle(e: Estimate, names: Names) -> bytes:
+    """OpenXR's 26 joints as one OSC bundle; a lost joint has its name and state alone."""
+    hand, out = openxr_of(e, names), []
+    for i, joint in enumerate(JOINTS):
+        state = Validity(int(hand.state[i]))
+        pose = [*_pose(hand.position[i], hand.orientation[i]), float(hand.radius[i])]
+        out.append(
+            message(
+                OPENXR_JOINT, joint, *([] if state == Validity.LOST else pose), STATE_WORDS[state]
+            )
+        )
+    return bundle(out)
 
 
 def _pose(p: Array, q: Array) -> list[float]:

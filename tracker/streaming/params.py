@@ -15,7 +15,14 @@ from tracker.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.streaming.osc import VmcPublisher
-from tracker.streaming.publisher import LOOPBACK, Names, Publisher, StreamError
+from tracker.streaming.publisher import (
+    JOINT_SETS,
+    LOOPBACK,
+    OWN,
+    Names,
+    Publisher,
+    StreamError,
+)
 from tracker.streaming.udp import UdpPublisher
 
 EXTRA = 'pip install "glovetrack[streams]"'
@@ -37,14 +44,17 @@ class StreamParams:
     foxglove_port: int = 8765
     foxglove_origins: str = ""  # further sites whose pages may connect, with commas between
     lsl_network: bool = False  # whether other machines find the LSL outlet
+    joints: str = OWN  # our keypoints, or openxr: its 26 joints in every output
 
 
 STREAMS = ("udp", "websocket", "vmc", "lsl", "foxglove")
 """Names of the outputs, as fields of `StreamParams` and as words of the command line."""
 
 
-def with_streams(params: StreamParams, words: str, host: str = "") -> StreamParams:
-    """``params`` with the outputs of a comma-separated list on, and with another host.
+def with_streams(
+    params: StreamParams, words: str, host: str = "", joints: str = ""
+) -> StreamParams:
+    """``params`` with the outputs of a comma-separated list on; another host and other joints.
 
     ``udp:9000`` takes another port. Raises ConfigError for a word that is no stream.
     """
@@ -56,7 +66,7 @@ def with_streams(params: StreamParams, words: str, host: str = "") -> StreamPara
         params = replace(params, **on)
         if colon:
             params = _with_port(params, name, port)
-    return replace(params, host=host) if host else params
+    return replace(params, host=host or params.host, joints=joints or params.joints)
 
 
 def _with_port(params: StreamParams, name: str, port: str) -> StreamParams:
@@ -70,11 +80,13 @@ def _with_port(params: StreamParams, name: str, port: str) -> StreamParams:
 
 def open_publishers(params: StreamParams, hand: HandModel, glove: GloveModel) -> list[Publisher]:
     """The outputs that are on. Raises StreamError in words; what was opened is closed again."""
-    names = Names.of(hand, glove)
+    if params.joints not in JOINT_SETS:
+        raise StreamError(f"Joints can be {' or '.join(JOINT_SETS)}, not {params.joints!r}.")
+    names = Names.of(hand, glove, params.joints)
     openers: list[tuple[bool, Callable[[], Publisher]]] = [
         (params.udp, lambda: UdpPublisher(names, params.host, params.udp_port)),
         (params.websocket, lambda: _websocket(params, names)),
-        (params.vmc, lambda: VmcPublisher(hand, params.host, params.vmc_port)),
+        (params.vmc, lambda: VmcPublisher(hand, params.host, params.vmc_port, names)),
         (params.lsl, lambda: _lsl(params, names)),
         (params.foxglove, lambda: _foxglove(params, names)),
     ]

@@ -5,6 +5,12 @@
                              "orientation_xyzw": [x, y, z, w], "sd": 0.002}, ...},
      "angles": {"index_mcp_flexion": {"state": "measured", "value": 0.5}, ...}}
 
+With OpenXR's joints there is "joints" in place of "keypoints", in OpenXR's world (y up, -z
+forward):
+
+    "joints": {"palm": {"state": "inferred", "position": [x, y, z],
+                        "orientation_xyzw": [x, y, z, w], "radius": 0.013}, ...}
+
 Position and sd in m, orientation q_GB, both in G (z up); angles in rad; t in s of the host's
 monotonic clock.
 """
@@ -16,6 +22,7 @@ from typing import Any
 
 import numpy as np
 
+from tracker.hand.openxr import JOINTS, OpenXrHand, to_openxr
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.publisher import STATE_WORDS, Names
 
@@ -30,7 +37,7 @@ def payload(estimate: Estimate, names: Names) -> dict[str, Any]:
         "side": names.side,
         "t": estimate.t,
         "tracking": estimate.tracking.name.lower(),
-        "keypoints": {n: _keypoint(estimate, i) for i, n in enumerate(names.keypoints)},
+        **_points(estimate, names),
         "angles": {n: _angle(estimate, i) for i, n in enumerate(names.angles)},
     }
 
@@ -38,6 +45,29 @@ def payload(estimate: Estimate, names: Names) -> dict[str, Any]:
 def to_json(estimate: Estimate, names: Names) -> str:
     """The message as strict JSON without spaces (no NaN)."""
     return json.dumps(payload(estimate, names), separators=(",", ":"), allow_nan=False)
+
+
+def openxr_of(estimate: Estimate, names: Names) -> OpenXrHand:
+    """OpenXR's joints of an estimate, for ``names`` that have their radii."""
+    return to_openxr(estimate, names.keypoints, np.array(names.radii))
+
+
+def _points(estimate: Estimate, names: Names) -> dict[str, Any]:
+    if names.openxr:
+        hand = openxr_of(estimate, names)
+        return {"joints": {n: _joint(hand, i) for i, n in enumerate(JOINTS)}}
+    return {"keypoints": {n: _keypoint(estimate, i) for i, n in enumerate(names.keypoints)}}
+
+
+def _joint(hand: OpenXrHand, i: int) -> dict[str, Any]:
+    state = Validity(int(hand.state[i]))
+    lost = state == Validity.LOST
+    return {
+        "state": STATE_WORDS[state],
+        "position": _numbers(hand.position[i], lost),
+        "orientation_xyzw": _numbers(hand.orientation[i], lost),
+        "radius": _number(float(hand.radius[i]), lost),
+    }
 
 
 def _keypoint(e: Estimate, i: int) -> dict[str, Any]:

@@ -8,9 +8,13 @@ from typing import Protocol
 from tracker.errors import GlovetrackError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.hand.openxr import joint_radii
 from tracker.messages import Estimate, Validity
 
 LOOPBACK = "127.0.0.1"
+OWN, OPENXR = JOINT_SETS = ("own", "openxr")
+"""What a message tells of a hand: its keypoints in G, or OpenXR's 26 joints in OpenXR's world."""
+
 STATE_WORDS = {
     Validity.LOST: "lost",
     Validity.INFERRED: "inferred",
@@ -46,8 +50,15 @@ class Names:
     side: str  # "right" or "left"
     keypoints: tuple[str, ...]
     angles: tuple[str, ...]
+    radii: tuple[float, ...] = ()  # of OpenXR's joints, m, where messages are to carry these
+
+    @property
+    def openxr(self) -> bool:
+        """Whether messages carry OpenXR's 26 joints in place of the keypoints."""
+        return bool(self.radii)
 
     @staticmethod
-    def of(hand: HandModel, glove: GloveModel) -> Names:
-        """The rows of estimates made for this hand and glove."""
-        return Names(hand.side, glove.keypoint_names(hand), hand.joint_names)
+    def of(hand: HandModel, glove: GloveModel, joints: str = OWN) -> Names:
+        """The rows of estimates made for this hand and glove; ``joints`` of `JOINT_SETS`."""
+        radii = joint_radii(hand).tolist() if joints == OPENXR else ()
+        return Names(hand.side, glove.keypoint_names(hand), hand.joint_names, tuple(radii))

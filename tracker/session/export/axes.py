@@ -40,30 +40,31 @@ AXES = {
 }
 
 
-def turned(m: EstimateSeries, name: str) -> EstimateSeries:
-    """Positions and orientations in the axes ``name``.
+def turned(m: EstimateSeries, name: str, own: str = "z-up") -> EstimateSeries:
+    """Positions and orientations, which are in the axes ``own``, in the axes ``name``.
 
     A bone's own axes stay (x along it, z dorsal); in left-handed ones its y is turned round, so
     that an orientation remains a rotation.
     """
     axes = AXES[name]
-    if np.array_equal(axes.rows, np.eye(3)):
+    rows = axes.rows @ AXES[own].rows.T
+    if np.array_equal(rows, np.eye(3)):
         return m
     return replace(
         m,
-        keypoints=m.keypoints @ axes.rows.T,
-        q=_turned(m.q, axes),
-        segment_p=m.segment_p @ axes.rows.T,
-        segment_q=_turned(m.segment_q, axes),
+        keypoints=m.keypoints @ rows.T,
+        q=_turned(m.q, rows, axes.left_handed),
+        segment_p=m.segment_p @ rows.T,
+        segment_q=_turned(m.segment_q, rows, axes.left_handed),
     )
 
 
-def _turned(given: Array, axes: Axes) -> Array:
-    """Orientations (N, n, 4) in other axes."""
+def _turned(given: Array, rows: Array, left_handed: bool) -> Array:
+    """Orientations (N, n, 4) in the axes ``rows`` (3, 3)."""
     q = np.full_like(given, np.nan)
     known = np.isfinite(given).all(axis=-1)
     if known.any():
-        own = _MIRROR if axes.left_handed else np.eye(3)
-        R = axes.rows @ Rotation.from_quat(given[known]).as_matrix() @ own
+        own = _MIRROR if left_handed else np.eye(3)
+        R = rows @ Rotation.from_quat(given[known]).as_matrix() @ own
         q[known] = Rotation.from_matrix(R).as_quat()
     return q

@@ -15,7 +15,7 @@ from tracker.files import DiskError
 from tracker.messages import Array, IntArray, Validity
 from tracker.session.export.load import load_series
 from tracker.session.export.markers import carried_markers
-from tracker.session.export.options import BONE_AXES, UNITS, ExportOptions
+from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries
 from tracker.session.raw_imu import read_notes, read_raw_imu
 from tracker.session.reader import SessionReader
@@ -115,7 +115,7 @@ def _tell(file: ezc3d.c3d, m: EstimateSeries) -> None:
     """Axes and what the numbers mean, in parameters of our own."""
     said = {
         "AXES": str(m.notes["axes_are"]),
-        "BONE_AXES": BONE_AXES,
+        "BONE_AXES": m.bone_axes,
         "RESIDUAL": "standard deviation of a measured point; 0 inferred; -1 lost",
         "ANGLES": "deg, flexion positive, as rotations about z (abduction), y (flexion), x (twist)",
         "IMU": "in each IMU's own axes, on lines between packets; acc is specific force",

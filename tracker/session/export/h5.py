@@ -9,7 +9,7 @@ import numpy as np
 
 from tracker.messages import Validity
 from tracker.session.export.load import load_series
-from tracker.session.export.options import BONE_AXES, UNITS, ExportOptions
+from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
 
@@ -21,7 +21,7 @@ def export_h5(reader: SessionReader, path: Path, options: ExportOptions) -> Esti
     # Made in memory: where a disk fills up under it the library ends the program at its exit.
     with h5py.File(path.name, "w", driver="core", backing_store=False) as file:
         file.attrs["axes"] = str(m.notes["axes_are"])
-        file.attrs["bone_axes"] = BONE_AXES
+        file.attrs["bone_axes"] = m.bone_axes
         file.create_dataset("stamp_ns", data=m.stamp_ns).attrs["unit"] = "ns since 1970"
         points = file.create_group("keypoints")
         points.attrs["names"] = list(m.keypoint_names)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from tracker.session.export.axes import AXES, turned
-from tracker.session.export.options import ExportOptions
+from tracker.session.export.openxr import WORLD, openxr_series
+from tracker.session.export.options import OPENXR, ExportOptions
 from tracker.session.export.resample import resample
 from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.reader import SessionReader
@@ -25,7 +26,12 @@ def load_series(
     if rate is not None:
         series = resample(series, rate)
     named = options.axes or axes
-    series = turned(series, named)
+    if options.joints == (OPENXR,):
+        named = options.axes or WORLD
+        series = turned(openxr_series(series), named, WORLD)
+    else:
+        series = turned(series, named)
+        series = series.only(options.joints) if options.joints else series
     if "time" in options.anonymous:
         zero = int(series.stamp_ns[0])
         series = replace(series, stamp_ns=series.stamp_ns - zero, zero_ns=zero)
@@ -34,4 +40,4 @@ def load_series(
         "axes_are": AXES[named].words,
         "resampled_hz": rate,
     }
-    return replace(series.only(options.joints) if options.joints else series, notes=notes)
+    return replace(series, notes=notes)

@@ -15,10 +15,13 @@ WHOLE_HAND = ("bvh", "glb", "urdf")
 FOLDERS = ("png",)
 """Formats of many files."""
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")
+OPENXR = "openxr"
+"""In place of names of joints: OpenXR's 26, in OpenXR's world unless axes are asked for."""
 UNITS = {"m": 1.0, "cm": 100.0, "mm": 1000.0}
 """How many of each make a metre."""
 BONE_AXES = "x along the bone to its tip, z out of the back of the hand"
 """Axes that the orientation of a keypoint turns: of the bone that begins there."""
+OPENXR_AXES = "-z along the bone to its tip, y out of the back of the hand"
 RATES = (1.0, 2000.0)
 """Lowest and highest rate to resample to, Hz."""
 PERSONAL = ("participant", "notes")
@@ -32,7 +35,8 @@ class ExportOptions:
     """None keeps what the session or the format has. Raises ConfigError for what cannot be.
 
     ``rate`` Hz; ``start``, ``stop`` s from the first estimate; ``joints`` keypoints and angles to
-    keep; ``anonymous`` what is left out, of `HIDEABLE`; ``every`` n-th image is drawn.
+    keep, or ("openxr",); ``anonymous`` what is left out, of `HIDEABLE`; ``every`` n-th image is
+    drawn.
     """
 
     rate: float | None = None
@@ -52,5 +56,7 @@ class ExportOptions:
             raise ConfigError(f"Every image or every n-th, not every {self.every}.")
         if self.axes is not None and self.axes not in AXES_NAMES:
             raise ConfigError(f"Axes can be {', '.join(AXES_NAMES)}, not {self.axes!r}.")
+        if OPENXR in self.joints and len(self.joints) > 1:
+            raise ConfigError("Joints are openxr or names of ours, not both.")
         if self.units is not None and self.units not in UNITS:
             raise ConfigError(f"Units can be {', '.join(UNITS)}, not {self.units!r}.")

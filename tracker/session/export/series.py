@@ -11,6 +11,7 @@ from tracker.clock import NS
 from tracker.errors import ConfigError, FileError
 from tracker.messages import Array, Estimate, IntArray, Validity
 from tracker.session.description import SessionInfo
+from tracker.session.export.options import BONE_AXES, OPENXR_AXES
 from tracker.session.reader import SessionReader
 
 
@@ -19,6 +20,7 @@ class EstimateSeries:
     """N estimates: stamp_ns (N,), keypoints (N, K, 3) m, q (N, K, 4), state (N, K), sd (N, K) m,
     angles (N, J) rad, angle_state (N, J); NaN where lost. segment_p (N, S, 3) m and segment_q
     (N, S, 4) of all the hand's segments, whatever `only` keeps. ``zero_ns`` was taken from stamps.
+    ``radius`` (K,) m of the fingers at the keypoints, where these are OpenXR's joints.
     """
 
     info: SessionInfo
@@ -35,6 +37,12 @@ class EstimateSeries:
     segment_q: Array
     zero_ns: int = 0
     notes: dict[str, object] = field(default_factory=dict)
+    radius: Array | None = None
+
+    @property
+    def bone_axes(self) -> str:
+        """Which axes `q` turns, in words."""
+        return BONE_AXES if self.radius is None else OPENXR_AXES
 
     def __len__(self) -> int:
         return len(self.stamp_ns)

@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from tracker.errors import ConfigError
-from tracker.messages import Array
+from tracker.messages import Array, Validity
 from tracker.session.export.load import load_series
-from tracker.session.export.options import BONE_AXES, UNITS, ExportOptions
+from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries, seconds_text, state_words
 from tracker.session.reader import SessionReader
 
@@ -21,16 +21,25 @@ NUMBERS = ("x", "y", "z", "qx", "qy", "qz", "qw", "sd")
 """What is told of each keypoint in numbers: its place, how the bone turns, and how sure it is."""
 
 
+def numbered(m: EstimateSeries) -> tuple[str, ...]:
+    """`NUMBERS`, and for OpenXR's joints their radius."""
+    return NUMBERS if m.radius is None else (*NUMBERS, "radius")
+
+
 def columns(m: EstimateSeries) -> list[str]:
     """Names of the columns: time, keypoints with their state, angles with theirs."""
-    points = [f"{k}_{c}" for k in m.keypoint_names for c in (*NUMBERS, "state")]
+    points = [f"{k}_{c}" for k in m.keypoint_names for c in (*numbered(m), "state")]
     return ["t", *points, *(c for j in m.joint_names for c in (j, f"{j}_state"))]
 
 
 def _numbers(m: EstimateSeries, scale: float) -> Array:
-    """(N, K, n) of `NUMBERS`; lengths times ``scale``."""
+    """(N, K, n) of `numbered`; lengths times ``scale``."""
     sd = np.where(np.isfinite(m.keypoints).all(axis=2), m.sd, np.nan)
-    return np.concatenate([m.keypoints * scale, m.q, sd[..., None] * scale], axis=2)
+    parts = [m.keypoints * scale, m.q, sd[..., None] * scale]
+    if m.radius is not None:
+        radius = np.where(m.state == Validity.LOST, np.nan, m.radius)
+        parts.append(radius[..., None] * scale)
+    return np.concatenate(parts, axis=2)
 
 
 def export_csv(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
@@ -68,7 +77,7 @@ def export_parquet(reader: SessionReader, path: Path, options: ExportOptions) ->
     numbers = _numbers(m, UNITS[unit])
     table: dict[str, Any] = {"t": pa.array(m.stamp_ns, pa.timestamp("ns", "UTC"))}
     for k, name in enumerate(m.keypoint_names):
-        for c, what in enumerate(NUMBERS):
+        for c, what in enumerate(numbered(m)):
             table[f"{name}_{what}"] = pa.array(numbers[:, k, c], from_pandas=True)
         table[f"{name}_state"] = pa.array(state_words(m.state[:, k])).dictionary_encode()
     for j, name in enumerate(m.joint_names):
@@ -82,7 +91,7 @@ def _told(m: EstimateSeries, unit: str) -> dict[str, str]:
     """What the columns' numbers mean."""
     return {
         "axes": str(m.notes["axes_are"]),
-        "bone_axes": BONE_AXES,
+        "bone_axes": m.bone_axes,
         "length_unit": unit,
         "angle_unit": "rad",
         "quaternion": "x, y, z, w of the bone that begins at the keypoint",

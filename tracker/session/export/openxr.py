@@ -1,0 +1,33 @@
+"""OpenXR's joints in place of our keypoints."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from tracker.hand.openxr import JOINTS, joint_radii, keypoint_rows, openxr_joints
+from tracker.session.export.axes import turned
+from tracker.session.export.series import EstimateSeries
+
+WORLD = "y-up"
+"""Name of OpenXR's world among the axes."""
+
+
+def openxr_series(m: EstimateSeries) -> EstimateSeries:
+    """A series in G with OpenXR's 26 joints as keypoints, all in OpenXR's world and joint axes.
+
+    Joints that are placed between others have no standard deviation.
+    """
+    radii = joint_radii(m.info.hand)
+    hand = openxr_joints(m.keypoints, m.q, m.state, m.keypoint_names, radii)
+    rows = np.array(keypoint_rows(m.keypoint_names))
+    return replace(
+        turned(m, WORLD),
+        keypoint_names=JOINTS,
+        keypoints=hand.position,
+        q=hand.orientation,
+        state=hand.state,
+        sd=np.where(rows >= 0, m.sd[:, rows], np.nan),
+        radius=radii,
+    )
