@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, Signal
 
-from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from tracker.errors import ConfigError
 from tracker.fusion.chain.calibration.control import renewed
@@ -60,11 +59,11 @@ class CalibrationCommands(QObject):
     def ask(self) -> bool:
         """Have what has been learned sent by `learned`."""
         setup = self._host.setup
-        return setup is not None and self._command(lambda engine: self._answer(engine, setup))
+        return setup is not None and self._command(lambda engine: self._answer(engine))
 
-    def _answer(self, engine: ChainEngine, setup: EngineSetup) -> None:
+    def _answer(self, engine: ChainEngine) -> None:
         calibration = engine.calibration()
-        wearer = WearerFile(setup.hand.name, setup.glove.name, engine.profile(), calibration)
+        wearer = WearerFile(engine.layout, engine.profile(), calibration)
         self.learned.emit(wearer)
 
     def _command(self, work: Callable[[ChainEngine], None]) -> bool:

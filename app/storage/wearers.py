@@ -9,7 +9,7 @@ from tracker.files import kept_name
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.layout import ChainLayout
 
-SUFFIX = ".npz"
+SUFFIX = ".toml"
 
 
 class WearerStore:

@@ -1,15 +1,18 @@
-"""A wearer's profile on disk: the same when read, refused in words when it is another's."""
+"""A wearer's profile on disk: the same when read, what belongs to the glove's fit left out, refused
+in words when it is another's."""
 
 import dataclasses
+import tomllib
 
 import numpy as np
 import pytest
 
 from tracker.errors import FileError
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
+from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.params import ChainParams, SynergyParams
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.simulation.random_postures import RandomPostures
@@ -17,57 +20,93 @@ from tracker.simulation.scenario import Simulation
 
 
 @pytest.fixture
-def wearer(hand: HandModel, glove: GloveModel) -> WearerFile:
-    """What an engine knows before it has seen anything, with every array made distinct."""
+def engine(hand: HandModel, glove: GloveModel) -> ChainEngine:
     sim = Simulation(hand, glove, RandomPostures(hand, 1, duration=1.0), 1, fps=30.0)
-    engine = ChainEngine(hand, glove, sim.rig, ChainParams())
+    return ChainEngine(hand, glove, sim.rig, ChainParams())
+
+
+@pytest.fixture
+def wearer(engine: ChainEngine) -> WearerFile:
+    """What an engine knows before it has seen anything, with every array made distinct."""
     rng = np.random.default_rng(3)
     profile = engine.profile()
-    changed = {k: v + rng.normal(0, 0.1, v.shape) for k, v in vars(profile).items()}
-    profile = dataclasses.replace(profile, **changed)
-    return WearerFile(hand.name, glove.name, profile, engine.calibration())
+    changed = {
+        k: getattr(profile, k) + rng.normal(0, 0.01, getattr(profile, k).shape)
+        for k in ("bg", "ba", "scale", "joint", "marker")
+    }
+    own = DistalSegments(engine.layout, SynergyParams()).prior()
+    own = own.moved(rng.normal(0, 0.1, own.value.size), own.P / 3)
+    profile = dataclasses.replace(profile, P=profile.P / 2, synergies=own, **changed)
+    return WearerFile(engine.layout, profile, engine.calibration())
 
 
-def test_a_profile_reads_back_bit_for_bit(wearer, hand, glove, tmp_path):
-    write_wearer(tmp_path / "new" / "anna.npz", wearer)
-    read = read_wearer(tmp_path / "new" / "anna.npz", ChainLayout(hand, glove))
-    for name, value in vars(wearer.profile).items():
-        np.testing.assert_array_equal(getattr(read.profile, name), value, name)
-    for field in dataclasses.fields(wearer.calibration):
-        ours, theirs = (getattr(w.calibration, field.name) for w in (wearer, read))
-        np.testing.assert_array_equal(ours, theirs, field.name)
+def test_what_belongs_to_the_wearer_reads_back_bit_for_bit(wearer, tmp_path):
+    write_wearer(tmp_path / "new" / "anna.toml", wearer)
+    read = read_wearer(tmp_path / "new" / "anna.toml", wearer.layout).profile
+    for name in ("scale", "joint"):
+        np.testing.assert_array_equal(getattr(read, name), getattr(wearer.profile, name), name)
+    np.testing.assert_array_equal(read.synergies.value, wearer.profile.synergies.value)
+    np.testing.assert_array_equal(read.synergies.P, wearer.profile.synergies.P)
+    at, n = wearer.layout.blocks, wearer.layout.n_dynamic
+    bones = slice(at.scale - n, at.marker - n)
+    np.testing.assert_array_equal(read.P[bones, bones], wearer.profile.P[bones, bones])
     assert not list(tmp_path.rglob("*.tmp"))
 
 
+def test_what_belongs_to_one_putting_on_is_as_of_anybody(wearer, engine, tmp_path):
+    write_wearer(tmp_path / "anna.toml", wearer)
+    read, anybody = read_wearer(tmp_path / "anna.toml", wearer.layout).profile, engine.profile()
+    for name in ("bg", "R_IB", "ba", "marker"):
+        np.testing.assert_array_equal(getattr(read, name), getattr(anybody, name), name)
+    at, n = wearer.layout.blocks, wearer.layout.n_dynamic
+    fit = np.r_[: at.scale - n, at.marker - n : at.size - n]
+    np.testing.assert_array_equal(read.P[np.ix_(fit, fit)], anybody.P[np.ix_(fit, fit)])
+
+
 def test_foreign_tools_read_it(wearer, tmp_path):
-    write_wearer(tmp_path / "anna.npz", wearer)
-    with np.load(tmp_path / "anna.npz", allow_pickle=False) as archive:
-        np.testing.assert_array_equal(archive["profile_scale"], wearer.profile.scale)
+    write_wearer(tmp_path / "anna.toml", wearer)
+    said = tomllib.loads((tmp_path / "anna.toml").read_text())
+    assert said["bones"]["dorsum"]["length"] == wearer.profile.scale[0, 0]
+    assert set(said["synergies"]) == {
+        "thumb_ip_flexion",
+        "index_dip_flexion",
+        "middle_dip_flexion",
+    }
 
 
-def test_the_profile_of_another_glove_is_refused(wearer, hand, glove, tmp_path):
-    write_wearer(tmp_path / "anna.npz", dataclasses.replace(wearer, glove="big"))
-    with pytest.raises(FileError, match="with glove big"):
-        read_wearer(tmp_path / "anna.npz", ChainLayout(hand, glove))
+def test_an_engine_goes_on_with_it(wearer, engine, tmp_path):
+    write_wearer(tmp_path / "anna.toml", wearer)
+    engine.put_on(read_wearer(tmp_path / "anna.toml", engine.layout).profile)
+    np.testing.assert_array_equal(engine.profile().scale, wearer.profile.scale)
+    np.testing.assert_array_equal(engine.profile().synergies.value, wearer.profile.synergies.value)
+    engine.reset_calibration()
+    assert engine.profile().synergies is None
 
 
-@pytest.mark.parametrize("damage", ["cut", "text", "nan", "missing"])
-def test_a_damaged_profile_is_said(wearer, hand, glove, tmp_path, damage):
-    path = tmp_path / "anna.npz"
-    if damage == "nan":
-        wearer.profile.scale[0, 0] = np.nan
+def test_the_profile_of_another_glove_is_refused(wearer, hand, distal_glove, tmp_path):
+    write_wearer(tmp_path / "anna.toml", wearer)
+    with pytest.raises(FileError, match="with glove vist-small"):
+        read_wearer(tmp_path / "anna.toml", ChainLayout(hand, distal_glove))
+
+
+@pytest.mark.parametrize("damage", ["cut", "text", "nan", "missing", "no covariance"])
+def test_a_damaged_profile_is_said(wearer, tmp_path, damage):
+    path = tmp_path / "anna.toml"
     write_wearer(path, wearer)
-    if damage == "cut":
-        path.write_bytes(path.read_bytes()[:500])
-    if damage == "text":
-        path.write_text("no profile")
-    if damage == "missing":
-        path.unlink()
-    with pytest.raises(FileError, match=r"anna\.npz is no profile"):
-        read_wearer(path, ChainLayout(hand, glove))
+    text = path.read_text()
+    changed = {
+        "cut": text[: len(text) // 2],
+        "text": "nothing of the kind",
+        "nan": text.replace("length = ", "length = nan # ", 1),
+        "missing": text.replace("[bones.index_proximal]", "[bones.other]"),
+        "no covariance": text.replace("[certainty]", "[certainty_of_old]"),
+    }
+    path.write_text(changed[damage])
+    with pytest.raises(FileError, match=r"anna\.toml"):
+        read_wearer(path, wearer.layout)
 
 
-def test_a_full_disk_is_told_in_words(wearer, tmp_path):
+def test_a_profile_that_cannot_be_written_is_said(wearer, tmp_path):
     (tmp_path / "file").write_text("")
-    with pytest.raises(FileError, match="cannot be written"):
-        write_wearer(tmp_path / "file" / "anna.npz", wearer)
+    with pytest.raises(FileError):
+        write_wearer(tmp_path / "file" / "anna.toml", wearer)

@@ -75,6 +75,13 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lenses", default="", choices=("left", "right"), help="use the images of one lens alone"
     )
+    parser.add_argument("--wearer", default="", metavar="FILE", help="the wearer's profile, .toml")
+    parser.add_argument(
+        "--keep-wearer", default="", metavar="FILE", help="write what was learned of the wearer"
+    )
+    parser.add_argument(
+        "--no-guided", action="store_true", help="learn nothing from guided poses in the session"
+    )
     parser.add_argument("--smooth", action="store_true", help="use what comes later, too")
     parser.add_argument("--with-sensors", action="store_true", help="copy the sensor topics too")
     add_json(parser)
@@ -153,6 +160,9 @@ def _track(args: argparse.Namespace) -> int:
         args.with_sensors,
         smooth=args.smooth,
         lenses=args.lenses,
+        guided=not args.no_guided,
+        wearer=args.wearer,
+        keep_wearer=args.keep_wearer,
     )
     jobs = plan(args.sources, args.out)
     if len(jobs) > 1 or args.dask or args.out.is_dir():

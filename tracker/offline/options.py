@@ -18,4 +18,7 @@ class TrackOptions:
     with_sensors: bool = False
     settings: str = ""  # path of a TOML file of `tracker.settings.Settings`, or `USUAL`
     smooth: bool = False  # estimates that know the whole session
+    guided: bool = True  # learn from guided poses that the session holds
+    wearer: str = ""  # path of a wearer's profile
+    keep_wearer: str = ""  # path of the profile to be written of what was learned
     lenses: str = ""  # left or right: track with that one alone

@@ -11,6 +11,7 @@ import numpy as np
 
 from tracker.errors import FileError
 from tracker.fusion.chain.guided.events import guided_of
+from tracker.fusion.engine import Engine
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -44,6 +45,9 @@ def arrival(message: Fed) -> float:
 
 class SessionRun(Protocol):
     """What `track` feeds; ``progress`` of `finish` hears the share of the rest that is done."""
+
+    @property
+    def engine(self) -> Engine: ...
 
     def feed(self, message: Fed) -> None: ...
 
@@ -154,6 +158,10 @@ class LiveRun:
         self._next_calibration = -np.inf
         self._camera_tells = False  # of its rotation, by an IMU of its own
 
+    @property
+    def engine(self) -> Engine:
+        return self._pipeline.engine
+
     def feed(self, message: Fed) -> None:
         while self._changes and self._changes[0][0] <= arrival(message):
             self._change(*self._changes.popleft())
@@ -213,6 +221,10 @@ class SmoothRun:
 
     def __init__(self, smoother: Smoother, output: Output, camera: CameraTilt) -> None:
         self._smoother, self._output, self._camera = smoother, output, camera
+
+    @property
+    def engine(self) -> Engine:
+        return self._smoother.engine
 
     def feed(self, message: Fed) -> None:
         if isinstance(message, PackedFrame):

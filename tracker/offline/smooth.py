@@ -44,15 +44,22 @@ class Smoother:
         self._tape, self._size = ChainTape(layout), layout.blocks.size
         self._engine = ChainEngine(info.hand, info.glove, info.rig, params, self._tape)
         self._blocks = _Shelf()  # (state at the start, messages)
-        self._state = self._engine.get_state()
+        self._state: Any = None
         self._fed: list[Fed] = []
         self._until = -np.inf
+
+    @property
+    def engine(self) -> ChainEngine:
+        """The filter that runs forward."""
+        return self._engine
 
     def feed(self, message: Message) -> None:
         """The next message of the session, in feed order."""
         now = message.t if isinstance(message, Event) else message.t_arrival
         if now > self._until and self._fed:
             self._close_block()
+        if self._state is None:
+            self._state = self._engine.get_state()
         if not self._fed:
             self._until = now + BLOCK_S
         self._fed.append((message, _run(self._engine, message)))

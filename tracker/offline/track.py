@@ -15,6 +15,9 @@ from tracker import __version__, library
 from tracker.config import from_toml, to_toml
 from tracker.errors import ConfigError, FileError
 from tracker.files import check_target
+from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.engine import Engine
 from tracker.messages import (
     BlobFrame,
     CameraImuSample,
@@ -67,6 +70,8 @@ def track(
     """
     options = options or TrackOptions()
     check_target(out, force, [source])
+    if options.keep_wearer:
+        check_target(Path(options.keep_wearer), force, [source, out])
     started = time.perf_counter()
     with SessionReader(source, _replacements(options)) as reader:
         settings = _settings(reader, options)
@@ -85,6 +90,7 @@ def track(
                 run.feed(message)
                 progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
             run.finish(lambda share: progress(forward + (1 - forward) * share))
+            _keep(run.engine, options.keep_wearer)
         report = output.report
         if check is not None:
             report.error_mm = check.against(reader.truth())
@@ -129,17 +135,43 @@ def _run(
             raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
         if changes:
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
-        return SmoothRun(Smoother(info, settings), output, CameraTilt(reader.rig().pose))
+        smoother = Smoother(info, settings)
+        _put_on(smoother.engine, options.wearer)
+        return SmoothRun(smoother, output, CameraTilt(reader.rig().pose))
 
     def make(engine: str, rig: StereoRig | None) -> Pipeline:
-        return Pipeline(info.hand, info.glove, rig, replace(settings, engine=engine))
+        pipeline = Pipeline(info.hand, info.glove, rig, replace(settings, engine=engine))
+        _put_on(pipeline.engine, options.wearer)
+        return pipeline
 
     same = not options.settings and settings == _settings(reader, TrackOptions())
     same = same and info.version == __version__
-    if same and not (options.hand or options.glove or options.colours):
+    replaced = options.hand or options.glove or options.colours or options.wearer
+    if same and options.guided and not replaced:
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
     return LiveRun(make, settings.engine, info.rig, output, changes)
+
+
+def _put_on(engine: Engine, wearer: str) -> None:
+    """Begin with a wearer's profile, if there is one. Raises ConfigError, FileError."""
+    if wearer:
+        chain = _chain(engine)
+        chain.put_on(read_wearer(Path(wearer), chain.layout).profile)
+
+
+def _keep(engine: Engine, path: str) -> None:
+    """Write what was learned of the wearer, if that was asked for. Raises as `_put_on`."""
+    if path:
+        chain = _chain(engine)
+        learned = WearerFile(chain.layout, chain.profile(), chain.calibration())
+        write_wearer(Path(path), learned)
+
+
+def _chain(engine: Engine) -> ChainEngine:
+    if not isinstance(engine, ChainEngine):
+        raise ConfigError("Only the engine chain takes and learns a wearer's profile.")
+    return engine
 
 
 def _rig(reader: SessionReader, settings: Settings) -> StereoRig | None:
@@ -216,17 +248,18 @@ def _messages(
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
     there are none, the images are searched.
     """
+    events: tuple[type, ...] = (Event,) if options.guided else ()
     if info.rig is None:
-        return reader.packed_messages((ImuSample, Event, BlobFrame))  # type: ignore[return-value]
+        return reader.packed_messages((ImuSample, *events, BlobFrame))  # type: ignore[return-value]
     has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
     keep = options.with_sensors
     if has_blobs and not options.colours:
-        kinds = (ImuSample, CameraImuSample, Event, BlobFrame, *((StereoFrame,) if keep else ()))
+        kinds = (ImuSample, CameraImuSample, *events, BlobFrame, *((StereoFrame,) if keep else ()))
         return reader.packed_messages(kinds)  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
         what = "no images to try other colours on" if has_blobs else "neither blobs nor images"
         raise FileError(f"{reader.path} holds {what}.")
-    packed = reader.packed_messages((ImuSample, CameraImuSample, Event, StereoFrame))
+    packed = reader.packed_messages((ImuSample, CameraImuSample, *events, StereoFrame))
     return detected(packed, make_detector(profile_of(info), info), threads, keep)
 
 

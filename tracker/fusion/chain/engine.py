@@ -158,16 +158,16 @@ class ChainEngine:
 
     def profile(self) -> WearerProfile:
         """What has been learned of the wearer."""
-        return self._tracker.wearer.profile(self._tracker.state)
+        return self._tracker.profile()
 
     def put_on(self, profile: WearerProfile) -> None:
         """Take what is known of the wearer, now and at each new start."""
-        self._tracker.wearer.put_on(self._tracker.state, profile)
+        self._tracker.put_on(profile)
         self._timeline.rebuild_head()
 
     def reset_calibration(self, segments: Sequence[str] | None = None) -> None:
         """Forget what was learned of some segments, or (None) of all of them."""
-        self._tracker.wearer.reset(self._tracker.state, segments)
+        self._tracker.reset(segments)
         self._timeline.rebuild_head()
 
     def freeze_calibration(self, on: bool) -> None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tracker.fusion.chain.distal import Synergies
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.state import ChainState
 from tracker.messages import Array
@@ -15,7 +16,8 @@ from tracker.records import record
 @record("chain.profile")
 @dataclass(frozen=True, eq=False)
 class WearerProfile:
-    """The calibration part of a `ChainState` and its covariance P (C, C), in the same order."""
+    """The calibration part of a `ChainState` and its covariance P (C, C), in the same order; the
+    wearer's own synergies where they are known."""
 
     bg: Array
     R_IB: Array
@@ -24,6 +26,7 @@ class WearerProfile:
     joint: Array
     marker: Array
     P: Array
+    synergies: Synergies | None = None
 
     def reversed_in_time(self, layout: ChainLayout) -> WearerProfile:
         """For data played backwards: a gyro's readings change sign, and so does its bias."""

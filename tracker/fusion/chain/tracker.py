@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerKept
 from tracker.fusion.chain.distal import DistalSegments
@@ -137,6 +138,26 @@ class ChainTracker:
             self._wear()
         return learned
 
+    # ---- what is known of the wearer
+
+    def profile(self) -> WearerProfile:
+        """What has been learned, synergies too."""
+        known = self.wearer.profile(self.state)
+        return replace(known, synergies=self._guided.kept.synergies)
+
+    def put_on(self, profile: WearerProfile) -> None:
+        """Take what is known of the wearer, now and at each new start."""
+        self._guided.put_on(profile.synergies)
+        self.wearer.put_on(self.state, profile)
+        self._wear()
+
+    def reset(self, segments: Sequence[str] | None) -> None:
+        """Forget what was learned of some segments, or (None) of all of them."""
+        self.wearer.reset(self.state, segments)
+        if segments is None:
+            self._guided.put_on(None)
+            self._wear()
+
     def _wear(self) -> None:
         """Show the hand with the wearer's own synergies."""
         self.shown.wear(*self.synergies)
@@ -199,7 +220,7 @@ class ChainTracker:
         # 2. Go on from there, with what is frozen.
         self.filter.adopt(started)
         self.wearer.begin(started)
-        if not (self.wearer.is_frozen or known is not None):
+        if not self.wearer.is_frozen and known is self.wearer.kept.known:
             self._guided.again(self.filter)
         self._judge.started(frame.t)
         self.shown.started()

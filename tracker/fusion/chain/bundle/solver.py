@@ -9,12 +9,13 @@ those of docs/chain.md.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from tracker.fusion.chain.bundle.keyframes import Keyframe, Keyframes
 from tracker.fusion.chain.bundle.rows import KeyframeRows
-from tracker.fusion.chain.guided.learning import GuidedLearning
+from tracker.fusion.chain.guided.learning import CALIBRATION, GuidedLearning, calibration_error
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.prior import initial_covariance
@@ -54,6 +55,13 @@ class BundleWork:
     rows: int = 0
 
 
+class Beside(NamedTuple):
+    """What is known beside keyframes: by guided poses, and (None: as of anybody) of the wearer."""
+
+    poses: GuidedLearning
+    known: WearerProfile | None
+
+
 class Bundle:
     """Keyframe calibration of one chain filter; holds nothing that changes."""
 
@@ -84,24 +92,24 @@ class Bundle:
             work.keyframes.offer(frame, self._params)
 
     def step(
-        self, work: BundleWork, state: ChainState, poses: GuidedLearning
+        self, work: BundleWork, state: ChainState, beside: Beside | None
     ) -> WearerProfile | None:
         """One keyframe further; the wearer, once a solution is complete.
 
-        What guided ``poses`` have said counts beside the keyframes.
+        What is known ``beside`` the keyframes counts too.
         """
         if work.calibration is None:
-            self._begin_when_due(work, state, poses)
+            self._begin_when_due(work, state, beside)
             return None
         k = len(work.back)
         self._linearise(work, k)
         if len(work.back) < len(work.frames):
             return None
-        return self._move_on(work, poses)
+        return self._move_on(work, beside)
 
     # ---- one solution
 
-    def _begin_when_due(self, work: BundleWork, state: ChainState, poses: GuidedLearning) -> None:
+    def _begin_when_due(self, work: BundleWork, state: ChainState, beside: Beside | None) -> None:
         p = self._params
         if np.isnan(work.next_at):
             work.pause = p.first_after
@@ -115,15 +123,21 @@ class Bundle:
         work.R_GB = [f.R_GB for f in work.frames]
         work.calibration = replace(state.copy(), P=np.zeros((0, 0)))
         work.sweep = 0
-        self._begin_sweep(work, poses)
+        self._begin_sweep(work, beside)
 
-    def _begin_sweep(self, work: BundleWork, poses: GuidedLearning) -> None:
+    def _begin_sweep(self, work: BundleWork, beside: Beside | None) -> None:
         """The sums start with what is known beforehand of hands and fittings, and by poses."""
         assert work.calibration is not None
         work.back, work.misfit, work.rows = [], 0.0, 0
-        N, g = poses.information(work.calibration)
-        work.N = self._information + N
-        work.g = g - self._information @ self._off_nominal(work.calibration)
+        information, off = self._information, self._off_nominal(work.calibration)
+        known = beside.known if beside is not None else None
+        if known is not None:
+            information = np.asarray(np.linalg.inv(known.P), float)
+            off = calibration_error([getattr(known, n) for n in CALIBRATION], work.calibration)
+        work.N, work.g = information.copy(), -information @ off
+        if beside is not None:
+            N, g = beside.poses.information(work.calibration)
+            work.N, work.g = work.N + N, work.g + g
 
     def _off_nominal(self, state: ChainState) -> Array:
         """(C,) difference from the files' values."""
@@ -156,7 +170,7 @@ class Bundle:
         work.g += G.T @ r - B[:, :-1].T @ back[:, -1]
         work.back.append(back)
 
-    def _move_on(self, work: BundleWork, poses: GuidedLearning) -> WearerProfile | None:
+    def _move_on(self, work: BundleWork, beside: Beside | None = None) -> WearerProfile | None:
         """Solve for the calibration, move it and all poses; the wearer after the last sweep.
 
         Postures that do not fit are dropped before the calibration can bend to them.
@@ -168,7 +182,7 @@ class Bundle:
         self._move(work, work.calibration)
         work.sweep += 1
         if work.sweep < self._params.sweeps:
-            self._begin_sweep(work, poses)
+            self._begin_sweep(work, beside)
             return None
         solved, N = work.calibration, work.N
         if not self._believable(solved):

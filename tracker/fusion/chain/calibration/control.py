@@ -104,4 +104,5 @@ def renewed(
 def fits(profile: WearerProfile, layout: ChainLayout) -> bool:
     """Whether a profile is of a glove and hand with this layout."""
     like = profile_of(initial_state(layout), layout)
-    return all(getattr(profile, k).shape == v.shape for k, v in vars(like).items())
+    arrays = {k: v for k, v in vars(like).items() if isinstance(v, np.ndarray)}
+    return all(getattr(profile, k).shape == v.shape for k, v in arrays.items())

@@ -1,93 +1,145 @@
-"""A wearer's profile as a file: what was learned, of which glove, and how it looked then.
+"""A wearer's profile as a file: what belongs to the person, and stays so when the glove comes off.
 
-A NumPy archive (.npz) without pickled objects: the arrays of `WearerProfile`, those of the
-`Calibration` of that moment for comparing, and the names that both belong to.
+A TOML text of schema 1: factors of bones against the hand file, offsets of finger bases (m), own
+synergies (ratio, offset and aside in rad), and how sure all of that is, as covariances in the order
+in which they stand. What belongs to one putting-on of the glove (mountings, markers) and to one day
+(biases) is not in it: a reader starts those as for anybody.
 """
 
 from __future__ import annotations
 
-import io
-import zipfile
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import tomli_w
 
 from tracker.errors import FileError
 from tracker.files import write_kept
-from tracker.fusion.chain.calibration.control import fits
+from tracker.fusion.chain.distal import OWN, DistalSegments, Synergies
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.profile import WearerProfile
-from tracker.messages import Calibration
+from tracker.fusion.chain.params import PriorParams, SynergyParams
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.profile import WearerProfile, profile_of
+from tracker.fusion.chain.reports import calibration_of
+from tracker.fusion.chain.state import SCALE_LIMITS, initial_state
+from tracker.messages import Array, Calibration
+from tracker.toml_reader import parse_toml, read_text
 
 SCHEMA = 1
-_PROFILE = tuple(f.name for f in fields(WearerProfile))
-_CALIBRATION = tuple(f.name for f in fields(Calibration) if f.name != "segments")
+MOST_OFFSET = 0.05  # m, of a finger base; and rad / 0.05 of a synergy
 
 
 @dataclass(frozen=True, eq=False)
 class WearerFile:
-    """``hand`` and ``glove`` are the models' names."""
+    """What was learned of a wearer of the hand and glove that ``layout`` is of."""
 
-    hand: str
-    glove: str
+    layout: ChainLayout
     profile: WearerProfile
     calibration: Calibration
 
 
 def write_wearer(path: Path, wearer: WearerFile) -> None:
     """Replace the file as a whole. Raises FileError in words."""
-    values: dict[str, Any] = {
+    write_kept(path, wearer_text(wearer))
+
+
+def wearer_text(wearer: WearerFile) -> str:
+    """The file's text."""
+    profile, layout, hand = wearer.profile, wearer.layout, wearer.layout.hand
+    bases = [name for name, b in zip(layout.names, layout.base_of, strict=True) if b >= 0]
+    said: dict[str, Any] = {
         "schema": SCHEMA,
-        "hand": wearer.hand,
-        "glove": wearer.glove,
-        "segments": np.array(wearer.calibration.segments),
-        **{f"profile_{k}": getattr(wearer.profile, k) for k in _PROFILE},
-        **{f"calibration_{k}": getattr(wearer.calibration, k) for k in _CALIBRATION},
+        "hand": hand.name,
+        "glove": layout.glove.name,
+        "bones": {
+            name: {"length": float(length), "girth": float(girth)}
+            for name, (length, girth) in zip(layout.names, profile.scale, strict=True)
+        },
+        "bases": dict(zip(bases, profile.joint.tolist(), strict=True)),
+        "certainty": {"bones": _bones(profile.P, layout).tolist()},
     }
-    packed = io.BytesIO()
-    np.savez_compressed(packed, allow_pickle=False, **values)
-    write_kept(path, packed.getvalue())
+    if profile.synergies is not None:
+        digits = DistalSegments(layout, SynergyParams()).digits
+        said["synergies"] = {
+            hand.synergies[d.link].angle: dict(
+                zip(("ratio", "offset", "aside"), value.tolist(), strict=True)
+            )
+            for d, value in zip(digits, profile.synergies.value, strict=True)
+        }
+        said["certainty"]["synergies"] = profile.synergies.P.tolist()
+    return tomli_w.dumps(said)
 
 
 def read_wearer(path: Path, layout: ChainLayout) -> WearerFile:
     """Raises FileError where it is none, or of another hand or glove."""
     try:
-        with np.load(path, allow_pickle=False) as archive:
-            values = {name: archive[name] for name in archive.files}
-        wearer = _parse(values)
-    except OSError as error:
-        reason = error.strerror or "it cannot be read"
-        raise FileError(f"{path.name} is no profile of a wearer: {reason}.") from error
-    except (ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
-        raise FileError(f"{path.name} is no profile of a wearer, or it is damaged.") from error
+        said = parse_toml(read_text(path), path.name)
+    except FileError as error:
+        raise FileError(f"{path.name} is no profile of a wearer: {error}") from error
+    names = str(said.get("hand", "")), str(said.get("glove", ""))
     ours = layout.hand.name, layout.glove.name
-    if (wearer.hand, wearer.glove) != ours or not fits(wearer.profile, layout):
+    if all(names) and names != ours:
         raise FileError(
-            f"{path.name} is of hand {wearer.hand} with glove {wearer.glove}; "
+            f"{path.name} is of hand {names[0]} with glove {names[1]}; "
             f"this is hand {ours[0]} with glove {ours[1]}."
         )
-    return wearer
+    try:
+        return _parsed(said, layout)
+    except (KeyError, TypeError, ValueError) as error:
+        raise FileError(f"{path.name} is no profile of a wearer, or it is damaged.") from error
 
 
-def _parse(values: dict[str, Any]) -> WearerFile:
-    if int(values["schema"]) != SCHEMA:
+def _parsed(said: dict[str, Any], layout: ChainLayout) -> WearerFile:
+    """Raises KeyError, TypeError or ValueError where the table is not what it should be."""
+    if said["schema"] != SCHEMA:
         raise ValueError("another version wrote it")
-    profile = {k: np.asarray(values[f"profile_{k}"], float) for k in _PROFILE}
-    if not all(np.isfinite(v).all() for v in profile.values()):
-        raise ValueError("it holds values that are no numbers")
-    calibration: dict[str, Any] = {
-        k: _plain(np.asarray(values[f"calibration_{k}"], float)) for k in _CALIBRATION
-    }
-    return WearerFile(
-        str(values["hand"]),
-        str(values["glove"]),
-        WearerProfile(**profile),
-        Calibration(segments=tuple(str(s) for s in values["segments"]), **calibration),
-    )
+    state = initial_state(layout)
+    state.P = initial_covariance(layout, PriorParams())
+    bones = [said["bones"][name] for name in layout.names]
+    state.scale = _numbers([[b["length"], b["girth"]] for b in bones], state.scale.shape)
+    bases = [said["bases"][n] for n, b in zip(layout.names, layout.base_of, strict=True) if b >= 0]
+    state.joint = _numbers(bases, state.joint.shape)
+    block = slice(layout.blocks.scale, layout.blocks.marker)
+    known = _bones(state.P[layout.n_dynamic :, layout.n_dynamic :], layout)
+    state.P[block, block] = _covariance(said["certainty"]["bones"], len(known))
+    low, high = SCALE_LIMITS
+    inside = np.all((state.scale >= low) & (state.scale <= high))
+    if not inside or np.abs(state.joint).max(initial=0.0) > MOST_OFFSET:
+        raise ValueError("no hand is like that")
+    profile = replace(profile_of(state, layout), synergies=_synergies(said, layout))
+    return WearerFile(layout, profile, calibration_of(layout, state))
 
 
-def _plain(value: Any) -> Any:
-    """A float for an array without dimensions."""
-    return float(value) if value.ndim == 0 else value
+def _synergies(said: dict[str, Any], layout: ChainLayout) -> Synergies | None:
+    if "synergies" not in said:
+        return None
+    distal = DistalSegments(layout, SynergyParams())
+    told = [said["synergies"][layout.hand.synergies[d.link].angle] for d in distal.digits]
+    rows = [[t["ratio"], t["offset"], t["aside"]] for t in told]
+    value = _numbers(rows, (len(rows), OWN))
+    if np.abs(value).max(initial=0.0) > 2 * np.pi:
+        raise ValueError("no joint bends like that")
+    return Synergies(value, _covariance(said["certainty"]["synergies"], value.size))
+
+
+def _bones(P: Array, layout: ChainLayout) -> Array:
+    """The block of scales and finger bases of a calibration's covariance."""
+    n = layout.n_dynamic
+    block = slice(layout.blocks.scale - n, layout.blocks.marker - n)
+    return P[block, block]
+
+
+def _numbers(value: Any, shape: tuple[int, ...]) -> Array:
+    out = np.array(value, float).reshape(-1, *shape[1:])
+    if out.shape != shape or not np.isfinite(out).all():
+        raise ValueError("numbers are missing")
+    return out
+
+
+def _covariance(value: Any, size: int) -> Array:
+    out = _numbers(value, (size, size))
+    if size and (not np.allclose(out, out.T) or np.linalg.eigvalsh(out).min() < -1e-9):
+        raise ValueError("no covariance")
+    return out

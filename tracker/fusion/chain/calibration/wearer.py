@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from tracker.fusion.chain.bundle.keyframes import keyframe_of
-from tracker.fusion.chain.bundle.solver import Bundle, BundleWork, adopt
+from tracker.fusion.chain.bundle.solver import Beside, Bundle, BundleWork, adopt
 from tracker.fusion.chain.calibration import control
 from tracker.fusion.chain.guided.learning import GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
@@ -120,11 +120,11 @@ class WearerCalibration:
         poses: GuidedLearning,
     ) -> None:
         """Remember this posture if it is worth it, and go a step on with the keyframes' bundle;
-        not where the calibration is frozen or known beforehand."""
-        if not self._params.bundle.enabled or self.is_frozen or self.is_known:
+        not where the calibration is frozen."""
+        if not self._params.bundle.enabled or self.is_frozen:
             return
         self._remember(state, image, found, buffer)
-        solved = self._bundle.step(self.kept.work, state, poses)
+        solved = self._bundle.step(self.kept.work, state, Beside(poses, self.kept.known))
         if solved is not None:
             adopt(state, self._layout, solved)
 

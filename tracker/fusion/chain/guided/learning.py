@@ -42,6 +42,7 @@ class GuidedKept:
     samples: list[HeldSample] = field(default_factory=list)  # of the hold that goes on
     told: list[Told] = field(default_factory=list)  # what was believed
     synergies: Synergies | None = None  # None: as before the first pose
+    base: Synergies | None = None  # what was known before the first pose, None: the hand file
 
 
 class GuidedLearning:
@@ -59,6 +60,15 @@ class GuidedLearning:
     def synergies(self) -> Synergies:
         """As they are known now."""
         return self.kept.synergies or self._distal.prior()
+
+    @property
+    def _base(self) -> Synergies:
+        """What was known before the first pose."""
+        return self.kept.base or self._distal.prior()
+
+    def put_on(self, known: Synergies | None) -> None:
+        """Begin anew with the synergies of a wearer's profile, or (None) the hand file's."""
+        self.kept.told, self.kept.base, self.kept.synergies = [], known, known
 
     # ---- while the filter goes on
 
@@ -132,7 +142,7 @@ class GuidedLearning:
     def again(self, filter_: ChainFilter) -> None:
         """The filter has started from nothing: tell its calibration what poses have said."""
         if self.kept.told:
-            own, told = self._distal.prior(), self.kept.told
+            own, told = self._base, self.kept.told
             H_own = np.concatenate([t.H_own for t in told])
             r = np.concatenate([self.innovation(t, filter_.state, own.value) for t in told])
             R = block_diag(*(t.R for t in told)) + H_own @ own.P @ H_own.T
@@ -141,7 +151,7 @@ class GuidedLearning:
     def information(self, state: ChainState) -> tuple[Array, Array]:
         """(C, C) and (C,) of the normal equations by the calibration at a state's, the synergies
         eliminated: all that poses have said."""
-        own, n = self._distal.prior(), self._layout.blocks.size - self._layout.n_dynamic
+        own, n = self._base, self._layout.blocks.size - self._layout.n_dynamic
         N, g = np.zeros((n, n)), np.zeros(n)
         N_own, g_own = np.linalg.inv(own.P), np.zeros(own.value.size)
         N_both = np.zeros((n, own.value.size))
