@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.storage.settings import AppSettings
+from app.words import tr
 from tracker.errors import DeviceError
 from tracker.sensors.camera_controls import ControlledInput, Locks, locks_from
 from tracker.sensors.camera_plugins import all_cameras, is_plugin, open_plugin
@@ -119,8 +120,11 @@ def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
         return next(named, CameraName(index, f"camera {index}", ""))
     if not cameras:
         raise DeviceError(
-            "No camera was found. Plug in the stereo camera and look again, or, where the system "
-            "lists no cameras, enter its number under Set-up, Camera (0 is the first one)."
+            tr(
+                "No camera was found. Plug in the stereo camera and look again, or, where the "
+                "system lists no cameras, enter its number under Set-up, Camera "
+                "(0 is the first one)."
+            )
         )
     if not wanted:
         return cameras[0]
@@ -129,6 +133,8 @@ def _find(wanted: str, cameras: list[CameraName]) -> CameraName:
             return camera
     there = ", ".join(c.name for c in cameras)
     raise DeviceError(
-        f"The camera {wanted} is not there; there are: {there}. Plug it in, or choose another one "
-        "under Set-up, Camera."
+        tr(
+            "The camera {} is not there; there are: {}. Plug it in, or choose another one "
+            "under Set-up, Camera."
+        ).format(wanted, there)
     )

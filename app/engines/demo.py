@@ -10,6 +10,7 @@ from app.engines.engine import EngineSetup, ReferenceHand
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
+from app.words import tr
 from tracker import library
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
@@ -39,7 +40,7 @@ def demo_setup(
 
     ``camera``: one that was started before, for the same seed and rate.
     """
-    progress(0.1, "a simulated wearer and camera")
+    progress(0.1, tr("a simulated wearer and camera"))
     camera = camera or start_camera(seed, fps)  # its own process gets ready beside us
     try:
         return _setup_with(progress, demo_spec(seed, fps), camera)
@@ -58,11 +59,11 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         size = float(simulation.glove.marker_size.mean())
         return Detector(colours, size, simulation.rig.fx)
 
-    progress(0.5, "first image")
+    progress(0.5, tr("first image"))
     warm_up(simulation.hand, simulation.glove, make_detector(profile))
-    progress(0.9, "devices")
+    progress(0.9, tr("devices"))
     if not camera.wait_ready(CAMERA_TIMEOUT):
-        raise DeviceError("The simulated camera did not start.")
+        raise DeviceError(tr("The simulated camera did not start."))
     count = len(simulation.glove.imus)
     device = SimulatedGlove(simulation.imu_samples(), count)
     link = GloveLink(serial_port(device.path), count)

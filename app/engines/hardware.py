@@ -14,6 +14,7 @@ from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings
+from app.words import tr
 from tracker import library
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.clock import ClockAnchor
@@ -51,7 +52,7 @@ class Found:
     @property
     def name(self) -> str:
         """For the window's title."""
-        return f"glove at {self.glove.path}" if self.glove else "camera alone"
+        return tr("glove at {}").format(self.glove.path) if self.glove else tr("camera alone")
 
     @property
     def whole(self) -> bool:
@@ -64,7 +65,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     Raises DeviceError with what is missing where there is neither glove nor camera.
     """
     found = find_devices(progress, settings)
-    progress(0.7, "engine")
+    progress(0.7, tr("engine"))
     hand, glove = library.load(settings.glove, settings.hand)
     pipeline = Pipeline(hand, glove, found.rig, Settings() if found.whole else INERTIAL)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
@@ -114,14 +115,14 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     """Look for glove, calibration and camera. Raises DeviceError where neither device is there."""
     missing: list[str] = []
     glove = _unless_missing(lambda: find_port(progress, settings.port, settings.baud), missing)
-    progress(0.5, "camera")
+    progress(0.5, tr("camera"))
     rig = _unless_missing(lambda: rig_of(settings.calibration), missing)
     width, height = (rig.left.width, rig.left.height) if rig else (WIDTH, HEIGHT)
     camera = _unless_missing(lambda: choose(settings, width, height, FPS), missing)
     if glove is None and camera is None:
         raise DeviceError(" ".join(missing))
     if glove is not None and not (rig and camera):
-        missing.append("The hand is shown by its IMUs alone, without a place.")
+        missing.append(tr("The hand is shown by its IMUs alone, without a place."))
     return Found(glove, camera, rig, tuple(missing))
 
 
@@ -163,15 +164,17 @@ def find_port(progress: JobProgress, last: str, baud: int = 0) -> PortReport:
             return report
         troubles.append(report.trouble)
     if not troubles:
-        raise DeviceError("No glove was found: no USB serial port is there. Is it plugged in?")
-    raise DeviceError(f"No glove was found. {' '.join(troubles)}")
+        raise DeviceError(tr("No glove was found: no USB serial port is there. Is it plugged in?"))
+    raise DeviceError(tr("No glove was found. {}").format(" ".join(troubles)))
 
 
 def rig_of(calibration: str) -> StereoRig:
     """The stereo calibration that the user chose."""
     if not calibration:
         raise DeviceError(
-            "The camera has no stereo calibration yet: make or import one under "
-            "Set-up, Stereo calibration."
+            tr(
+                "The camera has no stereo calibration yet: make or import one under "
+                "Set-up, Stereo calibration."
+            )
         )
     return load_rig(Path(calibration), ImportForm(WIDTH, HEIGHT))

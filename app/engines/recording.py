@@ -11,6 +11,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup, RecordingRequest
+from app.words import tr
 from tracker.clock import monotonic
 from tracker.config import to_toml
 from tracker.errors import GlovetrackError
@@ -115,8 +116,9 @@ class Recording(QObject):
         self.look()
         if self._closing is not None:
             self.failed.emit(
-                f"{self._closing[0].name} is still being written to its end; "
-                "then another recording can begin."
+                tr(
+                    "{} is still being written to its end; then another recording can begin."
+                ).format(self._closing[0].name)
             )
             return False
         try:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine_host import EngineHost
+from app.words import tr
 from tracker.errors import ConfigError
 from tracker.fusion.chain.calibration.control import renewed
 from tracker.fusion.chain.calibration.profile_file import WearerFile
@@ -21,7 +22,7 @@ def chain_of(engine: Engine) -> ChainEngine:
     if isinstance(engine, ChainEngine):
         return engine
     raise ConfigError(
-        "Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu."
+        tr("Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu.")
     )
 
 

@@ -10,14 +10,15 @@ from PySide6.QtCore import QObject, Signal
 
 from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
+from app.words import mark
 from tracker.files import free_path
 from tracker.session.export.options import ExportOptions
 
-WAITING = StateLook(IDLE.colour, "◌", "waiting")
-RUNNING = StateLook(SKY, "▶", "under way")
-DONE = StateLook(GOOD.colour, GOOD.sign, "done")
-FAILED = StateLook(BAD.colour, BAD.sign, "failed")
-CANCELLED = StateLook(IDLE.colour, IDLE.sign, "cancelled")
+WAITING = StateLook(IDLE.colour, "◌", mark("waiting"))
+RUNNING = StateLook(SKY, "▶", mark("under way"))
+DONE = StateLook(GOOD.colour, GOOD.sign, mark("done"))
+FAILED = StateLook(BAD.colour, BAD.sign, mark("failed"))
+CANCELLED = StateLook(IDLE.colour, IDLE.sign, mark("cancelled"))
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.compare import Comparison
+from app.words import tr
 from tracker.errors import FileError
 from tracker.offline.options import TrackOptions
 
@@ -28,7 +29,7 @@ def track_job(source: Path, out: Path, wanted: TrackOptions) -> Job:
             tracked = any(n.startswith("/hand/") for n in reader.topic_names)
         if not tracked:
             return None
-        progress(TRACKING_SHARE, "comparing")
+        progress(TRACKING_SHARE, tr("comparing"))
         return compared(source, out)
 
     return run
@@ -38,7 +39,7 @@ def compare_job(first: Path, second: Path) -> Job:
     """A job whose result is the `Comparison` of two sessions."""
 
     def run(progress: JobProgress) -> Comparison:
-        progress(-1.0, "comparing")
+        progress(-1.0, tr("comparing"))
         return compared(first, second)
 
     return run
@@ -75,5 +76,5 @@ def free_name(source: Path, engine: str) -> Path:
     from tracker.files import free_path
 
     if not source.parent.is_dir():
-        raise FileError(f"The folder {source.parent} is not there any more.")
+        raise FileError(tr("The folder {} is not there any more.").format(source.parent))
     return free_path(source.with_name(f"{source.stem}_{engine or 'again'}{source.suffix}"))

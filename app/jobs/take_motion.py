@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from app.platform.tasks import JobProgress
+from app.words import tr
 from tracker.errors import FileError
 from tracker.session.motion import Take, read_take
 from tracker.session.reader import SessionReader
@@ -29,4 +30,5 @@ def csv_of(text: str, path: Path) -> None:
     try:
         path.write_text(text, "utf-8", newline="")
     except OSError as error:
-        raise FileError(f"{path} cannot be written: {error.strerror or error}.") from error
+        words = tr("{} cannot be written: {}.")
+        raise FileError(words.format(path, error.strerror or error)) from error

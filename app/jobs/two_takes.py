@@ -6,6 +6,7 @@ from pathlib import Path
 
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.two_takes import TwoTakes, read_take
+from app.words import tr
 from tracker.errors import FileError
 
 
@@ -18,7 +19,7 @@ def two_takes_job(first: Path, second: Path) -> Job:
             progress(i / 2, path.name)
             takes.append(read_take(path))
             if not len(takes[-1].t):
-                raise FileError(f"{path.name} is not tracked: track it again first.")
+                raise FileError(tr("{} is not tracked: track it again first.").format(path.name))
         return TwoTakes(*takes)
 
     return run

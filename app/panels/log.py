@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.panels.panel import Panel
 from app.viewmodels.log import KINDS, EventLog
+from app.words import tr
 from tracker.messages import Event
 
 _log = logging.getLogger(__name__)
@@ -36,7 +37,7 @@ class LogPanel(Panel):
         self.kind = QComboBox()
         self.kind.addItem(self.tr("Everything"), "")
         for kind, look in KINDS.items():
-            self.kind.addItem(f"{look.sign}  {look.word}", kind)
+            self.kind.addItem(f"{look.sign}  {tr(look.word)}", kind)
         self.kind.currentIndexChanged.connect(self._rebuild)
         self.search = QLineEdit()
         self.search.setPlaceholderText(self.tr("Filter"))

@@ -39,6 +39,7 @@ from app.viewmodels.streams import (
     stream_row,
     title,
 )
+from app.words import tr
 
 TEST_MS = 300
 MOST, USUAL = 255, 200  # amplitude
@@ -146,7 +147,7 @@ class StreamsPanel(Panel):
 
     def _reach(self) -> QLabel:
         """Who else hears what is switched on, of those that the address does not bound."""
-        lines = [f"{title(name)}: {words}." for name, words in REACH.items()]
+        lines = [f"{title(name)}: {tr(words)}." for name, words in REACH.items()]
         self.reach = QLabel("\n".join(lines))
         self.reach.setProperty("role", "faint")
         self.reach.setWordWrap(True)
@@ -156,7 +157,7 @@ class StreamsPanel(Panel):
         box = self.boxes[name] = QCheckBox(title(name))
         box.setChecked(self._outputs.is_on(name))
         box.toggled.connect(partial(self._outputs.switch, name))
-        box.setToolTip(REACH.get(name, ""))
+        box.setToolTip(tr(REACH.get(name, "")))
         grid.addWidget(box, i, 0)
         if name not in WITHOUT_PORT:
             port = self.ports[name] = QSpinBox()

@@ -19,6 +19,7 @@ import psutil
 
 from app.platform.licences import parts
 from app.storage.settings import AppSettings
+from app.words import tr
 from tracker import __version__
 from tracker.clock import NS
 from tracker.errors import GlovetrackError
@@ -28,7 +29,6 @@ from tracker.messages import Event, StereoFrame
 EXCERPT_S = 10.0
 PERSONAL_SETTINGS = ("participant", "task", "recording_name", "sessions_folder")
 SHORTEST_NAME = 3  # letters; shorter ones stand in too many words
-PIXELS = "camera images"
 
 
 @dataclass(frozen=True)
@@ -61,25 +61,31 @@ class Material:
 def contents(choice: Choice) -> list[str]:
     """What will be inside, in words."""
     out = [
-        "the log of the window and of the program, and of a crash if there was one",
-        "versions of Glovetrack, its packages and the operating system; size of the machine",
-        "the window's settings"
-        + ("" if choice.personal else ", without participant, task and folders"),
-        "rates, latencies and losses of now",
+        tr("the log of the window and of the program, and of a crash if there was one"),
+        tr("versions of Glovetrack, its packages and the operating system; size of the machine"),
+        tr("the window's settings")
+        if choice.personal
+        else tr("the window's settings, without participant, task and folders"),
+        tr("rates, latencies and losses of now"),
     ]
     if choice.screenshot:
-        masked = (
-            ""
-            if choice.personal
-            else ", with the library, the recording panel and the log blacked out"
+        whole = tr("an image of the window as it is now")
+        masked = tr(
+            "an image of the window as it is now, with the library, the recording panel and the "
+            "log blacked out"
         )
-        out.append(f"an image of the window as it is now{masked}")
+        out.append(whole if choice.personal else masked)
     if choice.session:
-        what = "with" if choice.images else "without"
-        out.append(
-            f"the last {EXCERPT_S:.0f} s of the session that is open: sensor data and tracking, "
-            f"{what} {PIXELS}"
+        what = tr(
+            "the last {} s of the session that is open: sensor data and tracking, without "
+            "camera images"
         )
+        if choice.images:
+            what = tr(
+                "the last {} s of the session that is open: sensor data and tracking, with "
+                "camera images"
+            )
+        out.append(what.format(f"{EXCERPT_S:.0f}"))
     return out
 
 
@@ -140,7 +146,7 @@ def write_bundle(path: Path, material: Material, choice: Choice) -> list[str]:
 
 
 def _readme(choice: Choice, troubles: Sequence[str]) -> str:
-    lines = ["A bug report of Glovetrack. It holds:", *(f"- {c}" for c in contents(choice))]
+    lines = [tr("A bug report of Glovetrack. It holds:"), *(f"- {c}" for c in contents(choice))]
     if troubles:
         lines += ["", "Not in it:", *(f"- {t}" for t in troubles)]
     return "\n".join(lines) + "\n"

@@ -24,6 +24,7 @@ import platformdirs
 import psutil
 from PySide6.QtCore import QObject, Signal
 
+from app.words import tr
 from tracker import __version__
 
 _log = logging.getLogger(__name__)
@@ -95,7 +96,9 @@ class CrashWatch(QObject):
         sys.stderr.write(text)
         self._file.write(f"{time.strftime('%Y-%m-%d %H:%M:%S')}\n{text}")
         self._file.flush()
-        self.happened.emit(f"Something went wrong inside Glovetrack ({kind.__name__}: {error}).")
+        self.happened.emit(
+            tr("Something went wrong inside Glovetrack ({}: {}).").format(kind.__name__, error)
+        )
 
     def end(self) -> None:
         """The program ends as it should."""

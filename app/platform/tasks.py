@@ -8,6 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from app.words import tr
 from tracker.errors import GlovetrackError
 
 
@@ -75,7 +76,9 @@ class RunningJob(QObject):
         except GlovetrackError as error:
             self.failed.emit(str(error))
         except Exception as error:  # noqa: BLE001  a job's crash must reach the window, whatever it is
-            self.failed.emit(f"{self.title} failed: {type(error).__name__}: {error}")
+            self.failed.emit(
+                tr("{} failed: {}: {}").format(self.title, type(error).__name__, error)
+            )
         else:
             self.done.emit(result)
         self.ended.emit()

@@ -11,6 +11,7 @@ import logging
 from collections.abc import Iterable
 from pathlib import Path
 
+from app.words import tr
 from tracker.errors import FileError
 from tracker.files import disk_error, write_whole
 
@@ -34,7 +35,7 @@ def read_tags(session: Path) -> tuple[str, ...]:
     path = tags_path(session)
     try:
         if path.stat().st_size > MOST_BYTES:
-            raise ValueError("it is too large")
+            raise ValueError(tr("it is too large"))
         words = json.loads(path.read_text("utf-8"))["tags"]
         return tuple(word for word in words if isinstance(word, str))
     except FileNotFoundError:
@@ -65,4 +66,6 @@ def move_tags(before: Path, after: Path) -> None:
         path.replace(tags_path(after))
     except OSError as error:
         reason = error.strerror or str(error)
-        raise FileError(f"The tags of {before.name} were left behind: {reason}.") from error
+        raise FileError(
+            tr("The tags of {} were left behind: {}.").format(before.name, reason)
+        ) from error

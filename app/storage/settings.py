@@ -18,6 +18,7 @@ from typing import Any
 
 import platformdirs
 
+from app.words import tr
 from tracker.config import UNKNOWN, from_dict
 from tracker.files import free_path, write_kept
 
@@ -121,19 +122,19 @@ class SettingsStore:
     def _set_aside(self, error: Exception) -> None:
         aside = free_path(self.path.with_suffix(".unreadable.json"))
         self.path.replace(aside)
-        self.notice = (
-            f"The window's settings could not be used ({error}), so it starts with its own. "
-            f"They are kept in {aside}."
-        )
+        self.notice = tr(
+            "The window's settings could not be used ({}), so it starts with its own. "
+            "They are kept in {}."
+        ).format(error, aside)
         _log.warning("%s", self.notice)
 
 
 def _version_of(data: Any) -> int:
     version = data.get("version") if isinstance(data, dict) else None
     if type(version) is not int or version < 1:
-        raise ValueError("they do not say which version they are of")
+        raise ValueError(tr("they do not say which version they are of"))
     if version > VERSION:
-        raise ValueError("a later version of Glovetrack wrote them")
+        raise ValueError(tr("a later version of Glovetrack wrote them"))
     return version
 
 

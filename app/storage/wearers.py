@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from app.words import tr
 from tracker.errors import GlovetrackError
 from tracker.files import kept_name
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
@@ -39,4 +40,6 @@ class WearerStore:
             self.path(name).unlink(missing_ok=True)
         except OSError as error:
             reason = error.strerror or str(error)
-            raise GlovetrackError(f"The profile {name} was not removed: {reason}.") from error
+            raise GlovetrackError(
+                tr("The profile {} was not removed: {}.").format(name, reason)
+            ) from error

@@ -33,11 +33,17 @@ def words_in(code: str) -> Iterator[tuple[str, int]]:
             if name == "translate" and not _is_qt(node.func):
                 continue
             word = node.args[at] if len(node.args) > at else None
-            if isinstance(node.func, ast.Name) and isinstance(word, MARKED):
+            if isinstance(node.func, ast.Name) and _from_table(word):
                 continue
             if not (isinstance(word, ast.Constant) and isinstance(word.value, str)):
                 raise ValueError(f"line {node.lineno}: {ast.unparse(node)} holds no plain words")
             yield word.value, node.lineno
+
+
+def _from_table(word: ast.expr | None) -> bool:
+    if isinstance(word, ast.Call):
+        return isinstance(word.func, ast.Attribute) and word.func.attr == "get"
+    return isinstance(word, MARKED)
 
 
 def _name(function: ast.expr) -> str:

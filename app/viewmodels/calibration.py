@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.words import mark, tr
 from tracker import GRAVITY
 from tracker.messages import Array, Calibration, Status
 
@@ -18,10 +19,12 @@ RANGES = {
     "accel_bias": (0.4, 0.03),
 }
 ADVICE = {
-    "scale": "Spread the fingers and turn the hand before the camera: sizes settle.",
-    "mounting": "Bend and stretch the fingers and turn the wrist: the mounting of IMUs settles.",
-    "gyro_bias": "Hold the hand still for three seconds: gyro biases settle.",
-    "accel_bias": "Hold the hand at several slants: accelerometer biases settle.",
+    "scale": mark("Spread the fingers and turn the hand before the camera: sizes settle."),
+    "mounting": mark(
+        "Bend and stretch the fingers and turn the wrist: the mounting of IMUs settles."
+    ),
+    "gyro_bias": mark("Hold the hand still for three seconds: gyro biases settle."),
+    "accel_bias": mark("Hold the hand at several slants: accelerometer biases settle."),
 }
 SETTLED = 0.9
 
@@ -130,8 +133,9 @@ def _change(
     one = _one(difference, name) * kind.factor
     sign = "+" if name == "scale" and one >= 0 else ""
     text = f"{'▲ ' if clear else ''}Δ {sign}{kind.pattern.format(one)} {kind.unit}".strip()
-    word = "more than 2σ of both" if clear else "within 2σ of both"
-    tip = f"now {figures}\nchange {_figures(difference, sd, kind)}: {word}"
+    word = tr("more than 2σ of both") if clear else tr("within 2σ of both")
+    change = _figures(difference, sd, kind)
+    tip = tr("now {}\nchange {}: {}").format(figures, change, word)
     return CalibrationCell(text, tip, settled)
 
 
@@ -155,9 +159,9 @@ def _advice(
     known = {k: m for k, m in means.items() if np.isfinite(m)}
     worst = min(known, key=lambda k: known[k], default=None)
     if worst is None or known[worst] >= SETTLED:
-        return "Everything has settled."
+        return tr("Everything has settled.")
     least = int(np.nanargmin(shares[worst]))
-    return f"{ADVICE[worst]} Least so far: {rows[least].segment}."
+    return tr("{} Least so far: {}.").format(tr(ADVICE[worst]), rows[least].segment)
 
 
 def _length(c: Calibration, reference: Calibration | None) -> str:
@@ -179,7 +183,9 @@ def camera_time(status: Status | None) -> str:
     v = status.values if status is not None else {}
     late_ms, sd_ms = v.get("camera_offset_ms"), v.get("camera_offset_sd_ms")
     if late_ms is None or sd_ms is None:
-        return "not known yet: turn the hand"
-    word = "late" if late_ms >= 0 else "early"
-    applied = "corrected" if v.get("camera_offset_applied_ms", 0.0) else "not corrected"
-    return f"{abs(late_ms):.1f} ± {2 * sd_ms:.1f} ms {word}, {applied}"
+        return tr("not known yet: turn the hand")
+    word = tr("late") if late_ms >= 0 else tr("early")
+    taken_off = v.get("camera_offset_applied_ms", 0.0)
+    applied = tr("corrected") if taken_off else tr("not corrected")
+    size = tr("{:.1f} ± {:.1f} ms").format(abs(late_ms), 2 * sd_ms)
+    return tr("{} {}, {}").format(size, word, applied)

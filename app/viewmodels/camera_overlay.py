@@ -9,6 +9,7 @@ import numpy as np
 from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GREY, VALIDITY
 from app.widgets.image_shapes import Cross, Ellipse, Label, Line, Ring, Shape
+from app.words import mark, tr
 from tracker.hand.names import bones
 from tracker.messages import Array, Blobs, FrameResult, RejectedBlobs, Tracking, Validity
 from tracker.vision.rig import StereoRig
@@ -18,10 +19,10 @@ VISIBLE = 0.5
 DIM = 0.35
 EDGE_PX = 4.0
 REASONS = {
-    "size": "wrong size",
-    "convexity": "not convex",
-    "circularity": "not round",
-    "edge": "at the edge",
+    "size": mark("wrong size"),
+    "convexity": mark("not convex"),
+    "circularity": mark("not round"),
+    "edge": mark("at the edge"),
 }
 WHITE = "#FFFFFF"
 REASON_ZOOM, ID_ZOOM = 0.8, 0.4  # screen pixels per image pixel
@@ -108,7 +109,7 @@ def _rejected(rejected: RejectedBlobs) -> list[Shape]:
     out: list[Shape] = []
     for (u, v), reason in zip(rejected.uv.tolist(), rejected.reason, strict=True):
         out.append(Cross(u, v, "#FF8A65", diagonal=True))
-        out.append(Label(u, v, REASONS.get(reason, reason), "#FFB199", least_zoom=REASON_ZOOM))
+        out.append(Label(u, v, tr(REASONS.get(reason, reason)), "#FFB199", least_zoom=REASON_ZOOM))
     return out
 
 

@@ -13,6 +13,7 @@ from app.viewmodels.calibration import SETTLED, calibration_view
 from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
+from app.words import tr
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
@@ -71,95 +72,103 @@ def images_arrive(view: Snapshot | None) -> bool:
     return view is not None and view.images_arrive
 
 
-def _silent_words(what: str) -> str:
-    return f"The {what} was here and is silent. Is it plugged in?"
+# Sentences are written whole, not made of pieces: in other languages they bend with what is named.
 
 
 def _glove(view: Snapshot | None) -> SetUpStep:
-    name = "Glove found"
+    name = tr("Glove found")
     if view is not None and packets_arrive(view):
         return SetUpStep(name, True, view.setup.glove.name)
     if view is not None and len(view.imu) > 0:
-        reason = _silent_words("glove")
-        return SetUpStep(name, False, reason, "hardware", "Look again")
-    reason = "No glove answers. Plug it in, or try the demo."
-    return SetUpStep(name, False, reason, "hardware", "Look again")
+        reason = tr("The glove was here and is silent. Is it plugged in?")
+        return SetUpStep(name, False, reason, "hardware", tr("Look again"))
+    reason = tr("No glove answers. Plug it in, or try the demo.")
+    return SetUpStep(name, False, reason, "hardware", tr("Look again"))
 
 
 def _samples(view: Snapshot | None) -> SetUpStep:
-    name = "All IMUs answer"
+    name = tr("All IMUs answer")
     if view is None or not packets_arrive(view):
-        return SetUpStep(name, False, "Waits for the glove.", "glove_setup", "Set up the glove")
+        return SetUpStep(
+            name, False, tr("Waits for the glove."), "glove_setup", tr("Set up the glove")
+        )
     valid = np.array([s.valid for s in list(view.imu)[-100:]]).mean(axis=0)
     silent = [n for n, v in zip(view.setup.glove.imu_names, valid, strict=True) if v < 0.5]
     if silent:
         return SetUpStep(
-            name, False, f"Silent: {', '.join(silent)}.", "show_sensors", "Show sensors"
+            name,
+            False,
+            tr("Silent: {}.").format(", ".join(silent)),
+            "show_sensors",
+            tr("Show sensors"),
         )
-    return SetUpStep(name, True, f"{len(valid)} of {len(valid)}")
+    return SetUpStep(name, True, tr("{} of {}").format(len(valid), len(valid)))
 
 
 def _still(view: Snapshot | None) -> SetUpStep:
     """Either the hand lay still for a moment, or the filter has found the gyros' biases by now."""
-    name = "Measured at rest"
+    name = tr("Measured at rest")
     if view is None or view.calibration is None or not packets_arrive(view):
-        return SetUpStep(name, False, "Waits for the glove.")
+        return SetUpStep(name, False, tr("Waits for the glove."))
     sd = view.calibration.gyro_bias_sd
     if np.all(np.isnan(sd)):
-        return SetUpStep(name, True, "this engine estimates no biases")
+        return SetUpStep(name, True, tr("this engine estimates no biases"))
     worst_dps = float(np.rad2deg(np.nanmax(sd)))
     if worst_dps <= BIAS_DPS:
-        return SetUpStep(name, True, f"gyros known to {worst_dps:.1f} °/s")
-    reason = "Lay the hand flat on the table for two seconds."
-    return SetUpStep(name, False, reason, "glove_setup", "Measure")
+        return SetUpStep(name, True, tr("gyros known to {:.1f} °/s").format(worst_dps))
+    reason = tr("Lay the hand flat on the table for two seconds.")
+    return SetUpStep(name, False, reason, "glove_setup", tr("Measure"))
 
 
 def _camera(view: Snapshot | None) -> SetUpStep:
-    name = "Camera found"
+    name = tr("Camera found")
     if view is not None and view.frame is not None and not images_arrive(view):
-        reason = _silent_words("camera")
-        return SetUpStep(name, False, reason, "hardware", "Look again")
+        reason = tr("The camera was here and is silent. Is it plugged in?")
+        return SetUpStep(name, False, reason, "hardware", tr("Look again"))
     if view is not None and view.frame is not None:
-        dark = [
-            side
-            for side, image in (("left", view.frame.left), ("right", view.frame.right))
-            if image is None
-        ]
-        if not dark:
-            return SetUpStep(name, True, "both images arrive")
-        return SetUpStep(name, False, f"The {dark[0]} image is missing.", "hardware", "Look again")
-    return SetUpStep(name, False, "No images arrive.", "hardware", "Look again")
+        if view.frame.left is not None and view.frame.right is not None:
+            return SetUpStep(name, True, tr("both images arrive"))
+        if view.frame.left is None:
+            reason = tr("The left image is missing.")
+        else:
+            reason = tr("The right image is missing.")
+        return SetUpStep(name, False, reason, "hardware", tr("Look again"))
+    return SetUpStep(name, False, tr("No images arrive."), "hardware", tr("Look again"))
 
 
 def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
-    name = "Camera calibrated"
+    name = tr("Camera calibrated")
     if view is None and calibration:
         return SetUpStep(name, True, Path(calibration).name)
     if view is None:
-        return SetUpStep(name, False, "Show a printed board to both lenses.", "stereo", "Calibrate")
+        return SetUpStep(
+            name, False, tr("Show a printed board to both lenses."), "stereo", tr("Calibrate")
+        )
     if not view.setup.camera_calibrated:
-        reason = "Show a printed board to both lenses."
-        return SetUpStep(name, False, reason, "stereo", "Calibrate")
+        reason = tr("Show a printed board to both lenses.")
+        return SetUpStep(name, False, reason, "stereo", tr("Calibrate"))
     baseline = view.setup.rig.baseline * 1000
-    return SetUpStep(name, True, f"baseline {baseline:.1f} mm")
+    return SetUpStep(name, True, tr("baseline {:.1f} mm").format(baseline))
 
 
 def _exposure(view: Snapshot | None) -> SetUpStep:
     """A camera that exposes by itself changes the markers' colours."""
-    name = "Exposure locked"
+    name = tr("Exposure locked")
     if view is None or not images_arrive(view):
-        return SetUpStep(name, False, "Waits for images.")
+        return SetUpStep(name, False, tr("Waits for images."))
     if view.setup.simulated or view.setup.player is not None:
-        return SetUpStep(name, True, "it does not change here")
+        return SetUpStep(name, True, tr("it does not change here"))
     if view.setup.camera_controls is None:
-        return SetUpStep(name, True, "this source has no exposure to be set")
+        return SetUpStep(name, True, tr("this source has no exposure to be set"))
     controls = {c.name: c for c in view.setup.camera_controls.controls() if c.available}
     open_ones = [n.replace("_", " ") for n, c in controls.items() if not c.locked and n != "gain"]
     if not controls:
-        return SetUpStep(name, True, "this camera lets no program set it: keep the light as it is")
+        return SetUpStep(
+            name, True, tr("this camera lets no program set it: keep the light as it is")
+        )
     if open_ones:
-        words = f"The camera changes {' and '.join(open_ones)} by itself."
-        return SetUpStep(name, False, words, "lock_camera", "Lock it now")
+        words = tr("The camera changes {} by itself.").format(", ".join(open_ones))
+        return SetUpStep(name, False, words, "lock_camera", tr("Lock it now"))
     return SetUpStep(
         name, True, ", ".join(f"{n.replace('_', ' ')} {c.value:g}" for n, c in controls.items())
     )
@@ -186,45 +195,45 @@ def hues_seen(view: Snapshot) -> set[str]:
 
 def _colours(view: Snapshot | None, lately: Collection[str] | None) -> SetUpStep:
     """Done when every hue of the glove is found, not only some."""
-    name = "Colours tuned"
+    name = tr("Colours tuned")
     if view is None or view.blobs is None or not images_arrive(view):
-        return SetUpStep(name, False, "Waits for images.")
+        return SetUpStep(name, False, tr("Waits for images."))
     rows = seen_rows(view, view.setup.profile)
     clashing = [r.name for r in rows if r.clash]
     if clashing:
-        reason = f"The intervals of {' and '.join(clashing)} overlap."
-        return SetUpStep(name, False, reason, "show_colours", "Tune colours")
+        reason = tr("The intervals of {} overlap.").format(", ".join(clashing))
+        return SetUpStep(name, False, reason, "show_colours", tr("Tune colours"))
     found = hues_seen(view) if lately is None else set(lately)
     unseen = [n for n in view.setup.glove.hues if n not in found]
     if not found:
-        return SetUpStep(name, False, "No marker is found.", "show_colours", "Tune colours")
+        return SetUpStep(name, False, tr("No marker is found."), "show_colours", tr("Tune colours"))
     if unseen:
-        reason = f"Not seen: {', '.join(unseen)}. Turn the hand, or tune the colours."
-        return SetUpStep(name, False, reason, "show_colours", "Tune colours")
-    return SetUpStep(name, True, f"seen: {', '.join(view.setup.glove.hues)}")
+        reason = tr("Not seen: {}. Turn the hand, or tune the colours.").format(", ".join(unseen))
+        return SetUpStep(name, False, reason, "show_colours", tr("Tune colours"))
+    return SetUpStep(name, True, tr("seen: {}").format(", ".join(view.setup.glove.hues)))
 
 
 def _hand(view: Snapshot | None) -> SetUpStep:
-    name = "Hand in view"
+    name = tr("Hand in view")
     tracking = view.estimate.tracking if view is not None and view.estimate is not None else None
     if not (packets_arrive(view) or images_arrive(view)):
-        return SetUpStep(name, False, "Waits for glove and camera.")
+        return SetUpStep(name, False, tr("Waits for glove and camera."))
     if tracking == Tracking.TRACKING:
         return SetUpStep(name, True, "tracking")
     if view is not None and not view.setup.whole:
-        return SetUpStep(name, False, "Needs glove and calibrated camera.")
+        return SetUpStep(name, False, tr("Needs glove and calibrated camera."))
     return SetUpStep(
-        name, False, "Hold the hand flat, about 35 cm before the camera, for two seconds."
+        name, False, tr("Hold the hand flat, about 35 cm before the camera, for two seconds.")
     )
 
 
 def _calibration(view: Snapshot | None) -> SetUpStep:
-    name = "Calibration settled"
+    name = tr("Calibration settled")
     if view is None or view.calibration is None:
-        return SetUpStep(name, False, "Waits for tracking.")
+        return SetUpStep(name, False, tr("Waits for tracking."))
     shown = calibration_view(view.calibration)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence
     if share >= SETTLED:
-        return SetUpStep(name, True, f"hand length {shown.hand_length}")
+        return SetUpStep(name, True, tr("hand length {}").format(shown.hand_length))
     reason = f"{100 * share:.0f} %. {shown.advice}"
-    return SetUpStep(name, False, reason, "show_calibration", "Show")
+    return SetUpStep(name, False, reason, "show_calibration", tr("Show"))

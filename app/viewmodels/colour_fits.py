@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_images import Image
+from app.words import tr
 from tracker.calibration.colours_fit import FoundHue, fit_image
 from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides
 from tracker.errors import ConfigError
@@ -20,7 +21,7 @@ FitWork = Callable[[], Fit]
 def image_fit(image: Image | None, profile: ColourProfile) -> FitWork:
     """Fit to an image, whatever is known of the hand. Raises ConfigError where there is none."""
     if image is None:
-        raise ConfigError("There is no image yet to fit the colours to.")
+        raise ConfigError(tr("There is no image yet to fit the colours to."))
     return lambda: fit_image(image, profile)
 
 
@@ -45,7 +46,7 @@ class MarkerWatch:
     def fit(self, profile: ColourProfile) -> FitWork:
         """Fit to what was gathered. Raises ConfigError where that is nothing."""
         if len(self._samples) == 0:
-            raise ConfigError("No markers were tracked yet. Fit from the image alone first.")
+            raise ConfigError(tr("No markers were tracked yet. Fit from the image alone first."))
         taken = self._samples.copy()
         return lambda: taken.fit(profile)
 
@@ -53,7 +54,10 @@ class MarkerWatch:
 def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
     """What a fit has done, hue by hue."""
     if not found:
-        return "Nothing was fitted: no patches of these colours were found."
-    fitted = ", ".join(f"{f.range.name} ({f.patches} patches)" for f in found)
+        return tr("Nothing was fitted: no patches of these colours were found.")
+    patches = tr("{} ({} patches)")
+    fitted = ", ".join(patches.format(f.range.name, f.patches) for f in found)
     kept = [h.name for h in profile.hues if h.name not in {f.range.name for f in found}]
-    return f"Fitted {fitted}." + (f" Kept {', '.join(kept)}: too few are seen." if kept else "")
+    if not kept:
+        return tr("Fitted {}.").format(fitted)
+    return tr("Fitted {}. Kept {}: too few are seen.").format(fitted, ", ".join(kept))

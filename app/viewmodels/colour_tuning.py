@@ -22,6 +22,7 @@ from app.viewmodels.colour_images import (
 )
 from app.viewmodels.colours import HueRow, blob_counts, hue_rows, seen_rows
 from app.widgets.image_shapes import Ring
+from app.words import tr
 from tracker import library
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
 from tracker.errors import ConfigError
@@ -123,7 +124,7 @@ class ColourTuning:
         self.setup = setup
         self.hue = 0  # row of the one that is tuned
         self.markers = MarkerWatch(setup)
-        self.last_words = f"Colours of {setup.camera}" if kept is not None else ""
+        self.last_words = tr("Colours of {}").format(setup.camera) if kept is not None else ""
         self.room: dict[str, float] = {}
         self._history = ProfileHistory(kept or setup.profile)
         self._dragging = False
@@ -173,20 +174,22 @@ class ColourTuning:
         loaded = load_profile(path)
         if loaded.hue_names != self.profile.hue_names:
             names = ", ".join(self.profile.hue_names)
-            raise ConfigError(f"{path.name} must have the hues {names} for this glove.")
-        self.take(loaded, f"Colours of {path.name}")
+            raise ConfigError(
+                tr("{} must have the hues {} for this glove.").format(path.name, names)
+            )
+        self.take(loaded, tr("Colours of {}").format(path.name))
 
     def save(self, path: Path) -> None:
         """Write the profile to a file. Raises FileError."""
         write_kept(path, profile_to_toml(self.profile))
-        self.last_words = f"Exported to {path.name}"
+        self.last_words = tr("Exported to {}").format(path.name)
 
     # --- what images tell
 
     def check_room(self, image: Image) -> None:
         """Take an image for the room without the glove, and believe it for a while."""
         self.room, self._room_age = room_shares(image, self.profile), -10 * ROOM_EVERY
-        self.last_words = "" if self.room else "The room has none of the colours."
+        self.last_words = "" if self.room else tr("The room has none of the colours.")
 
     def watch_room(self, view: Snapshot | None) -> None:
         """The colours beside the tracked hand, at every `ROOM_EVERY`-th call."""

@@ -10,6 +10,7 @@ import numpy as np
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
+from app.words import tr
 from tracker.calibration.colours_fit import clashes
 from tracker.messages import Blobs, Tracking
 from tracker.vision.colours import HUES, ColourProfile
@@ -97,14 +98,14 @@ def _count(
 ) -> tuple[str, str, StateLook]:
     """Short text, long text and state."""
     if not found or name not in found:
-        return "–", "no image", IDLE
+        return "–", tr("no image"), IDLE
     n = found[name]
     if not expected or name not in expected:
-        return f"{n:.0f}", f"{n:.0f} found in an image", IDLE
+        return f"{n:.0f}", tr("{:.0f} found in an image").format(n), IDLE
     m = expected[name]
     wrong = n < 0.5 * m or n > 2 * m + 2
-    words = f"{n:.0f} found in an image, about {m:.0f} expected"
-    return f"{n:.0f} of about {m:.0f}", words, WARN if wrong else GOOD
+    words = tr("{:.0f} found in an image, about {:.0f} expected").format(n, m)
+    return tr("{:.0f} of about {:.0f}").format(n, m), words, WARN if wrong else GOOD
 
 
 def _overlaps(profile: ColourProfile) -> dict[str, str]:
@@ -113,9 +114,13 @@ def _overlaps(profile: ColourProfile) -> dict[str, str]:
     for clash in clashes(profile):
         for mine, other in ((clash.hue, clash.other), (clash.other, clash.hue)):
             out.setdefault(mine, []).append(f"{other} ({100 * clash.share:.0f} %)")
-    return {name: f"overlaps {', '.join(others)}" for name, others in out.items()}
+    return {name: tr("overlaps {}").format(", ".join(others)) for name, others in out.items()}
 
 
 def _room(name: str, room: Mapping[str, float]) -> str:
     share = room.get(name)
-    return "" if share is None else f"the room has this colour too ({100 * share:.2g} % of it)"
+    return (
+        ""
+        if share is None
+        else tr("the room has this colour too ({:.2g} % of it)").format(100 * share)
+    )

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from app.words import tr
+
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
@@ -35,9 +37,11 @@ def rows(c: Comparison) -> list[CompareRow]:
     """All together, then each keypoint (mm), then each joint (degrees)."""
     f, (first, second) = c.figures, c.errors_mm
     out = [
-        CompareRow("all keypoints, mean", _mm(f["mean_mm"]), _mm(_mean(first)), _mm(_mean(second))),
-        CompareRow("all keypoints, largest", _mm(f["max_mm"]), "", ""),
-        CompareRow("all joints, rms", _deg(f["rms_deg"]), "", ""),
+        CompareRow(
+            tr("all keypoints, mean"), _mm(f["mean_mm"]), _mm(_mean(first)), _mm(_mean(second))
+        ),
+        CompareRow(tr("all keypoints, largest"), _mm(f["max_mm"]), "", ""),
+        CompareRow(tr("all joints, rms"), _deg(f["rms_deg"]), "", ""),
     ]
     for name, value in f["keypoints_mm"].items():
         errors = _mm(first.get(name, math.nan)), _mm(second.get(name, math.nan))
@@ -51,15 +55,15 @@ def summary(c: Comparison) -> str:
     """One sentence."""
     f = c.figures
     if f["identical"]:
-        return f"Both are the same to the last bit ({f['compared']} instants)."
-    text = (
-        f"{f['compared']} instants in common; keypoints differ by {_mm(f['mean_mm'])} on average, "
-        f"joints by {_deg(f['rms_deg'])} (rms)."
-    )
+        return tr("Both are the same to the last bit ({} instants).").format(f["compared"])
+    text = tr(
+        "{} instants in common; keypoints differ by {} on average, joints by {} (rms)."
+    ).format(f["compared"], _mm(f["mean_mm"]), _deg(f["rms_deg"]))
     first, second = (_mean(e) for e in c.errors_mm)
     if math.isfinite(first) and math.isfinite(second):
         better = c.second.stem if second < first else c.first.stem
-        text += f" {better} is nearer to the truth: {_mm(min(first, second))} on average."
+        nearer = tr("{} is nearer to the truth: {} on average.")
+        text = f"{text} {nearer.format(better, _mm(min(first, second)))}"
     return text
 
 

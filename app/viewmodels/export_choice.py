@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from app.words import mark
 from tracker.session.export.options import (
     AXES_NAMES,
     FORMATS,
@@ -16,19 +17,19 @@ from tracker.session.export.options import (
 )
 
 WORDS = {
-    "csv": "Table for spreadsheets and everything else (CSV)",
-    "parquet": "Table for Python and R (Parquet)",
-    "h5": "Arrays for MATLAB and Python (HDF5)",
-    "c3d": "Motion capture (C3D)",
-    "trc": "OpenSim markers (TRC)",
-    "mot": "OpenSim joint angles (MOT)",
-    "sto": "OpenSim joint angles (STO)",
-    "bvh": "Animation skeleton (BVH)",
-    "glb": "Animated hand in 3D (glTF)",
-    "urdf": "Robot model of the hand (URDF)",
-    "mp4": "Film with the hand drawn in (MP4)",
-    "png": "Folder of images with the hand drawn in (PNG)",
-    "mcap": "Session, whole or the chosen part (MCAP)",
+    "csv": mark("Table for spreadsheets and everything else (CSV)"),
+    "parquet": mark("Table for Python and R (Parquet)"),
+    "h5": mark("Arrays for MATLAB and Python (HDF5)"),
+    "c3d": mark("Motion capture (C3D)"),
+    "trc": mark("OpenSim markers (TRC)"),
+    "mot": mark("OpenSim joint angles (MOT)"),
+    "sto": mark("OpenSim joint angles (STO)"),
+    "bvh": mark("Animation skeleton (BVH)"),
+    "glb": mark("Animated hand in 3D (glTF)"),
+    "urdf": mark("Robot model of the hand (URDF)"),
+    "mp4": mark("Film with the hand drawn in (MP4)"),
+    "png": mark("Folder of images with the hand drawn in (PNG)"),
+    "mcap": mark("Session, whole or the chosen part (MCAP)"),
 }
 """What each format is for, by its name on the command line."""
 

@@ -12,6 +12,7 @@ from enum import Enum
 import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
+from app.words import tr
 from tracker.calibration.still import StillParams, StillPose, still_pose
 from tracker.calibration.wiggle import WiggleResult, WiggleTest, imu_motion, moving
 from tracker.messages import Array, ImuSample
@@ -51,10 +52,10 @@ class WiggleRun:
         """What the wearer is asked."""
         if self.phase == Phase.DONE:
             return self.test.result().summary
-        count = f"{self.step + 1} of {len(self.test.steps)}: "
+        asked = self._hint or self.test.steps[self.step].instruction
         if self.phase == Phase.RECORDING:
-            return f"{count}go on…"
-        return count + (self._hint or self.test.steps[self.step].instruction)
+            asked = tr("go on…")
+        return tr("{} of {}: {}").format(self.step + 1, len(self.test.steps), asked)
 
     def look(self, recent: Sequence[ImuSample]) -> None:
         """Go on by what the latest samples show."""
@@ -115,10 +116,12 @@ class StillRun:
     @property
     def words(self) -> str:
         if self.pose is None:
-            return "Lay the hand flat on the table, palm down, and hold it still."
+            return tr("Lay the hand flat on the table, palm down, and hold it still.")
         if self.pose.ok:
-            return "Measured."
-        return self.pose.trouble if self.done else f"Waiting for rest. {self.pose.trouble}"
+            return tr("Measured.")
+        return (
+            self.pose.trouble if self.done else tr("Waiting for rest. {}").format(self.pose.trouble)
+        )
 
 
 def last(samples: Sequence[ImuSample], span: float) -> list[ImuSample]:

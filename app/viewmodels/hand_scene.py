@@ -11,6 +11,7 @@ from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.camera_overlay import VISIBLE
 from app.viewmodels.hand_skin import scales
+from app.words import tr
 from tracker.hand.model import HandModel
 from tracker.messages import SEEN_LATELY, Array, Estimate, FrameResult, IntArray, Tracking, Validity
 
@@ -142,12 +143,12 @@ class HandSceneModel:
 
     def _caption(self, view: Snapshot, located: bool) -> str:
         if len(view.imu) > 0 and not (view.packets_arrive or view.images_arrive):
-            return "Nothing arrives: the hand stands as it was last"
+            return tr("Nothing arrives: the hand stands as it was last")
         if located:
             return ""
         if self._setup.whole:
-            return "Position lost: the hand stands where it was last seen"
-        return "Place unknown: orientation and finger angles by the IMUs alone"
+            return tr("Position lost: the hand stands where it was last seen")
+        return tr("Place unknown: orientation and finger angles by the IMUs alone")
 
     def _markers(self, R: Array, p: Array, scale: Array) -> Array:
         """(M, 3) m in G."""

@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 from app.storage.session_tags import read_tags
 from app.viewmodels.recording import duration_text, size_text
 from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
+from app.words import mark, tr
 from tracker.errors import GlovetrackError
 from tracker.session.glance import Quality, quality, thumbnail
 from tracker.session.reader import SessionReader
 
 THUMBNAIL_WIDTH = 72  # px
-BEING_RECORDED = StateLook(SKY, "●", "being recorded")
+BEING_RECORDED = StateLook(SKY, "●", mark("being recorded"))
 
 
 @dataclass(frozen=True)
@@ -60,15 +61,15 @@ def session_row(path: Path, recording: Path | None = None) -> SessionRow:
     """Look into a file: its index alone is read, so that an hour takes no longer than a second."""
     stat = path.stat()
     when = datetime.fromtimestamp(stat.st_mtime).strftime("%Y-%m-%d %H:%M")
-    duration, look, integrity, problem = "–", BAD, "unreadable", ""
+    duration, look, integrity, problem = "–", BAD, tr("unreadable"), ""
     if path == recording:
-        look, integrity = BEING_RECORDED, BEING_RECORDED.word
+        look, integrity = BEING_RECORDED, tr(BEING_RECORDED.word)
     else:
         try:
             with SessionReader(path) as reader:
                 duration = duration_text(reader.duration)
                 whole = reader.source.contents.finished
-                look, integrity = (GOOD, "whole") if whole else (WARN, "cut off")
+                look, integrity = (GOOD, tr("whole")) if whole else (WARN, tr("cut off"))
         except GlovetrackError as error:
             problem = str(error)
     return SessionRow(
@@ -124,9 +125,10 @@ def details(path: Path) -> Details:
 def quality_text(q: Quality) -> tuple[str, StateLook | None]:
     """``tracked 97 %, 2 packets lost`` and how that is to be seen."""
     if q.tracked is None:
-        return "not tracked", None
-    text = f"tracked {100 * q.tracked:.0f} %"
+        return tr("not tracked"), None
+    share = f"{100 * q.tracked:.0f}"
+    text = tr("tracked {} %").format(share)
     if q.packets_lost:
-        text += f", {q.packets_lost} packets lost"
+        text = tr("tracked {} %, {} packets lost").format(share, q.packets_lost)
     good = q.tracked >= 0.95 and not q.packets_lost
     return text, GOOD if good else WARN if q.tracked >= 0.5 else BAD

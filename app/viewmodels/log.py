@@ -7,22 +7,23 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from app.viewmodels.states import BAD, BLUE, GREY, ORANGE, PURPLE, SKY, StateLook
+from app.words import mark, tr
 from tracker.messages import Event
 from tracker.session.notes import wording_of
 
 KINDS: dict[str, StateLook] = {
-    "error": StateLook(BAD.colour, BAD.sign, "Problems"),
-    "device": StateLook(BLUE, "■", "Devices"),
-    "tracking": StateLook(SKY, "◆", "Tracking"),
-    "load": StateLook(ORANGE, "▼", "Computer"),
-    "recording": StateLook(PURPLE, "●", "Recording"),
-    "note": StateLook(GREY, "✎", "Notes"),
+    "error": StateLook(BAD.colour, BAD.sign, mark("Problems")),
+    "device": StateLook(BLUE, "■", mark("Devices")),
+    "tracking": StateLook(SKY, "◆", mark("Tracking")),
+    "load": StateLook(ORANGE, "▼", mark("Computer")),
+    "recording": StateLook(PURPLE, "●", mark("Recording")),
+    "note": StateLook(GREY, "✎", mark("Notes")),
 }
 
 
 def _words(event: Event) -> str:
     if event.kind == "note" and wording_of(event) > 0:
-        return f"changed to: {event.text}" if event.text else "a note was deleted"
+        return tr("changed to: {}").format(event.text) if event.text else tr("a note was deleted")
     return event.text
 
 

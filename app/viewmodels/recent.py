@@ -8,6 +8,7 @@ from datetime import datetime
 from pathlib import Path
 
 from app.viewmodels.library import Details, SessionRow, details, session_row
+from app.words import tr
 
 MOST = 5
 LOOKED_AT = 20  # of the newest files, for a recording that was cut off
@@ -80,11 +81,11 @@ def age_text(when: datetime, now: datetime) -> str:
     minutes = int((now - when).total_seconds() // 60)
     days = (now.date() - when.date()).days
     if minutes < 1:
-        return "just now"
+        return tr("just now")
     if minutes < 60:
-        return f"{minutes} minute{'s' if minutes > 1 else ''} ago"
+        return tr("1 minute ago") if minutes == 1 else tr("{} minutes ago").format(minutes)
     if days <= 0:
-        return f"today, {when:%H:%M}"
+        return tr("today, {:%H:%M}").format(when)
     if days == 1:
-        return f"yesterday, {when:%H:%M}"
-    return f"{days} days ago" if days < 14 else f"{when:%Y-%m-%d}"
+        return tr("yesterday, {:%H:%M}").format(when)
+    return tr("{} days ago").format(days) if days < 14 else f"{when:%Y-%m-%d}"

@@ -11,6 +11,7 @@ from pathlib import Path
 from app.engines.engine import RecordingRequest
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.take_names import USUAL, check_template, take_path
+from app.words import tr
 from tracker.errors import FileError
 
 LOW_BYTES = 5_000_000_000
@@ -65,7 +66,9 @@ class RecordingPlan:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             reason = error.strerror or str(error)
-            raise FileError(f"Nothing can be recorded to {self.folder}: {reason}.") from error
+            raise FileError(
+                tr("Nothing can be recorded to {}: {}.").format(self.folder, reason)
+            ) from error
         path = take_path(self.folder, participant, task, datetime.now(), self.template)
         return RecordingRequest(path, participant, task)
 
@@ -102,9 +105,9 @@ def losses_text(values: Mapping[str, float]) -> str:
     lost = round(values.get("imu_lost", 0))
     thinned = round(values.get("pictures_thinned", 0))
     overflow = round(values.get("imu_overflow", 0) + values.get("messages_unrecorded", 0))
-    out = [f"{lost} packets", f"{thinned} images not recorded"]
+    out = [tr("{} packets").format(lost), tr("{} images not recorded").format(thinned)]
     if overflow:
-        out.append(f"{overflow} messages that the computer had no time for")
+        out.append(tr("{} messages that the computer had no time for").format(overflow))
     return ", ".join(out)
 
 
@@ -118,15 +121,14 @@ class Disk:
 
 
 def disk(free: int, bytes_per_second: float) -> Disk:
-    left = f"{size_text(free)} free"
+    left = tr("{} free").format(size_text(free))
     if bytes_per_second > 0:
-        left += (
-            f", about {duration_text(max(0, free - STOP_BYTES) / bytes_per_second)} of recording"
-        )
+        lasts = duration_text(max(0, free - STOP_BYTES) / bytes_per_second)
+        left = tr("{} free, about {} of recording").format(size_text(free), lasts)
     if free < STOP_BYTES:
-        return Disk(left, "Under 1 GB is left: recording is not possible on this disk.", True)
+        return Disk(left, tr("Under 1 GB is left: recording is not possible on this disk."), True)
     if free < LOW_BYTES:
-        return Disk(left, "Under 5 GB is left on this disk.", False)
+        return Disk(left, tr("Under 5 GB is left on this disk."), False)
     return Disk(left, "", False)
 
 

@@ -9,21 +9,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
+from app.words import mark, tr
 from tracker import GRAVITY
 from tracker.messages import Array, Estimate, ImuSample, Status
 from tracker.sensors.serial_line import GOOD_LATENCY_MS
 
 LINK_WORDS = {
-    "link_cobs_errors": "Frames whose stuffing was broken (COBS)",
-    "link_crc_errors": "Frames whose check sum was wrong (CRC)",
-    "link_length_errors": "Frames of a wrong length",
-    "link_other_errors": "Frames of an unknown type, or far too long",
-    "link_reopened": "Times that the port was opened again",
-    "glove_resets": "Restarts of the glove",
-    "glove_clock_jumps": "Jumps of the glove's clock",
-    "glove_dropped": "Packets that the glove had no time to send",
-    "glove_skew_ppm": "The host's time gained on the glove's clock, ppm",
-    "link_latency_ms": "Time that the USB adapter holds bytes back, ms",
+    "link_cobs_errors": mark("Frames whose stuffing was broken (COBS)"),
+    "link_crc_errors": mark("Frames whose check sum was wrong (CRC)"),
+    "link_length_errors": mark("Frames of a wrong length"),
+    "link_other_errors": mark("Frames of an unknown type, or far too long"),
+    "link_reopened": mark("Times that the port was opened again"),
+    "glove_resets": mark("Restarts of the glove"),
+    "glove_clock_jumps": mark("Jumps of the glove's clock"),
+    "glove_dropped": mark("Packets that the glove had no time to send"),
+    "glove_skew_ppm": mark("The host's time gained on the glove's clock, ppm"),
+    "link_latency_ms": mark("Time that the USB adapter holds bytes back, ms"),
 }
 """Counters of the status, as people call them."""
 LINK_ERRORS = tuple(key for key in LINK_WORDS if key.endswith("_errors"))
@@ -61,7 +62,7 @@ def imu_states(
 ) -> list[ImuState]:
     """Per IMU: answers, answers with gaps, or silent; judged over the last second."""
     if not samples or not running:
-        return [ImuState(n, IDLE, "no samples") for n in names]
+        return [ImuState(n, IDLE, tr("no samples")) for n in names]
     now = samples[-1].t
     recent = [s for s in samples if s.t >= now - 1.0]
     valid = np.array([s.valid for s in recent]).mean(axis=0)
@@ -70,10 +71,10 @@ def imu_states(
 
 def _state(name: str, share: float) -> ImuState:
     if share > 0.99:
-        return ImuState(name, GOOD, "answers")
+        return ImuState(name, GOOD, tr("answers"))
     if share > 0:
-        return ImuState(name, WARN, f"{100 * (1 - share):.0f} % missing")
-    return ImuState(name, BAD, "silent")
+        return ImuState(name, WARN, tr("{:.0f} % missing").format(100 * (1 - share)))
+    return ImuState(name, BAD, tr("silent"))
 
 
 def jitter_ms(samples: Sequence[ImuSample]) -> float:
@@ -90,8 +91,8 @@ def glove_figures(status: Status | None, samples: Sequence[ImuSample]) -> list[s
     lost, jitter = v.get("imu_lost"), jitter_ms(samples)
     figures = (
         _figure(v.get("imu_rate_hz"), "{:.1f} Hz"),
-        _figure(lost, "{:.0f} packet lost" if lost == 1 else "{:.0f} packets lost"),
-        _figure(jitter, "jitter {:.1f} ms"),
+        _figure(lost, tr("{:.0f} packet lost") if lost == 1 else tr("{:.0f} packets lost")),
+        _figure(jitter, tr("jitter {:.1f} ms")),
         _figure(v.get("battery_v"), _battery_pattern(v)),
         _figure(v.get("temperature_c"), "{:.1f} °C"),
         *_link_figures(v),
@@ -100,37 +101,51 @@ def glove_figures(status: Status | None, samples: Sequence[ImuSample]) -> list[s
 
 
 def _battery_pattern(values: Mapping[str, float]) -> str:
-    return "⚠ battery low: {:.2f} V" if values.get("battery_low") else "battery {:.2f} V"
+    if values.get("battery_low"):
+        return tr("⚠ battery low: {:.2f} V")
+    return tr("battery {:.2f} V")
 
 
 def _link_figures(values: Mapping[str, float]) -> list[str]:
     """Of the line and the glove's clock: what has gone wrong, and nothing where nothing has."""
     counts = (
-        (sum(values.get(key, 0.0) for key in LINK_ERRORS), "frame damaged"),
-        (values.get("glove_dropped", 0.0), "packet dropped by the glove"),
-        (values.get("glove_resets", 0.0), "restart"),
-        (values.get("link_reopened", 0.0), "reconnection"),
-        (values.get("glove_clock_jumps", 0.0), "jump of its clock"),
+        (
+            sum(values.get(key, 0.0) for key in LINK_ERRORS),
+            tr("1 frame damaged"),
+            tr("{} frames damaged"),
+        ),
+        (
+            values.get("glove_dropped", 0.0),
+            tr("1 packet dropped by the glove"),
+            tr("{} packets dropped by the glove"),
+        ),
+        (values.get("glove_resets", 0.0), tr("1 restart"), tr("{} restarts")),
+        (values.get("link_reopened", 0.0), tr("1 reconnection"), tr("{} reconnections")),
+        (
+            values.get("glove_clock_jumps", 0.0),
+            tr("1 jump of its clock"),
+            tr("{} jumps of its clock"),
+        ),
     )
     latency = values.get("link_latency_ms")
-    slow = latency is not None and latency > GOOD_LATENCY_MS
+    waits = tr("adapter waits {:.0f} ms")
+    if latency is not None and latency > GOOD_LATENCY_MS:
+        waits = tr("⚠ adapter waits {:.0f} ms")
     return [
-        *(_counted(count, name) for count, name in counts if count),
-        _figure(values.get("glove_skew_ppm"), "clock {:+.0f} ppm"),
-        _figure(latency, "⚠ adapter waits {:.0f} ms" if slow else "adapter waits {:.0f} ms"),
+        *(_counted(*count) for count in counts if count[0]),
+        _figure(values.get("glove_skew_ppm"), tr("clock {:+.0f} ppm")),
+        _figure(latency, waits),
     ]
 
 
-def _counted(count: float, name: str) -> str:
-    first, _, rest = name.partition(" ")
-    many = first if count == 1 else f"{first}s"
-    return f"{count:.0f} {many} {rest}".rstrip()
+def _counted(count: float, one: str, many: str) -> str:
+    return one if round(count) == 1 else many.format(round(count))
 
 
 def link_tip(status: Status | None) -> str:
     """Each counter of the link with its own name, for who looks for a fault."""
     v = status.values if status is not None else {}
-    lines = [f"{words}: {v[key]:g}" for key, words in LINK_WORDS.items() if key in v]
+    lines = [f"{tr(words)}: {v[key]:g}" for key, words in LINK_WORDS.items() if key in v]
     return "\n".join(lines)
 
 

@@ -31,15 +31,15 @@ class StateLook:
     word: str
 
 
-GOOD = StateLook(BLUISH_GREEN, "●", "good")
-WARN = StateLook(ORANGE, "◐", "attention")
-BAD = StateLook(VERMILLION, "▲", "problem")
-IDLE = StateLook(GREY, "○", "idle")
+GOOD = StateLook(BLUISH_GREEN, "●", mark("good"))
+WARN = StateLook(ORANGE, "◐", mark("attention"))
+BAD = StateLook(VERMILLION, "▲", mark("problem"))
+IDLE = StateLook(GREY, "○", mark("idle"))
 
 VALIDITY: dict[int, StateLook] = {
-    Validity.MEASURED: StateLook(BLUISH_GREEN, "●", "measured"),
-    Validity.INFERRED: StateLook(ORANGE, "◐", "inferred"),
-    Validity.LOST: StateLook(GREY, "○", "lost"),
+    Validity.MEASURED: StateLook(BLUISH_GREEN, "●", mark("measured")),
+    Validity.INFERRED: StateLook(ORANGE, "◐", mark("inferred")),
+    Validity.LOST: StateLook(GREY, "○", mark("lost")),
 }
 
 TRACKING: dict[int, StateLook] = {

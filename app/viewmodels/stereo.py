@@ -9,6 +9,7 @@ import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, StateLook
 from app.widgets.image_shapes import Cross, Line, Shape
+from app.words import mark, tr
 from tracker.calibration.stereo.checks import (
     Extrinsics,
     known_baseline_problems,
@@ -24,10 +25,10 @@ from tracker.geometry import so3
 from tracker.vision.rig import Camera, StereoRig
 
 ANSWERS = {
-    Answer.TAKEN: "Taken.",
-    Answer.MOVING: "Hold the board still.",
-    Answer.KNOWN: "There is a view like this already: move on.",
-    Answer.FULL: "There are enough views.",
+    Answer.TAKEN: mark("Taken."),
+    Answer.MOVING: mark("Hold the board still."),
+    Answer.KNOWN: mark("There is a view like this already: move on."),
+    Answer.FULL: mark("There are enough views."),
 }
 VERDICTS: dict[str, StateLook] = {"good": GOOD, "usable": WARN, "refused": BAD, "waiting": IDLE}
 
@@ -48,16 +49,20 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
     """How far the collection is, in four figures."""
     p = params or CoverageParams()
     return [
-        Meter("Views", f"{cover.views} of {p.views}", cover.views / p.views),
+        Meter(tr("Views"), tr("{} of {}").format(cover.views, p.views), cover.views / p.views),
         Meter(
-            "Image area",
-            f"{100 * cover.area:.0f} of {100 * p.area:.0f} %",
+            tr("Image area"),
+            tr("{:.0f} of {:.0f} %").format(100 * cover.area, 100 * p.area),
             cover.area / p.area,
         ),
-        Meter("Tilted views", f"{cover.tilted} of {p.tilted}", cover.tilted / p.tilted),
         Meter(
-            "Far over near",
-            f"{cover.distances:.2f} of {p.distances:.2f}",
+            tr("Tilted views"),
+            tr("{} of {}").format(cover.tilted, p.tilted),
+            cover.tilted / p.tilted,
+        ),
+        Meter(
+            tr("Far over near"),
+            tr("{:.2f} of {:.2f}").format(cover.distances, p.distances),
             (cover.distances - 1) / (p.distances - 1),
         ),
     ]
@@ -68,8 +73,8 @@ def say(answer: Answer, trouble: str, cover: Coverage) -> str:
     if answer is Answer.ABSENT:
         return trouble
     if answer is Answer.TAKEN:
-        return f"{ANSWERS[answer]} {advice(cover) or 'That is enough: go on.'}"
-    return ANSWERS[answer]
+        return f"{tr(ANSWERS[answer])} {advice(cover) or tr('That is enough: go on.')}"
+    return tr(ANSWERS[answer])
 
 
 def corner_shapes(corners: Corners | None, good: bool) -> list[Shape]:
@@ -91,11 +96,12 @@ def row_lines(camera: Camera, corners: Corners | None, width: int) -> list[Shape
 def view_name(index: int, view: StereoView, error_px: float) -> str:
     """How a view stands in the list; ``error_px`` NaN while there is no calibration yet."""
     tilt_deg = np.rad2deg(shape_of(view).tilt)
-    words = f"{index + 1}: {len(view.ids)} corners, tilted {tilt_deg:.0f}°"
+    words = tr("{}: {} corners, tilted {:.0f}°").format(index + 1, len(view.ids), tilt_deg)
     if np.isnan(error_px):
         return words
     sign = BAD.sign if error_px > SUSPECT_PX else GOOD.sign
-    return f"{sign} {words}, off by {error_px:.2f} px"
+    off = tr("{}, off by {:.2f} px").format(words, error_px)
+    return f"{sign} {off}"
 
 
 @dataclass(frozen=True)
@@ -118,7 +124,7 @@ def view_rows(solution: Solution) -> list[ViewRow]:
             f"{left:.2f}",
             f"{right:.2f}",
             GOOD if i in used else BAD,
-            "used" if i in used else "dropped: it does not fit the others",
+            tr("used") if i in used else tr("dropped: it does not fit the others"),
         )
         for i, (left, right) in enumerate(solution.error.tolist())
     ]
@@ -142,22 +148,25 @@ def solution_figures(solution: Solution) -> list[tuple[str, str]]:
         for camera, sd in zip((solution.left, solution.right), solution.focal_sd, strict=True)
     ]
     return [
-        ("Error of all corners", f"{solution.rms_px:.3f} px"),
-        ("Distance of the lenses", f"{1000 * float(np.linalg.norm(solution.T)):.2f} mm"),
-        ("Turned against each other", f"{turn_deg:.2f}°"),
-        ("Focal length, left", focal[0]),
-        ("Focal length, right", focal[1]),
-        ("Views", f"{len(solution.used)} used, {len(solution.dropped)} dropped"),
+        (tr("Error of all corners"), f"{solution.rms_px:.3f} px"),
+        (
+            tr("Distance of the lenses"),
+            f"{1000 * float(np.linalg.norm(solution.T)):.2f} mm",
+        ),
+        (tr("Turned against each other"), f"{turn_deg:.2f}°"),
+        (tr("Focal length, left"), focal[0]),
+        (tr("Focal length, right"), focal[1]),
+        (tr("Views"), tr("{} used, {} dropped").format(len(solution.used), len(solution.dropped))),
     ]
 
 
 def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
     """The same of a calibration from a file."""
     return [
-        ("Image", f"{rig.left.width} by {rig.left.height} px"),
-        ("Distance of the lenses", f"{1000 * rig.baseline:.2f} mm"),
-        ("Focal length, left", f"{rig.left.K[0, 0]:.1f} px"),
-        ("Focal length, right", f"{rig.right.K[0, 0]:.1f} px"),
+        (tr("Image"), tr("{} by {} px").format(rig.left.width, rig.left.height)),
+        (tr("Distance of the lenses"), f"{1000 * rig.baseline:.2f} mm"),
+        (tr("Focal length, left"), f"{rig.left.K[0, 0]:.1f} px"),
+        (tr("Focal length, right"), f"{rig.right.K[0, 0]:.1f} px"),
     ]
 
 
@@ -166,8 +175,8 @@ def check_figures(found: Verification) -> list[tuple[str, str]]:
     if len(found.epipolar) == 0:
         return []
     return [
-        ("Worst corner", f"{found.worst_px:.2f} px"),
-        ("All rows shifted by", f"{found.offset_px:+.2f} px"),
+        (tr("Worst corner"), f"{found.worst_px:.2f} px"),
+        (tr("All rows shifted by"), f"{found.offset_px:+.2f} px"),
     ]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
+from app.words import mark, tr
 from tracker.hand.names import CHAINS
 from tracker.streaming.params import STREAMS as STREAMS
 from tracker.streaming.publisher import OPENXR as OPENXR
@@ -16,13 +17,15 @@ MOTORS = tuple(CHAINS)
 _TITLES = {
     "udp": "UDP (JSON)",
     "websocket": "WebSocket (JSON)",
-    "vmc": "VMC (OSC, avatars)",
+    "vmc": mark("VMC (OSC, avatars)"),
     "lsl": "Lab Streaming Layer",
     "foxglove": "Foxglove",
 }
 REACH = {
-    "lsl": "its library listens on all addresses of this computer, so others in the same network "
-    "can read it, unless a firewall keeps them out",
+    "lsl": mark(
+        "its library listens on all addresses of this computer, so others in the same network "
+        "can read it, unless a firewall keeps them out"
+    ),
 }
 """What a switch has to say before it is turned on: who else hears it."""
 WITHOUT_PORT = ("lsl",)
@@ -31,7 +34,7 @@ WITHOUT_PORT = ("lsl",)
 
 def title(name: str) -> str:
     """What a stream is called on screen."""
-    return _TITLES.get(name, name)
+    return tr(_TITLES.get(name, name))
 
 
 @dataclass(frozen=True)
@@ -49,15 +52,15 @@ class StreamRow:
 def stream_row(on: bool, running: bool, counts: StreamCounts | None, problem: str) -> StreamRow:
     """``running``: an engine runs; ``problem``: why the output could not be opened."""
     if problem:
-        return StreamRow(BAD, "not open", "–", "–", "–", problem)
+        return StreamRow(BAD, tr("not open"), "–", "–", "–", problem)
     if not on:
-        return StreamRow(IDLE, "off", "–", "–", "–", "")
+        return StreamRow(IDLE, tr("off"), "–", "–", "–", "")
     if counts is None:
-        state = "opening" if running else "waits for tracking"
+        state = tr("opening") if running else tr("waits for tracking")
         return StreamRow(IDLE, state, "–", "–", "–", "")
     clients = "–" if counts.clients is None else str(counts.clients)
-    look, state = (WARN, "failing") if counts.error else (GOOD, "sending")
+    look, state = (WARN, tr("failing")) if counts.error else (GOOD, tr("sending"))
     if not counts.error and counts.clients == 0:
-        state = "nobody listens"
+        state = tr("nobody listens")
     dropped = str(counts.dropped + counts.failed)
     return StreamRow(look, state, clients, str(counts.sent), dropped, counts.error or counts.name)

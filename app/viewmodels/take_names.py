@@ -10,6 +10,7 @@ import re
 from datetime import datetime
 from pathlib import Path
 
+from app.words import tr
 from tracker.errors import ConfigError
 from tracker.files import free_path, name_part
 
@@ -24,10 +25,12 @@ def check_template(template: str) -> None:
     known = ", ".join(f"{{{name}}}" for name in FIELDS)
     for found in _FIELD.finditer(template):
         if found[1] not in FIELDS:
-            raise ConfigError(f"A name can hold {known}, not {found[0]}.")
+            raise ConfigError(tr("A name can hold {}, not {}.").format(known, found[0]))
     rest = _FIELD.sub("", template)
     if "{" in rest or "}" in rest or not template.strip():
-        raise ConfigError(f"The name {template!r} is not complete; it can hold text and {known}.")
+        raise ConfigError(
+            tr("The name {!r} is not complete; it can hold text and {}.").format(template, known)
+        )
 
 
 def take_path(

@@ -10,6 +10,7 @@ import numpy as np
 
 from app.storage.session_tags import move_tags
 from app.viewmodels.recording import duration_text
+from app.words import tr
 from tracker.errors import FileError
 from tracker.files import name_part
 from tracker.messages import ImuSample, Status
@@ -35,16 +36,22 @@ def report_text(report: TakeReport) -> str:
     """One line: whole, so long, so much lost, tracked so much of the time."""
     name = report.path.stem
     if report.problem:
-        return f"{name} is not whole: {report.problem}"
+        return tr("{} is not whole: {}").format(name, report.problem)
     parts = [duration_text(report.duration)]
     if report.packets_lost is not None:
         lost = report.packets_lost
-        parts.append("1 packet lost" if lost == 1 else f"{lost or 'no'} packets lost")
+        parts.append(_packets_lost(lost))
     if report.tracked is None:
-        parts.append("not tracked")
+        parts.append(tr("not tracked"))
     else:
-        parts.append(f"tracked {100 * report.tracked:.0f} % of the time")
-    return f"{name} is whole: {', '.join(parts)}."
+        parts.append(tr("tracked {:.0f} % of the time").format(100 * report.tracked))
+    return tr("{} is whole: {}.").format(name, ", ".join(parts))
+
+
+def _packets_lost(count: int) -> str:
+    if count == 0:
+        return tr("no packets lost")
+    return tr("1 packet lost") if count == 1 else tr("{} packets lost").format(count)
 
 
 def missing_text(
@@ -55,27 +62,29 @@ def missing_text(
     ``image_rate``: images a second that the camera should give; 0 where that is not known.
     """
     missing = [*_missing_images(status, image_rate), *_missing_imus(status, samples, imus)]
-    return f"This recording lacks something: {'; '.join(missing)}." if missing else ""
+    return tr("This recording lacks something: {}.").format("; ".join(missing)) if missing else ""
 
 
 def _missing_images(status: Status, wanted: float) -> list[str]:
     rate = status.values.get("frame_rate_hz", 0.0)
     if rate == 0:
-        return ["no image comes from the camera"]
+        return [tr("no image comes from the camera")]
     if rate < SLOW * wanted:
-        return [f"{rate:.0f} images come a second instead of {wanted:.0f}"]
+        return [tr("{:.0f} images come a second instead of {:.0f}").format(rate, wanted)]
     return []
 
 
 def _missing_imus(status: Status, samples: Sequence[ImuSample], imus: Sequence[str]) -> list[str]:
     lately = [s for s in samples if s.t_arrival > status.t - SILENT]
     if not lately:
-        return ["no packet comes from the glove"]
+        return [tr("no packet comes from the glove")]
     heard = np.any([s.valid for s in lately], axis=0)
     silent = [name.replace("_", " ") for name, ok in zip(imus, heard, strict=True) if not ok]
     if not silent:
         return []
-    return [f"the IMU{'s' if len(silent) > 1 else ''} {' and '.join(silent)} cannot be heard"]
+    if len(silent) == 1:
+        return [tr("the IMU {} cannot be heard").format(silent[0])]
+    return [tr("the IMUs {} cannot be heard").format(", ".join(silent))]
 
 
 def rename(path: Path, name: str) -> Path:
@@ -83,15 +92,19 @@ def rename(path: Path, name: str) -> Path:
     stem = name_part(name.strip().removesuffix(path.suffix))
     target = path.with_name(f"{stem}{path.suffix}")
     if not stem:
-        raise FileError(f"{path.name} needs a name with a letter or a digit in it.")
+        raise FileError(tr("{} needs a name with a letter or a digit in it.").format(path.name))
     if target == path:
         return path
     if target.exists():
-        raise FileError(f"{target.name} is there already, so {path.name} keeps its name.")
+        raise FileError(
+            tr("{} is there already, so {} keeps its name.").format(target.name, path.name)
+        )
     try:
         path.rename(target)
         move_tags(path, target)
     except OSError as error:
         reason = error.strerror or str(error)
-        raise FileError(f"{path.name} cannot be named {target.name}: {reason}.") from error
+        raise FileError(
+            tr("{} cannot be named {}: {}.").format(path.name, target.name, reason)
+        ) from error
     return target

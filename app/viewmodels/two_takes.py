@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from app.words import tr
 from tracker.clock import NS
 from tracker.messages import Array, Estimate, Validity
 from tracker.session.reader import SessionReader
@@ -125,6 +126,8 @@ def read_take(path: Path) -> TakeAngles:
 def figures_text(figures: Difference | None) -> str:
     """One line."""
     if figures is None:
-        return "The takes have no tracked instant in common here."
+        return tr("The takes have no tracked instant in common here.")
     rms, largest = np.rad2deg([figures.rms, figures.largest])
-    return f"differ by {rms:.1f}° (rms), {largest:.1f}° at most, over {figures.common:.1f} s"
+    return tr("differ by {:.1f}° (rms), {:.1f}° at most, over {:.1f} s").format(
+        rms, largest, figures.common
+    )

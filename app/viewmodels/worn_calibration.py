@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import CalibrationView, calibration_view
+from app.words import tr
 from tracker.fusion.chain.calibration.profile_file import WearerFile
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
@@ -70,8 +71,8 @@ class WornCalibration:
             return None
         shown = calibration_view(self.latest, self._last_fit if comparing else None)
         if comparing and self._last_fit is None:
-            words = "There is nothing to compare with yet: save a profile, or reset."
+            words = tr("There is nothing to compare with yet: save a profile, or reset.")
             return replace(shown, advice=words)
         if frozen:
-            return replace(shown, advice="Frozen: nothing is learned until you unfreeze it.")
+            return replace(shown, advice=tr("Frozen: nothing is learned until you unfreeze it."))
         return shown

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
+from app.words import tr
 
 SPARE = 4.0
 """A panel rests this many times as long as its last refresh took: on a busy machine the image
@@ -66,6 +67,7 @@ class Refresher:
             self._told.add(panel.name)
             _log.exception("The panel %s failed.", panel.name)
             self._failed(
-                f"The panel {panel.title().replace('&&', '&')} failed and rests "
-                f"({type(error).__name__}: {error}); the rest goes on."
+                tr("The panel {} failed and rests ({}: {}); the rest goes on.").format(
+                    panel.title().replace("&&", "&"), type(error).__name__, error
+                )
             )

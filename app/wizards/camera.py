@@ -26,12 +26,13 @@ from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.wizards.sizing import fit_to_screen
+from app.words import mark, tr
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.image_input import CameraName
 
 TICK_MS = 300
-NAMES = {"exposure": "Exposure", "gain": "Gain", "white_balance": "White balance"}
+NAMES = {"exposure": mark("Exposure"), "gain": mark("Gain"), "white_balance": mark("White balance")}
 LARGEST = 100_000.0
 
 
@@ -196,7 +197,7 @@ class LockBox(QGroupBox):
         value.setRange(-LARGEST, LARGEST)
         value.setDecimals(0)
         value.setKeyboardTracking(False)
-        value.setAccessibleName(NAMES[name])
+        value.setAccessibleName(tr(NAMES[name]))
         state.setProperty("role", "faint")
         box.clicked.connect(lambda on, n=name: self._clicked(n, on))
         value.valueChanged.connect(lambda _value: self._send())
@@ -259,12 +260,12 @@ class LockBox(QGroupBox):
 
 def _state(control: Control, wanted: bool) -> str:
     if not control.available:
-        return "this camera has none"
+        return tr("this camera has none")
     if control.locked:
-        return f"● locked at {control.value:g}"
+        return tr("● locked at {}").format(f"{control.value:g}")
     if wanted:
-        return "▲ the camera does not take it"
-    return f"○ by itself, now {control.value:g}"
+        return tr("▲ the camera does not take it")
+    return tr("○ by itself, now {}").format(f"{control.value:g}")
 
 
 def _select(box: QComboBox, wanted: str) -> None:

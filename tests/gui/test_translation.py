@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from app import words
 from app.platform.translation import CONTEXT, Catalogue, chosen, install, languages, place
-from app.tools.translations import all_words, read, release, words_in, write
+from app.tools.translations import SAYS, all_words, read, release, words_in, write
 from app.window.main_window import MainWindow
 
 APP = Path(__file__).resolve().parents[2] / "app"
@@ -38,11 +38,9 @@ def untranslated(code: str) -> list[str]:
     """Words handed to Qt without passing through tr."""
     found = []
     for node in ast.walk(ast.parse(code)):
-        if isinstance(node, ast.Call):
-            name = getattr(node.func, "attr", getattr(node.func, "id", ""))
-            if name in SETTERS:
-                texts = [text for a in node.args for text in literals(a)]
-                found += [text for text in texts if WORD.search(TAG.sub("", text))]
+        if isinstance(node, ast.Call) and words_name(node.func) in SETTERS:
+            texts = [text for a in node.args for text in literals(a)]
+            found += [text for text in texts if WORD.search(TAG.sub("", text))]
     return found
 
 
@@ -56,6 +54,66 @@ def test_words_that_pass_tr_by_are_noticed():
 
 def test_no_words_are_handed_to_qt_untranslated():
     found = {str(p): untranslated(p.read_text("utf-8")) for p in APP.rglob("*.py")}
+    assert {p: texts for p, texts in found.items() if texts} == {}
+
+
+PARTS = ("viewmodels", "jobs", "engines", "storage", "panels", "window", "wizards")
+SPOKEN_TO_PROGRAMS = {
+    "jobs/remote.py",  # answers of the remote control, which other programs read
+    "window/headless_report.py",  # the terminal speaks English, as does its help
+    "window/remote_command.py",
+    "window/start.py",
+    "window/theme.py",  # style sheets
+}
+NOT_SHOWN = {
+    "simulated camera",  # what colours are kept by
+    "none is open",  # for who reads a bug report
+    "● 19 of about 9 ",  # the widest count, which a column is made for
+    "UDP (JSON)", "WebSocket (JSON)", "Lab Streaming Layer", "Foxglove",  # names
+    "*.png *.jpg *.jpeg *.bmp *.tif", "*.yml *.yaml *.xml *.json",
+}  # fmt: skip
+SENTENCE = re.compile(r"[A-Za-z]{2}[^A-Za-z]* [^A-Za-z]*[A-Za-z]{2}|^[A-Z][a-z]+$")
+KEYS = re.compile(r"(Ctrl|Shift|Alt)\+\S*|Space|Del|Fusion|Glovetrack")
+PASS = {*SAYS, "debug", "info", "warning", "error", "exception", "setStyleSheet", "getLogger"}
+
+
+def left_english(code: str) -> list[str]:
+    """What reads like words for people and passes neither tr nor mark.
+
+    A single word in small letters cannot be told from a key, so it is let through.
+    """
+    tree = ast.parse(code)
+    passed: set[int] = set()
+    found = []
+    for node in ast.walk(tree):
+        called = isinstance(node, ast.Call) and words_name(node.func) in PASS
+        stated = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+        if called or stated:
+            passed |= {id(inner) for inner in ast.walk(node)}
+        elif id(node) not in passed and isinstance(node, ast.JoinedStr | ast.Constant):
+            texts = literals(node)
+            passed |= {id(v) for v in getattr(node, "values", ()) if isinstance(v, ast.Constant)}
+            found += [t for t in texts if SENTENCE.search(TAG.sub("", t)) and not KEYS.fullmatch(t)]
+    return [text for text in found if text not in NOT_SHOWN]
+
+
+def words_name(function: ast.expr) -> str:
+    return getattr(function, "attr", getattr(function, "id", ""))
+
+
+def test_words_of_view_models_that_pass_tr_by_are_noticed():
+    assert left_english('Row(GOOD, "not open")') == ["not open"]
+    assert left_english('name = "Views"') == ["Views"]
+    assert left_english('Row(f"{n} of {m} views")') == [" of  views"]
+    assert left_english('"""What it is."""\n_log.warning("it fails at %s", 1)') == []
+    assert left_english('Row(tr("not open"), mark("Views and more"), "latency_p99")') == []
+
+
+def test_no_words_are_left_english_in_what_is_handed_to_widgets():
+    found = {}
+    for path in (p for part in PARTS for p in (APP / part).rglob("*.py")):
+        if path.relative_to(APP).as_posix() not in SPOKEN_TO_PROGRAMS:
+            found[path.relative_to(APP).as_posix()] = left_english(path.read_text("utf-8"))
     assert {p: texts for p, texts in found.items() if texts} == {}
 
 

@@ -29,6 +29,7 @@ from app.panels.library.export_presets import Presets
 from app.storage.settings import SettingsStore
 from app.viewmodels.export_choice import WORDS, ExportChoice, choice_from
 from app.viewmodels.recording import position_text
+from app.words import tr
 from tracker.session.export.options import AXES_NAMES, FORMATS, UNITS
 
 MAX_RATE_HZ = 2000.0
@@ -69,7 +70,7 @@ class ExportDialog(QDialog):
         self.formats = QListWidget()
         self.formats.setAccessibleName(self.tr("Formats"))
         for name in FORMATS:
-            item = QListWidgetItem(WORDS[name], self.formats)
+            item = QListWidgetItem(tr(WORDS[name]), self.formats)
             item.setData(Qt.ItemDataRole.UserRole, name)
             item.setCheckState(Qt.CheckState.Unchecked)
         self.formats.itemChanged.connect(lambda _item: self._enable())

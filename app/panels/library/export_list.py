@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.jobs.export import ExportQueue, QueueItem
 from app.panels.library.session_files import open_folder
+from app.words import tr
 
 
 class ExportList(QWidget):
@@ -62,7 +63,7 @@ class ExportList(QWidget):
         for i, item in enumerate(self._shown):
             state, bar = self.table.item(i, 1), self.table.cellWidget(i, 2)
             if state is not None and isinstance(bar, QProgressBar):
-                state.setText(f"{item.look.sign} {item.look.word}")
+                state.setText(f"{item.look.sign} {tr(item.look.word)}")
                 state.setToolTip(item.problem)
                 bar.setValue(round(100 * (1.0 if item.look.word == "done" else item.share)))
         self._enable()

@@ -16,6 +16,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
 from app.viewmodels.recording import duration_text
 from app.viewmodels.takes import rename
+from app.words import tr
 from tracker.errors import FileError, GlovetrackError
 
 
@@ -94,9 +95,9 @@ class SessionFiles(QObject):
         """Raises FileError for a session that is open or being recorded."""
         setup, request = self._host.setup, self._host.recording.request
         if request is not None and request.path == path:
-            raise FileError(f"{path.name} is being recorded.")
+            raise FileError(tr("{} is being recorded.").format(path.name))
         if setup is not None and setup.player is not None and setup.player.path == path:
-            raise FileError(f"{path.name} is open: close it first (Ctrl+W).")
+            raise FileError(tr("{} is open: close it first (Ctrl+W).").format(path.name))
         return path
 
     def _try(self, work: Callable[[], object]) -> None:
@@ -110,7 +111,9 @@ class SessionFiles(QObject):
 def to_bin(path: Path) -> None:
     """A session and its tags. Raises FileError where there is no bin: it stays then."""
     if not moved_to_bin(path):
-        raise FileError(f"{path.name} cannot be moved to the bin, so it stays where it is.")
+        raise FileError(
+            tr("{} cannot be moved to the bin, so it stays where it is.").format(path.name)
+        )
     if (tags := tags_path(path)).exists():
         moved_to_bin(tags)
 

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.viewmodels.motion import MotionRow
 from app.viewmodels.states import GREY, VALIDITY
+from app.words import tr
 
 NAME, STATE, VALUE, BAR, LEAST, GREATEST, RANGE, FASTEST = range(8)
 SHARE = int(Qt.ItemDataRole.UserRole)
@@ -72,7 +73,7 @@ class MotionTable(QTableWidget):
         for k, row in enumerate(rows):
             look = VALIDITY[row.state]
             self._put(k, STATE, look.sign)
-            self._item(k, STATE).setToolTip(look.word)
+            self._item(k, STATE).setToolTip(tr(look.word))
             known = np.isfinite(row.value)
             digits = 2 if row.unit == "rad" else 1
             self._put(k, VALUE, f"{row.value:.{digits}f} {row.unit}" if known else "–")

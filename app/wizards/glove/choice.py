@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.storage.settings import AppSettings
+from app.words import tr
 from tracker import library
 from tracker.errors import GlovetrackError
 from tracker.glove.model import GloveModel
@@ -162,17 +163,19 @@ class ChoicePage(QWidget):
 
 
 def _title(report: PortReport) -> str:
-    if report.hello is None:
-        return f"{report.path}: a glove that is sending"
     hello = report.hello
-    slow = f", {report.baud} baud" if report.baud != BAUD else ""
-    return f"{report.path}: glove {hello.glove_id}, {hello.imu_count} IMUs{slow}"
+    if hello is None:
+        return tr("{}: a glove that is sending").format(report.path)
+    if report.baud == BAUD:
+        return tr("{}: glove {}, {} IMUs").format(report.path, hello.glove_id, hello.imu_count)
+    words = tr("{}: glove {}, {} IMUs, {} baud")
+    return words.format(report.path, hello.glove_id, hello.imu_count, report.baud)
 
 
 def _remarks(reports: list[PortReport]) -> list[str]:
     """What there is to say about the ports."""
     if not reports:
-        return ["No USB serial port is there. Plug the glove in and look again."]
+        return [tr("No USB serial port is there. Plug the glove in and look again.")]
     advice = [latency_advice(r.path) for r in reports if r.is_glove]
     return [w for w in (*(r.trouble for r in reports), *advice) if w]
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from app.engines.engine_host import EngineHost
+from app.words import tr
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Event, ImuSample
@@ -47,7 +48,7 @@ class SessionFeed:
 
     @property
     def trouble(self) -> str:
-        return "" if self._host.setup is not None else "The session was closed."
+        return "" if self._host.setup is not None else tr("The session was closed.")
 
     def recent(self) -> Sequence[ImuSample]:
         setup = self._host.setup

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from app.engines.camera_choice import NAME, PAIR, choose
@@ -10,6 +10,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.hardware import FPS, HEIGHT, WIDTH
 from app.storage.settings import AppSettings
 from app.wizards.stereo.board import ImageChoice
+from app.words import tr
 from tracker.errors import DeviceError
 from tracker.sensors.image_input import (
     CameraName,
@@ -28,7 +29,7 @@ class SessionImages:
 
     host: EngineHost
     live: bool = True
-    name: str = "camera in use"
+    name: str = field(default_factory=lambda: tr("camera in use"))
     fps: float = 0.0
     _last: int = -1
 
@@ -38,7 +39,7 @@ class SessionImages:
     def read(self) -> Pair | None:
         setup = self.host.setup
         if setup is None:
-            raise DeviceError("The camera in use was closed: start glove and camera again.")
+            raise DeviceError(tr("The camera in use was closed: start glove and camera again."))
         latest = setup.engine.latest_frame()
         if latest is None or latest[0].index == self._last:
             return None
@@ -60,7 +61,7 @@ def image_choices(
 
     setup = host.setup
     rig = setup.rig if setup is not None and setup.simulated else ideal_rig()
-    simulated = ImageChoice("Simulated board (demo)", lambda spec: BoardCamera(rig, spec), True)
+    simulated = ImageChoice(tr("Simulated board (demo)"), lambda spec: BoardCamera(rig, spec), True)
 
     def choice(title: str, camera: str) -> ImageChoice:
         wanted = replace(settings, camera=camera)
@@ -72,18 +73,18 @@ def image_choices(
         for c in cameras
     ]
     if settings.camera:
-        words = settings.camera.removeprefix(NAME).removeprefix(PAIR).replace("|", " and ")
-        found.insert(0, choice(f"Chosen camera: {words}", settings.camera))
+        words = settings.camera.removeprefix(NAME).removeprefix(PAIR).replace("|", " + ")
+        found.insert(0, choice(tr("Chosen camera: {}").format(words), settings.camera))
     if setup is None or setup.player is not None or not setup.has_camera:
         return [*found, simulated]
     if setup.simulated:
         return [simulated, *found]
-    return [ImageChoice("Camera in use", lambda _spec: SessionImages(host)), simulated]
+    return [ImageChoice(tr("Camera in use"), lambda _spec: SessionImages(host)), simulated]
 
 
 def folder_choice(folder: Path) -> ImageChoice:
     """Images on disk: names with left and right in them, in the order of their names."""
-    return ImageChoice(f"Folder {folder.name}", lambda _spec: folder_input(folder))
+    return ImageChoice(tr("Folder {}").format(folder.name), lambda _spec: folder_input(folder))
 
 
 def folder_input(folder: Path) -> ImageInput:

@@ -16,10 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.words import mark, tr
 from tracker.calibration.stereo.files import ImportForm
 
 ZED_FOLDER = Path("/usr/local/zed/settings")
-UNITS = (("mm", 1e-3), ("m", 1.0), ("cm", 1e-2), ("squares of the board", 0.0))
+UNITS = (("mm", 1e-3), ("m", 1.0), ("cm", 1e-2), (mark("squares of the board"), 0.0))
 
 
 class ImportFormDialog(QDialog):
@@ -32,7 +33,7 @@ class ImportFormDialog(QDialog):
         self.width_px, self.height_px = _pixels(default.width), _pixels(default.height)
         self.unit = QComboBox()
         for name, metres in UNITS:
-            self.unit.addItem(name, metres)
+            self.unit.addItem(tr(name), metres)
         self.square_mm = QDoubleSpinBox()
         self.square_mm.setRange(1.0, 500.0)
         self.square_mm.setValue(25.0)

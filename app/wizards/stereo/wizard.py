@@ -25,6 +25,7 @@ from app.wizards.stereo.import_form import ask_folder, ask_opencv, ask_zed
 from app.wizards.stereo.result import ResultPage
 from app.wizards.stereo.solving import Solving, save_rig
 from app.wizards.stereo.views import CheckPage, CollectPage
+from app.words import tr
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.coverage import coverage
 from tracker.calibration.stereo.files import ImportForm, load_rig
@@ -249,7 +250,7 @@ class StereoWizard(QDialog):
             return
         choice, found = self.board.choice(), self.check.found
         title = choice.title if choice is not None else "camera"
-        note = f"checked: {found.rms_px:.3f} px" if found is not None else ""
+        note = tr("checked: {:.3f} px").format(found.rms_px) if found is not None else ""
         try:
             path = self._file or save_rig(self._folder, title, self._rig, note)
         except GlovetrackError as error:
