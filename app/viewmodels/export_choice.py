@@ -31,6 +31,7 @@ WORDS = {
     "mp4": mark("Film with the hand drawn in (MP4)"),
     "png": mark("Folder of images with the hand drawn in (PNG)"),
     "mcap": mark("Session, whole or the chosen part (MCAP)"),
+    "isaac": mark("Hand record of NVIDIA's Isaac tools (MCAP)"),
 }
 """What each format is for, by its name on the command line."""
 

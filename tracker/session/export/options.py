@@ -8,7 +8,7 @@ from tracker.errors import ConfigError
 
 FORMATS = (
     *("csv", "parquet", "h5", "c3d", "trc", "mot", "sto", "osim", "bvh", "glb", "urdf"),
-    *("mp4", "png", "mcap"),
+    *("mp4", "png", "mcap", "isaac"),
 )
 WHOLE_HAND = ("sto", "osim", "bvh", "glb", "urdf")
 """Formats of a skeleton, which cannot leave out joints."""

@@ -33,6 +33,7 @@ _WRITERS = {
     "mp4": "overlay:export_mp4",
     "png": "overlay:export_png",
     "mcap": "mcap:export_mcap",
+    "isaac": "isaac:export_isaac",
 }
 """Module and function for each format, imported when it is asked for: the libraries are slow."""
 
