@@ -135,7 +135,8 @@ class HandOutput:
 
 
 def _inferred_deg(segment: str) -> float:
-    return INFERRED_DEG.get(segment, INFERRED_DEG[segment.rsplit("_", 1)[-1]])
+    kind = segment if segment in INFERRED_DEG else segment.rsplit("_", 1)[-1]
+    return INFERRED_DEG[kind]
 
 
 @kernel
