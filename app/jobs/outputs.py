@@ -77,9 +77,8 @@ class Outputs(QObject):
         for name in (n for n in STREAMS if getattr(asked, n)):
             port = f"{name}_port"
             changes: dict[str, Any] = {name: True}
-            for more in (port, f"{name}_file"):
-                if hasattr(asked, more):
-                    changes[more] = getattr(asked, more)
+            if hasattr(asked, port):
+                changes[port] = getattr(asked, port)
             self.params = replace(self.params, **changes)
         if asked.host != StreamParams.host:
             self.params = replace(self.params, host=asked.host)

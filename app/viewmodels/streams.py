@@ -20,7 +20,6 @@ _TITLES = {
     "vmc": mark("VMC (OSC, avatars)"),
     "lsl": "Lab Streaming Layer",
     "foxglove": "Foxglove",
-    "isaac": "Isaac record (MCAP)",
 }
 REACH = {
     "lsl": mark(
@@ -29,7 +28,7 @@ REACH = {
     ),
 }
 """What a switch has to say before it is turned on: who else hears it."""
-WITHOUT_PORT = ("lsl", "isaac")
+WITHOUT_PORT = ("lsl",)
 """Clients find these by name."""
 
 

@@ -5,14 +5,16 @@ from __future__ import annotations
 import argparse
 
 from tracker.evaluation.faults.command import add_evaluate_faults
+from tracker.evaluation.gestures.command import add_evaluate_gestures
 from tracker.evaluation.inertial.commands import add_evaluate_inertial
 from tracker.evaluation.vist.command import add_evaluate_vist
 
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Adds ``evaluate`` with ``vist``, ``inertial`` and ``faults``."""
+    """Adds ``evaluate`` with ``vist``, ``inertial``, ``faults`` and ``gestures``."""
     evaluate = subparsers.add_parser("evaluate", help="the papers' protocols, and device faults")
     protocols = evaluate.add_subparsers(title="protocols", metavar="PROTOCOL", required=True)
     add_evaluate_vist(protocols)
     add_evaluate_inertial(protocols)
     add_evaluate_faults(protocols)
+    add_evaluate_gestures(protocols)

@@ -16,6 +16,7 @@ import numpy as np
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import GlovetrackError
 from tracker.fusion.chain.guided.events import began, ended
+from tracker.gestures.recogniser import GestureRecogniser, gesture_event
 from tracker.live.frame_results import FrameResults
 from tracker.live.imu_history import ImuHistory
 from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item
@@ -98,6 +99,8 @@ class LiveLoop:
         self.load = LoadWatch()
         self.predicted: RegionPrediction | None = None  # for the vision thread
         self._order = order or ArrivalOrder()
+        names = pipeline.glove.keypoint_names(pipeline.hand)
+        self.gestures = GestureRecogniser(pipeline.hand, names)
         self._reference: ReferenceEngine | None = None
         self._pipeline_lock = threading.RLock()
         self._finishing: list[RecordingThread] = []
@@ -174,6 +177,8 @@ class LiveLoop:
         self.telemetry.tick("estimate", self.clock())
         if record:
             self.journal.record(estimate)
+            for phase in self.gestures.feed(estimate):
+                self.journal.record(gesture_event(phase, self.gestures.side))
         if before is None or before.tracking != estimate.tracking:
             self.journal.say("tracking", TRACKING_WORDS[estimate.tracking])
 

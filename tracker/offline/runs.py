@@ -12,6 +12,7 @@ import numpy as np
 from tracker.errors import FileError
 from tracker.fusion.chain.guided.events import guided_of
 from tracker.fusion.engine import Engine
+from tracker.gestures.recogniser import GestureRecogniser, gesture_event
 from tracker.messages import (
     BlobFrame,
     Calibration,
@@ -61,7 +62,9 @@ class Output:
         self, recorder: SessionRecorder, with_sensors: bool, check: TruthCheck | None
     ) -> None:
         self._recorder, self._with_sensors, self._check = recorder, with_sensors, check
-        self._moving = recorder.info.moving_camera
+        info = recorder.info
+        self._moving = info.moving_camera
+        self._gestures = GestureRecogniser(info.hand, info.keypoint_names)
         self._counter = Counter()
         self._status = StatusClock()
 
@@ -105,6 +108,8 @@ class Output:
 
     def estimate(self, sample: ImuSample, estimate: Estimate) -> None:
         self._recorder.write(estimate)
+        for phase in self._gestures.feed(estimate):
+            self._recorder.write(gesture_event(phase, self._gestures.side))
         if self._check is not None:
             self._check.add(estimate)
         self._counter.count(sample, estimate.tracking)

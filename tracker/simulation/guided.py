@@ -93,6 +93,11 @@ class GuidedPoses:
         return out
 
     @property
+    def held(self) -> list[HeldPose]:
+        """What is held when, in order of time."""
+        return list(self._held)
+
+    @property
     def events(self) -> list[Event]:
         """What the wearer is told, in order of time."""
         out = []

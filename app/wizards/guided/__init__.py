@@ -1,1 +1,0 @@
-"""Guided calibration: poses that the wearer holds on request."""

@@ -1,0 +1,145 @@
+"""Gestures of hands whose shape is given, and of simulated people."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tracker import library
+from tracker.evaluation.gestures.score import as_estimate, score
+from tracker.gestures.recogniser import KIND, GestureRecogniser, gesture_event
+from tracker.messages import Estimate, Tracking, Validity
+from tracker.simulation.postures import posture
+from tracker.simulation.scenario import Truth
+
+HAND, GLOVE = library.load()
+NAMES = GLOVE.keypoint_names(HAND)
+FINGERS = ("index", "middle", "ring", "little")
+
+
+def bent(mcp: float, pip: float, *fingers: str) -> dict[str, float]:
+    """Degrees."""
+    return {f"{f}_mcp_flexion": mcp for f in fingers} | {f"{f}_pip_flexion": pip for f in fingers}
+
+
+THUMB_OVER = {"thumb_cmc_flexion": 22.0, "thumb_cmc_abduction": -12.0, "thumb_mcp_flexion": 40.0}
+THUMB_OUT = {"thumb_cmc_flexion": -15.0, "thumb_cmc_abduction": 10.0}
+SHAPES = {
+    "open_palm": {},
+    "fist": bent(80, 95, *FINGERS) | THUMB_OVER,
+    "thumb_up": bent(80, 95, *FINGERS) | THUMB_OUT,
+    "point": bent(80, 95, *FINGERS[1:]) | THUMB_OVER,
+}
+
+
+def shown(shape: dict[str, float], t: float = 0.0, turn: np.ndarray | None = None) -> Estimate:
+    """A measured hand with these angles in degrees."""
+    angles = posture(HAND, shape)
+    R, p = HAND.forward(angles, np.eye(3) if turn is None else turn, np.array([0.1, 0.2, 0.3]))
+    return as_estimate(t, Truth(GLOVE.keypoint_positions(HAND, R, p), angles, R, p), HAND, GLOVE)
+
+
+def told(frames: list[Estimate]) -> list[tuple[str, bool]]:
+    recogniser = GestureRecogniser(HAND, NAMES)
+    return [(p.gesture, p.begins) for e in frames for p in recogniser.feed(e)]
+
+
+def lasting(shape: dict[str, float], start: float, seconds: float) -> list[Estimate]:
+    once = shown(shape)
+    return [replace(once, t=start + 0.01 * i) for i in range(round(100 * seconds))]
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_a_shape_is_told_by_its_name_once(name: str) -> None:
+    assert told(lasting(SHAPES[name], 0.0, 1.0)) == [(name, True)]
+
+
+@pytest.mark.parametrize("name", SHAPES)
+def test_it_begins_within_40_ms(name: str) -> None:
+    recogniser = GestureRecogniser(HAND, NAMES)
+    begun = [p.t for e in lasting(SHAPES[name], 0.0, 0.2) for p in recogniser.feed(e)]
+    assert begun == [pytest.approx(0.03)]
+
+
+def test_where_the_hand_is_turned_does_not_count() -> None:
+    turn = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
+    frames = [replace(shown(SHAPES["thumb_up"], turn=turn), t=0.01 * i) for i in range(20)]
+    assert told(frames) == [("thumb_up", True)]
+
+
+def test_one_posture_ends_as_the_next_begins() -> None:
+    frames = lasting(SHAPES["fist"], 0.0, 0.5) + lasting(SHAPES["thumb_up"], 0.5, 0.5)
+    assert told(frames) == [("fist", True), ("fist", False), ("thumb_up", True)]
+
+
+def test_a_value_that_trembles_about_the_threshold_begins_once() -> None:
+    """Hysteresis: 5 degrees up and down about where a fist begins."""
+    frames = []
+    for i in range(200):
+        mcp = 62.0 + 5.0 * (-1) ** (i // 5)
+        frames.append(shown(bent(mcp, 78, *FINGERS) | THUMB_OVER, t=0.01 * i))
+    assert sum(begins for name, begins in told(frames) if name == "fist") <= 1
+
+
+def test_a_single_estimate_that_is_off_tells_nothing() -> None:
+    frames = lasting(bent(35, 30, *FINGERS), 0.0, 1.0)
+    frames[50] = shown(SHAPES["fist"], t=frames[50].t)
+    assert told(frames) == told(lasting(bent(35, 30, *FINGERS), 0.0, 1.0))
+
+
+def test_a_lost_hand_shows_nothing() -> None:
+    lost = [
+        replace(
+            e,
+            tracking=Tracking.LOST,
+            keypoint_state=np.full(len(NAMES), int(Validity.LOST), np.int64),
+            angle_state=np.full(len(HAND.joint_names), int(Validity.LOST), np.int64),
+        )
+        for e in lasting(SHAPES["fist"], 0.5, 0.5)
+    ]
+    frames = lasting(SHAPES["fist"], 0.0, 0.5) + lost
+    assert told(frames) == [("fist", True), ("fist", False)]
+    assert told(lost) == []
+
+
+def test_a_hand_that_is_searched_for_shows_nothing() -> None:
+    searching = [replace(e, tracking=Tracking.SEARCHING) for e in lasting(SHAPES["fist"], 0, 1)]
+    assert told(searching) == []
+
+
+def test_a_pinch_that_is_not_known_well_does_not_begin() -> None:
+    """A gap of two points whose places are known to 2 cm is no gap."""
+    wearer = score(1, free=0.5, on_truth=True)
+    assert {h.gesture for h in wearer.held if h.right > 0.98} >= {"pinch_index", "pinch_little"}
+    sure = shown({})
+    thumb, index = NAMES.index("thumb_tip"), NAMES.index("index_tip")
+    keypoints = sure.keypoints.copy()
+    offset = keypoints[index] - keypoints[thumb]
+    for name in ("thumb_tip", "thumb_ip"):
+        keypoints[NAMES.index(name)] += offset + [0.0, 0.0, -0.02]
+    for sd, wanted in ((0.003, True), (0.02, False)):
+        frames = [
+            replace(
+                sure, t=0.01 * i, keypoints=keypoints.copy(), keypoint_sd=np.full(len(NAMES), sd)
+            )
+            for i in range(20)
+        ]
+        assert (("pinch_index", True) in told(frames)) == wanted
+
+
+def test_simulated_people_are_understood() -> None:
+    """On the true hand the rules leave nothing: each held gesture right, none false in 20 s."""
+    wearer = score(4, free=20.0, on_truth=True)
+    assert min(h.right for h in wearer.held) >= 0.98
+    assert max(h.delay for h in wearer.held if np.isfinite(h.delay)) <= 0.05
+    assert wearer.false_starts.total() == 0
+
+
+def test_events_say_what_sessions_hold() -> None:
+    recogniser = GestureRecogniser(HAND, NAMES)
+    (phase,) = [p for e in lasting(SHAPES["fist"], 0.0, 0.2) for p in recogniser.feed(e)]
+    event = gesture_event(phase, recogniser.side)
+    assert (event.kind, event.t) == (KIND, phase.t)
+    assert event.data == {"hand": "right", "gesture": "fist", "phase": "begin", "value": 1.0}

@@ -1,0 +1,1 @@
+"""Gestures of simulated people, against what they were asked to hold."""

@@ -1,0 +1,74 @@
+"""``glovetrack evaluate gestures``."""
+
+from __future__ import annotations
+
+import argparse
+from collections import defaultdict
+from typing import TYPE_CHECKING, Any
+
+from tracker.terminal import add_json, check_json, finish, progress_line
+
+if TYPE_CHECKING:
+    from tracker.evaluation.gestures.score import GestureScore, Held
+
+
+def add_evaluate_gestures(
+    subparsers: argparse._SubParsersAction[argparse.ArgumentParser],
+) -> None:
+    """Adds the protocol; its ``func`` returns the exit status."""
+    parser = subparsers.add_parser("gestures", help="what simulated people hold and move freely")
+    parser.add_argument("--people", type=int, default=8, metavar="N")
+    parser.add_argument("--seconds", type=float, default=60.0, help="of free motion, each")
+    parser.add_argument("--seed", type=int, default=1, help="of the first of them")
+    parser.add_argument("--glove", default="", help="name or file")
+    parser.add_argument("--on-truth", action="store_true", help="as if the hand were known")
+    add_json(parser)
+    parser.set_defaults(func=_evaluate)
+
+
+def _evaluate(args: argparse.Namespace) -> int:
+    from tracker.evaluation.gestures.score import score
+
+    check_json(args, [])
+    watch = progress_line("evaluating")
+    scores = []
+    for i in range(args.people):
+        scores.append(score(args.seed + i, args.seconds, args.on_truth, args.glove))
+        watch((i + 1) / args.people)
+    report = _report(scores)
+    finish(args, report, _lines(report), [])
+    return 0
+
+
+def _report(scores: list[GestureScore]) -> dict[str, Any]:
+    import numpy as np
+
+    by_name: dict[str, list[Held]] = defaultdict(list)
+    for one in scores:
+        for pose in one.held:
+            by_name[pose.gesture].append(pose)
+    rows = {}
+    for name, held in by_name.items():
+        delays = [h.delay for h in held if np.isfinite(h.delay)]
+        rows[name] = {
+            "held": len(held),
+            "right_percent": 100 * float(np.mean([h.right for h in held])),
+            "told_in_time": len(delays),
+            "delay_ms": 1e3 * float(np.median(delays)) if delays else None,
+        }
+    minutes = sum(one.free_time for one in scores) / 60
+    false = {n: sum(s.false_starts[n] for s in scores) for s in scores for n in s.false_starts}
+    total = sum(false.values())
+    return {"gestures": rows, "false_per_minute": total / max(minutes, 1e-9), "false": false}
+
+
+def _lines(report: dict[str, Any]) -> list[str]:
+    lines = [f"{'gesture':<14}{'held':>5}{'right %':>9}{'delay ms':>10}"]
+    for name, row in report["gestures"].items():
+        delay = "-" if row["delay_ms"] is None else f"{row['delay_ms']:.0f}"
+        lines.append(f"{name:<14}{row['held']:>5}{row['right_percent']:>9.1f}{delay:>10}")
+    false = ", ".join(f"{n} {k}" for n, k in report["false"].items()) or "none"
+    lines.append(
+        f"false starts a minute of free motion: {report['false_per_minute']:.2f} ({false})"
+    )
+    return lines

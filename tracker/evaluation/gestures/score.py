@@ -1,0 +1,165 @@
+"""How well gestures are told: simulated people hold each on request, then move freely.
+
+The labels are what was asked for and held, not what a recogniser made of the truth. A gesture that
+begins in free motion is false unless the true hand shows it too.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker import library
+from tracker.geometry import so3
+from tracker.gestures.recogniser import ENDS_AT, GestureRecogniser, Phase
+from tracker.gestures.shape import ShapeReader
+from tracker.gestures.values import GestureParams, values
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array, Estimate, Event, ImuSample, Tracking, Validity
+from tracker.pipeline import Pipeline
+from tracker.simulation.guided import GuidedPoses, HeldPose, with_events
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation, Truth
+from tracker.simulation.wearer import Wearer
+
+SHOWN_BY = {"flat": "open_palm", "spread": "open_palm"}
+"""The gesture that a guided pose shows, where it is not called the same."""
+WHOLLY = 0.9  # a value: of a pinch, pads 7 mm apart
+JUDGED_FROM = 0.2  # s after the pose is reached
+
+
+class Held(NamedTuple):
+    """A gesture that was held: the share of the time in which it, and no other, was told; delay s
+    from the first instant at which the true hand shows it, NaN where it was never told."""
+
+    gesture: str
+    right: float
+    delay: float
+
+
+@dataclass
+class GestureScore:
+    """Of one wearer."""
+
+    held: list[Held] = field(default_factory=list)
+    false_starts: Counter[str] = field(default_factory=Counter)
+    free_time: float = 0.0  # s
+
+    @property
+    def false_per_minute(self) -> float:
+        return 60 * self.false_starts.total() / max(self.free_time, 1e-9)
+
+
+def score(
+    seed: int, free: float = 60.0, on_truth: bool = False, glove_name: str = ""
+) -> GestureScore:
+    """Gestures of one simulated wearer, ``free`` s of them in free motion.
+
+    ``on_truth``: told from the true hand, which shows what the rules themselves leave.
+    """
+    hand, glove = library.load(glove_name or library.DEFAULT_GLOVE)
+    wearer = Wearer.random(hand, glove, seed)
+    motion = GuidedPoses(wearer, RandomPostures(hand, seed, duration=free), seed)
+    simulation = Simulation(hand, glove, motion, seed)
+    estimates = _true(simulation) if on_truth else _tracked(simulation)
+    recogniser = GestureRecogniser(hand, glove.keypoint_names(hand))
+    phases, shown = [], []
+    for estimate in estimates:
+        phases += recogniser.feed(estimate)
+        shown.append(recogniser.active)
+    t = np.array([e.t for e in estimates])
+    truth = _TrueValues(simulation)
+    out = GestureScore(free_time=simulation.duration - motion.free_from)
+    for pose in motion.held:
+        out.held.append(_judged(pose, t, shown, phases, truth))
+    for phase in phases:
+        if phase.begins and phase.t > motion.free_from and not truth.shows(phase.gesture, phase.t):
+            out.false_starts[phase.gesture] += 1
+    return out
+
+
+def _judged(
+    pose: HeldPose,
+    t: Array,
+    shown: list[tuple[str, ...]],
+    phases: list[Phase],
+    truth: _TrueValues,
+) -> Held:
+    gesture = SHOWN_BY.get(pose.name, pose.name)
+    during = np.flatnonzero((t >= pose.reached + JUDGED_FROM) & (t <= pose.left))
+    right = float(np.mean([shown[i] == (gesture,) for i in during]))
+    begins = [p.t for p in phases if p.begins and p.gesture == gesture]
+    begins = [b for b in begins if pose.begin - 1.5 < b < pose.left]
+    first = truth.first(gesture, pose.begin - 1.5, pose.left)
+    return Held(gesture, right, begins[0] - first if begins else np.nan)
+
+
+class _TrueValues:
+    """What the true hand shows."""
+
+    def __init__(self, simulation: Simulation) -> None:
+        self._simulation = simulation
+        hand, glove = simulation.hand, simulation.glove
+        self._reader = ShapeReader(hand, glove.keypoint_names(hand))
+
+    def at(self, gesture: str, t: float) -> float:
+        """The gesture's value."""
+        last = self._simulation.duration - 0.02
+        true = self._simulation.truth(float(np.clip(t, 0.0, last)))
+        estimate = as_estimate(t, true, self._simulation.hand, self._simulation.glove)
+        return values(self._reader.read(estimate), GestureParams())[gesture]
+
+    def shows(self, gesture: str, t: float) -> bool:
+        """Whether it is there, or was in the last tenth of a second."""
+        return any(self.at(gesture, t - back) >= ENDS_AT for back in (0.0, 0.05, 0.1))
+
+    def first(self, gesture: str, start: float, stop: float) -> float:
+        """When the true hand first shows it wholly; NaN where it never does."""
+        instants = (float(t) for t in np.arange(start, stop, 0.01))
+        return next((t for t in instants if self.at(gesture, t) > WHOLLY), float("nan"))
+
+
+def _tracked(simulation: Simulation) -> list[Estimate]:
+    pipeline = Pipeline(simulation.hand, simulation.glove, simulation.rig)
+    out = []
+    assert isinstance(simulation.motion, GuidedPoses)
+    for message in with_events(simulation.feed(), simulation.motion.events):
+        if isinstance(message, ImuSample):
+            out.append(pipeline.feed_imu(message))
+        elif isinstance(message, Event):
+            pipeline.feed_event(message)
+        else:
+            pipeline.feed_frame(message)  # type: ignore[arg-type]
+    return out
+
+
+def _true(simulation: Simulation) -> list[Estimate]:
+    t = np.arange(0.0, simulation.duration - 0.02, 0.01)
+    truths = simulation.truths(t)
+    return [
+        as_estimate(float(s), true, simulation.hand, simulation.glove)
+        for s, true in zip(t, truths, strict=True)
+    ]
+
+
+def as_estimate(t: float, true: Truth, hand: HandModel, glove: GloveModel) -> Estimate:
+    """The truth as if it had been measured without error."""
+    keypoints, joints = len(true.keypoints), len(true.angles)
+    segments = list(hand.keypoint_segment)
+    segments += [hand.root] * (keypoints - len(segments))
+    return Estimate(
+        t=t,
+        tracking=Tracking.TRACKING,
+        keypoints=true.keypoints.copy(),
+        keypoint_q=so3.quat_from_matrix(true.R_GB)[segments],
+        keypoint_state=np.full(keypoints, int(Validity.MEASURED), np.int64),
+        keypoint_sd=np.full(keypoints, 1e-3),
+        angles=true.angles.copy(),
+        angle_state=np.full(joints, int(Validity.MEASURED), np.int64),
+        segment_R=true.R_GB.copy(),
+        segment_p=true.p_GB.copy(),
+    )

@@ -1,1 +1,0 @@
-"""NVIDIA's record of hands, `core.HandPoseRecord`: MCAP files of flatbuffers."""
