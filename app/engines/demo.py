@@ -7,6 +7,7 @@ from functools import partial
 
 from app.engines.demo_camera import DURATION, demo_spec, start_camera
 from app.engines.engine import EngineSetup, ReferenceHand
+from app.engines.guide import WearersGuide
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -98,6 +99,7 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         truth=truth,
         simulated=True,
         vibrate=link.vibrate,
+        guide=WearersGuide(tracker),
         command=tracker.command,
         reference_tracking=tracker,
         camera=CAMERA,

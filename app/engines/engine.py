@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
+from app.engines.guide import PoseGuide
 from tracker.clock import ClockAnchor
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
@@ -159,6 +160,7 @@ class EngineSetup:
     camera_controls: CameraControls | None = None  # of a device that is open
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     image_rate: Callable[[], float] | None = None  # images a second that the camera should give
+    guide: PoseGuide | None = None  # tells the engine of guided poses
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms
     has_glove: bool = True
     has_camera: bool = True

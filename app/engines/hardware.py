@@ -10,6 +10,7 @@ from typing import TypeVar
 
 from app.engines.camera_choice import ChosenCamera, choose
 from app.engines.engine import EngineSetup
+from app.engines.guide import WearersGuide
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -93,6 +94,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         close=recorders.close,
         make_recorder=recorder_maker(tracker, info, recorders.record),
         vibrate=link.vibrate if link else None,
+        guide=WearersGuide(tracker),
         command=tracker.command,
         reference_tracking=tracker if found.whole else None,
         # a calibration file's name holds a ZED's serial number

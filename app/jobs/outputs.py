@@ -77,8 +77,9 @@ class Outputs(QObject):
         for name in (n for n in STREAMS if getattr(asked, n)):
             port = f"{name}_port"
             changes: dict[str, Any] = {name: True}
-            if hasattr(asked, port):
-                changes[port] = getattr(asked, port)
+            for more in (port, f"{name}_file"):
+                if hasattr(asked, more):
+                    changes[more] = getattr(asked, more)
             self.params = replace(self.params, **changes)
         if asked.host != StreamParams.host:
             self.params = replace(self.params, host=asked.host)

@@ -49,6 +49,7 @@ class AppSettings:
     recording_name: str = ""  # the template of file names; empty for the usual one
     countdown: int = 0  # s before a recording begins
     countdown_sound: bool = False
+    guided_sound: bool = True  # a beep when a guided pose has been held
     wearer: str = ""  # whose calibration is put on at the start
     engine: str = "chain"  # what tracks
     angle_unit: str = "deg"  # or "rad": of the motion panel

@@ -236,4 +236,6 @@ def _calibration(view: Snapshot | None) -> SetUpStep:
     if share >= SETTLED:
         return SetUpStep(name, True, tr("hand length {}").format(shown.hand_length))
     reason = f"{100 * share:.0f} %. {shown.advice}"
+    if view.setup.guide is not None:
+        return SetUpStep(name, False, reason, "guided", tr("Hold poses"))
     return SetUpStep(name, False, reason, "show_calibration", tr("Show"))

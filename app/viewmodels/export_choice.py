@@ -23,13 +23,15 @@ WORDS = {
     "c3d": mark("Motion capture (C3D)"),
     "trc": mark("OpenSim markers (TRC)"),
     "mot": mark("OpenSim joint angles (MOT)"),
-    "sto": mark("OpenSim joint angles (STO)"),
+    "sto": mark("OpenSim orientations of the IMUs (STO)"),
+    "osim": mark("OpenSim model of the hand as tracked (OSIM)"),
     "bvh": mark("Animation skeleton (BVH)"),
     "glb": mark("Animated hand in 3D (glTF)"),
     "urdf": mark("Robot model of the hand (URDF)"),
     "mp4": mark("Film with the hand drawn in (MP4)"),
     "png": mark("Folder of images with the hand drawn in (PNG)"),
     "mcap": mark("Session, whole or the chosen part (MCAP)"),
+    "isaac": mark("Hand record of NVIDIA's Isaac tools (MCAP)"),
 }
 """What each format is for, by its name on the command line."""
 

@@ -20,6 +20,7 @@ _TITLES = {
     "vmc": mark("VMC (OSC, avatars)"),
     "lsl": "Lab Streaming Layer",
     "foxglove": "Foxglove",
+    "isaac": "Isaac record (MCAP)",
 }
 REACH = {
     "lsl": mark(
@@ -28,7 +29,7 @@ REACH = {
     ),
 }
 """What a switch has to say before it is turned on: who else hears it."""
-WITHOUT_PORT = ("lsl",)
+WITHOUT_PORT = ("lsl", "isaac")
 """Clients find these by name."""
 
 

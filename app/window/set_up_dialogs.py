@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QDialog, QWidget
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
+from app.window import theme
 from tracker import library
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.still import StillPose
@@ -27,12 +28,17 @@ if TYPE_CHECKING:
     from app.wizards.stereo.wizard import StereoWizard
 
 
+LEARNS = "chain"
+"""The engine that guided poses teach."""
+
+
 class SetUpDialogs(QObject):
     """At most one dialog of each kind is open; ``restart`` asks for glove and camera anew."""
 
     error = Signal(str)
     restart = Signal()
     changed = Signal()  # what is stored of the devices
+    learned = Signal()  # of guided poses, to be kept
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, tasks: TaskOwner, window: QWidget
@@ -134,6 +140,25 @@ class SetUpDialogs(QObject):
         found = {c.name: c.value for c in setup.camera_controls.controls() if c.available}
         self._store.update(camera_locks=locks_text(Locks(**found)))
         setup.camera_controls.want(Locks(**found))
+
+    # --- the wearer
+
+    def open_guided(self) -> None:
+        """Poses that the wearer holds on request."""
+        setup = self._host.setup
+        if self._raise("guided") or setup is None or setup.guide is None or not self._host.running:
+            return
+        if self._store.value.engine != LEARNS:
+            self.error.emit(
+                self.tr("Only the engine chain learns from poses: choose it in the Tracking menu.")
+            )
+            return
+        from app.wizards.guided.dialog import GuidedDialog
+
+        scene = theme.colours(self._store.value.theme).scene
+        dialog = GuidedDialog(self._host, setup, setup.guide, self._store, scene, self._window)
+        dialog.kept.connect(self.learned)
+        self.show_dialog("guided", dialog)
 
     # --- all
 

@@ -107,6 +107,7 @@ def _set_up(on: Targets) -> list[Command]:
         Command("glove_setup", menu, w.tr("&Glove…"), on.set_up.open_glove, "Ctrl+Shift+G"),
         Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
         Command("stereo", menu, w.tr("&Stereo calibration…"), on.set_up.open_stereo),
+        Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
         Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), on.set_up.lock_camera),
     ]
 
@@ -209,6 +210,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     host, w = on.host, on.window
     opened = host.setup is not None
     recordable = host.setup is not None and host.setup.make_recorder is not None
+    guided = host.setup is not None and host.setup.guide is not None
     recording = host.recording.request is not None
     for key, able in (
         ("start", opened and not host.running),
@@ -216,6 +218,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("close", opened),
         ("record", host.running and recordable),
         ("pause", recording),
+        ("guided", host.running and guided),
         ("note", opened),
     ):
         commands.enable(key, able)

@@ -3,6 +3,111 @@
   <context>
     <name>glovetrack</name>
     <message>
+      <location filename="app/engines/camera_choice.py" />
+      <source>No camera was found. Plug in the stereo camera and look again, or, where the system lists no cameras, enter its number under Set-up, Camera (0 is the first one).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/camera_choice.py" />
+      <source>The camera {} is not there; there are: {}. Plug it in, or choose another one under Set-up, Camera.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/demo.py" />
+      <source>a simulated wearer and camera</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/demo.py" />
+      <source>first image</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/demo.py" />
+      <source>devices</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/demo.py" />
+      <source>The simulated camera did not start.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/hardware.py" />
+      <source>engine</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/hardware.py" />
+      <source>camera</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/hardware.py" />
+      <source>camera alone</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/hardware.py" />
+      <source>The hand is shown by its IMUs alone, without a place.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/hardware.py" />
+      <source>No glove was found: no USB serial port is there. Is it plugged in?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/hardware.py" />
+      <source>The camera has no stereo calibration yet: make or import one under Set-up, Stereo calibration.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/hardware.py" />
+      <source>No glove was found. {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/hardware.py" />
+      <source>glove at {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/engines/recording.py" />
+      <source>{} is still being written to its end; then another recording can begin.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/calibration_commands.py" />
+      <source>Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/export.py" />
+      <source>waiting</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/export.py" />
+      <source>under way</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/export.py" />
+      <source>done</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/export.py" />
+      <source>failed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/export.py" />
+      <source>cancelled</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="app/jobs/export.py" />
       <source>Exporting {}</source>
       <translation type="unfinished" />
@@ -15,6 +120,16 @@
     <message>
       <location filename="app/jobs/library_scan.py" />
       <source>Looking into sessions</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/offline_tracking.py" />
+      <source>comparing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/offline_tracking.py" />
+      <source>The folder {} is not there any more.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -45,6 +160,16 @@
     <message>
       <location filename="app/jobs/remote.py" />
       <source>Remote control by {} is open.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/take_motion.py" />
+      <source>{} cannot be written: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/jobs/two_takes.py" />
+      <source>{} is not tracked: track it again first.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -379,6 +504,11 @@
     </message>
     <message>
       <location filename="app/panels/checklist.py" />
+      <source>Reading the light</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/checklist.py" />
       <source>Ready</source>
       <translation type="unfinished" />
     </message>
@@ -405,6 +535,21 @@
     <message>
       <location filename="app/panels/colours/image.py" />
       <source>Searching the image</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/colours/light.py" />
+      <source>Show missed markers in the image</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/colours/light.py" />
+      <source>Light</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/colours/light.py" />
+      <source>What of the light costs markers, and what to change</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -1050,6 +1195,21 @@
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>{} holds the chosen {} of {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/session_files.py" />
+      <source>{} cannot be moved to the bin, so it stays where it is.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/session_files.py" />
+      <source>{} is being recorded.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/panels/library/session_files.py" />
+      <source>{} is open: close it first (Ctrl+W).</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -1848,13 +2008,1019 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <location filename="app/viewmodels/states.py" />
-      <source>Searching for the hand</source>
+      <location filename="app/platform/bug_report.py" />
+      <source>the log of the window and of the program, and of a crash if there was one</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>versions of Glovetrack, its packages and the operating system; size of the machine</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>rates, latencies and losses of now</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>an image of the window as it is now</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>an image of the window as it is now, with the library, the recording panel and the log blacked out</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>the last {} s of the session that is open: sensor data and tracking, without camera images</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>A bug report of Glovetrack. It holds:</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>the window's settings</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>the window's settings, without participant, task and folders</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/bug_report.py" />
+      <source>the last {} s of the session that is open: sensor data and tracking, with camera images</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/crash.py" />
+      <source>Something went wrong inside Glovetrack ({}: {}).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/platform/tasks.py" />
+      <source>{} failed: {}: {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/image_folder.py" />
+      <source>{} is no image that can be read.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/image_folder.py" />
+      <source>{}: the image could not be packed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/session_tags.py" />
+      <source>it is too large</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/session_tags.py" />
+      <source>The tags of {} were left behind: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/settings.py" />
+      <source>they do not say which version they are of</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/settings.py" />
+      <source>a later version of Glovetrack wrote them</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/settings.py" />
+      <source>The window's settings could not be used ({}), so it starts with its own. They are kept in {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/wearers.py" />
+      <source>The profile {} was not removed: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>Spread the fingers and turn the hand before the camera: sizes settle.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>Bend and stretch the fingers and turn the wrist: the mounting of IMUs settles.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>Hold the hand still for three seconds: gyro biases settle.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>Hold the hand at several slants: accelerometer biases settle.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>more than 2σ of both</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>within 2σ of both</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>Everything has settled.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>not known yet: turn the hand</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>late</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>early</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>corrected</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>not corrected</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>now {}
+change {}: {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>{} Least so far: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>{:.1f} ± {:.1f} ms</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>{} {}, {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/camera_overlay.py" />
+      <source>wrong size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/camera_overlay.py" />
+      <source>not convex</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/camera_overlay.py" />
+      <source>not round</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/camera_overlay.py" />
+      <source>at the edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Glove found</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>No glove answers. Plug it in, or try the demo.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>All IMUs answer</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Measured at rest</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Lay the hand flat on the table for two seconds.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Camera found</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Camera calibrated</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Exposure locked</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Colours tuned</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Hand in view</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Calibration settled</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>The glove was here and is silent. Is it plugged in?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Look again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Measure</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>The camera was here and is silent. Is it plugged in?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>No images arrive.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Show a printed board to both lenses.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Hold the hand flat, about 35 cm before the camera, for two seconds.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Show</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Waits for the glove.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Set up the glove</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Show sensors</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>this engine estimates no biases</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>The left image is missing.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>The right image is missing.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Calibrate</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Waits for images.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>it does not change here</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>this source has no exposure to be set</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>this camera lets no program set it: keep the light as it is</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Lock it now</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Tune colours</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>No marker is found.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Waits for glove and camera.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Needs glove and calibrated camera.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Waits for tracking.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>{} of {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>both images arrive</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>baseline {:.1f} mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>The camera changes {} by itself.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>The intervals of {} overlap.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Not seen: {}. Turn the hand, or tune the colours.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>seen: {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Silent: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>gyros known to {:.1f} °/s</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>hand length {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_fits.py" />
+      <source>{} ({} patches)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_fits.py" />
+      <source>Nothing was fitted: no patches of these colours were found.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_fits.py" />
+      <source>There is no image yet to fit the colours to.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_fits.py" />
+      <source>Fitted {}. Kept {}: too few are seen.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_fits.py" />
+      <source>No markers were tracked yet. Fit from the image alone first.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_fits.py" />
+      <source>Fitted {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_tuning.py" />
+      <source>The room has none of the colours.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_tuning.py" />
+      <source>Exported to {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_tuning.py" />
+      <source>Colours of {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_tuning.py" />
+      <source>{} must have the hues {} for this glove.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colours.py" />
+      <source>no image</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colours.py" />
+      <source>{:.0f} found in an image, about {:.0f} expected</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colours.py" />
+      <source>{:.0f} of about {:.0f}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colours.py" />
+      <source>overlaps {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colours.py" />
+      <source>the room has this colour too ({:.2g} % of it)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/colours.py" />
+      <source>{:.0f} found in an image</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/compare.py" />
+      <source>{} is nearer to the truth: {} on average.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/compare.py" />
+      <source>all keypoints, mean</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/compare.py" />
+      <source>all keypoints, largest</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/compare.py" />
+      <source>all joints, rms</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/compare.py" />
+      <source>{} instants in common; keypoints differ by {} on average, joints by {} (rms).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/compare.py" />
+      <source>Both are the same to the last bit ({} instants).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Table for spreadsheets and everything else (CSV)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Table for Python and R (Parquet)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Arrays for MATLAB and Python (HDF5)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Motion capture (C3D)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>OpenSim markers (TRC)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>OpenSim joint angles (MOT)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>OpenSim orientations of the IMUs (STO)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>OpenSim model of the hand as tracked (OSIM)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Animation skeleton (BVH)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Animated hand in 3D (glTF)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Robot model of the hand (URDF)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Film with the hand drawn in (MP4)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Folder of images with the hand drawn in (PNG)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Session, whole or the chosen part (MCAP)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Hand record of NVIDIA's Isaac tools (MCAP)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/glove_setup.py" />
+      <source>go on…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/glove_setup.py" />
+      <source>Lay the hand flat on the table, palm down, and hold it still.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/glove_setup.py" />
+      <source>Measured.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/glove_setup.py" />
+      <source>{} of {}: {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/glove_setup.py" />
+      <source>Waiting for rest. {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/hand_scene.py" />
+      <source>Place unknown: orientation and finger angles by the IMUs alone</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/hand_scene.py" />
+      <source>Nothing arrives: the hand stands as it was last</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/hand_scene.py" />
+      <source>Position lost: the hand stands where it was last seen</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/library.py" />
+      <source>being recorded</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/library.py" />
+      <source>unreadable</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/library.py" />
+      <source>not tracked</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/library.py" />
+      <source>tracked {} %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/library.py" />
+      <source>tracked {} %, {} packets lost</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/library.py" />
+      <source>whole</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/library.py" />
+      <source>cut off</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/log.py" />
+      <source>Problems</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/log.py" />
+      <source>Devices</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/log.py" />
+      <source>Tracking</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/log.py" />
+      <source>Computer</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/log.py" />
+      <source>Notes</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/log.py" />
+      <source>a note was deleted</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/log.py" />
+      <source>changed to: {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recent.py" />
+      <source>just now</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recent.py" />
+      <source>1 minute ago</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recent.py" />
+      <source>today, {:%H:%M}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recent.py" />
+      <source>yesterday, {:%H:%M}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recent.py" />
+      <source>{} days ago</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recent.py" />
+      <source>{} minutes ago</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording.py" />
+      <source>{} free</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording.py" />
+      <source>Under 1 GB is left: recording is not possible on this disk.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording.py" />
+      <source>Under 5 GB is left on this disk.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording.py" />
+      <source>{} packets</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording.py" />
+      <source>{} images not recorded</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording.py" />
+      <source>{} free, about {} of recording</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording.py" />
+      <source>{} messages that the computer had no time for</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/recording.py" />
+      <source>Nothing can be recorded to {}: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
+      <source>UDP (JSON, words)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
+      <source>somebody is there</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
+      <source>nobody asks</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
+      <source>not open</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
+      <source>off</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
+      <source>opening</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
+      <source>{}, {} s ago</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Frames whose stuffing was broken (COBS)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Frames whose check sum was wrong (CRC)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Frames of a wrong length</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Frames of an unknown type, or far too long</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Times that the port was opened again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Restarts of the glove</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Jumps of the glove's clock</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Packets that the glove had no time to send</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>The host's time gained on the glove's clock, ppm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>Time that the USB adapter holds bytes back, ms</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>battery {:.2f} V</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>adapter waits {:.0f} ms</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>silent</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>⚠ battery low: {:.2f} V</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>⚠ adapter waits {:.0f} ms</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>answers</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>jitter {:.1f} ms</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>1 frame damaged</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>{} frames damaged</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>1 packet dropped by the glove</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>{} packets dropped by the glove</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>1 restart</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>{} restarts</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>1 reconnection</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>{} reconnections</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>1 jump of its clock</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>{} jumps of its clock</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>clock {:+.0f} ppm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>no samples</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>{:.0f} packet lost</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>{:.0f} packets lost</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/sensors.py" />
+      <source>{:.0f} % missing</source>
       <translation type="unfinished" />
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
-      <source>Tracking</source>
+      <source>good</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/states.py" />
+      <source>attention</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/states.py" />
+      <source>problem</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/states.py" />
+      <source>idle</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/states.py" />
+      <source>Searching for the hand</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -1975,6 +3141,266 @@
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>{}, battery low</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Taken.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Hold the board still.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>There is a view like this already: move on.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>There are enough views.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Views</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Image area</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Tilted views</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Far over near</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>{}: {} corners, tilted {:.0f}°</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>{}, off by {:.2f} px</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Error of all corners</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Distance of the lenses</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Turned against each other</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Focal length, left</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Focal length, right</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Image</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>Worst corner</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>All rows shifted by</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>used</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>dropped: it does not fit the others</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>{:.0f} of {:.0f} %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>{:.2f} of {:.2f}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>That is enough: go on.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>{} used, {} dropped</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
+      <source>{} by {} px</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>VMC (OSC, avatars)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>its library listens on all addresses of this computer, so others in the same network can read it, unless a firewall keeps them out</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>nobody listens</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>waits for tracking</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>failing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
+      <source>sending</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/take_names.py" />
+      <source>The name {!r} is not complete; it can hold text and {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/take_names.py" />
+      <source>A name can hold {}, not {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>no packets lost</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>1 packet lost</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>{} is whole: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>no image comes from the camera</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>no packet comes from the glove</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>{} is not whole: {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>{} packets lost</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>This recording lacks something: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>the IMUs {} cannot be heard</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>tracked {:.0f} % of the time</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>{:.0f} images come a second instead of {:.0f}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>the IMU {} cannot be heard</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>{} needs a name with a letter or a digit in it.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>{} is there already, so {} keeps its name.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>{} cannot be named {}: {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/two_takes.py" />
+      <source>The takes have no tracked instant in common here.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/two_takes.py" />
+      <source>differ by {:.1f}° (rms), {:.1f}° at most, over {:.1f} s</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/worn_calibration.py" />
+      <source>There is nothing to compare with yet: save a profile, or reset.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/viewmodels/worn_calibration.py" />
+      <source>Frozen: nothing is learned until you unfreeze it.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -2179,11 +3605,6 @@
     </message>
     <message>
       <location filename="app/window/layouts.py" />
-      <source>Look again</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/layouts.py" />
       <source>All panels</source>
       <translation type="unfinished" />
     </message>
@@ -2210,6 +3631,11 @@
     <message>
       <location filename="app/window/recent.py" />
       <source>What could be read of the recording is in {}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/window/refresher.py" />
+      <source>The panel {} failed and rests ({}: {}); the rest goes on.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -2280,11 +3706,6 @@
     <message>
       <location filename="app/window/tool_bar.py" />
       <source>Commands</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/tool_bar.py" />
-      <source>Devices</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -2604,6 +4025,31 @@
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
+      <source>Exposure</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>Gain</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>White balance</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>this camera has none</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>▲ the camera does not take it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
       <source>Camera set-up</source>
       <translation type="unfinished" />
     </message>
@@ -2674,6 +4120,11 @@
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
+      <source>○ by itself, now {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
       <source>The simulated camera's exposure is fixed.</source>
       <translation type="unfinished" />
     </message>
@@ -2684,7 +4135,17 @@
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
+      <source>● locked at {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
       <source>Lock {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
+      <source>{}: glove {}, {} IMUs, {} baud</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -2759,12 +4220,32 @@
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
+      <source>No USB serial port is there. Plug the glove in and look again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
       <source>The glove in use</source>
       <translation type="unfinished" />
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
+      <source>{}: a glove that is sending</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
+      <source>{}: glove {}, {} IMUs</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/glove/choice.py" />
       <source>{} baud</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/glove/feed.py" />
+      <source>The session was closed.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -2963,6 +4444,36 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <location filename="app/wizards/stereo/image_choices.py" />
+      <source>Simulated board (demo)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/image_choices.py" />
+      <source>Camera in use</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/image_choices.py" />
+      <source>camera in use</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/image_choices.py" />
+      <source>The camera in use was closed: start glove and camera again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/image_choices.py" />
+      <source>Folder {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/image_choices.py" />
+      <source>Chosen camera: {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>ZED factory file</source>
       <translation type="unfinished" />
@@ -2975,6 +4486,11 @@
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>Folder with left and right images</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/import_form.py" />
+      <source>squares of the board</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -3099,11 +4615,6 @@
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
-      <source>Views</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/wizard.py" />
       <source>Result</source>
       <translation type="unfinished" />
     </message>
@@ -3114,17 +4625,17 @@
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
-      <source>Calibrate</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/wizard.py" />
       <source>Save and use</source>
       <translation type="unfinished" />
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Checked on every third image of the folder.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>checked: {:.3f} px</source>
       <translation type="unfinished" />
     </message>
   </context>

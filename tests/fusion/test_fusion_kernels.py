@@ -12,7 +12,7 @@ from tracker.fusion.chain.prediction import PosedRig, Prediction, pixel_jacobian
 from tracker.fusion.chain.reports import _details
 from tracker.fusion.chain.state import initial_state
 from tracker.fusion.kalman import joined, products, times, update
-from tracker.fusion.output.output import INFERRED_SD, HandOutput, Sensed, sensed_lately
+from tracker.fusion.output.output import INFERRED_DEG, REACH, HandOutput, Sensed, sensed_lately
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Tracking, Validity
@@ -104,13 +104,35 @@ def test_validity_and_sd_follow_the_tree(
         elif tracking == Tracking.LOST:
             expected = Validity.LOST
         assert e.keypoint_state[k] == expected
-        assert e.keypoint_sd[k] == pytest.approx(_sd(layout, sd, i))
+        end = hand.parent[i] if base else i
+        assert e.keypoint_sd[k] == pytest.approx(_sd(layout, sd, end))
 
 
 def _sd(layout: ChainLayout, sd: Array, segment: int) -> float:
     if segment in layout.row_of:
         return float(sd[layout.row_of[segment]])
-    return float(np.hypot(_sd(layout, sd, layout.hand.parent[segment]), INFERRED_SD))
+    reach, variance, row = 0.0, 0.0, segment
+    while row not in layout.row_of:
+        bone = layout.hand.segments[row]
+        kind = bone.name if bone.name in INFERRED_DEG else bone.name.split("_")[1]
+        reach += REACH * bone.length
+        variance += (reach * np.deg2rad(INFERRED_DEG[kind])) ** 2 / 3
+        row = layout.hand.parent[row]
+    return float(np.sqrt(sd[layout.row_of[row]] ** 2 + variance))
+
+
+def test_an_inferred_finger_is_never_sure(hand: HandModel, glove: GloveModel) -> None:
+    """The little finger's tip of the seven-IMU glove: centimetres, however sure the dorsum is."""
+    layout = ChainLayout(hand, glove)
+    s = initial_state(layout)
+    a = len(layout.active)
+    sensed = Sensed(np.ones(a, np.int64), Tracking.TRACKING)
+    e = HandOutput(layout).estimate(
+        0.0, s.R_GB, np.zeros((a, 3)), s.scale3(), sensed, np.full(a, 1e-3)
+    )
+    sd = dict(zip(glove.keypoint_names(hand), e.keypoint_sd, strict=True))
+    assert sd["little_tip"] > 0.01 < sd["ring_tip"]
+    assert sd["index_dip"] == pytest.approx(1e-3)
 
 
 def test_update_refuses_an_impossible_innovation() -> None:

@@ -49,17 +49,38 @@ def test_opensim_itself_reads_trc_mot_and_sto(tracked, tmp_path: Path, session_i
     assert (tmp_path / "o.mot").read_text().startswith("o\n")
     assert "\to.trc\n" in (tmp_path / "o.trc").read_text()
     markers = opensim.TimeSeriesTableVec3(str(tmp_path / "o.trc"))
-    assert list(markers.getColumnLabels()) == list(session_info.keypoint_names)
+    names = list(markers.getColumnLabels())
+    n = len(session_info.keypoint_names)
+    assert names[:n] == list(session_info.keypoint_names)
+    assert len(names) == n + len(session_info.glove.markers) + len(session_info.hand.segments)
     x, y, z = estimates[7].keypoints[0] * 1000
     found = markers.getRowAtIndex(7).getElt(0, 0)
     assert np.allclose([found[i] for i in range(3)], [x, z, -y], atol=1e-5)
     last = markers.getRowAtIndex(29)
-    assert np.isnan(last.getElt(0, last.ncol() - 1)[0]), "lost is NaN, at the end of a line too"
-    for form in ("mot", "sto"):
-        table = opensim.TimeSeriesTable(str(tmp_path / f"o.{form}"))
-        assert list(table.getColumnLabels()) == list(session_info.hand.joint_names)
-        row = table.getRowAtIndex(4).to_numpy()
-        assert np.allclose(row, np.rad2deg(estimates[4].angles), rtol=1e-6)
+    assert np.isnan(last.getElt(0, n - 1)[0]), "lost is NaN"
+    table = opensim.TimeSeriesTable(str(tmp_path / "o.mot"))
+    assert list(table.getColumnLabels()) == list(session_info.hand.joint_names)
+    row = table.getRowAtIndex(4).to_numpy()
+    assert np.allclose(row, np.rad2deg(estimates[4].angles), rtol=1e-6)
+    turns = opensim.TimeSeriesTableQuaternion(str(tmp_path / "o.sto"))
+    imu = session_info.glove.imus[2]
+    assert turns.getColumnLabels()[2] == f"{imu.segment}_imu"
+    q = turns.getRowAtIndex(4).getElt(0, 2)
+    s = session_info.hand.index[imu.segment]
+    wanted = AXES["opensim"].rows @ estimates[4].segment_R[s] @ imu.R_BI
+    found = Rotation.from_quat([q.get(k) for k in (1, 2, 3, 0)]).as_matrix()
+    assert np.allclose(found, wanted, atol=1e-6)
+
+
+def test_trc_has_only_the_joints_that_are_asked_for_and_an_empty_last_cell_is_lost(
+    tracked, tmp_path: Path, session_info
+) -> None:
+    opensim = pytest.importorskip("opensim")
+    asked = ("wrist", session_info.keypoint_names[-1])
+    export(tracked[0], "trc", tmp_path / "o.trc", ExportOptions(joints=asked))
+    table = opensim.TimeSeriesTableVec3(str(tmp_path / "o.trc"))
+    assert tuple(table.getColumnLabels()) == asked
+    assert np.isnan(table.getRowAtIndex(29).getElt(0, 1)[0])
 
 
 def test_every_convention_is_what_its_words_say(tracked) -> None:

@@ -19,6 +19,7 @@ from scipy.spatial.transform import Rotation
 
 from tracker.cli import main
 from tracker.errors import ConfigError, FileError
+from tracker.isaac.reader import read_records
 from tracker.messages import CameraPose, Estimate, Event, ImuSample
 from tracker.session.export.axes import AXES
 from tracker.session.export.load import load_series
@@ -352,3 +353,19 @@ def test_foreign_sessions_are_grouped_by_instant(tmp_path: Path, session_info, m
     assert not found[20].valid[3]
     steps = np.diff([m.t for m in found])
     assert np.all(steps > 0)
+
+
+def test_isaacs_record_has_every_estimate_with_its_stamps(tracked, tmp_path: Path) -> None:
+    """That NVIDIA's replay opens such files is tested in tests/isaac."""
+    path, estimates = tracked
+    export(path, "isaac", tmp_path / "take.mcap")
+    found = list(read_records(tmp_path / "take.mcap"))
+    assert [side for side, _ in found] == ["right"] * len(estimates)
+    for e, (_, record) in zip(estimates, found, strict=True):
+        assert record.stamps.sample == round(e.t * 1e9)
+        assert record.stamps.available >= record.stamps.sample
+        assert record.joints["is_valid"].all() == (e.keypoint_state[3] != 0)
+        wrist = record.joints[1]["position"]
+        assert np.allclose(wrist, Y_UP @ e.keypoints[0], atol=1e-6)
+    with pytest.raises(ConfigError, match="its own axes"):
+        export(path, "isaac", tmp_path / "o.mcap", ExportOptions(axes="ros"))

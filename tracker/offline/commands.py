@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 def add_commands(commands: Any) -> None:
     """Add them to the sub-parsers of ``glovetrack``."""
     _add_simulate(commands.add_parser("simulate", help="a session with truth from the simulator"))
+    _add_colours(commands.add_parser("colours", help="fit colours to a recording, or check them"))
     _add_track(commands.add_parser("track", help="track a recording again"))
     _add_light(commands.add_parser("light", help="what the light of a recording costs markers"))
     _add_crop(commands.add_parser("crop", help="a part of a session as a session of its own"))
@@ -123,6 +124,38 @@ def _light(args: argparse.Namespace) -> int:
     check_json(args, [args.file])
     light = session_light(args.file, args.colours)
     finish(args, light.to_json(), light.lines(), [args.file])
+    return 0
+
+
+def _add_colours(parser: argparse.ArgumentParser) -> None:
+    kinds = parser.add_subparsers(title="what to do", metavar="fit|check", required=True)
+    fit = kinds.add_parser("fit", help="learn the colours from a recording's images")
+    fit.add_argument("-o", "--out", type=Path, required=True, help="the new colours, .toml")
+    fit.set_defaults(func=_fit_colours)
+    check = kinds.add_parser("check", help="per hue: found, missed, clashing")
+    check.set_defaults(func=_check_colours)
+    for command in (fit, check):
+        command.add_argument("source", type=Path, metavar="SESSION", help="with images")
+        command.add_argument("--colours", default="", help="name or file; the session's own if not")
+    add_force(fit)
+
+
+def _fit_colours(args: argparse.Namespace) -> int:
+    from tracker.offline.colours import fit_session
+
+    fit = fit_session(args.source, args.out, args.colours, args.force)
+    before = fit.before
+    print(
+        f"Before: {before.found:.1f} markers, {before.clashing:.1f} other things in an image. Now:"
+    )
+    print("\n".join(fit.after.words()))
+    return 0
+
+
+def _check_colours(args: argparse.Namespace) -> int:
+    from tracker.offline.colours import check_session
+
+    print("\n".join(check_session(args.source, args.colours).words()))
     return 0
 
 

@@ -8,16 +8,19 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from importlib import import_module
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from tracker.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
+from tracker.streaming.isaac import IsaacPublisher
 from tracker.streaming.osc import VmcPublisher
 from tracker.streaming.publisher import (
     JOINT_SETS,
     LOOPBACK,
+    OPENXR,
     OWN,
     Names,
     Publisher,
@@ -44,10 +47,12 @@ class StreamParams:
     foxglove_port: int = 8765
     foxglove_origins: str = ""  # further sites whose pages may connect, with commas between
     lsl_network: bool = False  # whether other machines find the LSL outlet
+    isaac: bool = False  # a record for NVIDIA's Isaac tools, to the file `isaac_file`
+    isaac_file: str = ""
     joints: str = OWN  # our keypoints, or openxr: its 26 joints in every output
 
 
-STREAMS = ("udp", "websocket", "vmc", "lsl", "foxglove")
+STREAMS = ("udp", "websocket", "vmc", "lsl", "foxglove", "isaac")
 """Names of the outputs, as fields of `StreamParams` and as words of the command line."""
 
 
@@ -56,10 +61,12 @@ def with_streams(
 ) -> StreamParams:
     """``params`` with the outputs of a comma-separated list on; another host and other joints.
 
-    ``udp:9000`` takes another port. Raises ConfigError for a word that is no stream.
+    ``udp:9000`` takes another port, ``isaac:take.mcap`` its file. Raises ConfigError for a word
+    that is no stream.
     """
-    for word in filter(None, (w.strip().lower() for w in words.split(","))):
+    for word in filter(None, (w.strip() for w in words.split(","))):
         name, colon, port = word.partition(":")
+        name = name.lower()
         if name not in STREAMS:
             raise ConfigError(f"There is no stream {name!r}; there are {', '.join(STREAMS)}.")
         on: dict[str, Any] = {name: True}
@@ -70,6 +77,8 @@ def with_streams(
 
 
 def _with_port(params: StreamParams, name: str, port: str) -> StreamParams:
+    if name == "isaac":
+        return replace(params, isaac_file=port)
     if name == "lsl":
         raise ConfigError("The LSL stream has no port: clients find it by its name.")
     if not port.isdecimal() or not 1 <= int(port) <= 65535:
@@ -89,6 +98,7 @@ def open_publishers(params: StreamParams, hand: HandModel, glove: GloveModel) ->
         (params.vmc, lambda: VmcPublisher(hand, params.host, params.vmc_port, names)),
         (params.lsl, lambda: _lsl(params, names)),
         (params.foxglove, lambda: _foxglove(params, names)),
+        (params.isaac, lambda: _isaac(params, Names.of(hand, glove, OPENXR))),
     ]
     out: list[Publisher] = []
     try:
@@ -120,6 +130,12 @@ def _foxglove(params: StreamParams, names: Names) -> Publisher:
         names, params.host, params.foxglove_port, origins=origins
     )
     return publisher
+
+
+def _isaac(params: StreamParams, names: Names) -> Publisher:
+    if not params.isaac_file:
+        raise StreamError("The Isaac record needs a file: isaac:take.mcap.")
+    return IsaacPublisher(names, Path(params.isaac_file))
 
 
 def _optional(module: str, words: str) -> ModuleType:

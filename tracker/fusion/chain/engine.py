@@ -21,7 +21,7 @@ from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
-from tracker.fusion.chain.tracker import ChainTracker, TrackerKept
+from tracker.fusion.chain.tracker import ChainTracker, Remembered, TrackerKept
 from tracker.fusion.engine import ExpectedHand
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.fusion.time.timeline import Timeline, TimelineKept
@@ -163,6 +163,15 @@ class ChainEngine:
     def put_on(self, profile: WearerProfile) -> None:
         """Take what is known of the wearer, now and at each new start."""
         self._tracker.put_on(profile)
+        self._timeline.rebuild_head()
+
+    def remembered(self) -> Remembered:
+        """All that is known of the wearer now, for `take_back`."""
+        return self._tracker.remembered()
+
+    def take_back(self, before: Remembered) -> None:
+        """Know of the wearer what was known ``before``."""
+        self._tracker.take_back(before)
         self._timeline.rebuild_head()
 
     def reset_calibration(self, segments: Sequence[str] | None = None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
@@ -12,7 +13,7 @@ from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.guided.learning import GuidedKept, GuidedLearning
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.profile import WearerProfile
+from tracker.fusion.chain.profile import WearerProfile, wear
 from tracker.fusion.chain.recognition import Recognised, Recognition, RecognitionKept, SeenImage
 from tracker.fusion.chain.second_look import SecondLook
 from tracker.fusion.chain.shown import ShownHand, ShownKept
@@ -38,6 +39,15 @@ class TrackerKept:
     wearer: WearerKept
     shown: ShownKept
     guided: GuidedKept = field(default_factory=GuidedKept)
+
+
+@dataclass(frozen=True, eq=False)
+class Remembered:
+    """All that is known of the wearer at one instant, by which it can be taken back."""
+
+    profile: WearerProfile
+    wearer: WearerKept
+    guided: GuidedKept
 
 
 class ChainTracker:
@@ -248,6 +258,23 @@ class ChainTracker:
         if second_camera:
             release_size(self.state.P, self._layout, self._params.prior)
         return self._recognition.finish(self.state, image, found, self.tracking)
+
+    # ---- what is known of the wearer
+
+    def remembered(self) -> Remembered:
+        """A copy of it."""
+        known = Remembered(self.wearer.profile(self.state), self.wearer.kept, self._guided.kept)
+        return copy.deepcopy(known)
+
+    def take_back(self, before: Remembered) -> None:
+        """Know of the wearer what was known ``before``; the pose stays. Poses held since count no
+        more, one that goes on neither."""
+        before = copy.deepcopy(before)
+        self.wearer.kept = before.wearer
+        wear(self.state, self._layout, before.profile)
+        self.wearer.begin(self.state)
+        self._guided.kept = replace(before.guided, over=len(self.holds), samples=[])
+        self._wear()
 
     # ---- saving
 

@@ -14,20 +14,30 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
-INFERRED_SD = 0.0037  # m that each segment beyond the last estimated one adds
+INFERRED_DEG = {
+    "thumb_metacarpal": 20.0,
+    "thumb_distal": 12.5,
+    "proximal": 17.0,
+    "intermediate": 20.0,
+    "distal": 9.0,
+}
+"""Standard deviation of a joint that nothing senses about what its synergy says, flexion and
+abduction together: of a segment, else of a finger's segments of that kind."""
+REACH = 0.85  # of a bent finger, as a share of its bones'
 LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Validity.MEASURED)
 
 
 class Keypoints(NamedTuple):
     """K keypoints of a hand with S segments: segment (K,) the row each moves with, offset (K, 3) m
     in its nominal B, end_of (K,) the segment that it is the far end of, -1 for none. Per segment
-    (S,): the active row of itself or of its nearest active ancestor, and the steps to it."""
+    (S,): the active row of itself or of its nearest active ancestor, and the variance (m², an axis)
+    that the far end has beyond that one's."""
 
     segment: IntVector
     offset: Matrix
     end_of: IntVector
     ancestor: IntVector
-    steps: IntVector
+    beyond: Vector
 
 
 class Angles(NamedTuple):
@@ -93,16 +103,19 @@ class HandOutput:
                 out[k] = hand.parent[s]
         return out
 
-    def _ancestors(self) -> tuple[IntArray, IntArray]:
-        """Per segment: active row of itself or its nearest active ancestor, and steps to it."""
+    def _ancestors(self) -> tuple[IntArray, Array]:
+        """Per segment: active row of itself or its nearest active ancestor, and the variance of
+        its far end beyond that one's end (m², eq. 55)."""
         hand, row_of = self._segments.hand, self._segments.row_of
-        row, steps = np.zeros((2, len(hand.segments)), np.int64)
+        row, beyond = np.zeros(len(hand.segments), np.int64), np.zeros(len(hand.segments))
         for i in range(len(row)):
-            if i in row_of:
-                row[i] = row_of[i]
-            else:
-                row[i], steps[i] = row[hand.parent[i]], steps[hand.parent[i]] + 1
-        return row, steps
+            reach, a = 0.0, i
+            while a not in row_of:
+                reach += REACH * hand.segments[a].length
+                beyond[i] += (reach * np.deg2rad(_inferred_deg(hand.segments[a].name))) ** 2 / 3
+                a = hand.parent[a]
+            row[i] = row_of[a]
+        return row, beyond
 
     def _nothing(self, t: float) -> Estimate:
         hand, k = self._segments.hand, self._keypoint_count
@@ -119,6 +132,11 @@ class HandOutput:
             segment_R=np.full((n, 3, 3), np.nan),
             segment_p=np.full((n, 3), np.nan),
         )
+
+
+def _inferred_deg(segment: str) -> float:
+    kind = segment if segment in INFERRED_DEG else segment.rsplit("_", 1)[-1]
+    return INFERRED_DEG[kind]
 
 
 @kernel
@@ -228,11 +246,11 @@ def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bo
 
 @kernel
 def keypoint_sds(keypoints: Keypoints, active_sd: Vector) -> Vector:
-    """(K,) m: by the sd (A,) of the nearest estimated ancestor, and by the steps from it
-    (docs/chain.md, eq. 55)."""
-    segment, ancestor, steps = keypoints.segment, keypoints.ancestor, keypoints.steps
+    """(K,) m: by the sd (A,) of the nearest estimated ancestor, and by what lies beyond it
+    (docs/chain.md, eq. 55). The base of a segment is the end of the one before."""
+    segment, ancestor, beyond = keypoints.segment, keypoints.ancestor, keypoints.beyond
     out = np.empty(len(segment))
     for k in range(len(segment)):
-        s = segment[k]
-        out[k] = np.sqrt(active_sd[ancestor[s]] ** 2 + steps[s] * INFERRED_SD**2)
+        s = keypoints.end_of[k] if keypoints.end_of[k] >= 0 else segment[k]
+        out[k] = np.sqrt(active_sd[ancestor[s]] ** 2 + beyond[s])
     return out

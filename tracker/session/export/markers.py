@@ -7,10 +7,15 @@ from typing import NamedTuple
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
 from tracker.messages import Array, Calibration, IntArray, Validity
 from tracker.session.export.axes import AXES
 from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
+
+ABOVE = 0.1
+"""m from a bone's line to its dorsal point."""
 
 
 class Markers(NamedTuple):
@@ -54,11 +59,31 @@ def carried_markers(reader: SessionReader, m: EstimateSeries) -> Markers:
 
     Where the calibrated hand has them: that the fabric slips is not in it.
     """
+    glove, hand = m.info.glove, m.info.hand
+    names = marker_names(glove)
+    return carried(reader, m, names, glove.marker_segment(hand), glove.marker_position)
+
+
+def dorsal_points(reader: SessionReader, m: EstimateSeries) -> Markers:
+    """One point above the back of each segment, without which the turn of a bone about its own
+    line, and the bend of a finger that is nearly straight, are hardly told by points."""
+    hand = m.info.hand
+    place = np.array([[0.5 * s.length, 0.0, ABOVE] for s in hand.segments])
+    return carried(reader, m, dorsal_names(hand), np.arange(len(place)), place)
+
+
+def carried(
+    reader: SessionReader,
+    m: EstimateSeries,
+    names: tuple[str, ...],
+    segment: IntArray,
+    place: Array,
+) -> Markers:
+    """Points at ``place`` (M, 3) m in the B of their ``segment`` (M,), as if of nominal size."""
     info, sizes = m.info, read_sizes(reader)
-    segment = info.glove.marker_segment(info.hand)
     scale = sizes.scale[:, segment]  # (C, M, 3)
     own = np.array([1.0, -1.0, 1.0]) if AXES[str(m.notes["axes"])].left_handed else np.ones(3)
-    offset = (info.glove.marker_position * scale * own)[sizes.at(m.stamp_ns + m.zero_ns)]
+    offset = (place * scale * own)[sizes.at(m.stamp_ns + m.zero_ns)]
     q, p = m.segment_q[:, segment], m.segment_p[:, segment]
     position = np.full(p.shape, np.nan)
     known = np.isfinite(q).all(axis=2) & np.isfinite(p).all(axis=2)
@@ -66,8 +91,15 @@ def carried_markers(reader: SessionReader, m: EstimateSeries) -> Markers:
     base = _base_of(info.glove.keypoint_segments(info.hand), len(info.hand.segments))[segment]
     state = np.where(known, m.state[:, base], int(Validity.LOST))
     position[state == Validity.LOST] = np.nan
-    names = tuple(f"M{k.id:02d}_{k.segment}" for k in info.glove.markers)
     return Markers(names, position, state, m.sd[:, base])
+
+
+def marker_names(glove: GloveModel) -> tuple[str, ...]:
+    return tuple(f"M{k.id:02d}_{k.segment}" for k in glove.markers)
+
+
+def dorsal_names(hand: HandModel) -> tuple[str, ...]:
+    return tuple(f"{s.name}_dorsal" for s in hand.segments)
 
 
 def _base_of(segments: IntArray, count: int) -> IntArray:

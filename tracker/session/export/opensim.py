@@ -1,4 +1,4 @@
-"""OpenSim's tables: TRC, trajectories of markers, and MOT or STO, angles of joints."""
+"""OpenSim's tables: TRC, trajectories of markers, and MOT, angles of joints."""
 
 from __future__ import annotations
 
@@ -7,33 +7,38 @@ from pathlib import Path
 import numpy as np
 
 from tracker.session.export.load import load_series
+from tracker.session.export.markers import carried_markers, dorsal_points
 from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
 
 
 def export_trc(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
+    """Keypoints and, unless joints are asked for by name, the glove's markers and a point above
+    each segment: what inverse kinematics needs to find the angles again."""
     m = load_series(reader, options, even=True, axes="opensim")
     unit = options.units or "mm"
+    names, points = m.keypoint_names, m.keypoints
+    if not options.joints:
+        on = carried_markers(reader, m), dorsal_points(reader, m)
+        names = (*names, *on[0].names, *on[1].names)
+        points = np.concatenate([points, *(k.position for k in on)], axis=1)
+    rows = points.reshape(len(m), -1) * UNITS[unit]
     with path.open("w", encoding="utf-8", newline="\n") as out:
-        out.write(_header(m, path.name, unit))
+        out.write(_header(m, names, path.name, unit))
         for i, t in enumerate(m.elapsed):
-            cells = [f"{v:.6f}" if np.isfinite(v) else "" for v in _row(m, i, UNITS[unit])]
+            cells = [f"{v:.6f}" if np.isfinite(v) else "" for v in rows[i]]
             # OpenSim overlooks an empty cell at the end of a line, so a tab ends every cell
             out.write("\t".join([str(i + 1), f"{t:.6f}", *cells]) + "\t\n")
     return m
 
 
-def _row(m: EstimateSeries, i: int, scale: float) -> list[float]:
-    return [float(v) for v in (m.keypoints[i] * scale).ravel()]
-
-
-def _header(m: EstimateSeries, name: str, unit: str) -> str:
-    rate, n, points = f"{m.rate:.6g}", len(m), len(m.keypoint_names)
+def _header(m: EstimateSeries, markers: tuple[str, ...], name: str, unit: str) -> str:
+    rate, n, points = f"{m.rate:.6g}", len(m), len(markers)
     keys = ["DataRate", "CameraRate", "NumFrames", "NumMarkers", "Units"]
     keys += ["OrigDataRate", "OrigDataStartFrame", "OrigNumFrames"]
     values = [rate, rate, str(n), str(points), unit, rate, "1", str(n)]
-    names = ["Frame#", "Time", *(f"{k}\t\t" for k in m.keypoint_names)]
+    names = ["Frame#", "Time", *(f"{k}\t\t" for k in markers)]
     axes = ["", "", *(f"{c}{k}" for k in range(1, points + 1) for c in "XYZ")]
     lines = (["PathFileType", "4", "(X/Y/Z)", name], keys, values, names, axes)
     return "\n".join("\t".join(line) for line in lines) + "\n\n"

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from tracker.errors import ConfigError
 
 FORMATS = (
-    *("csv", "parquet", "h5", "c3d", "trc", "mot", "sto", "bvh", "glb", "urdf"),
-    *("mp4", "png", "mcap"),
+    *("csv", "parquet", "h5", "c3d", "trc", "mot", "sto", "osim", "bvh", "glb", "urdf"),
+    *("mp4", "png", "mcap", "isaac"),
 )
-WHOLE_HAND = ("bvh", "glb", "urdf")
+WHOLE_HAND = ("sto", "osim", "bvh", "glb", "urdf")
 """Formats of a skeleton, which cannot leave out joints."""
 FOLDERS = ("png",)
 """Formats of many files."""

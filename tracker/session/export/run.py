@@ -25,13 +25,15 @@ _WRITERS = {
     "c3d": "c3d:export_c3d",
     "trc": "opensim:export_trc",
     "mot": "opensim:export_mot",
-    "sto": "opensim:export_mot",  # OpenSim's other name for the same table
+    "sto": "osim:export_sto",
+    "osim": "osim:export_osim",
     "bvh": "bvh:export_bvh",
     "glb": "glb:export_glb",
     "urdf": "urdf:export_urdf",
     "mp4": "overlay:export_mp4",
     "png": "overlay:export_png",
     "mcap": "mcap:export_mcap",
+    "isaac": "isaac:export_isaac",
 }
 """Module and function for each format, imported when it is asked for: the libraries are slow."""
 

@@ -92,7 +92,7 @@ class Bundle:
             work.keyframes.offer(frame, self._params)
 
     def step(
-        self, work: BundleWork, state: ChainState, beside: Beside | None
+        self, work: BundleWork, state: ChainState, beside: Beside | None = None
     ) -> WearerProfile | None:
         """One keyframe further; the wearer, once a solution is complete.
 

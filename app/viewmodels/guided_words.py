@@ -1,0 +1,118 @@
+"""What the wearer is told while being led through poses: what to do, and what is amiss."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from app.viewmodels.guided import GuidedRun, Phase
+from app.viewmodels.states import BLUISH_GREEN, ORANGE, SKY
+from app.words import mark, tr
+from tracker.hand.holding import Holding, how_held
+from tracker.hand.model import HandModel
+from tracker.hand.poses import POSES
+from tracker.messages import Estimate
+
+SILENT = 1.0  # s without a new estimate from which nothing is known of the hand
+POSE_WORDS = {
+    "flat": mark("Hand flat on the table, fingers together"),
+    "spread": mark("Flat on the table, fingers and thumb spread"),
+    "fist": mark("A firm fist, the thumb over the fingers"),
+    "thumb_up": mark("A fist with the thumb straight"),
+    "pinch_index": mark("Thumb on the tip of the index finger"),
+    "pinch_middle": mark("Thumb on the tip of the middle finger"),
+    "pinch_ring": mark("Thumb on the tip of the ring finger"),
+    "pinch_little": mark("Thumb on the tip of the little finger"),
+}
+POSE_NAMES = {
+    "flat": mark("flat"),
+    "spread": mark("spread"),
+    "fist": mark("fist"),
+    "thumb_up": mark("thumb straight"),
+    "pinch_index": mark("index"),
+    "pinch_middle": mark("middle"),
+    "pinch_ring": mark("ring"),
+    "pinch_little": mark("little"),
+}
+STRAIGHTEN = {
+    "thumb": mark("Straighten the thumb"),
+    "index": mark("Straighten the index finger"),
+    "middle": mark("Straighten the middle finger"),
+    "ring": mark("Straighten the ring finger"),
+    "little": mark("Straighten the little finger"),
+}
+BEND = {
+    "thumb": mark("Bend the thumb more"),
+    "index": mark("Bend the index finger more"),
+    "middle": mark("Bend the middle finger more"),
+    "ring": mark("Bend the ring finger more"),
+    "little": mark("Bend the little finger more"),
+}
+NOTHING_ARRIVES = "nothing"
+"""In place of a joint: the glove is silent."""
+
+
+class LiveJudge:
+    """Judges the newest estimate; one that does not change any more is not the hand as it is."""
+
+    def __init__(
+        self,
+        newest: Callable[[], Estimate | None],
+        hand: HandModel,
+        clock: Callable[[], float],
+    ) -> None:
+        self._newest, self._hand, self._clock = newest, hand, clock
+        self._seen, self._seen_at = -np.inf, -np.inf
+
+    def __call__(self, pose: str) -> Holding:
+        estimate, now = self._newest(), self._clock()
+        if estimate is not None and estimate.t != self._seen:
+            self._seen, self._seen_at = estimate.t, now
+        if estimate is None or now - self._seen_at > SILENT:
+            return Holding(False, NOTHING_ARRIVES)
+        return how_held(POSES[pose], estimate, self._hand)
+
+
+def amiss(holding: Holding) -> str:
+    """What to do to hold it well, in the user's language."""
+    if holding.is_held:
+        return ""
+    if holding.joint == NOTHING_ARRIVES:
+        return tr("Nothing arrives from the glove")
+    digit = holding.joint.split("_")[0]
+    if not digit:
+        return tr("Show the hand to the camera")
+    if digit == holding.joint:
+        return tr("Bring the tips together")
+    return tr((STRAIGHTEN if holding.off > 0 else BEND)[digit])
+
+
+def word(run: GuidedRun, t: float) -> str:
+    """The one large word at this instant."""
+    if run.phase == Phase.HOLDING:
+        return tr("Hold it") if run.holding.is_held or run.insisted else amiss(run.holding)
+    if run.phase == Phase.REACHING:
+        return amiss(run.holding) if run.may_begin(t) else tr("Next")
+    return ""
+
+
+def colour(run: GuidedRun) -> str:
+    """Of ring and word."""
+    if run.phase == Phase.HOLDING:
+        return BLUISH_GREEN if run.holding.is_held or run.insisted else ORANGE
+    return ORANGE if run.late else SKY
+
+
+def chips(run: GuidedRun) -> list[tuple[str, str]]:
+    """(sign, name) of each pose: held, left out, now, still to come."""
+    out = []
+    for number, pose in enumerate(run.poses):
+        if run.is_running and number == run.number:
+            sign = "▶"
+        elif pose in run.held:
+            sign = "✓" if run.held[pose] else "–"
+        else:
+            sign = "○"
+        out.append((sign, tr(POSE_NAMES[pose])))
+    return out

@@ -1,0 +1,1 @@
+"""Guided calibration: poses that the wearer holds on request."""

@@ -1,0 +1,310 @@
+"""Guided calibration by hand: keys, poses judged from given estimates, what the file and the engine
+are told, and what is kept or taken back."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
+from PySide6.QtCore import Qt
+
+from app.engines.guide import WearersGuide
+from app.viewmodels.guided import Phase
+from app.viewmodels.guided_hand import DrawnHand
+from tracker.errors import GlovetrackError
+from tracker.fusion.chain.engine import ChainEngine
+from tracker.fusion.chain.guided.events import KIND, began, ended
+from tracker.fusion.chain.params import ChainParams
+from tracker.hand.poses import POSES
+from tracker.messages import Event, Tracking, Validity
+from tracker.simulation.postures import posture
+
+
+class Posed(ScriptedEngine):
+    """A tracked hand that is held as ``angles`` (J,) say, beside a filter that takes commands."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        hand, glove, _ = models()
+        self.inner = ChainEngine(hand, glove, simulation().rig, ChainParams())
+        self.drawn = DrawnHand(hand)
+        self.angles = posture(hand, {})
+        self.told: list[tuple[str, str, bool]] = []
+        self.silent, self._t = False, 0.0
+        self.tracking = Tracking.TRACKING
+
+    def latest_estimate(self):
+        self._t += 0.0 if self.silent else 0.01
+        hand = models()[0]
+        R, p = hand.forward(self.angles, np.eye(3), np.array([0.4, 0.0, 0.1]))
+        return dataclasses.replace(
+            super().latest_estimate(),
+            t=self._t,
+            tracking=self.tracking,
+            angles=self.angles,
+            segment_R=R,
+            segment_p=p,
+            angle_state=np.full(len(self.angles), int(Validity.MEASURED), np.int64),
+        )
+
+    def command(self, work) -> None:
+        try:
+            work(self.inner)
+        except GlovetrackError as error:
+            self.events.append(Event(0.0, "error", str(error)))
+
+    def hold(self, pose: str) -> None:
+        self.told.append((pose, "begin", False))
+        self._write(began(pose, self._t))
+
+    def let_go(self, pose: str, held: bool) -> None:
+        self.told.append((pose, "end", held))
+        self._write(ended(pose, self._t, held))
+
+    def _write(self, event: Event) -> None:
+        self.events.append(event)
+        if self.recorder is not None:
+            self.recorder.write(event)
+
+    def take(self, pose: str) -> None:
+        """Hold the hand as the drawing has it."""
+        self.angles = self.drawn.angles(pose)
+
+
+class Clock:
+    """The dialog's clock, so that seconds pass at once."""
+
+    def __init__(self) -> None:
+        self.now = 100.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def engine() -> Posed:
+    return Posed()
+
+
+@pytest.fixture
+def clock(monkeypatch) -> Clock:
+    clock = Clock()
+    monkeypatch.setattr("app.wizards.guided.dialog.monotonic", clock)
+    return clock
+
+
+@pytest.fixture
+def recorders() -> list:
+    return []
+
+
+@pytest.fixture
+def guided(window, engine, clock, recorders, qtbot):
+    """The dialog, opened by its key."""
+    setup = dataclasses.replace(
+        scripted_setup(engine, recorders), command=engine.command, guide=WearersGuide(engine)
+    )
+    window.host.adopt(setup)
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    qtbot.keyClick(window, Qt.Key.Key_F6)
+    dialog = window.set_up.dialogs["guided"]
+    dialog._timer.stop()  # the test is the clock
+    with qtbot.waitActive(dialog):
+        dialog.activateWindow()
+    return dialog
+
+
+def pass_time(dialog, clock, seconds: float) -> None:
+    for _ in range(round(seconds / 0.05)):
+        clock.now += 0.05
+        dialog._tick()
+
+
+def through(dialog, clock, engine) -> None:
+    """Hold each pose well as soon as it is asked for."""
+    while dialog.run.is_running:
+        engine.take(dialog.run.pose)
+        pass_time(dialog, clock, 0.1)
+
+
+def test_held_well_every_pose_is_told_to_begin_and_to_end_within_half_a_minute(
+    guided, clock, engine, qtbot
+):
+    qtbot.keyClick(guided.lead.start, Qt.Key.Key_Return)
+    began_at = clock.now
+    through(guided, clock, engine)
+    told = [(pose, phase, phase == "end") for pose in POSES for phase in ("begin", "end")]
+    assert engine.told == told
+    assert 25.0 < clock.now - began_at < 35.0
+
+
+def test_a_recording_carries_the_poses_as_the_specification_has_them(
+    guided, window, clock, engine, recorders, tmp_path
+):
+    window.recording.set_folder(tmp_path)
+    window.commands.actions["record"].trigger()
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 3.6)
+    window.commands.actions["record"].trigger()
+    events = [m for m in recorders[0].messages if isinstance(m, Event) and m.kind == KIND]
+    assert [e.data for e in events] == [
+        {"pose": "flat", "phase": "begin"},
+        {"pose": "flat", "phase": "end", "held": True},
+    ]
+    assert events[0].text and not events[1].text
+
+
+def test_a_finger_that_is_bent_is_named_and_the_ring_stays_empty(guided, clock, engine):
+    guided.start()
+    engine.angles = posture(models()[0], {"middle_pip_flexion": 45.0})
+    pass_time(guided, clock, 4.0)
+    assert guided.lead.word.text() == "Straighten the middle finger"
+    assert guided.lead.stage.ring.share == 0.0 and engine.told == []
+
+
+def test_a_pose_let_go_too_early_is_told_as_not_held_and_asked_for_again(guided, clock, engine):
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 2.5)
+    assert 0.3 < guided.lead.stage.ring.share < 0.7
+    engine.take("fist")
+    pass_time(guided, clock, 0.6)
+    assert engine.told == [("flat", "begin", False), ("flat", "end", False)]
+    assert guided.run.pose == "flat" and guided.lead.stage.ring.share == 0.0
+    assert guided.lead.word.text().startswith("Straighten")
+
+
+def test_skipping_leaves_a_pose_out_and_says_so_in_the_file(guided, clock, engine, qtbot):
+    guided.start()
+    pass_time(guided, clock, 0.2)
+    qtbot.keyClick(guided, Qt.Key.Key_S)
+    assert engine.told == [("flat", "begin", False), ("flat", "end", False)]
+    assert guided.run.pose == "spread"
+
+
+def test_repeating_goes_back_to_the_pose_before(guided, clock, engine, qtbot):
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 3.7)
+    assert guided.run.pose == "spread"
+    qtbot.keyClick(guided, Qt.Key.Key_R)
+    assert guided.run.pose == "flat"
+    pass_time(guided, clock, 3.7)
+    assert [t for t in engine.told if t[0] == "flat"] == 2 * [
+        ("flat", "begin", False),
+        ("flat", "end", True),
+    ]
+
+
+def test_who_is_not_believed_insists_with_enter(guided, clock, engine, qtbot):
+    guided.start()
+    engine.take("fist")
+    pass_time(guided, clock, 2.0)
+    qtbot.keyClick(guided.lead.insist, Qt.Key.Key_Return)
+    pass_time(guided, clock, 2.1)
+    assert engine.told == [("flat", "begin", False), ("flat", "end", True)]
+
+
+def test_a_pose_that_is_never_held_is_left_out_after_a_while(guided, clock, engine):
+    guided.start()
+    engine.take("fist")
+    pass_time(guided, clock, 14.0)
+    assert guided.run.held["flat"] is False and guided.run.pose == "spread"
+
+
+def test_a_glove_that_is_silent_is_said(guided, clock, engine, monkeypatch):
+    guided.start()
+    engine.take("flat")
+    guided.run._judge._clock = clock
+    pass_time(guided, clock, 0.5)
+    engine.silent = True
+    pass_time(guided, clock, 3.0)
+    assert guided.lead.word.text() == "Nothing arrives from the glove"
+    assert guided.run.phase == Phase.REACHING
+
+
+def test_escape_ends_it_and_tells_the_engine_that_the_pose_is_over(guided, clock, engine, qtbot):
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 2.5)
+    qtbot.keyClick(guided, Qt.Key.Key_Escape)
+    assert engine.told == [("flat", "begin", False), ("flat", "end", False)]
+    assert not guided.isVisible()
+
+
+def test_escape_after_poses_that_were_held_shows_what_they_taught(guided, clock, engine, qtbot):
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 3.7)
+    qtbot.keyClick(guided, Qt.Key.Key_Escape)
+    assert guided.pages.currentWidget() is guided.outcome
+    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
+    assert guided.outcome.heading.text() == "1 of 8 poses held"
+
+
+def teach(engine: ChainEngine, degrees: float) -> None:
+    """As if a pose had shown that the index finger's end joint bends further."""
+    guided = engine._tracker._guided
+    own = guided.synergies
+    digit = next(k for k, d in enumerate(engine._tracker._distal.digits) if d.name == "index")
+    value = own.value.copy()
+    value[digit, 1] += np.deg2rad(degrees)
+    guided.kept.synergies = dataclasses.replace(own, value=value)
+
+
+def finished(guided, clock, engine, qtbot) -> None:
+    guided.start()
+    qtbot.waitUntil(lambda: guided._before is not None, timeout=10_000)
+    through(guided, clock, engine)
+    teach(engine.inner, 6.0)
+    qtbot.waitUntil(lambda: guided.outcome.keep_button.isEnabled(), timeout=10_000)
+
+
+def test_what_was_learned_is_said_in_words_and_in_figures(guided, clock, engine, qtbot):
+    finished(guided, clock, engine, qtbot)
+    words = guided.outcome.words.text()
+    assert "The end joint of your index finger bends 6° more than was thought." in words
+    table = guided.outcome.table
+    row = next(
+        r for r in range(table.rowCount()) if "index finger, bent" in table.item(r, 0).text()
+    )
+    before, after = (float(table.item(row, c).text().rstrip("°")) for c in (1, 2))
+    assert after - before == pytest.approx(6.0, abs=0.11)  # one decimal of each
+    assert table.item(row, 3).text() == "▲ +6.0°"
+
+
+def test_undo_takes_back_what_the_poses_have_taught(guided, clock, engine, qtbot):
+    before = engine.inner.synergies[0].copy()
+    finished(guided, clock, engine, qtbot)
+    assert np.abs(engine.inner.synergies[0] - before).max() > np.deg2rad(5.0)
+    guided.outcome.undo_button.click()
+    np.testing.assert_array_equal(engine.inner.synergies[0], before)
+    assert not guided.isVisible()
+
+
+def test_what_is_kept_stays_with_the_engine(guided, clock, engine, qtbot):
+    finished(guided, clock, engine, qtbot)
+    taught = engine.inner.synergies[0].copy()
+    qtbot.keyClick(guided.outcome.keep_button, Qt.Key.Key_Return)
+    np.testing.assert_array_equal(engine.inner.synergies[0], taught)
+
+
+def test_it_ends_with_the_tracking(guided, window, clock, engine):
+    guided.start()
+    engine.take("flat")
+    pass_time(guided, clock, 2.0)
+    window.host.stop()
+    assert engine.told[-1] == ("flat", "end", False) and not guided.isVisible()
+
+
+def test_without_an_engine_that_learns_it_is_not_begun(window, engine):
+    setup = dataclasses.replace(
+        scripted_setup(engine), command=engine.command, guide=WearersGuide(engine)
+    )
+    window.store.update(engine="vist")
+    window.host.adopt(setup)
+    window.run_command("guided")
+    assert "guided" not in window.set_up.dialogs
+    assert "chain" in window.banner.text()

@@ -1,0 +1,69 @@
+"""Colours learned from one image of the glove alone, where no packets tell the hand's posture.
+
+A glove shows many small patches of its hues close together, which stand out from one cloth. Of
+wide colours, as they are and in warmer and cooler light, those that show most of such a crowd
+serve.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.calibration.colours_fit import FoundHue, Image
+from tracker.calibration.colours_learn import learn, wide_profiles
+from tracker.calibration.colours_sample import KnownMarkers, samples_of
+from tracker.errors import GlovetrackError
+from tracker.messages import Blobs, IntArray
+from tracker.vision.colours import ColourProfile
+from tracker.vision.detector import Detector
+
+NEAR = 5.0  # extents of a blob, within which its neighbours are
+HAND = 11.0  # extents, from the middle of a hand to its farthest marker
+LIKE = 1.6  # ratio of extents of one glove's markers
+LEAST_PATCHES, LEAST_HUES = 8, 2
+
+
+def learn_image(
+    image: Image, profile: ColourProfile, marker_size: float, fx: float
+) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
+    """A profile learned from a BGR image of the glove; ``marker_size`` m, ``fx`` px of the camera.
+
+    Raises GlovetrackError where no glove is seen for sure.
+    """
+    best, crowd = Blobs.empty(), np.zeros(0, np.int64)
+    for wide in wide_profiles(profile):
+        blobs, _ = Detector(wide, marker_size, fx).detect(image)
+        rows = glove_of(blobs)
+        if len(rows) > len(crowd):
+            best, crowd = blobs, rows
+    if len(crowd) < LEAST_PATCHES or len(set(best.hue[crowd].tolist())) < LEAST_HUES:
+        raise GlovetrackError(
+            "Nothing was fitted: no glove with its patches is seen for sure. Hold the hand flat "
+            "before the camera, in more or whiter light."
+        )
+    names = profile.hue_names
+    hue = tuple(names[k] for k in best.hue[crowd])
+    known = KnownMarkers(best.uv[crowd], best.size[crowd].max(axis=1), hue, best.uv[crowd])
+    samples = samples_of(image, known, names)
+    fitted = learn(profile, samples)
+    found = [
+        FoundHue(h, samples.patches[h.name], len(samples.pixels(h.name)))
+        for h in fitted.hues
+        if samples.patches[h.name]
+    ]
+    return fitted, tuple(found)
+
+
+def glove_of(blobs: Blobs) -> IntArray:
+    """Rows of the blobs that are the densest crowd of patches of like size."""
+    if len(blobs) == 0:
+        return np.zeros(0, np.int64)
+    extent = blobs.size.max(axis=1)
+    apart = np.linalg.norm(blobs.uv[:, None] - blobs.uv[None], axis=2)
+    ratio = np.maximum(extent[:, None] / extent[None], extent[None] / extent[:, None])
+    alike = (apart < NEAR * extent[:, None]) & (ratio < LIKE)
+    seed = int(np.argmax(alike.sum(axis=1)))
+    middle = np.median(blobs.uv[alike[seed]], axis=0)
+    size = float(np.median(extent[alike[seed]]))
+    inside = np.linalg.norm(blobs.uv - middle, axis=1) < HAND * size
+    return np.flatnonzero(inside & (alike.sum(axis=1) >= 3))

@@ -1,0 +1,97 @@
+"""Pixels of an image by whose they are, where markers are known: their cloth, glove and room."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.calibration.colours_fit import Image
+from tracker.calibration.colours_learn import ColourSamples
+from tracker.glove.model import GloveModel
+from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame
+
+CORE = 0.36  # of a marker's extent: radius of the disc that is surely cloth
+AWAY = 0.75  # the same, of the disc that may be
+RING = (0.85, 1.25)  # the same, of the ring that is the glove's cloth beside it
+HAND = 6.0  # the same, around each marker, of what is not the room
+ROOM_STEP = 7  # every so many-th pixel of the room is taken
+
+
+@dataclass(frozen=True, eq=False)
+class KnownMarkers:
+    """Markers in one image: uv (n, 2) px, extent (n,) px, and the hue's name of each; ``hand``
+    (k, 2) px further places that are not the room."""
+
+    uv: Array
+    extent: Array
+    hue: tuple[str, ...]
+    hand: Array
+
+
+def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> ColourSamples:
+    """BGR pixels of an image by whose they are."""
+    out = ColourSamples.of(names)
+    shape = image.shape[:2]
+    taken = np.zeros(shape, np.uint8)
+    for uv, extent in zip(known.uv, known.extent, strict=True):
+        _disc(taken, uv, AWAY * extent)
+    for uv, extent, name in zip(known.uv, known.extent, known.hue, strict=True):
+        core = _pixels(image, uv, 0.0, CORE * extent)
+        if len(core):
+            out.hues[name].append(core)
+            out.patches[name] += 1
+        beside = _pixels(image, uv, RING[0] * extent, RING[1] * extent, taken)
+        if len(beside):
+            out.cloth.append(beside)
+    away = np.zeros(shape, np.uint8)
+    reach = HAND * float(np.median(known.extent)) if len(known.extent) else 0.0
+    for uv in np.concatenate([known.uv, known.hand]):
+        _disc(away, uv, reach)
+    out.room.append(image[away == 0][::ROOM_STEP])
+    return out
+
+
+def _disc(mask: NDArray[np.uint8], uv: Array, radius: float) -> None:
+    cv2.circle(mask, (round(float(uv[0])), round(float(uv[1]))), max(round(radius), 1), 1, -1)
+
+
+def _pixels(
+    image: Image, uv: Array, least: float, most: float, but: NDArray[np.uint8] | None = None
+) -> Image:
+    """BGR pixels (n, 3) between two distances (px) from ``uv`` (2,), without those of ``but``."""
+    height, width = image.shape[:2]
+    reach = int(np.ceil(most)) + 1
+    column, row = (round(float(x)) for x in uv)
+    top, first = max(row - reach, 0), max(column - reach, 0)
+    bottom, last = min(row + reach + 1, height), min(column + reach + 1, width)
+    if bottom <= top or last <= first:
+        return np.zeros((0, 3), np.uint8)
+    y, x = np.mgrid[top:bottom, first:last]
+    apart = np.hypot(x - float(uv[0]), y - float(uv[1]))
+    inside = (apart >= least) & (apart <= max(most, 0.75))
+    if but is not None:
+        inside &= but[top:bottom, first:last] == 0
+    return image[top:bottom, first:last][inside]
+
+
+def known_sides(
+    frame: StereoFrame, blobs: BlobFrame, result: FrameResult, glove: GloveModel
+) -> list[tuple[Image, KnownMarkers]]:
+    """Both images with the markers that are known in them."""
+    sides = (
+        (frame.left, blobs.left, result.match_left, result.predicted_left),
+        (frame.right, blobs.right, result.match_right, result.predicted_right),
+    )
+    out = []
+    for image, found, match, expected in sides:
+        if image is None or found is None or not (match >= 0).any():
+            continue
+        rows = np.flatnonzero(match >= 0)
+        extent = found.size[match[rows]].max(axis=1)
+        hand = expected[np.isfinite(expected[:, 0])]
+        hue = tuple(glove.markers[int(m)].hue for m in rows)
+        out.append((image, KnownMarkers(found.uv[match[rows]], extent, hue, hand)))
+    return out

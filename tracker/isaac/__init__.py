@@ -1,0 +1,1 @@
+"""NVIDIA's record of hands, `core.HandPoseRecord`: MCAP files of flatbuffers."""

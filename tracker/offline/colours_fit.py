@@ -1,0 +1,252 @@
+"""Colours that fit themselves to a recording, or to a few live images with the packets around them.
+
+Wide colours find a hand that IMUs, both cameras and the hand's build agree on; each of its markers
+labels the pixels where it stands; from those the colours are learned. They are tried on images that
+they were not learned from, and refused where they explain fewer markers or more of the room.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
+from tracker.calibration.colours_sample import known_sides, samples_of
+from tracker.errors import GlovetrackError
+from tracker.messages import (
+    BlobFrame,
+    Blobs,
+    FrameResult,
+    ImuSample,
+    IntArray,
+    StereoFrame,
+    Tracking,
+)
+from tracker.pipeline import Pipeline
+from tracker.session.description import SessionInfo
+from tracker.settings import Settings
+from tracker.vision.colours import ColourProfile
+from tracker.vision.detector import Detector, DetectorParams, detect_frame
+
+Sensed = ImuSample | StereoFrame
+LEAST_IMAGES = 2  # with a hand that is sure, to learn from
+LEAST_SHARE = 0.6  # of the markers that should be seen
+ROUNDS = 2  # of learning and looking again
+
+
+@dataclass(frozen=True)
+class HueCheck:
+    """One hue over the images of a check: markers that should be seen, those found, and blobs that
+    are no marker's, per image near the hand and elsewhere."""
+
+    name: str
+    expected: float
+    found: float
+    clashing: float
+
+
+@dataclass(frozen=True)
+class ColourCheck:
+    """How well colours serve: images with and without a hand that is sure, and each hue."""
+
+    images: int
+    tracked: int
+    hues: tuple[HueCheck, ...]
+
+    @property
+    def found(self) -> float:
+        """Markers of all hues, per image."""
+        return sum(h.found for h in self.hues)
+
+    @property
+    def clashing(self) -> float:
+        """Blobs that are no marker's, per image."""
+        return sum(h.clashing for h in self.hues)
+
+    def words(self) -> list[str]:
+        """A line for each hue."""
+        lines = [f"The hand was sure in {self.tracked} of {self.images} images."]
+        for h in self.hues:
+            missed = max(h.expected - h.found, 0.0)
+            lines.append(
+                f"{h.name}: {h.found:.1f} of {h.expected:.1f} markers found in an image, "
+                f"{missed:.1f} missed, {h.clashing:.1f} other things of its colour."
+            )
+        return lines
+
+
+@dataclass(frozen=True)
+class SessionFit:
+    """The colours, what they were before and are now on images that they were not learned from."""
+
+    profile: ColourProfile
+    before: ColourCheck
+    after: ColourCheck
+    patches: dict[str, int]
+
+
+@dataclass
+class Looked:
+    """A pass over images: what was found and made of each that shows a hand for sure."""
+
+    frames: list[StereoFrame] = field(default_factory=list)
+    blobs: list[BlobFrame] = field(default_factory=list)
+    results: list[FrameResult] = field(default_factory=list)
+    images: int = 0
+    others: IntArray = field(default_factory=lambda: np.zeros(0, np.int64))  # per hue, no marker's
+
+    @property
+    def matched(self) -> float:
+        """Markers found per image."""
+        return sum(_found(r).sum() for r in self.results) / max(self.images, 1)
+
+
+def fit_messages(
+    messages: Sequence[Sensed], info: SessionInfo, profile: ColourProfile
+) -> SessionFit:
+    """Colours for these packets and images, in the order of feeding.
+
+    Raises GlovetrackError where no hand is found for sure, or nothing better than ``profile``.
+    """
+    before = look(messages, info, profile)
+    best = before
+    if _is_poor(before):
+        for wide in wide_profiles(profile):
+            tried = look(_beginning(messages), info, wide)
+            if tried.matched > best.matched:
+                best = tried
+    fitted = profile
+    patches: dict[str, int] = {}
+    for turn in range(ROUNDS):
+        if len(best.frames) < min(LEAST_IMAGES, best.images):
+            raise GlovetrackError(
+                "The colours could not be fitted: no hand was found for sure, whatever the light. "
+                "Hold the hand flat and still in view of both cameras, in more or whiter light."
+            )
+        samples = _samples(best, info, fitted.hue_names, odd=len(best.frames) < 4 or turn > 0)
+        fitted, patches = learn(fitted, samples), samples.patches
+        best = look(messages, info, fitted)
+    old, new = checked(before, info, profile), checked(best, info, fitted)
+    fewer, same = new.found < old.found - 0.25, new.found < old.found + 0.5
+    if fewer or (same and new.clashing > old.clashing + 1):
+        raise GlovetrackError(
+            f"The colours stay as they are: fitted ones find {new.found:.1f} markers in an image "
+            f"and {new.clashing:.1f} other things, these {old.found:.1f} and {old.clashing:.1f}."
+        )
+    return SessionFit(fitted, old, new, patches)
+
+
+def check_messages(
+    messages: Sequence[Sensed], info: SessionInfo, profile: ColourProfile
+) -> ColourCheck:
+    """How well ``profile`` serves for these packets and images."""
+    return checked(look(messages, info, profile), info, profile)
+
+
+def look(messages: Iterable[Sensed], info: SessionInfo, profile: ColourProfile) -> Looked:
+    """Track the hand with these colours."""
+    assert info.rig is not None
+    pipeline = Pipeline(info.hand, info.glove, info.rig, Settings())
+    size = float(np.median(info.glove.marker_size)) if info.glove.markers else 0.012
+    detector = Detector(profile, size, info.rig.fx, DetectorParams())
+    out = Looked(others=np.zeros(len(profile.hues), np.int64))
+    waiting: dict[float, tuple[StereoFrame, BlobFrame]] = {}
+    for message in messages:
+        if isinstance(message, StereoFrame):
+            blobs = detect_frame(detector, message)
+            waiting[message.t] = (message, blobs)
+            out.images += 1
+            pipeline.feed_frame(blobs)
+        else:
+            pipeline.feed_imu(message)
+            _take(out, waiting, pipeline.take_results())
+    _take(out, waiting, pipeline.take_results())
+    return out
+
+
+def _take(
+    out: Looked,
+    waiting: dict[float, tuple[StereoFrame, BlobFrame]],
+    results: list[FrameResult],
+) -> None:
+    """Keep the results that show a hand for sure."""
+    for result in results:
+        frame, blobs = waiting.pop(result.t, (None, None))
+        if frame is None or blobs is None:
+            continue
+        expected = float(result.visible.sum())
+        share = float(_found(result).sum()) / max(expected, 1.0)
+        if result.tracking != Tracking.TRACKING or share < LEAST_SHARE:
+            continue
+        out.frames.append(frame)
+        out.blobs.append(blobs)
+        out.results.append(result)
+
+
+def _found(result: FrameResult) -> NDArray[np.bool_]:
+    """(M,) bool: matched in a camera."""
+    return np.logical_or(result.match_left >= 0, result.match_right >= 0)
+
+
+def _is_poor(looked: Looked) -> bool:
+    """Whether other colours might find more of the hand."""
+    if len(looked.frames) < 0.5 * looked.images:
+        return True
+    expected = np.mean([float(r.visible.sum()) for r in looked.results])
+    return bool(looked.matched < 0.85 * expected)
+
+
+def _beginning(messages: Sequence[Sensed], images: int = 10) -> list[Sensed]:
+    """Up to the first images, which tell whether colours serve."""
+    out: list[Sensed] = []
+    for message in messages:
+        out.append(message)
+        images -= isinstance(message, StereoFrame)
+        if images < 0:
+            break
+    return out
+
+
+def _samples(
+    looked: Looked, info: SessionInfo, names: tuple[str, ...], odd: bool, most: int = 12
+) -> ColourSamples:
+    """Pixels of at most so many images, every other one where ``odd`` ones are kept for a check."""
+    out = ColourSamples.of(names)
+    rows = range(0, len(looked.frames), 1 if odd else 2)
+    step = max(1, -(-len(rows) // most))
+    for k in list(rows)[::step]:
+        for side in known_sides(looked.frames[k], looked.blobs[k], looked.results[k], info.glove):
+            out.add(samples_of(*side, names))
+    return out
+
+
+def checked(looked: Looked, info: SessionInfo, profile: ColourProfile) -> ColourCheck:
+    """What a pass says of the colours, hue by hue."""
+    names = profile.hue_names
+    expected, found, other = np.zeros((3, len(names)))
+    hue = np.array([names.index(m.hue) for m in info.glove.markers])
+    for blobs, result in zip(looked.blobs, looked.results, strict=True):
+        np.add.at(expected, hue, np.nan_to_num(result.visible))
+        np.add.at(found, hue, _found(result))
+        sides = ((blobs.left, result.match_left), (blobs.right, result.match_right))
+        there = [_unmatched(b, match, len(names)) for b, match in sides if b is not None]
+        other += np.mean(there, axis=0)
+    n = max(len(looked.results), 1)
+    return ColourCheck(
+        looked.images,
+        len(looked.results),
+        tuple(
+            HueCheck(name, expected[k] / n, found[k] / n, other[k] / n)
+            for k, name in enumerate(names)
+        ),
+    )
+
+
+def _unmatched(blobs: Blobs, match: IntArray, hues: int) -> IntArray:
+    """(hues,) blobs that are no marker's."""
+    free = np.ones(len(blobs), bool)
+    free[match[match >= 0]] = False
+    return np.bincount(blobs.hue[free], minlength=hues)

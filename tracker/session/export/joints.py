@@ -1,0 +1,59 @@
+"""How each segment moves against its parent: what a skeleton of joints has to do to follow."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from tracker.geometry import so3
+from tracker.messages import Array
+from tracker.session.export.series import EstimateSeries
+
+
+class JointMotion(NamedTuple):
+    """offset (N, S, 3) m of a segment's joint in its parent's B; turn (N, S, 3, 3) of the joint,
+    after the segment's rest. NaN for the root and where one of both is lost."""
+
+    offset: Array
+    turn: Array
+
+    def median_offset(self, otherwise: Array) -> Array:
+        """(S, 3) m over what is known, ``otherwise`` (S, 3) where nothing is."""
+        known: NDArray[np.bool_] = np.asarray(np.isfinite(self.offset).all(axis=2))
+        rows = [
+            np.median(self.offset[known[:, s], s], axis=0) if known[:, s].any() else otherwise[s]
+            for s in range(self.offset.shape[1])
+        ]
+        return np.array(rows)
+
+    def angles(self) -> Array:
+        """(N, S, 3) abduction, flexion, twist of all joints, as if each had all three axes."""
+        out = np.full(self.turn.shape[:3], np.nan)
+        known = np.isfinite(self.turn).all(axis=(2, 3))
+        out[known] = so3.joint_angles(self.turn[known])
+        return out
+
+
+def joint_motion(m: EstimateSeries) -> JointMotion:
+    """Of a series in right-handed axes."""
+    hand = m.info.hand
+    R = _matrices(m.segment_q)
+    offset, turn = np.full_like(m.segment_p, np.nan), np.full_like(R, np.nan)
+    for s, a in enumerate(hand.parent):
+        if a >= 0:
+            back = np.swapaxes(R[:, a], 1, 2)
+            offset[:, s] = np.einsum("nij,nj->ni", back, m.segment_p[:, s] - m.segment_p[:, a])
+            turn[:, s] = hand.segments[s].R_rest.T @ back @ R[:, s]
+    return JointMotion(offset, turn)
+
+
+def _matrices(q: Array) -> Array:
+    """(N, S, 3, 3) of quaternions (N, S, 4); NaN where lost."""
+    R = np.full((*q.shape[:2], 3, 3), np.nan)
+    known = np.isfinite(q).all(axis=2)
+    if known.any():
+        R[known] = Rotation.from_quat(q[known]).as_matrix()
+    return R
