@@ -86,6 +86,21 @@ def test_a_search_leaves_what_holds_all_its_words(library, qtbot):
     assert shown(library) == set(NAMES)
 
 
+def test_a_report_of_the_chosen_takes_is_shown(library, window, folder, qtbot):
+    select(library, "P01_pinch", "P02_pinch")
+    page, browser = folder / "report.html", FileManager()
+    QDesktopServices.setUrlHandler("file", browser, "show")
+    try:
+        library.page.actions_of["report"].trigger()
+        qtbot.waitUntil(lambda: len(browser.urls) == 1, timeout=60_000)
+    finally:
+        QDesktopServices.unsetUrlHandler("file")
+    assert browser.urls[0].toLocalFile() == str(page)
+    text = page.read_text("utf-8")
+    assert "P01_pinch" in text and "P02_pinch" in text and "P01_fist" not in text
+    assert (folder / "report.csv").exists()
+
+
 def test_tags_are_kept_beside_the_session_and_found(library, window, folder, qtbot):
     path = folder / "P01_fist.mcap"
     before = hashlib.sha256(path.read_bytes()).hexdigest()

@@ -1,4 +1,4 @@
-"""The sub-commands export, info, verify, recover and compare."""
+"""The sub-commands export, info, verify, recover, report and compare."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tracker.terminal import add_json, check_json, finish, printable
+from tracker.terminal import add_force, add_json, check_json, finish, printable
 
 if TYPE_CHECKING:
     from tracker.session.verify import Finding
@@ -29,6 +29,7 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
         command.set_defaults(func=func)
         if name == "recover":
             command.add_argument("-o", "--output", type=Path, metavar="OUT")
+    _add_report(subparsers)
     command = subparsers.add_parser("compare", help="what differs between two trackings")
     command.add_argument("first", type=Path, metavar="A")
     command.add_argument("second", type=Path, metavar="B")
@@ -82,6 +83,25 @@ def _export(args: argparse.Namespace) -> int:
     check_json(args, [args.file])
     report = export(args.file, args.format, args.output, options, force=args.force)
     finish(args, report, [f"{args.output}"], [args.file, args.output])
+    return 0
+
+
+def _add_report(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    command = subparsers.add_parser("report", help="what takes measured, as one page and a table")
+    command.add_argument("sessions", type=Path, nargs="+", metavar="SESSION")
+    command.add_argument("-o", "--output", type=Path, required=True, metavar="REPORT.html")
+    command.add_argument("--anonymous", action="store_true", help="name no take and no wearer")
+    add_force(command)
+    command.set_defaults(func=_report)
+
+
+def _report(args: argparse.Namespace) -> int:
+    from tracker.session.glance import sessions_in
+    from tracker.session.report.write import write_report
+
+    paths = [path for path, _ in sessions_in(args.sessions)]
+    takes = write_report(paths, args.output, args.anonymous, args.force)
+    print(printable(f"{args.output}: {len(takes)} takes"))
     return 0
 
 

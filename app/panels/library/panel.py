@@ -91,6 +91,7 @@ class LibraryPanel(Panel):
         selected: dict[str, Callable[[], object]] = {
             "replay": self._replay_selected,
             "recover": lambda: self.files.recover(paths[0]),
+            "report": lambda: self.files.report(paths),
             "rename": lambda: self.files.ask_name(paths[0]),
             "tags": lambda: self.files.ask_tags(paths),
             "bin": lambda: self.files.bin(paths),

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QInputDialog, QWidget
 from app.engines.engine_host import EngineHost
 from app.jobs.crop import crop_job
 from app.jobs.recovery import recover_job
+from app.jobs.report import report_job
 from app.platform.tasks import TaskOwner
 from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
 from app.viewmodels.recording import duration_text
@@ -80,6 +81,11 @@ class SessionFiles(QObject):
         title = self.tr("Recovering {}").format(path.stem)
         self._tasks.run(title, recover_job(path), ended=self.changed.emit)
 
+    def report(self, paths: Sequence[Path]) -> None:
+        """One page about all of them, beside the first, and shown in the browser."""
+        title = self.tr("Report of {} takes").format(len(paths))
+        self._tasks.run(title, report_job(paths), open_folder)
+
     def crop(self, path: Path, part: tuple[float, float]) -> None:
         """Make a session of the part (s of the replay), in the background."""
 
@@ -124,5 +130,5 @@ def moved_to_bin(path: Path) -> bool:
 
 
 def open_folder(folder: Path) -> None:
-    """In the system's file manager."""
+    """In the system's file manager; a page in its browser."""
     QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder)))

@@ -74,6 +74,7 @@ class SessionPage(QWidget):
         self.actions_of: dict[str, QAction] = {}
         for key, text, shortcut in (
             ("beside", self.tr("Two takes side by side"), ""),
+            ("report", self.tr("Report"), ""),
             ("rename", self.tr("Rename…"), "F2"),
             ("tags", self.tr("Tags…"), "Ctrl+T"),
             ("folder", self.tr("Open folder"), ""),
@@ -109,6 +110,7 @@ class SessionPage(QWidget):
             self.buttons[key].setEnabled(on)
         for key, on in (
             ("beside", len(rows) == 2),
+            ("report", bool(rows)),
             ("rename", one),
             ("tags", bool(rows)),
             ("bin", bool(rows)),

@@ -1,0 +1,31 @@
+"""A report of takes as a job."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from app.platform.tasks import Job, JobProgress
+
+
+def report_job(sessions: Sequence[Path]) -> Job:
+    """A job whose result is the page: ``report.html`` beside the first, or with a number."""
+    takes = sorted(sessions)
+
+    def run(progress: JobProgress) -> Path:
+        from tracker.session.report.write import write_report
+
+        out = free_page(takes[0].parent)
+        write_report(takes, out, watch=lambda share: progress(share, out.name))
+        return out
+
+    return run
+
+
+def free_page(folder: Path) -> Path:
+    """Where neither a page nor its table is yet."""
+    out, n = folder / "report.html", 1
+    while out.exists() or out.with_suffix(".csv").exists():
+        n += 1
+        out = folder / f"report_{n}.html"
+    return out

@@ -1,0 +1,1 @@
+"""What takes measured, for laboratories and clinics: one page and one table."""

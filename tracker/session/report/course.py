@@ -1,0 +1,109 @@
+"""What the course of one number tells: how smooth it is, and how often it was repeated."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+from scipy.signal import butter, sosfiltfilt
+
+from tracker.messages import Array
+from tracker.session.export.holes import runs
+
+CUTOFF = 6.0  # Hz, of a second-order Butterworth run both ways: hands do not move faster
+HIGHEST = 10.0  # Hz up to which the spectrum's arc is measured
+LOWEST_SHARE = 0.05  # of the spectrum's top, below which it ends
+PADDED = 4  # the spectrum is that many powers of two finer than the take
+BAND = 0.15  # of the range to both sides of its middle, which a repetition has to cross
+LEAST_RAD, LEAST_M = np.deg2rad(10.0), 0.01  # a smaller range is no movement
+
+
+class Course(NamedTuple):
+    """Of the longest stretch without a gap: ``arc`` spectral arc length, ``jerk`` logarithm of the
+    dimensionless jerk (both negative, nearer to zero is smoother; NaN if it hardly moved);
+    ``repetitions`` over all of it; ``fastest`` change per s and ``at`` s when."""
+
+    arc: float
+    jerk: float
+    repetitions: int
+    fastest: float
+    at: float
+
+
+def course(t: Array, values: Array, least: float) -> Course:
+    """Of values (N,) at t (N,) s; less than ``least`` of range is no movement."""
+    stretches = [even(t[r], values[r]) for r in runs(t, np.asarray(np.isfinite(values)))]
+    long = [s for s in stretches if len(s[0]) > 30]
+    if not long:
+        return Course(np.nan, np.nan, 0, np.nan, np.nan)
+    smooth = [(at, low_passed(x, at[1] - at[0])) for at, x in long]
+    low, high = (f([f(x) for _, x in smooth]) for f in (min, max))
+    speeds = [(at, np.gradient(x, at)) for at, x in smooth]
+    peak_at, peak = max(((at, v) for at, v in speeds), key=lambda s: float(np.abs(s[1]).max()))
+    k = int(np.argmax(np.abs(peak)))
+    if high - low < least:
+        return Course(np.nan, np.nan, 0, float(abs(peak[k])), float(peak_at[k]))
+    at, v = max(speeds, key=lambda s: len(s[0]))
+    count = sum(repetitions(x, low, high) for _, x in smooth)
+    step = float(at[1] - at[0])
+    return Course(arc_length(v, step), jerk(v, step), count, float(abs(peak[k])), float(peak_at[k]))
+
+
+def even(t: Array, values: Array) -> tuple[Array, Array]:
+    """What is known, by a cubic spline at even steps of the median."""
+    known = np.isfinite(values)
+    t, values = t[known], values[known]
+    rising = np.r_[True, np.diff(t) > 0] if len(t) else np.zeros(0, bool)
+    t, values = t[rising], values[rising]
+    if len(t) < 4:
+        return t, values
+    step = float(np.median(np.diff(t)))
+    at = t[0] + step * np.arange(int((t[-1] - t[0]) / step + 1e-6) + 1)
+    return at, CubicSpline(t, values)(at)
+
+
+def low_passed(values: Array, step: float) -> Array:
+    """Without noise above `CUTOFF`; as it is where the rate is too low for that."""
+    share = CUTOFF * 2 * step
+    if share >= 1 or len(values) < 20:
+        return values
+    out: Array = sosfiltfilt(butter(2, share, output="sos"), values)
+    return out
+
+
+def arc_length(v: Array, step: float) -> float:
+    """Spectral arc length of a speed (N,), Balasubramanian et al. 2015, J. NeuroEng. Rehabil.
+    12:112, eq. 11 with its parameters: up to 10 Hz, down to 5 % of the top."""
+    n = 2 ** (int(np.ceil(np.log2(len(v)))) + PADDED)
+    frequency = np.fft.rfftfreq(n, step)
+    magnitude = np.abs(np.fft.rfft(np.abs(v), n))
+    if magnitude.max() == 0:
+        return float("nan")
+    magnitude = magnitude / magnitude.max()
+    inside = frequency <= HIGHEST
+    last = int(np.flatnonzero(inside & (magnitude >= LOWEST_SHARE))[-1]) + 1
+    f, m = frequency[:last], magnitude[:last]
+    if last < 2 or f[-1] == 0:
+        return float("nan")
+    return -float(np.hypot(np.diff(f) / (f[-1] - f[0]), np.diff(m)).sum())
+
+
+def jerk(v: Array, step: float) -> float:
+    """Minus the logarithm of the dimensionless jerk, of a speed; the same paper, eq. 3 and 4."""
+    peak = float(np.abs(v).max())
+    if peak == 0 or len(v) < 4:
+        return float("nan")
+    second = np.gradient(np.gradient(v, step), step)
+    time = (len(v) - 1) * step
+    return -float(np.log(time**3 / peak**2 * np.trapezoid(second**2, dx=step)))
+
+
+def repetitions(values: Array, low: float, high: float) -> int:
+    """How often values go from one side of the range to the other and the larger number of both
+    ways; what does not cross a band about the middle is none."""
+    middle, band = 0.5 * (low + high), BAND * (high - low)
+    side = np.where(values > middle + band, 1, np.where(values < middle - band, -1, 0))
+    seen = side[side != 0]
+    change = np.diff(seen)
+    return int(max((change > 0).sum(), (change < 0).sum()))

@@ -1,0 +1,89 @@
+"""Figures of a report, as SVG to be put into a page."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.figure import Figure
+
+from tracker.messages import Array, IntArray, Validity
+from tracker.session.motion import Take
+from tracker.session.report.measure import Told
+
+_COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
+_SHADES = {Validity.INFERRED: "#f4e3b2", Validity.LOST: "#e3c5c5"}
+_MOST = 3000  # points of a curve; more are not to be seen
+
+
+def svg(figure: Figure) -> str:
+    """The same figure gives the same text; without the XML's head."""
+    with mpl.rc_context({"svg.hashsalt": "glovetrack", "svg.fonttype": "none"}):
+        out = io.StringIO()
+        FigureCanvasSVG(figure).print_svg(out, metadata={"Date": None, "Creator": None})
+    return out.getvalue()[out.getvalue().index("<svg") :]
+
+
+def ranges(takes: Sequence[Told]) -> str:
+    """From least to greatest of every recorded angle, takes beside each other; twice the claimed
+    standard deviation at both ends."""
+    names = [r.measure.name for r in takes[0].rows if r.measure.is_angle and not r.isb]
+    figure = Figure(figsize=(9, 0.8 + 0.26 * len(names) * max(1, 0.6 * len(takes))))
+    axes = figure.add_subplot()
+    for k, told in enumerate(takes):
+        for i, name in enumerate(names):
+            row = told.row(name)
+            if row is None or not np.isfinite(row.measure.range):
+                continue
+            low, high, sd = np.rad2deg(
+                [row.measure.least, row.measure.greatest, row.measure.claimed_sd]
+            )
+            at = i + 0.7 * (k + 0.5) / len(takes) - 0.35
+            colour = _COLOURS[k % len(_COLOURS)]
+            axes.plot([low, high], [at, at], "-", color=colour, lw=3, solid_capstyle="butt")
+            if np.isfinite(sd):
+                err = [2 * sd] * 2
+                axes.errorbar([low, high], [at, at], xerr=err, fmt="none", ecolor="#555", lw=0.7)
+    axes.set_yticks(range(len(names)), names)
+    axes.invert_yaxis()
+    axes.set_xlabel("deg, flexion positive")
+    axes.grid(axis="x", alpha=0.3)
+    figure.tight_layout()
+    return svg(figure)
+
+
+def courses(told: Told, names: Sequence[str]) -> str:
+    """Angles (deg) over time, each in a row of its own, over what was inferred and lost."""
+    take = told.take
+    figure = Figure(figsize=(9, 0.6 + 1.05 * len(names)))
+    for k, name in enumerate(names):
+        axes = figure.add_subplot(len(names), 1, k + 1)
+        j = take.angle_names.index(name)
+        _shade(axes, take, take.angle_state[:, j])
+        _curve(axes, take.t, np.rad2deg(take.angles[:, j]), _COLOURS[k % len(_COLOURS)])
+        axes.set_ylabel(f"{name.replace('_', chr(10), 1)}", rotation=0, ha="right", va="center")
+        axes.set_xlim(take.t[0], take.t[-1])
+        axes.grid(alpha=0.3)
+        if k < len(names) - 1:
+            axes.set_xticklabels([])
+    axes.set_xlabel("s")
+    figure.tight_layout()
+    return svg(figure)
+
+
+def _curve(axes: Axes, t: Array, values: Array, colour: str) -> None:
+    every = max(1, len(t) // _MOST)
+    axes.plot(t[::every], values[::every], "-", color=colour, lw=1)
+
+
+def _shade(axes: Axes, take: Take, state: IntArray) -> None:
+    """Behind the curve, where a number was not measured."""
+    edges = np.flatnonzero(np.diff(state)) + 1
+    for a, b in zip(np.r_[0, edges], np.r_[edges, len(state)], strict=True):
+        colour = _SHADES.get(Validity(int(state[a])))
+        if colour is not None:
+            axes.axvspan(take.t[a], take.t[min(b, len(state) - 1)], color=colour, lw=0)
