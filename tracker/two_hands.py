@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from tracker.errors import ConfigError
-from tracker.messages import BlobFrame, CameraImuSample, Estimate, FrameResult, ImuSample
+from tracker.messages import BlobFrame, CameraImuSample, Estimate, Event, FrameResult, ImuSample
 from tracker.pipeline import Pipeline, PipelineKept
 from tracker.records import record
 from tracker.vision.sharing import share
@@ -74,6 +74,12 @@ class TwoHands:
         """Take a sample of the camera's own IMU."""
         for pipeline in self.pipelines.values():
             pipeline.feed_camera_imu(sample)
+
+    def feed_event(self, event: Event) -> None:
+        """Take what was said, of one hand if it says which."""
+        for side, pipeline in self.pipelines.items():
+            if event.data.get("hand", side) == side:
+                pipeline.feed_event(event)
 
     def take_results(self, side: str) -> list[FrameResult]:
         """What a hand's pipeline made of images since the last call, oldest first."""

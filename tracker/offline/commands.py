@@ -30,7 +30,10 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--duration", type=float, default=60.0, help="seconds")
     parser.add_argument("--fps", type=float, default=60.0)
-    parser.add_argument("--glove", default="vist-small", help="name or file")
+    parser.add_argument(
+        "--hands", choices=("left", "right", "both"), default="right", help="both meet and cross"
+    )
+    parser.add_argument("--glove", default="", help="name or file; the side's usual if not given")
     parser.add_argument("--hand", default="", help="name or file; the glove's own if not given")
     parser.add_argument("--blobs-only", action="store_true", help="blobs instead of images")
     parser.add_argument(
@@ -163,6 +166,7 @@ def _simulate(args: argparse.Namespace) -> int:
     from tracker.offline.simulate import SimulateOptions, simulate
 
     options = SimulateOptions(
+        hands=args.hands,
         glove=args.glove,
         hand=args.hand,
         motion=args.motion,

@@ -16,7 +16,8 @@ KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 
 @dataclass(eq=False)
 class TrackReport:
-    """``error_mm`` is filled where the session holds the truth."""
+    """``error_mm`` is filled where the session holds the truth; ``hands``, by side, where it is one
+    of both."""
 
     duration_s: float = 0.0
     wall_s: float = 0.0
@@ -25,12 +26,35 @@ class TrackReport:
     losses: dict[str, int] = field(default_factory=dict)
     lost_s: float = 0.0
     error_mm: dict[str, float] = field(default_factory=dict)
+    hands: dict[str, TrackReport] = field(default_factory=dict)
 
     def to_json(self) -> dict[str, object]:
         out = dict(vars(self))
         if not self.error_mm:
             del out["error_mm"]
+        del out["hands"]
+        if self.hands:
+            out["hands"] = {side: report.to_json() for side, report in self.hands.items()}
         return out
+
+    @staticmethod
+    def of_both(hands: dict[str, TrackReport]) -> TrackReport:
+        """Of a session of both hands: what is counted in sum, and of times and errors the worse."""
+        reports = list(hands.values())
+        losses = {
+            name: sum(r.losses.get(name, 0) for r in reports) for r in reports for name in r.losses
+        }
+        errors = [r.error_mm for r in reports if r.error_mm]
+        worse = max(errors, key=lambda error: error["mean"], default={})
+        return TrackReport(
+            duration_s=max(r.duration_s for r in reports),
+            estimates=sum(r.estimates for r in reports),
+            frames=sum(r.frames for r in reports),
+            losses=losses,
+            lost_s=max(r.lost_s for r in reports),
+            error_mm=worse,
+            hands=hands,
+        )
 
 
 class Counter:

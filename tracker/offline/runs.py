@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -35,11 +35,23 @@ from tracker.vision.rig import StereoRig
 
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
 
+
+class Sided(NamedTuple):
+    """A packet of a session of both hands, and the side of its glove."""
+
+    sample: ImuSample
+    side: str
+
+    @property
+    def t_arrival(self) -> float:
+        return self.sample.t_arrival
+
+
 Fed = Sensed | Event
 """What a run is fed with: of events those count that tell of guided poses."""
 
 
-def arrival(message: Fed) -> float:
+def arrival(message: Fed | Sided) -> float:
     """When a message came, s."""
     return message.t if isinstance(message, Event) else message.t_arrival
 
@@ -50,7 +62,7 @@ class SessionRun(Protocol):
     @property
     def engine(self) -> Engine: ...
 
-    def feed(self, message: Fed) -> None: ...
+    def feed(self, message: Fed | Sided) -> None: ...
 
     def finish(self, progress: Callable[[float], None]) -> None: ...
 
@@ -59,11 +71,16 @@ class Output:
     """The new session and what is counted on the way into it."""
 
     def __init__(
-        self, recorder: SessionRecorder, with_sensors: bool, check: TruthCheck | None
+        self,
+        recorder: SessionRecorder,
+        with_sensors: bool,
+        check: TruthCheck | None,
+        side: str,
     ) -> None:
+        """``side``: the hand that this is for."""
         self._recorder, self._with_sensors, self._check = recorder, with_sensors, check
-        info = recorder.info
-        self._moving = info.moving_camera
+        self._side, self._moving = side, recorder.info.moving_camera
+        (info,) = (h for h in recorder.info.hands if h.side == side)
         self._gestures = GestureRecogniser(info.hand, info.keypoint_names)
         self._counter = Counter()
         self._status = StatusClock()
@@ -82,7 +99,7 @@ class Output:
         elif isinstance(message, Event) and guided_of(message) is None:
             return
         elif self._with_sensors:
-            self._recorder.write(message)
+            self._recorder.write(message, side=self._side)
 
     def _frame(self, frame: BlobFrame) -> None:
         """Where the camera was taken to be is part of what estimates mean.
@@ -107,7 +124,7 @@ class Output:
         self._recorder.write_rig(rig, t)
 
     def estimate(self, sample: ImuSample, estimate: Estimate) -> None:
-        self._recorder.write(estimate)
+        self._recorder.write(estimate, side=self._side)
         for phase in self._gestures.feed(estimate):
             self._recorder.write(gesture_event(phase, self._gestures.side))
         if self._check is not None:
@@ -115,10 +132,10 @@ class Output:
         self._counter.count(sample, estimate.tracking)
         status = self._status.packet(sample, estimate.tracking, self.report)
         if status is not None:
-            self._recorder.write(status)
+            self._recorder.write(status, side=self._side)
 
     def calibration(self, calibration: Calibration) -> None:
-        self._recorder.write(calibration)
+        self._recorder.write(calibration, side=self._side)
 
 
 class NoOutput(Output):
@@ -167,7 +184,8 @@ class LiveRun:
     def engine(self) -> Engine:
         return self._pipeline.engine
 
-    def feed(self, message: Fed) -> None:
+    def feed(self, message: Fed | Sided) -> None:
+        message = message.sample if isinstance(message, Sided) else message
         while self._changes and self._changes[0][0] <= arrival(message):
             self._change(*self._changes.popleft())
         self._camera_tells |= isinstance(message, CameraImuSample)
@@ -231,7 +249,8 @@ class SmoothRun:
     def engine(self) -> Engine:
         return self._smoother.engine
 
-    def feed(self, message: Fed) -> None:
+    def feed(self, message: Fed | Sided) -> None:
+        message = message.sample if isinstance(message, Sided) else message
         if isinstance(message, PackedFrame):
             self._output.message(message)
             return

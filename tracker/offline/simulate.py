@@ -22,17 +22,20 @@ from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams, Truth
+from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
 MONOTONIC_NS = 0
+GLOVES = {"left": "vist-small-left", "right": library.DEFAULT_GLOVE}
+"""What a simulated hand of each side wears if not told."""
 
 
 @dataclass(frozen=True)
 class SimulateOptions:
     """What to simulate. ``motion`` is a recording's path, or empty for random postures."""
 
-    glove: str = library.DEFAULT_GLOVE
+    glove: str = ""  # empty: the usual one of that side
     hand: str = ""
     motion: str = ""
     seed: int = 0
@@ -43,6 +46,7 @@ class SimulateOptions:
     scene: str = "plain"  # behind the hand: or painted, photo, desk
     photo: str = ""  # the image of the scene photo
     light: str = ""  # over the desk: window (if not said), lamp, led or dim
+    hands: str = "right"  # or left, or both
     guided: str = ""  # "well" or "badly": guided poses are held first, and told of
     camera: str = "stand"  # or head, head-imu: on the wearer's head, telling its pose or its IMU
 
@@ -52,19 +56,11 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
 
     Raises ConfigError for impossible numbers, FileError for missing files.
     """
-    if not 1.0 <= options.duration <= 36_000:
-        raise ConfigError("The duration must lie between 1 s and 10 h.")
-    if not 5 <= options.fps <= 240:
-        raise ConfigError("The frame rate must lie between 5 and 240 a second.")
-    hand_text, glove_text = library.texts(options.glove, options.hand or None)
-    info = describe(
-        hand_text,
-        glove_text,
-        ClockAnchor(EPOCH_NS, MONOTONIC_NS),
-        colours_text=library.text("colours", library.DEFAULT_COLOURS),
-        simulated=True,
-        notes=f"seed {options.seed}, motion {Path(options.motion).name or 'random postures'}",
-    )
+    _check_numbers(options)
+    if options.hands not in GLOVES:
+        raise ConfigError(f"Hands can be left, right or both, not {options.hands!r}.")
+    glove = options.glove or GLOVES[options.hands]
+    info = _info(options, library.texts(glove, options.hand or None))
     room = room_of(options.scene, options.light, options.photo, options.seed)
     params = SimulationParams(head=_head(options.camera), render=room.render)
     motion = _led(options, info, _motion(options, info))
@@ -73,6 +69,24 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     if options.images:
         sim.renderer  # noqa: B018  what cannot be drawn is said before a file is begun
     return sim, replace(info, rig=sim.rig, moving_camera=options.camera == "head")
+
+
+def _check_numbers(options: SimulateOptions) -> None:
+    if not 1.0 <= options.duration <= 36_000:
+        raise ConfigError("The duration must lie between 1 s and 10 h.")
+    if not 5 <= options.fps <= 240:
+        raise ConfigError("The frame rate must lie between 5 and 240 a second.")
+
+
+def _info(options: SimulateOptions, texts: tuple[str, str]) -> SessionInfo:
+    """``texts`` are those of the hand and of the glove."""
+    return describe(
+        *texts,
+        ClockAnchor(EPOCH_NS, MONOTONIC_NS),
+        colours_text=library.text("colours", library.DEFAULT_COLOURS),
+        simulated=True,
+        notes=f"seed {options.seed}, motion {Path(options.motion).name or 'random postures'}",
+    )
 
 
 def _head(camera: str) -> HeadParams:
@@ -112,6 +126,8 @@ def simulate(
     The file is there whole or not at all; ``force`` replaces one.
     """
     check_target(out, force)
+    if options.hands == "both":
+        return _simulate_both(out, options, progress, force)
     sim, info = build(options)
     images = "jpeg" if options.images else "none"
     params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality)
@@ -127,6 +143,42 @@ def simulate(
                 recorder.write_truth(truth_message(message.t, sim.truth(message.t), info))
             if isinstance(message, StereoFrame) or message.t % 1.0 < 0.01:
                 progress(message.t / end)
+    return info
+
+
+def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInfo]:
+    """`build` for two hands that meet before a camera that stands."""
+    if options.motion or options.guided or options.hand or options.camera != "stand":
+        raise ConfigError(
+            "Both hands are simulated with random postures before a camera that stands: leave out "
+            "--motion, --guided, --hand and --camera."
+        )
+    _check_numbers(options)
+    infos = {side: _info(options, library.texts(glove)) for side, glove in GLOVES.items()}
+    dressed = {side: Dressed(info.hand, info.glove) for side, info in infos.items()}
+    room = room_of(options.scene, options.light, options.photo, options.seed)
+    params = SimulationParams(render=room.render)
+    sim = TwoHandsSimulation(dressed, options.seed, options.duration, options.fps, params)
+    hues = tuple(dict.fromkeys(h for info in infos.values() for h in info.glove.hues))
+    left, right = (replace(infos[side], rig=sim.rig, hues=hues) for side in SIDES)
+    return sim, replace(right, other=left)
+
+
+def _simulate_both(
+    out: Path, options: SimulateOptions, progress: Callable[[float], None], force: bool
+) -> SessionInfo:
+    sim, info = build_both(options)
+    worn = {hand.side: hand for hand in info.hands}
+    images = "jpeg" if options.images else "none"
+    params = RecorderParams(images=images, jpeg_quality=options.jpeg_quality)
+    with new_session(out, info, force, params=params) as recorder:
+        for side, message in sim.messages(options.images):
+            recorder.write(message, side=side)
+            if isinstance(message, ImuSample):
+                true = sim.hands[side].truth(message.t)
+                recorder.write_truth(truth_message(message.t, true, worn[side]), side)
+            else:
+                progress(message.t / sim.duration)
     return info
 
 

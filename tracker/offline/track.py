@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from tracker.messages import (
     BlobFrame,
     CameraImuSample,
     EngineState,
+    Estimate,
     Event,
     ImuSample,
     StereoFrame,
@@ -35,10 +37,12 @@ from tracker.offline.runs import (
     NoOutput,
     Output,
     SessionRun,
+    Sided,
     SmoothRun,
     arrival,
 )
 from tracker.offline.smooth import Smoother
+from tracker.offline.two_hands import TwoHandsRun, with_other
 from tracker.online.camera_tilt import CameraTilt
 from tracker.pipeline import Pipeline
 from tracker.session.arithmetic import arithmetic
@@ -48,6 +52,7 @@ from tracker.session.ros import topics
 from tracker.session.writer import new_session
 from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
 from tracker.toml_reader import read_text
+from tracker.two_hands import TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams
 from tracker.vision.rig import StereoRig
@@ -77,13 +82,16 @@ def track(
         settings = _settings(reader, options)
         info = replace(reader.info, rig=_rig(reader, settings))
         messages = _messages(reader, info, options, threads or usable_cores())
-        check = _truth_check(reader, info)
         described = _output_info(info, settings, source, options)
         if topics.CAMERA_IMU in reader.topic_names and not options.with_sensors:
             described = replace(described, moving_camera=True)  # by what its IMU tells
         with new_session(out, described, force, [source]) as recorder:
-            output = Output(recorder, options.with_sensors, check)
-            run = _run(reader, info, settings, output, options)
+            checks = {hand.side: _truth_check(reader, hand) for hand in info.hands}
+            outputs = {
+                side: Output(recorder, options.with_sensors, check, side)
+                for side, check in checks.items()
+            }
+            run = _run(reader, info, settings, outputs, options)
             forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
             start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
             for message in messages:
@@ -91,9 +99,11 @@ def track(
                 progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
             run.finish(lambda share: progress(forward + (1 - forward) * share))
             _keep(run.engine, options.keep_wearer)
-        report = output.report
-        if check is not None:
-            report.error_mm = check.against(reader.truth())
+        for side, check in checks.items():
+            if check is not None:
+                outputs[side].report.error_mm = check.against(_truth(reader, side))
+        reports = {side: output.report for side, output in outputs.items()}
+        report = TrackReport.of_both(reports) if info.other else reports[info.side]
     report.wall_s = time.perf_counter() - started
     return report
 
@@ -108,8 +118,9 @@ def state_at(
     options = TrackOptions()
     settings = _settings(reader, options)
     info = replace(reader.info, rig=_rig(reader, settings))
-    run = _run(reader, info, settings, NoOutput(), options)
-    assert isinstance(run, LiveRun)
+    outputs: dict[str, Output] = {hand.side: NoOutput() for hand in info.hands}
+    run = _run(reader, info, settings, outputs, options)
+    assert isinstance(run, LiveRun | TwoHandsRun)
     begin, fed = reader.anchor.monotonic(reader.span_ns[0]), False
     for message in _messages(reader, info, options, usable_cores()):
         if arrival(message) >= t:
@@ -124,12 +135,14 @@ def _run(
     reader: SessionReader,
     info: SessionInfo,
     settings: Settings,
-    output: Output,
+    outputs: Mapping[str, Output],
     options: TrackOptions,
 ) -> SessionRun:
     changes: list[tuple[float, EngineState | StereoRig]] = []
     if info.rig is not None:
         changes += reader.rig_changes()
+    _check_for_both(info, options)
+    output = outputs[info.side]
     if options.smooth:
         if settings.lenses != "both":
             raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
@@ -139,10 +152,13 @@ def _run(
         _put_on(smoother.engine, options.wearer)
         return SmoothRun(smoother, output, CameraTilt(reader.rig().pose))
 
-    def make(engine: str, rig: StereoRig | None) -> Pipeline:
-        pipeline = Pipeline(info.hand, info.glove, rig, replace(settings, engine=engine))
+    def make(engine: str, rig: StereoRig | None, worn: SessionInfo = info) -> Pipeline:
+        pipeline = Pipeline(worn.hand, worn.glove, rig, replace(settings, engine=engine))
         _put_on(pipeline.engine, options.wearer)
         return pipeline
+
+    def make_both(engine: str, rig: StereoRig | None) -> TwoHands:
+        return TwoHands({w.side: partial(make, engine, rig, w) for w in info.hands})
 
     same = not options.settings and settings == _settings(reader, TrackOptions())
     same = same and info.version == __version__
@@ -150,7 +166,32 @@ def _run(
     if same and options.guided and not replaced:
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
+    if info.other:
+        return TwoHandsRun(make_both, info.rig, settings.engine, outputs, info.side, changes)
     return LiveRun(make, settings.engine, info.rig, output, changes)
+
+
+def _check_for_both(info: SessionInfo, options: TrackOptions) -> None:
+    """Raises ConfigError for what cannot be asked of a session of both hands."""
+    asked = {
+        "--smooth": options.smooth,
+        "--hand": options.hand,
+        "--glove": options.glove,
+        "--wearer": options.wearer,
+        "--keep-wearer": options.keep_wearer,
+    }
+    wrong = [name for name, value in asked.items() if value]
+    if info.other and wrong:
+        raise ConfigError(f"A session of both hands is tracked without {' and '.join(wrong)}.")
+
+
+def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
+    """What a simulated hand really did, of the session's one hand or of both."""
+    if side == reader.info.side:
+        yield from reader.truth()
+        return
+    with SessionReader(reader.path, side=side) as other:
+        yield from other.truth()
 
 
 def _put_on(engine: Engine, wearer: str) -> None:
@@ -242,8 +283,16 @@ def _sha256(path: Path) -> str:
 
 def _messages(
     reader: SessionReader, info: SessionInfo, options: TrackOptions, threads: int
+) -> Iterator[Fed | Sided]:
+    """Packets, events and blobs in the order of the live run, of both hands if there are both."""
+    messages = _of_reader(reader, info, options, threads)
+    return with_other(reader, messages) if info.other else messages
+
+
+def _of_reader(
+    reader: SessionReader, info: SessionInfo, options: TrackOptions, threads: int
 ) -> Iterator[Fed]:
-    """Packets, events and blobs in the order of the live run.
+    """`_messages` of the hand that ``reader`` reads.
 
     Recorded blobs serve as they are while the colours are the recorded ones; otherwise, and where
     there are none, the images are searched.

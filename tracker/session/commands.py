@@ -67,7 +67,7 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
 
 def _export(args: argparse.Namespace) -> int:
     from tracker.session.export.options import PERSONAL, ExportOptions
-    from tracker.session.export.run import export
+    from tracker.session.export.run import export, path_of_side
 
     anonymous = () if args.anonymous is None else tuple(args.anonymous or PERSONAL)
     options = ExportOptions(
@@ -82,7 +82,8 @@ def _export(args: argparse.Namespace) -> int:
     )
     check_json(args, [args.file])
     report = export(args.file, args.format, args.output, options, force=args.force)
-    finish(args, report, [f"{args.output}"], [args.file, args.output])
+    made = [path_of_side(args.output, side) for side in report.get("hands", ())] or [args.output]
+    finish(args, report, [str(path) for path in made], [args.file, *made])
     return 0
 
 

@@ -23,7 +23,7 @@ from tracker.messages import (
 from tracker.session.decode_estimate import EstimateDecoder, tracking_of
 from tracker.session.decode_sensors import SensorDecoder, Timing
 from tracker.session.description import SessionInfo
-from tracker.session.encode import CALIBRATION_ROWS
+from tracker.session.encode import CALIBRATION_ROWS, status_name
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.input import RawMessage
 from tracker.session.ros import motion, topics
@@ -60,7 +60,9 @@ class MessageDecoder:
             **self._sensors.handlers(),
             topics.TF: self._transforms,
             topics.hand(self._info.side, "calibration"): lambda raw: _calibration(raw, anchor),
-            topics.STATUS: lambda raw: _statuses(raw, anchor),
+            topics.STATUS: lambda raw: _statuses(
+                raw, anchor, status_name(self._info, self._info.side)
+            ),
             topics.EVENTS: lambda raw: [_event(raw, anchor)],
         }
         return table | dict.fromkeys(self._estimates.topics, self._estimate)
@@ -137,13 +139,13 @@ def _number(values: dict[str, str], key: str) -> float:
     return float(values.get(key, "nan"))
 
 
-def _statuses(raw: RawMessage, anchor: ClockAnchor) -> list[Status]:
+def _statuses(raw: RawMessage, anchor: ClockAnchor, name: str) -> list[Status]:
     stamp, statuses = motion.unpack_diagnostics(raw.data)
     t = anchor.monotonic(stamp)
     return [
         Status(t, tracking_of(s.message), {k: float(v) for k, v in s.values.items()})
         for s in statuses
-        if s.name == "tracker"
+        if s.name == name
     ]
 
 

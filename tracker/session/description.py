@@ -16,6 +16,15 @@ from tracker.vision.rig import StereoRig
 HAND, GLOVE = "hand.toml", "glove.toml"
 COLOURS, SETTINGS = "colours.toml", "settings.toml"
 METADATA = "glovetrack"
+SIDES = ("left", "right")
+MAIN = "right"
+"""Of a session of both hands, the one that is shown where one is."""
+
+
+def of_side(name: str, side: str) -> str:
+    """An attachment's name where there is one for each hand: ``hand_left.toml``."""
+    stem, _, ending = name.partition(".")
+    return f"{stem}_{side}.{ending}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,7 +33,8 @@ class SessionInfo:
 
     ``arithmetic`` is that of the computer that made the estimates, empty where unknown.
     ``hues`` are the names that blobs' hues index; the glove's unless told. ``extra`` goes into the
-    metadata record as it is (a tracked file's ``source``, for one).
+    metadata record as it is (a tracked file's ``source``, for one). ``other`` is the other hand of
+    a session of both; of it hand and glove count.
     """
 
     hand: HandModel
@@ -44,6 +54,13 @@ class SessionInfo:
     hues: tuple[str, ...] = ()
     arithmetic: str = field(default_factory=arithmetic)
     extra: dict[str, str] = field(default_factory=dict)
+    other: SessionInfo | None = None
+
+    @property
+    def hands(self) -> tuple[SessionInfo, ...]:
+        """This one, or those of both hands, the left one first."""
+        both = (self,) if self.other is None else (self, self.other)
+        return tuple(sorted(both, key=lambda info: info.side))
 
     @property
     def side(self) -> str:
@@ -60,12 +77,10 @@ class SessionInfo:
 
     def attachments(self) -> dict[str, str]:
         """File name to text of everything that is attached."""
-        texts = {
-            HAND: self.hand_text,
-            GLOVE: self.glove_text,
-            COLOURS: self.colours_text,
-            SETTINGS: self.settings_text,
-        }
+        texts: dict[str, str | None] = {COLOURS: self.colours_text, SETTINGS: self.settings_text}
+        for info in self.hands:
+            for name, text in ((HAND, info.hand_text), (GLOVE, info.glove_text)):
+                texts[name if self.other is None else of_side(name, info.side)] = text
         return {name: text for name, text in texts.items() if text is not None}
 
     def metadata(self) -> dict[str, str]:

@@ -28,7 +28,7 @@ from tracker.messages import (
     Tracking,
     Validity,
 )
-from tracker.session.description import SessionInfo
+from tracker.session.description import MAIN, SessionInfo
 from tracker.session.images import PackedFrame, encode_image
 from tracker.session.ros import motion, sensors, topics
 from tracker.vision.rig import StereoRig
@@ -53,11 +53,17 @@ class ImageCoding:
     quality: int = 90
 
 
+def status_name(info: SessionInfo, side: str) -> str:
+    """Under which a Status stands; that of the second hand of a session of both has its side."""
+    return "tracker" if info.other is None or side == MAIN else f"tracker_{side}"
+
+
 class Encoder:
     """Turns messages into bytes; remembers what was said last where only changes are written."""
 
-    def __init__(self, info: SessionInfo, images: ImageCoding) -> None:
-        self._coding = images
+    def __init__(self, info: SessionInfo, images: ImageCoding, status: str = "tracker") -> None:
+        """``status``: the name under which a Status is written, see `status_name`."""
+        self._coding, self._tracker = images, status
         self._info, self._side, self._wall = info, info.side, info.anchor.wall
         self._segments = [f"{info.side}_{s}" for s in info.hand.segment_names]
         self._states: object = None
@@ -237,7 +243,9 @@ class Encoder:
         stamp = self._wall(m.t)
         values = {name: repr(float(value)) for name, value in m.values.items()}
         tracking = Tracking(m.tracking).name.lower()
-        data = motion.pack_diagnostics(stamp, [motion.Diagnostic(0, "tracker", tracking, values)])
+        data = motion.pack_diagnostics(
+            stamp, [motion.Diagnostic(0, self._tracker, tracking, values)]
+        )
         yield Out(topics.STATUS, motion.DIAGNOSTICS, stamp, stamp, data)
 
     def event(self, m: Event) -> Iterator[Out]:

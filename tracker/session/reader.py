@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from types import TracebackType
@@ -38,19 +39,21 @@ MEASURED = frozenset({sensors.IMU, sensors.IMAGE, sensors.DETECTIONS, motion.POS
 class SessionReader:
     """A session opened for reading. Raises FileError in words if it cannot be.
 
-    ``replace`` gives texts for attachments (``hand.toml``, ``glove.toml``, ``colours.toml``) that
+    ``instead`` gives texts for attachments (``hand.toml``, ``glove.toml``, ``colours.toml``) that
     the file lacks or that shall count instead of its own. ``watch`` hears now and then which share
-    (0..1) of the file `messages` has come through, and may raise to end it.
+    (0..1) of the file `messages` has come through, and may raise to end it. ``side`` is the hand
+    that is read of a session of both; the right one if not told.
     """
 
     def __init__(
         self,
         path: Path,
-        replace: Mapping[str, str] | None = None,
+        instead: Mapping[str, str] | None = None,
         watch: Callable[[float], None] = lambda share: None,
+        side: str = "",
     ) -> None:
-        self.path = Path(path)
-        self._replace = dict(replace or {})
+        self.path, self._asked = Path(path), side
+        self._replace = dict(instead or {})
         self._watch = watch
         self.source = McapInput(self.path)
 
@@ -160,12 +163,30 @@ class SessionReader:
         return (self.span_ns[1] - self.span_ns[0]) / NS
 
     @cached_property
+    def sides(self) -> tuple[str, ...]:
+        """Of a session of both hands left and right; of one hand empty."""
+        names = [description.of_side(description.GLOVE, side) for side in description.SIDES]
+        return description.SIDES if self.attachments.keys() >= set(names) else ()
+
+    @cached_property
     def info(self) -> SessionInfo:
         """What the session is about. Raises FileError where hand or glove is missing or wrong."""
-        hand_text = self.attachment(description.HAND)
-        glove_text = self.attachment(description.GLOVE)
-        hand = parse_hand(hand_text, f"{self.path}, hand.toml")
-        glove = parse_glove(glove_text, hand, f"{self.path}, glove.toml")
+        if not self.sides:
+            return self._info_of("")
+        side = self._asked or description.MAIN
+        (other,) = (s for s in self.sides if s != side)
+        return replace(self._info_of(side), other=self._info_of(other))
+
+    def _info_of(self, side: str) -> SessionInfo:
+        """Of a session of both hands that of one; empty: of the only one."""
+        names = (description.HAND, description.GLOVE)
+        if side:
+            names = tuple(description.of_side(name, side) for name in names)  # type: ignore[assignment]
+        hand_text, glove_text = self.attachment(names[0]), self.attachment(names[1])
+        hand = parse_hand(hand_text, f"{self.path}, {names[0]}")
+        glove = parse_glove(glove_text, hand, f"{self.path}, {names[1]}")
+        if side and glove.side != side:
+            raise FileError(f"{self.path}: {names[1]} is a {glove.side} glove's.")
         m = self.metadata
         rig, moving = first_rig(self.source)
         known = description.SessionInfo(hand, glove, "", "", self.anchor).metadata().keys()

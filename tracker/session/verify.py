@@ -86,7 +86,10 @@ def _container(reader: SessionReader) -> list[Finding]:
 
 def _description(reader: SessionReader) -> list[Finding]:
     """Hand, glove and camera: there, readable, and fitting together."""
-    for name in (description.HAND, description.GLOVE):
+    names = [description.HAND, description.GLOVE]
+    if reader.sides:
+        names = [description.of_side(name, side) for name in names for side in reader.sides]
+    for name in names:
         try:
             reader.attachment(name)
         except GlovetrackError as error:
@@ -172,7 +175,7 @@ def _missing(reader: SessionReader, tracks: dict[str, _Track]) -> list[Finding]:
     tracked_only = "source" in reader.metadata
     if tracked_only:
         return []
-    wanted = [topics.imu(info.side, n) for n in info.glove.imu_names]
+    wanted = [topics.imu(hand.side, n) for hand in info.hands for n in hand.glove.imu_names]
     out = [Finding("warning", "no message of this IMU", t) for t in wanted if t not in tracks]
     seen = any(f(c) in tracks for c in topics.SIDES for f in (topics.image, topics.blobs))
     if not seen:

@@ -14,7 +14,7 @@ from tracker.files import DiskError, free_bytes, whole_file
 from tracker.messages import CameraPose, EngineState, Estimate, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.description import METADATA, SessionInfo
-from tracker.session.encode import Encoder, ImageCoding, Out
+from tracker.session.encode import Encoder, ImageCoding, Out, status_name
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.container import COMPRESSION, McapOutput
 from tracker.session.mcap.disk import automatic_path
@@ -77,7 +77,11 @@ class SessionRecorder:
         if path.parent.is_dir():
             self._check_room()
         self._out: McapOutput | None = self._open()
-        self._encoder = Encoder(info, ImageCoding(self.params.images, self.params.jpeg_quality))
+        coding = ImageCoding(self.params.images, self.params.jpeg_quality)
+        self._encoders = {
+            hand.side: Encoder(hand, coding, status_name(info, hand.side)) for hand in info.hands
+        }
+        self._encoder = self._encoders[info.side]
         self._next_check = info.anchor.wall_ns
         self._guarded(self._write_start)
 
@@ -117,8 +121,10 @@ class SessionRecorder:
     def closed(self) -> bool:
         return self._out is None
 
-    def write(self, message: Message, overloaded: bool = False) -> bool:
+    def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
         """Take one message. While ``overloaded``, images are left out and counted: False.
+
+        ``side`` is the hand's that it is of, in a session of both.
 
         FrameResult has no place in a session: it follows from the rest.
         """
@@ -130,8 +136,11 @@ class SessionRecorder:
         if isinstance(message, EngineState):
             self.write_state(message.t, engine_state.pack(message.engine, message.state))
         else:
-            self._guarded(lambda out: self._put(out, self._encoder.encoded(message)))
+            self._guarded(lambda out: self._put(out, self._of(side).encoded(message)))
         return True
+
+    def _of(self, side: str) -> Encoder:
+        return self._encoders[side] if side else self._encoder
 
     def write_state(self, t: float, data: bytes) -> None:
         """An EngineState, packed by `tracker.session.engine_state`."""
@@ -154,9 +163,9 @@ class SessionRecorder:
             lambda out: self._put(out, self._encoder.camera_pose(t, t_arrival, pose, exact))
         )
 
-    def write_truth(self, truth: Estimate) -> None:
+    def write_truth(self, truth: Estimate, side: str = "") -> None:
         """What a simulated hand really did at an instant."""
-        self._guarded(lambda out: self._put(out, self._encoder.truth(truth)))
+        self._guarded(lambda out: self._put(out, self._of(side).truth(truth)))
 
     def write_rig(self, rig: StereoRig, t: float) -> None:
         """A calibration that holds from ``t`` on."""

@@ -2,16 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import Protocol
 
 import numpy as np
 
-from tracker.messages import Array, IntArray
+from tracker.messages import Array, CameraPose, IntArray
 from tracker.simulation.patches import SQUARE
-from tracker.simulation.scene import SimulatedScene
 from tracker.simulation.shading import SewnPatches
 from tracker.simulation.solids import Instant
 from tracker.simulation.wearer import Wearer, tangents
+from tracker.vision.rig import StereoRig
+
+
+class Scene(Protocol):
+    """What is drawn: `SimulatedScene`, or two hands in one."""
+
+    rig: StereoRig
+    seed: int
+
+    @property
+    def wearers(self) -> Sequence[Wearer]:
+        """Whose segments and markers an instant holds, one after the other."""
+
+    def instant(self, t: float) -> Instant:
+        """Everything in C at the time t (s)."""
+
+    def reported_pose(self, t: float) -> CameraPose | None:
+        """What the camera says of its pose; None for one that stands still."""
+
 
 JITTER_PX = np.array([[-0.25, 0.15], [0.3, 0.3], [-0.05, -0.35], [0.2, -0.1]])
 """Where in the pixel each instant looks: smooths edges at no cost."""
@@ -20,7 +39,7 @@ SLOW_PX = 0.5
 
 
 def moments_of(
-    scene: SimulatedScene, t: float, shutter: float, count: int, fewest: int = 2
+    scene: Scene, t: float, shutter: float, count: int, fewest: int = 2
 ) -> list[Instant]:
     """The scene at the middles of equal parts of the shutter (s); ``fewest`` (1 or 2) do for a slow
     hand."""
@@ -32,6 +51,19 @@ def moments_of(
             return [first, last] if fewest == 2 else [scene.instant(t)]
     middle = (np.arange(n) + 0.5) / n - 0.5
     return [scene.instant(t + shutter * m) for m in middle]
+
+
+def patches_of_all(
+    wearers: Sequence[Wearer], colour_of: Callable[[str], Array]
+) -> tuple[IntArray, SewnPatches]:
+    """`sewn_patches` of all wearers, whose segments and markers stand one after the other."""
+    orders, parts = zip(*(sewn_patches(w, colour_of) for w in wearers), strict=True)
+    before = np.cumsum([0, *(len(order) for order in orders)])
+    joined = [np.concatenate(field) for field in zip(*parts, strict=True)]
+    begins = [p.first[:-1] + n for p, n in zip(parts, before, strict=False)]
+    first = np.concatenate([*begins, before[-1:]])
+    order = np.concatenate([o + n for o, n in zip(orders, before, strict=False)])
+    return order, SewnPatches(first, *joined[1:])
 
 
 def sewn_patches(wearer: Wearer, colour_of: Callable[[str], Array]) -> tuple[IntArray, SewnPatches]:

@@ -11,9 +11,8 @@ from tracker.clock import nanoseconds
 from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.backgrounds import BackgroundParams, fabric_bgr, make_background
 from tracker.simulation.camera_view import pixels_of, ray_map
-from tracker.simulation.exposure import JITTER_PX, moments_of, sewn_patches
+from tracker.simulation.exposure import JITTER_PX, Scene, moments_of, patches_of_all
 from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
-from tracker.simulation.scene import SimulatedScene
 from tracker.simulation.shading import Cloth, Light, develop, shade
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import Instant
@@ -39,7 +38,7 @@ class RenderParams:
 class Renderer:
     """Draws a scene. One renderer holds one rig's ray maps and backgrounds."""
 
-    def __init__(self, scene: SimulatedScene, params: RenderParams | None = None) -> None:
+    def __init__(self, scene: Scene, params: RenderParams | None = None) -> None:
         self.scene, self.params = scene, params or RenderParams()
         rig, p = scene.rig, self.params
         self._rays = (ray_map(rig.left), ray_map(rig.right))
@@ -54,7 +53,7 @@ class Renderer:
         self._noisy = tuple(self._with_grain(g, rng) for g in self._ground)
         light = np.array([p.light_x, p.light_y, p.light_z])
         self._light = Light(light / np.linalg.norm(light), p.ambient)
-        self._order, self._patches = sewn_patches(scene.wearer, self._fabric)
+        self._order, self._patches = patches_of_all(scene.wearers, self._fabric)
 
     def _with_grain(self, ground: Image, rng: np.random.Generator) -> list[Image]:
         """Four noisy prints of a background; each frame takes one, fresh grain is too slow."""

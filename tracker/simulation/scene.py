@@ -92,6 +92,11 @@ class SimulatedScene:
             (wearer.marker_segment == wearer.hand.root).astype(np.int64),
         )
 
+    @property
+    def wearers(self) -> tuple[Wearer]:
+        """The one."""
+        return (self.wearer,)
+
     def pose(self, t: float) -> CameraPose:
         """The camera's true pose at the time t (s)."""
         return self.head.pose(t)

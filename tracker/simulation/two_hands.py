@@ -5,21 +5,33 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
 from tracker.clock import nanoseconds
+from tracker.errors import ConfigError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import Array, BlobFrame, Blobs, ImuSample, IntArray, StereoFrame
+from tracker.messages import (
+    Array,
+    BlobFrame,
+    Blobs,
+    CameraPose,
+    ImuSample,
+    IntArray,
+    StereoFrame,
+)
+from tracker.simulation.desk.renderer import DeskParams
 from tracker.simulation.meeting import CLOSE, Meeting, OneOfTwo
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.render import Renderer
 from tracker.simulation.scenario import Simulation, SimulationParams
-from tracker.simulation.scene import touching
+from tracker.simulation.scene import SimulatedScene, touching
 from tracker.simulation.smooth import rng_for
-from tracker.simulation.solids import BodyShape, Solids
+from tracker.simulation.solids import BodyShape, Instant, Solids, together
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -56,6 +68,34 @@ class OtherHand:
         return np.zeros((0, 3)), np.zeros(0), ()
 
 
+class TwoHandsScene:
+    """Two hands as one scene to be drawn: the segments and markers of the second follow those of
+    the first."""
+
+    def __init__(self, first: SimulatedScene, second: SimulatedScene, seed: int) -> None:
+        self._scenes, self.rig, self.seed = (first, second), first.rig, seed
+        self.wearers = (first.wearer, second.wearer)
+
+    def instant(self, t: float) -> Instant:
+        """Everything in C at the time t (s)."""
+        first, second = (scene.instant(t) for scene in self._scenes)
+        owner, box_owner = (
+            np.where(owner >= 0, owner + len(first.p_CB), owner)
+            for owner in (second.solids.owner, second.solids.box_owner)
+        )
+        solids = second.solids._replace(owner=owner, box_owner=box_owner)
+        return Instant(
+            np.concatenate([first.R_CB, second.R_CB]),
+            np.concatenate([first.p_CB, second.p_CB]),
+            together([first.solids, solids]),
+            np.concatenate([first.markers, second.markers]),
+        )
+
+    def reported_pose(self, t: float) -> CameraPose | None:
+        """What the camera says of its pose; None for one that stands still."""
+        return self._scenes[0].reported_pose(t)
+
+
 class TwoHandsSimulation:
     """A left and a right hand that meet, in G of one camera. One seed draws everything."""
 
@@ -70,6 +110,9 @@ class TwoHandsSimulation:
     ) -> None:
         self.seed, self.rig, self.fps = seed, rig or ideal_rig(), fps
         params = params or SimulationParams()
+        if isinstance(params.render, DeskParams):
+            raise ConfigError("Two hands are drawn before the scenes plain, painted and photo.")
+        self._render = params.render
         meeting, camera = Meeting(seed, duration), self.rig.pose
         seeds = {side: 2 * seed + k for k, side in enumerate(SIDES)}
         motions = {
@@ -105,10 +148,24 @@ class TwoHandsSimulation:
             left, right = (self.hands[side].scene.blobs(t, arrival, index) for side in SIDES)
             yield both_seen(left, right, self.seed)
 
-    def messages(self) -> Iterator[Sided]:
-        """All packets and blobs in the order of arrival; packets first of what arrives together."""
+    @cached_property
+    def renderer(self) -> Renderer:
+        """Made at the first image: it holds ray maps and backgrounds."""
+        left, right = (self.alone[side].scene for side in SIDES)
+        return Renderer(TwoHandsScene(left, right, self.seed), self._render)
+
+    def image_frames(self) -> Iterator[StereoFrame]:
+        """Images of both hands."""
+        for index, t, arrival in self.hands["left"].exposures():
+            yield self.renderer.frame(t, arrival, index)
+
+    def messages(self, images: bool = False) -> Iterator[Sided]:
+        """All packets, and blobs or images, in the order of arrival; packets first of what arrives
+        together."""
         parts = [self._packets(side) for side in SIDES]
-        frames = (Sided("", frame) for frame in self.blob_frames())
+        seen: Iterator[BlobFrame | StereoFrame]
+        seen = self.image_frames() if images else self.blob_frames()
+        frames = (Sided("", frame) for frame in seen)
         return heapq.merge(*parts, frames, key=lambda m: m.message.t_arrival)
 
     def _packets(self, side: str) -> Iterator[Sided]:

@@ -116,8 +116,8 @@ def _begun_at(values: dict[str, str], start: int) -> dict[str, str]:
 
 def _standing_topics(reader: SessionReader) -> list[str]:
     """Topics whose last message holds until the next."""
-    side = reader.info.side
-    hand = [topics.hand(side, what) for what in ("states", "calibration")]
+    sides = [hand.side for hand in reader.info.hands]
+    hand = [topics.hand(s, what) for s in sides for what in ("states", "calibration")]
     camera = [topics.camera_info(c) for c in topics.SIDES]
     return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *hand]
 

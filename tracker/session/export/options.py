@@ -12,6 +12,8 @@ FORMATS = (
 )
 WHOLE_HAND = ("sto", "osim", "bvh", "glb", "urdf")
 """Formats of a skeleton, which cannot leave out joints."""
+BOTH_HANDS = ("mcap",)
+"""Formats of which one file holds both hands."""
 FOLDERS = ("png",)
 """Formats of many files."""
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")

@@ -14,7 +14,13 @@ from typing import Any
 from tracker import __version__
 from tracker.errors import ConfigError
 from tracker.files import check_target, whole_files
-from tracker.session.export.options import FOLDERS, FORMATS, WHOLE_HAND, ExportOptions
+from tracker.session.export.options import (
+    BOTH_HANDS,
+    FOLDERS,
+    FORMATS,
+    WHOLE_HAND,
+    ExportOptions,
+)
 from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
 
@@ -48,8 +54,10 @@ def export(
 ) -> dict[str, Any]:
     """Write ``path_in`` as ``format`` to ``path_out``; returns what the JSON beside it says.
 
-    Both are there whole or not at all. What exists is replaced only with ``force``, and the
-    session itself never. ``watch`` hears which share of the session has been read, once per pass
+    Of a session of both hands a format that holds one gives a file for each, ``path_out`` with
+    ``_left`` and ``_right`` at its name's end; returned is then what both say, by side, as
+    ``hands``. A file and the JSON beside it are there whole or not at all. What exists is replaced
+    only with ``force``, and the session itself never. ``watch`` hears which share of the session has been read, once per pass
     over it, and may raise to end the export. Raises GlovetrackError in words.
     """
     if format not in FORMATS:
@@ -58,13 +66,46 @@ def export(
         raise ConfigError(f"{format} holds the whole hand; it cannot leave out joints.")
     options = options or ExportOptions()
     path_in, path_out = Path(path_in), Path(path_out)
+    sides = sides_of(path_in)
+    if not sides or format in BOTH_HANDS:
+        return _export_one(path_in, format, path_out, options, watch, force)
+    paths = {side: path_of_side(path_out, side) for side in sides}
+    for path in paths.values():
+        check_target(path, force and format not in FOLDERS, [path_in])
+    found = {
+        side: _export_one(path_in, format, path, options, watch, force, side)
+        for side, path in paths.items()
+    }
+    return {"format": format, "file": path_out.name, "hands": found}
+
+
+def sides_of(path: Path) -> tuple[str, ...]:
+    """Left and right of a session of both hands, nothing of another."""
+    with SessionReader(path) as reader:
+        return reader.sides
+
+
+def path_of_side(path: Path, side: str) -> Path:
+    """``out.csv`` as ``out_left.csv``."""
+    return path.with_name(f"{path.stem}_{side}{path.suffix}")
+
+
+def _export_one(
+    path_in: Path,
+    format: str,
+    path_out: Path,
+    options: ExportOptions,
+    watch: Callable[[float], None],
+    force: bool,
+    side: str = "",
+) -> dict[str, Any]:
     sidecar = path_out.with_name(path_out.name + ".json")
     check_target(path_out, force and format not in FOLDERS, [path_in])
     _forget_orphan(sidecar, path_out)
     module, _, function = _WRITERS[format].partition(":")
     write = getattr(import_module(f"tracker.session.export.{module}"), function)
     with whole_files(sidecar, path_out, force=force, inputs=[path_in]) as (beside, partial):
-        with SessionReader(path_in, watch=watch) as reader:
+        with SessionReader(path_in, watch=watch, side=side) as reader:
             series = write(reader, partial, options)
             report = _report(reader, format, path_out, options, series)
         beside.write_text(json.dumps(report, indent=2) + "\n", "utf-8")

@@ -1,0 +1,142 @@
+"""A session of both hands: written, read, tracked again, exported."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker.cli import main
+from tracker.errors import ConfigError
+from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions, build_both, simulate
+from tracker.offline.track import track
+from tracker.session.compare import compare, truth_error_mm
+from tracker.session.reader import SessionReader
+from tracker.session.verify import is_ok, verify
+
+OPTIONS = SimulateOptions(hands="both", seed=3, duration=3.0, fps=30.0, images=False)
+
+
+@pytest.fixture(scope="module")
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("both") / "both.mcap"
+    simulate(path, OPTIONS)
+    return path
+
+
+@pytest.fixture(scope="module")
+def tracked(recorded: Path) -> Path:
+    path = recorded.with_name("tracked.mcap")
+    report = track(recorded, path, TrackOptions(with_sensors=True))
+    assert set(report.hands) == {"left", "right"}
+    assert all(hand.error_mm["mean"] < 15 for hand in report.hands.values())
+    return path
+
+
+def test_each_hand_is_read_with_its_own_glove(recorded: Path) -> None:
+    for side in ("left", "right"):
+        with SessionReader(recorded, side=side) as reader:
+            assert reader.sides == ("left", "right")
+            assert reader.info.side == reader.info.hand.side == side
+            assert reader.info.other is not None and reader.info.other.side != side
+            assert {"hand_left.toml", "glove_right.toml"} <= reader.attachments.keys()
+
+
+def test_what_was_written_of_each_hand_is_read_bit_for_bit(recorded: Path) -> None:
+    sim, _ = build_both(OPTIONS)
+    sent = list(sim.messages())
+    for side in ("left", "right"):
+        with SessionReader(recorded, side=side) as reader:
+            read = list(reader.messages((ImuSample, BlobFrame)))
+        mine = [m.message for m in sent if m.side in (side, "")]
+        assert [m.t for m in read] == [m.t for m in mine]
+        for a, b in zip(read, mine, strict=True):
+            if isinstance(a, ImuSample) and isinstance(b, ImuSample):
+                assert a.gyro.tobytes() == b.gyro.tobytes()
+            elif isinstance(a, BlobFrame) and isinstance(b, BlobFrame):
+                assert a.left is not None and b.left is not None
+                assert a.left.uv.tobytes() == b.left.uv.tobytes()
+                assert [a.hue_names[h] for h in a.left.hue] == [b.hue_names[h] for h in b.left.hue]
+
+
+def test_the_file_is_whole_and_misses_nothing(recorded: Path, tracked: Path) -> None:
+    for path in (recorded, tracked):
+        findings = verify(path)
+        assert is_ok(findings) and not findings
+
+
+def test_tracked_again_both_are_the_same_to_the_last_bit(tracked: Path, tmp_path: Path) -> None:
+    again = tmp_path / "again.mcap"
+    track(tracked, again)
+    assert compare(tracked, again)["identical"]
+    for side in ("left", "right"):
+        shown = []
+        for path in (tracked, again):
+            with SessionReader(path, side=side) as reader:
+                shown.append([m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)])
+        for a, b in zip(*shown, strict=True):
+            assert a.keypoints.tobytes() == b.keypoints.tobytes()
+
+
+def test_each_hand_stands_where_its_truth_does(recorded: Path, tracked: Path) -> None:
+    """Not that of the other, 18 cm away."""
+    error = truth_error_mm(tracked, recorded)
+    assert np.nanmean(list(error.values())) < 15
+    with SessionReader(tracked, side="left") as reader, SessionReader(recorded, side="left") as was:
+        last = [m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)][-1]
+        true = list(was.truth())[-1]
+    assert np.linalg.norm(last.keypoints[0] - true.keypoints[0]) < 0.03
+
+
+def test_a_format_of_one_hand_gives_a_file_for_each(tracked: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out.csv"
+    assert main(["export", str(tracked), "--format", "csv", "-o", str(out)]) == 0
+    assert not out.exists()
+    rows = {}
+    for side in ("left", "right"):
+        path = tmp_path / f"out_{side}.csv"
+        said = json.loads((tmp_path / f"out_{side}.csv.json").read_text())
+        assert said["glove"].endswith("left") == (side == "left")
+        with path.open() as file:
+            rows[side] = sum(1 for _ in csv.reader(line for line in file if line[0] != "#"))
+    assert rows["left"] > 100 and rows["right"] > 100
+
+
+def test_a_session_is_copied_with_both_hands(tracked: Path, tmp_path: Path) -> None:
+    out = tmp_path / "copy.mcap"
+    assert main(["export", str(tracked), "--format", "mcap", "-o", str(out)]) == 0
+    with SessionReader(out) as copy, SessionReader(tracked) as original:
+        assert copy.sides == original.sides
+        assert copy.topic_names == original.topic_names
+
+
+def test_a_part_of_it_is_tracked_to_the_same_bits(tracked: Path, tmp_path: Path) -> None:
+    part, again = tmp_path / "part.mcap", tmp_path / "part_again.mcap"
+    assert main(["crop", str(tracked), "-o", str(part), "--start", "1.5"]) == 0
+    track(part, again)
+    assert compare(part, again)["identical"]
+
+
+def test_what_is_of_one_wearer_cannot_be_asked_of_two(recorded: Path, tmp_path: Path) -> None:
+    with pytest.raises(ConfigError, match="without --smooth"):
+        track(recorded, tmp_path / "x.mcap", TrackOptions(smooth=True))
+    assert not (tmp_path / "x.mcap").exists()
+
+
+def test_images_show_both_hands_and_are_tracked(tmp_path: Path) -> None:
+    path = tmp_path / "images.mcap"
+    simulate(path, SimulateOptions(hands="both", seed=3, duration=1.5, fps=15.0))
+    with SessionReader(path) as reader:
+        frames = [m for m in reader.messages((StereoFrame,)) if isinstance(m, StereoFrame)]
+    image = frames[len(frames) // 2].left
+    assert image is not None
+    # the middle of the image parts the hands at the start: fabric of strong hue on both halves
+    strong = image.max(axis=2).astype(int) - image.min(axis=2) > 90
+    assert strong[:, :640].sum() > 1000 and strong[:, 640:].sum() > 1000
+    report = track(path, tmp_path / "tracked.mcap")
+    assert all(hand.error_mm["mean"] < 15 for hand in report.hands.values())
