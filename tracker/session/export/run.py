@@ -57,8 +57,8 @@ def export(
     Of a session of both hands a format that holds one gives a file for each, ``path_out`` with
     ``_left`` and ``_right`` at its name's end; returned is then what both say, by side, as
     ``hands``. A file and the JSON beside it are there whole or not at all. What exists is replaced
-    only with ``force``, and the session itself never. ``watch`` hears which share of the session has been read, once per pass
-    over it, and may raise to end the export. Raises GlovetrackError in words.
+    only with ``force``, and the session itself never. ``watch`` hears which share of the session
+    has been read, once per pass over it, and may raise to end the export. Raises GlovetrackError in words.
     """
     if format not in FORMATS:
         raise ConfigError(f"There is no format {format!r}; there are {', '.join(FORMATS)}.")

@@ -1,0 +1,43 @@
+"""`evaluate hands`, small, and what its figures are made of."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker.cli import main
+from tracker.evaluation.hands.command import summary, table
+from tracker.evaluation.hands.trial import HandFigures, longest
+
+GOOD = HandFigures(1, "left", 4.0, 4.0, 1.0, 1.0, 0.0)
+PULLED = HandFigures(1, "right", 6.0, 4.0, 0.9, 0.8, 1.5)
+
+
+def test_the_longest_run_counts_not_the_sum() -> None:
+    t = np.arange(8) * 0.1
+    wrong = np.array([1, 1, 0, 1, 1, 1, 0, 1], bool)
+    assert longest(t, wrong) == pytest.approx(0.2)
+    assert longest(t, np.zeros(8, bool)) == 0.0
+
+
+def test_goals_are_met_by_good_pairs_and_missed_by_one_that_is_pulled() -> None:
+    assert summary([GOOD, GOOD])["ok"]
+    found = summary([GOOD, PULLED])
+    assert not found["ok"] and found["ratio"] == pytest.approx(1.25)
+    assert found["longest_off_s"] == 1.5
+    assert len(table([GOOD, PULLED], found)) == 4
+
+
+def test_a_pair_is_tracked_by_the_command(tmp_path: Path) -> None:
+    said = tmp_path / "said.json"
+    words = ["--pairs", "1", "--seconds", "4", "--fps", "30", "--seed", "5", "--json", str(said)]
+    assert main(["evaluate", "hands", *words]) == 0
+    found = json.loads(said.read_text())
+    assert [row["side"] for row in found["rows"]] == ["left", "right"]
+    assert all(row["together_mm"] < 15 for row in found["rows"])
+
+
+def test_an_unknown_engine_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["evaluate", "hands", "--engine", "none"]) != 0
+    assert "There is no engine" in capsys.readouterr().err

@@ -1,0 +1,1 @@
+"""Two hands before one camera: together against each alone."""
