@@ -12,6 +12,7 @@ from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.checklist import SetUpStep, hues_seen, steps
 from app.viewmodels.light import LightWatch
+from app.widgets.measures import APART, NEAR
 
 HUE_MEMORY = 4.0  # s for which a hue counts as seen
 
@@ -31,14 +32,14 @@ class ChecklistPanel(Panel):
         self._light_job = LatestJob(self.tr("Reading the light"), self)
         self._hue_seen: dict[str, float] = {}  # when each was found last, s
         self._grid = QGridLayout()
-        self._grid.setHorizontalSpacing(12)
-        self._grid.setVerticalSpacing(10)
+        self._grid.setHorizontalSpacing(APART)
+        self._grid.setVerticalSpacing(NEAR)
         self._grid.setColumnStretch(2, 1)
         self.summary = QLabel()
         self.summary.setProperty("role", "figure")
         column = QVBoxLayout(self)
-        column.setContentsMargins(12, 12, 12, 12)
-        column.setSpacing(12)
+        column.setContentsMargins(APART, APART, APART, APART)
+        column.setSpacing(APART)
         column.addWidget(self.summary)
         column.addLayout(self._grid)
         column.addStretch(1)

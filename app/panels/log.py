@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine_host import EngineHost
 from app.panels.panel import Panel
 from app.viewmodels.log import KINDS, EventLog
+from app.widgets.measures import NEAR
 from app.words import tr
 from tracker.messages import Event
 
@@ -56,7 +57,7 @@ class LogPanel(Panel):
         row.addWidget(copy)
         row.addWidget(report)
         column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.addLayout(row)
         column.addWidget(self.list, 1)
         host.happened.connect(self.add)

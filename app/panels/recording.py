@@ -33,6 +33,7 @@ from app.viewmodels.recording import (
     losses_text,
     size_text,
 )
+from app.widgets.measures import APART
 from tracker.errors import ConfigError
 
 
@@ -51,8 +52,8 @@ class RecordingPanel(Panel):
         self._plan, self._key = plan, key
         self._rate, self._messages = RateMeter(), RateMeter()
         column = QVBoxLayout(self)
-        column.setContentsMargins(12, 12, 12, 12)
-        column.setSpacing(12)
+        column.setContentsMargins(APART, APART, APART, APART)
+        column.setSpacing(APART)
         column.addLayout(self._form())
         column.addLayout(self._buttons())
         self.notes = NoteList(host.notes, host.recording)

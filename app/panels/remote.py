@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.jobs.remote import RemoteControl
 from app.viewmodels.remote import DOORS, door_row, is_loopback, title
+from app.widgets.measures import NEAR
 
 COLUMNS = ("state", "clients", "sent", "dropped")
 
@@ -68,7 +69,7 @@ class RemoteBox(QGroupBox):
 
     def _table(self) -> QGridLayout:
         grid = QGridLayout()
-        grid.setHorizontalSpacing(8)
+        grid.setHorizontalSpacing(NEAR)
         grid.setColumnStretch(2, 1)
         headings = (
             self.tr("By"),

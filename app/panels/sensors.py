@@ -31,7 +31,8 @@ from app.viewmodels.sensors import (
 )
 from app.viewmodels.states import BLUISH_GREEN, GOOD, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
 from app.widgets.chip import Chip
-from app.widgets.flow_layout import FlowLayout
+from app.widgets.measures import NEAR, TIGHT
+from app.widgets.one_line import OneLine
 from app.widgets.scroll_plot import ScrollPlot
 
 SPAN = 8.0  # s
@@ -82,22 +83,22 @@ class SensorsPanel(Panel):
         self.choice.currentIndexChanged.connect(self._choose)
         self.hold = QCheckBox(self.tr("Pause"))
         self.hold.setToolTip(self.tr("Hold the curves; tracking goes on"))
-        self._head = FlowLayout(spacing=10)
-        self._head.addWidget(self.choice)
-        self._head.addWidget(self.hold)
+        self._head = OneLine()
+        self._head.add(self.choice)
+        self._head.add(self.hold)
         self.figures = QLabel()
         self.figures.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
-        column.setSpacing(4)
-        column.addLayout(self._head)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(TIGHT)
+        column.addWidget(self._head)
         row = QHBoxLayout()
         for plot in self.plots.values():
             row.addWidget(plot)
         column.addLayout(row, 1)
         column.addWidget(self.figures)
         self._grid = QGridLayout()
-        self._grid.setHorizontalSpacing(4)
+        self._grid.setHorizontalSpacing(TIGHT)
         column.addLayout(self._grid)
 
     def set_colours(self, background: str, text: str) -> None:
@@ -145,7 +146,7 @@ class SensorsPanel(Panel):
 
     def _make_toggles(self, names: Sequence[str]) -> None:
         for box in self.toggles:
-            self._head.removeWidget(box)
+            self._head.take_out(box)
             box.deleteLater()
         self.toggles = []
         for k, name in enumerate(names):
@@ -154,7 +155,7 @@ class SensorsPanel(Panel):
             box.setChecked(True)
             box.setToolTip(self.tr("Show this curve"))
             box.toggled.connect(self._toggle_curves)
-            self._head.addWidget(box)
+            self._head.add(box)
             self.toggles.append(box)
 
     def _toggle_curves(self) -> None:

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from app.panels.library.session_table import pixmap
 from app.viewmodels.library import THUMBNAIL_WIDTH
 from app.viewmodels.recent import MOST, Earlier, RecentSession
+from app.widgets.measures import APART, WIDE
 from app.widgets.scrolled import Scrolled
 
 CARD = 250  # px, of a card's width
@@ -42,13 +43,13 @@ class StartPage(QWidget):
         super().__init__(parent)
         inside = QWidget()
         column = QVBoxLayout(inside)
-        column.setContentsMargins(16, 16, 16, 16)
+        column.setContentsMargins(WIDE, WIDE, WIDE, WIDE)
         column.addStretch(2)
         column.addWidget(self._heading(), 0, Qt.AlignmentFlag.AlignHCenter)
-        column.addSpacing(12)
+        column.addSpacing(APART)
         column.addLayout(_centred(self._unfinished()))
         column.addLayout(self._cards())
-        column.addSpacing(12)
+        column.addSpacing(APART)
         column.addLayout(_centred(self._recent()))
         column.addStretch(3)
         whole = QVBoxLayout(self)
@@ -62,7 +63,7 @@ class StartPage(QWidget):
 
     def _cards(self) -> QGridLayout:
         grid = QGridLayout()
-        grid.setSpacing(16)
+        grid.setSpacing(WIDE)
         cards = (
             (
                 self.tr("Demo"),
@@ -189,8 +190,8 @@ def _card(title: str, text: str, signal: SignalInstance) -> QFrame:
     card.setMinimumWidth(NARROW)
     card.setMaximumWidth(CARD)
     column = QVBoxLayout(card)
-    column.setContentsMargins(16, 16, 16, 16)
-    column.setSpacing(12)
+    column.setContentsMargins(WIDE, WIDE, WIDE, WIDE)
+    column.setSpacing(APART)
     about = QLabel(text)
     about.setWordWrap(True)
     about.setAlignment(Qt.AlignmentFlag.AlignTop)

@@ -39,6 +39,7 @@ from app.viewmodels.streams import (
     stream_row,
     title,
 )
+from app.widgets.measures import NEAR
 from app.words import tr
 
 TEST_MS = 300
@@ -62,8 +63,8 @@ class StreamsPanel(Panel):
         self.remote = RemoteBox(remote)
         inside = QWidget()
         column = QVBoxLayout(inside)
-        column.setContentsMargins(8, 8, 8, 8)
-        column.setSpacing(10)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(NEAR)
         column.addLayout(self._address())
         column.addLayout(self._table())
         column.addWidget(self._reach())
@@ -124,7 +125,7 @@ class StreamsPanel(Panel):
 
     def _table(self) -> QGridLayout:
         grid = QGridLayout()
-        grid.setHorizontalSpacing(8)
+        grid.setHorizontalSpacing(NEAR)
         grid.setColumnStretch(2, 1)
         headings = (
             self.tr("Stream"),

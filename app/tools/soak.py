@@ -182,7 +182,9 @@ def soak(minutes: float, folder: Path) -> Soak:
     from app.window.main_window import MainWindow
     from app.window.sources import demo_factory
 
-    window = MainWindow(SettingsStore(folder / "window.json"))
+    store = SettingsStore(folder / "window.json")
+    store.update(job="all")  # the layout in which most is in sight
+    window = MainWindow(store)
     window.resize(*SIZE)
     window.show()
     try:

@@ -103,6 +103,9 @@ def _count(
     if not expected or name not in expected:
         return f"{n:.0f}", tr("{:.0f} found in an image").format(n), IDLE
     m = expected[name]
+    if round(m) == 0:
+        words = tr("{:.0f} found in an image, none expected").format(n)
+        return f"{n:.0f}", words, WARN if n > 2 else GOOD
     wrong = n < 0.5 * m or n > 2 * m + 2
     words = tr("{:.0f} found in an image, about {:.0f} expected").format(n, m)
     return tr("{:.0f} of about {:.0f}").format(n, m), words, WARN if wrong else GOOD

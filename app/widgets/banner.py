@@ -7,6 +7,8 @@ from collections.abc import Callable
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
+from app.widgets.measures import APART, NEAR
+
 MOST_ACTIONS = 3
 Action = tuple[str, Callable[[], object]]
 """The words of a button, and what it does."""
@@ -30,7 +32,7 @@ class Banner(QFrame):
         close = QPushButton(self.tr("Dismiss"))
         close.clicked.connect(self.dismissed)
         row = QHBoxLayout(self)
-        row.setContentsMargins(12, 6, 6, 6)
+        row.setContentsMargins(APART, NEAR, NEAR, NEAR)
         row.addWidget(self._sign)
         row.addWidget(self._label, 1)
         for button in self.buttons:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 
 from app.widgets.elided_label import ElidedLabel
+from app.widgets.measures import NEAR, TIGHT
 
 
 class Chip(QWidget):
@@ -14,8 +15,8 @@ class Chip(QWidget):
         super().__init__(parent)
         self._sign, self._text = QLabel(), ElidedLabel()
         row = QHBoxLayout(self)
-        row.setContentsMargins(6, 0, 6, 0)
-        row.setSpacing(5)
+        row.setContentsMargins(NEAR, 0, NEAR, 0)
+        row.setSpacing(TIGHT)
         row.addWidget(self._sign)
         row.addWidget(self._text)
         row.addStretch(1)

@@ -8,6 +8,8 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QListWidgetItem, QVBoxLayout, QWidget
 
+from app.widgets.measures import NEAR
+
 _ROLE = Qt.ItemDataRole.UserRole
 
 
@@ -43,7 +45,7 @@ class CommandPalette(QDialog):
         self._list.itemActivated.connect(self._run)
         self._list.itemClicked.connect(self._run)
         column = QVBoxLayout(self)
-        column.setContentsMargins(8, 8, 8, 8)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.addWidget(self._query)
         column.addWidget(self._list)
         self._filter("")

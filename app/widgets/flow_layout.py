@@ -5,11 +5,13 @@ from __future__ import annotations
 from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtWidgets import QLayout, QLayoutItem, QWidget
 
+from app.widgets.measures import NEAR, TIGHT
+
 
 class FlowLayout(QLayout):
     """Widgets left to right at their own size, wrapped like words."""
 
-    def __init__(self, parent: QWidget | None = None, spacing: int = 8) -> None:
+    def __init__(self, parent: QWidget | None = None, spacing: int = NEAR) -> None:
         super().__init__(parent)
         self._items: list[QLayoutItem] = []
         self.setSpacing(spacing)
@@ -63,8 +65,8 @@ class FlowLayout(QLayout):
                     top = y + (height - size.height()) // 2
                     item.setGeometry(QRect(QPoint(x, top), size))
                 x += size.width() + self.spacing()
-            y += height + min(4, self.spacing())
-        return y - rect.top() - (min(4, self.spacing()) if lines else 0)
+            y += height + min(TIGHT, self.spacing())
+        return y - rect.top() - (min(TIGHT, self.spacing()) if lines else 0)
 
     def _lines(self, width: int) -> list[list[QLayoutItem]]:
         lines: list[list[QLayoutItem]] = []

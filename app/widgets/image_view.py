@@ -28,6 +28,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.widgets.image_shapes import Shape
 from app.widgets.image_zoom import ImageZoom
+from app.widgets.measures import SMALL
 from app.widgets.shape_painter import paint_shape
 
 KEY_ZOOM = 1.25
@@ -186,7 +187,7 @@ class ImageView(QWidget):
         painter.drawImage(target, self._image, size)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         font = QFont(self.font())
-        font.setPointSizeF(8.0)
+        font.setPointSizeF(SMALL)
         painter.setFont(font)
         for shape in self._shapes:
             paint_shape(painter, shape, s, origin)

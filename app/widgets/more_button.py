@@ -5,8 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget, QWidgetAction
 
 from app.widgets.icons import dress
-
-MARGIN = 8
+from app.widgets.measures import NEAR
 
 
 class MoreButton(QToolButton):
@@ -21,11 +20,19 @@ class MoreButton(QToolButton):
         menu = QMenu(self)
         leaf = QWidget()
         self._column = QVBoxLayout(leaf)
-        self._column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
-        action = QWidgetAction(menu)
-        action.setDefaultWidget(leaf)
-        menu.addAction(action)
+        self._column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        self._action = QWidgetAction(menu)
+        self._action.setDefaultWidget(leaf)
+        menu.addAction(self._action)
+        menu.aboutToShow.connect(self._fit)
         self.setMenu(menu)
 
     def add(self, widget: QWidget) -> None:
         self._column.addWidget(widget)
+
+    def _fit(self) -> None:
+        """Have the menu ask anew how large the leaf is, which has changed with what it holds."""
+        leaf = self._action.defaultWidget()
+        self._column.activate()
+        leaf.adjustSize()
+        self._action.setData(leaf.sizeHint())

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QGridLayout, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 from superqt import QRangeSlider
 
 from app.widgets.hue_range import HueRangeSlider
+from app.widgets.measures import TIGHT
+from app.widgets.number_box import NumberBox
 
 
 class RangeRow(QWidget):
@@ -29,7 +31,7 @@ class RangeRow(QWidget):
         label.setMinimumWidth(64)
         row = QGridLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        row.setHorizontalSpacing(4)
+        row.setHorizontalSpacing(TIGHT)
         for column, widget in enumerate((label, self.low, self.slider, self.high)):
             row.addWidget(widget, 0, column)
         row.setColumnStretch(2, 1)
@@ -42,11 +44,11 @@ class RangeRow(QWidget):
         slider.setMinimumWidth(80)
         return slider
 
-    def _spin(self, top: int) -> QSpinBox:
-        box = QSpinBox()
+    def _spin(self, top: int) -> NumberBox:
+        box = NumberBox()
         box.setRange(0, top)
         box.setWrapping(self._wraps)
-        box.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)  # the arrow keys count
+        box.setButtonSymbols(NumberBox.ButtonSymbols.NoButtons)  # the arrow keys count
         box.setFixedWidth(42)
         return box
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QWidget
 
+from app.widgets.measures import NEAR
+
 
 class TwoHalves(QWidget):
     """``least`` px of width are needed for two columns; ``shares`` are those of the width."""
@@ -14,7 +16,7 @@ class TwoHalves(QWidget):
         self._least = least
         self._halves = QBoxLayout(QBoxLayout.Direction.LeftToRight, self)
         self._halves.setContentsMargins(0, 0, 0, 0)
-        self._halves.setSpacing(8)
+        self._halves.setSpacing(NEAR)
         for widget, share in zip((first, second), shares, strict=True):
             self._halves.addWidget(widget, share)
 

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.platform.licences import as_text, own_text
+from app.widgets.measures import WIDE
 from tracker import __version__
 
 ICON = 64  # px
@@ -56,7 +57,7 @@ class AboutDialog(QDialog):
         texts.addWidget(title)
         texts.addWidget(words)
         row = QHBoxLayout()
-        row.setSpacing(16)
+        row.setSpacing(WIDE)
         row.addWidget(icon)
         row.addLayout(texts, 1)
         return row

@@ -21,6 +21,7 @@ class Command:
     shortcut: str = ""
     checkable: bool = False
     separator: bool = False  # before it
+    ticked: Callable[[], bool] | None = None  # whether it is what is chosen, asked as menus open
 
 
 class Commands:
@@ -42,7 +43,7 @@ class Commands:
 
     def add(self, command: Command) -> QAction:
         action = QAction(command.text, self._window)
-        action.setCheckable(command.checkable)
+        action.setCheckable(command.checkable or command.ticked is not None)
         if command.shortcut:
             action.setShortcut(QKeySequence(command.shortcut))
             action.setShortcutContext(Qt.ShortcutContext.WindowShortcut)
@@ -51,6 +52,9 @@ class Commands:
         if command.separator:
             menu.addSeparator()
         menu.addAction(action)
+        if command.ticked is not None:
+            ticked = command.ticked
+            menu.aboutToShow.connect(lambda: action.setChecked(ticked()))
         self.actions[command.key] = action
         return action
 

@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.widgets.number_box import NumberBox
+
 TYPED = (QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox, QAbstractItemView, QComboBox)
 """Widgets that take any key: text, or the first letters of an item."""
 TICKED = (QAbstractButton,)
@@ -55,7 +57,9 @@ def is_single(action: QAction) -> bool:
 
 
 def is_text(widget: QWidget | None) -> bool:
-    """Whether text is typed into it."""
+    """Whether text is typed into it; a `NumberBox` says itself whose the keys are."""
+    if isinstance(widget, NumberBox):
+        return False
     return isinstance(widget, QLineEdit | QPlainTextEdit | QTextEdit | QAbstractSpinBox)
 
 

@@ -201,7 +201,7 @@ class MainWindow(QMainWindow):
     # --- what the engine host tells
 
     def _opened(self, setup: EngineSetup) -> None:
-        self.setWindowTitle(self.tr("Glovetrack: {}").format(setup.name))
+        self.setWindowTitle(self.tr("{} – Glovetrack").format(setup.name))
         if not self.start_page.isHidden():  # later openings leave panels as the user put them
             self.start_page.hide()
             self.layouts.show_first()

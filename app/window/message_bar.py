@@ -6,8 +6,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import QMainWindow, QTabBar, QVBoxLayout, QWidget
 
 from app.widgets.banner import Action, Banner
-
-MARGIN = 6  # px round the banner
+from app.widgets.measures import NEAR
 
 
 class MessageBar(QWidget):
@@ -23,7 +22,7 @@ class MessageBar(QWidget):
         self.banner = Banner()
         self.banner.dismissed.connect(self.hide)
         column = QVBoxLayout(self)
-        column.setContentsMargins(MARGIN, MARGIN, MARGIN, MARGIN)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.addWidget(self.banner)
         window.installEventFilter(self)
         self.hide()

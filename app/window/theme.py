@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.widgets.icons import recolour
-from app.widgets.measures import APART, FIGURE, HEADING, NEAR, TIGHT, WIDE
+from app.widgets.measures import APART, FAR, FIGURE, HEADING, NEAR, TIGHT, WIDE
 
 THEMES = ("system", "light", "dark")
 
@@ -78,7 +78,7 @@ def colours(theme: str) -> Colours:
 def apply(app: QApplication, theme: str) -> Colours:
     """Dress the whole application; returns what it wears now."""
     c = colours(theme)
-    sheet = _style_sheet(c)
+    sheet = style_sheet(c)
     if app.styleSheet() != sheet:  # else it wears this already, and dressing takes half a second
         with _nothing_collected():
             app.setStyle("Fusion")
@@ -128,7 +128,7 @@ def _palette(c: Colours) -> QPalette:
     return palette
 
 
-def _style_sheet(c: Colours) -> str:
+def style_sheet(c: Colours) -> str:
     return _frame(c) + _buttons(c) + _words(c) + _fields(c)
 
 
@@ -138,7 +138,7 @@ def _frame(c: Colours) -> str:
     QMainWindow::separator {{ background: {c.window}; width: {TIGHT}px; height: {TIGHT}px; }}
     QMainWindow::separator:hover {{ background: {c.accent}; }}
     QMenuBar {{ background: {c.window}; }}
-    QDockWidget {{ font-weight: 600; }}
+    QDockWidget {{ font-weight: 600; border: 1px solid {c.accent}; }}
     QDockWidget::title {{ background: {c.window}; padding: {TIGHT}px {NEAR}px;
         border-bottom: 1px solid {c.border}; text-align: left; }}
     QToolBar {{ background: {c.raised}; border: none; border-bottom: 1px solid {c.border};
@@ -172,8 +172,8 @@ def _buttons(c: Colours) -> str:
     QDockWidget QToolButton {{ background: {c.raised}; }}
     QDockWidget QToolButton:hover {{ border-color: {c.accent}; }}
     QDockWidget QToolButton:checked {{ background: {c.accent}; }}
-    QToolButton[popupMode="2"] {{ padding-right: 18px; }}
-    QToolButton::menu-indicator {{ subcontrol-position: right center; right: 4px; }}
+    QToolButton[popupMode="2"] {{ padding-right: {FAR}px; }}
+    QToolButton::menu-indicator {{ subcontrol-position: right center; right: {TIGHT}px; }}
     QPushButton {{ padding: {TIGHT}px {APART}px; }}
     QPushButton[role="primary"] {{ background: {c.accent}; color: {c.on_accent}; border: none;
         border-radius: 4px; font-weight: 600; padding: {NEAR}px {WIDE}px; }}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Protocol
@@ -130,7 +130,12 @@ def _engines(on: Targets, menu: str) -> list[Command]:
     titles = {name: w.tr("Engine: {}").format(title) for name, title in ENGINES.items()}
     return [
         Command(
-            f"engine_{n}", menu, title, partial(on.sources.set_engine, n), separator=n == "chain"
+            f"engine_{n}",
+            menu,
+            title,
+            partial(on.sources.set_engine, n),
+            separator=n == "chain",
+            ticked=_is_set(on, "engine", n),
         )
         for n, title in titles.items()
     ]
@@ -180,19 +185,50 @@ def _camera(on: Targets) -> list[Command]:
 def _view(on: Targets) -> list[Command]:
     w = on.window
     menu = w.tr("&View")
+    views = {
+        "auto": w.tr("3D view: &chosen by itself"),
+        "card": w.tr("3D view: by the &graphics card"),
+        "painted": w.tr("3D view: &painted"),
+    }
+    themes = {
+        "light": w.tr("&Light"),
+        "dark": w.tr("&Dark"),
+        "system": w.tr("As the &system"),
+    }
     return [
         Command("palette", menu, w.tr("&Command palette…"), w.open_palette, "Ctrl+K"),
         Command("latencies", menu, w.tr("Latency of &each stage"), on.bar.show_latencies),
         Command("reset_layout", menu, w.tr("&Reset the layout"), w.reset_layout, "Ctrl+Shift+0"),
         Command("fullscreen", menu, w.tr("&Full screen"), w.toggle_full_screen, "F11"),
-        Command("view_auto", menu, w.tr("3D view: &chosen by itself"), _chooser(on, "auto")),
-        Command("view_card", menu, w.tr("3D view: by the &graphics card"), _chooser(on, "card")),
-        Command("view_painted", menu, w.tr("3D view: &painted"), _chooser(on, "painted")),
-        Command("theme_light", menu, w.tr("&Light"), lambda: w.set_theme("light"), separator=True),
-        Command("theme_dark", menu, w.tr("&Dark"), lambda: w.set_theme("dark")),
-        Command("theme_system", menu, w.tr("As the &system"), lambda: w.set_theme("system")),
+        *_choices(on, menu, ("view", "view_3d"), views, on.hand.chooser.choose),
+        *_choices(on, menu, ("theme", "theme"), themes, w.set_theme),
         *_languages(on, menu),
     ]
+
+
+def _choices(
+    on: Targets,
+    menu: str,
+    names: tuple[str, str],
+    titles: Mapping[str, str],
+    choose: Callable[[str], None],
+) -> list[Command]:
+    """One of several, ticked where it is chosen; ``names``: of the commands, of the setting."""
+    return [
+        Command(
+            f"{names[0]}_{value}",
+            menu,
+            title,
+            partial(choose, value),
+            separator=value == next(iter(titles)),
+            ticked=_is_set(on, names[1], value),
+        )
+        for value, title in titles.items()
+    ]
+
+
+def _is_set(on: Targets, name: str, value: str) -> Callable[[], bool]:
+    return lambda: bool(getattr(on.window.store.value, name) == value)
 
 
 def add_help(on: Targets, commands: Commands) -> None:
@@ -243,13 +279,10 @@ def _languages(on: Targets, menu: str) -> list[Command]:
             title,
             partial(on.window.set_language, code),
             separator=code == SYSTEM,
+            ticked=_is_set(on, "language", code),
         )
         for code, title in titles.items()
     ]
-
-
-def _chooser(on: Targets, setting: str) -> Callable[[], None]:
-    return partial(on.hand.chooser.choose, setting)
 
 
 def _look(on: Targets, name: str) -> Callable[[], None]:

@@ -25,6 +25,7 @@ from app.engines.camera_choice import NAME, PAIR, by_name, by_names
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
+from app.widgets.measures import APART, WIDE
 from app.wizards.sizing import fit_to_screen
 from app.words import mark, tr
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
@@ -95,8 +96,8 @@ class CameraSetup(QDialog):
         buttons.addWidget(stop)
         buttons.addWidget(self.use)
         column = QVBoxLayout(self)
-        column.setContentsMargins(18, 14, 18, 14)
-        column.setSpacing(12)
+        column.setContentsMargins(WIDE, APART, WIDE, APART)
+        column.setSpacing(APART)
         column.addLayout(form)
         column.addWidget(self.locks)
         column.addStretch(1)

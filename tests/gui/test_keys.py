@@ -104,3 +104,36 @@ def test_factory_colours_come_back_after_a_sabotage_and_can_be_undone(active, qt
     assert panel.tuning.profile == factory_colours()
     panel.undo()
     assert panel.tuning.profile == spoilt
+
+
+def test_a_hue_is_taken_when_it_is_whole_and_undo_takes_it_back(active, qtbot):
+    active.show_panel("colours")
+    panel = active.colours
+    before = panel.tuning.profile
+    box = panel.ranges.rows["hue"].low
+    shown = box.value()
+    box.setFocus()
+    qtbot.waitUntil(box.hasFocus)
+    box.selectAll()
+    press(qtbot, Qt.Key.Key_7)
+    assert panel.tuning.profile == before, "7 is not the hue that is typed"
+    press(qtbot, Qt.Key.Key_0)
+    press(qtbot, Qt.Key.Key_Return)
+    assert panel.tuning.hue_range.hue[0] == 70
+    qtbot.keyClick(box, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert panel.tuning.profile == before and box.value() == shown
+
+
+def test_menus_tick_what_is_chosen(active):
+    actions = active.commands.actions
+    for menu in active.commands.menus():
+        menu.aboutToShow.emit()
+    ticked = {key for key, action in actions.items() if action.isCheckable() and action.isChecked()}
+    assert {"engine_chain", "theme_light", "view_auto", "job_all"} <= ticked
+    assert not ticked & {"theme_dark", "theme_system", "view_painted", "view_card"}
+    actions["theme_dark"].trigger()
+    actions["view_painted"].trigger()
+    for menu in active.commands.menus():
+        menu.aboutToShow.emit()
+    assert actions["theme_dark"].isChecked() and not actions["theme_light"].isChecked()
+    assert actions["view_painted"].isChecked() and not actions["view_auto"].isChecked()

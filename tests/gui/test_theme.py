@@ -1,5 +1,7 @@
 """Dressing the application."""
 
+import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -8,7 +10,8 @@ import pytest
 from PySide6.QtGui import QColor, QPalette
 
 from app.widgets.icons import NAME, drawing
-from app.window.theme import DARK, LIGHT
+from app.widgets.measures import SPACES, TYPES
+from app.window.theme import DARK, LIGHT, style_sheet
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -93,3 +96,47 @@ def test_every_icon_is_drawn_and_its_licence_is_beside_it():
         image = drawing(path.stem, QColor("#000000"), 32).toImage()
         inked = sum(image.pixelColor(x, y).alpha() > 128 for x in range(32) for y in range(32))
         assert inked > 30, path.stem
+
+
+SPACED = {
+    "setSpacing", "setContentsMargins", "setHorizontalSpacing", "setVerticalSpacing", "addSpacing",
+    "setPointSize", "setPointSizeF", "FlowLayout",
+}  # fmt: skip
+
+
+def bare_measures(code: str) -> list[str]:
+    """Calls that give a space or a size of type as a number of their own; 0 is none."""
+    found = []
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.Call) and name_of(node.func) in SPACED:
+            given = [*node.args, *(k.value for k in node.keywords)]
+            numbers = [a.value for a in given if isinstance(a, ast.Constant)]
+            if any(isinstance(n, int | float) and n != 0 for n in numbers):
+                found.append(ast.unparse(node))
+    return found
+
+
+def name_of(function: ast.expr) -> str:
+    return getattr(function, "attr", getattr(function, "id", ""))
+
+
+def test_a_space_that_is_on_no_scale_is_noticed():
+    assert bare_measures("row.setSpacing(7)") == ["row.setSpacing(7)"]
+    assert bare_measures("FlowLayout(spacing=6)") == ["FlowLayout(spacing=6)"]
+    assert bare_measures("row.setContentsMargins(0, NEAR, 0, 0)") == []
+
+
+def test_spaces_and_type_sizes_are_those_of_the_scale():
+    paths = [*(ROOT / "app").rglob("*.py")]
+    found = {p.name: bare_measures(p.read_text("utf-8")) for p in paths}
+    assert {name: calls for name, calls in found.items() if calls} == {}
+
+
+@pytest.mark.parametrize("c", [LIGHT, DARK], ids=["light", "dark"])
+def test_spaces_and_type_sizes_of_thestyle_sheet_are_those_of_the_scale(c):
+    sheet = style_sheet(c)
+    spaces = re.findall(r"(?:padding|margin|spacing)[-a-z]*:([^;]*);", sheet)
+    numbers = {int(n) for space in spaces for n in re.findall(r"(\d+)px", space)}
+    assert numbers and numbers <= set(SPACES)
+    sizes = {int(n) for n in re.findall(r"font-size: (\d+)pt", sheet)}
+    assert sizes and sizes <= set(TYPES)

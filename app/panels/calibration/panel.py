@@ -16,6 +16,7 @@ from app.storage.wearers import WearerFile, WearerStore
 from app.viewmodels.calibration import camera_time
 from app.viewmodels.worn_calibration import WornCalibration
 from app.widgets.flow_layout import FlowLayout
+from app.widgets.measures import APART, NEAR
 from tracker.errors import GlovetrackError
 
 PROFILE_ENGINE = "chain"
@@ -58,15 +59,15 @@ class CalibrationPanel(Panel):
         self.table = CalibrationTable()
 
     def _lay_out(self) -> None:
-        head = FlowLayout(spacing=12)
+        head = FlowLayout(spacing=APART)
         head.addWidget(QLabel(self.tr("Hand length")))
         head.addWidget(self.length)
         head.addWidget(QLabel(self.tr("Images")))
         head.addWidget(self.camera_time)
         head.addWidget(self.overall)
         column = QVBoxLayout(self)
-        column.setContentsMargins(8, 8, 8, 8)
-        column.setSpacing(6)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(NEAR)
         column.addLayout(head)
         column.addWidget(self.wearer)
         column.addWidget(self.advice)

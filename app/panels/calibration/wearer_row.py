@@ -16,12 +16,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.widgets.flow_layout import FlowLayout
+from app.widgets.one_line import OneLine
 
 NEW = 0  # row of "somebody new"
 
 
-class WearerRow(QWidget):
+class WearerRow(OneLine):
     """Says what the user wants; `CalibrationPanel` does it."""
 
     chosen = Signal(str)  # a profile's name; empty for somebody new
@@ -47,13 +47,12 @@ class WearerRow(QWidget):
         self._fill_save_menu()
         self.reset_button = self._button(self.tr("Reset"), self.tr("Forget what has been learned"))
         self._segments: tuple[str, ...] = ()
-        row = FlowLayout(self, spacing=6)
         who = QLabel(self.tr("Wearer"))
         who.setBuddy(self.choice)
         for widget in (who, self.choice, self.save_button, self.reset_button):
-            row.addWidget(widget)
+            self.add(widget)
         for box in (self.frozen, self.comparing):
-            row.addWidget(box)
+            self.add(box)
         self.set_names((), "")
 
     def _button(self, text: str, tip: str) -> QToolButton:

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QButtonGroup, QGridLayout, QRadioButton, QWidget
 
 from app.viewmodels.colours import HueRow
 from app.widgets.chip import Chip
+from app.widgets.measures import TIGHT
 
 COLUMNS = 2
 LONGEST = "● 19 of about 9 "
@@ -26,8 +27,8 @@ class ColoursHues(QWidget):
         self._group.idClicked.connect(self.chosen)
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(4)
-        self._grid.setVerticalSpacing(4)
+        self._grid.setHorizontalSpacing(TIGHT)
+        self._grid.setVerticalSpacing(TIGHT)
 
     def fill(self, names: Sequence[str]) -> None:
         """Offer these hues."""

@@ -9,6 +9,7 @@ from app.panels.colours.source import ColoursSource
 from app.platform.tasks import LatestJob, TaskOwner
 from app.viewmodels.colour_tuning import ColourTuning, MaskShown, ShownImage
 from app.widgets.image_view import ImageView
+from app.widgets.measures import TIGHT
 from tracker.messages import Blobs
 
 
@@ -34,7 +35,7 @@ class ColoursImage(QWidget):
         self._search.failed.connect(self.failed)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(4)
+        column.setSpacing(TIGHT)
         column.addWidget(self.source)
         column.addWidget(self.mask_view, 1)
 

@@ -23,11 +23,11 @@ from app.storage.image_folder import ImageFolder
 from app.storage.settings import SettingsStore
 from app.viewmodels.colour_fits import Fit, FitWork, fit_words, image_fit
 from app.viewmodels.colour_tuning import ColourTuning, factory_colours
+from app.widgets.measures import NEAR, TIGHT
 from app.widgets.two_halves import TwoHalves
 from tracker.errors import GlovetrackError
 
 TWO_COLUMNS = 540  # px of width, more than two columns need at least
-MARGIN = 8
 SETTINGS_IMAGES = "pictures"  # the folder's name in the settings of users
 
 
@@ -51,12 +51,12 @@ class ColoursPanel(Panel):
         self.ranges, self.image = ColoursRanges(), ColoursImage(tasks)
         self.files, self.tools, self.light = ColoursFiles(self), ColoursTools(), ColoursLight()
         column = QVBoxLayout(self)
-        column.setContentsMargins(MARGIN, 6, MARGIN, 6)
-        column.setSpacing(4)
-        least = TWO_COLUMNS - 2 * MARGIN
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(TIGHT)
+        least = TWO_COLUMNS - 2 * NEAR
+        column.addWidget(self.tools)  # first: what warnings say below moves it nowhere
         column.addWidget(TwoHalves(self.ranges, self.image, least, (5, 4)), 1)
         column.addWidget(self.light)
-        column.addWidget(self.tools)
         self._connect_tools()
         self._connect_parts()
 

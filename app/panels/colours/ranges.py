@@ -11,6 +11,7 @@ from app.panels.colours.hues import ColoursHues
 from app.viewmodels.colour_tuning import CHANNELS, ColourTuning
 from app.viewmodels.colours import HueRow
 from app.widgets.hue_strip import HueStrip
+from app.widgets.measures import TIGHT
 from app.widgets.range_row import RangeRow
 
 
@@ -34,7 +35,7 @@ class ColoursRanges(QWidget):
         self.words.setWordWrap(True)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(4)
+        column.setSpacing(TIGHT)
         for widget in (self.hues, *self.rows.values(), self.strip, self.words):
             column.addWidget(widget)
         column.addStretch(1)

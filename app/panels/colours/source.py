@@ -25,6 +25,7 @@ from app.storage.image_folder import (
     write_image,
 )
 from app.widgets.flow_layout import FlowLayout
+from app.widgets.measures import TIGHT
 
 LIVE = 0
 SIDES = ("left", "right")
@@ -56,7 +57,7 @@ class ColoursSource(QWidget):
         self.freeze.setToolTip(self.tr("Hold this image; tracking goes on"))
         self.keep_button = self._button(self.tr("Keep"), self.tr("Keep this image for later"))
         self.keep_button.clicked.connect(self.keep)
-        row = FlowLayout(self, spacing=4)
+        row = FlowLayout(self, spacing=TIGHT)
         for widget in (self.choice, self.side, self.freeze, self.keep_button, self._menu_button()):
             row.addWidget(widget)
 

@@ -8,10 +8,10 @@ from functools import partial
 from PySide6.QtCore import Signal, SignalInstance
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
-from app.widgets.flow_layout import FlowLayout
+from app.widgets.one_line import OneLine
 
 
-class ColoursTools(QWidget):
+class ColoursTools(OneLine):
     """Buttons that say what is wanted; `ColoursPanel` does it."""
 
     picking = Signal(bool)
@@ -37,12 +37,11 @@ class ColoursTools(QWidget):
         )
         self.pick.toggled.connect(lambda on: self._toggled(self.drop, on))
         self.drop.toggled.connect(lambda on: self._toggled(self.pick, on))
-        row = FlowLayout(self, spacing=4)
         for widget in (self.pick, self.drop, self._fit_button()):
-            row.addWidget(widget)
-        row.addWidget(self._button(self.tr("Undo"), self.undo))
-        row.addWidget(self._button(self.tr("Redo"), self.redo))
-        row.addWidget(self._profile_button())
+            self.add(widget)
+        self.add(self._button(self.tr("Undo"), self.undo))
+        self.add(self._button(self.tr("Redo"), self.redo))
+        self.add(self._profile_button())
 
     @property
     def leaving_out(self) -> bool:

@@ -8,13 +8,13 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QToolButton, QWidget
 
 from app.viewmodels.hand_scene import ShownParts
-from app.widgets.flow_layout import FlowLayout
+from app.widgets.one_line import OneLine
 from tracker.settings import ENGINES
 
 NO_REFERENCE, OTHER = "", "other"
 
 
-class HandControls(QWidget):
+class HandControls(OneLine):
     """The row over the 3D view; says what is wanted."""
 
     look_from = Signal(str)  # "back", "palm", "side" or "camera"
@@ -23,13 +23,12 @@ class HandControls(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._row = FlowLayout(self, spacing=6)
         self._add_presets()
-        self._add_boxes()
         self.reference = self._reference()
+        self.add(self.reference)
+        self._add_boxes()
         self.trail = self._trail()
-        for widget in (self.reference, self.trail):
-            self._row.addWidget(widget)
+        self.add(self.trail)
 
     def _add_presets(self) -> None:
         """Buttons that look from somewhere."""
@@ -45,7 +44,7 @@ class HandControls(QWidget):
             button.setText(text)
             button.setToolTip(self.tr("Look from there"))
             button.clicked.connect(lambda _on, name=name: self.look_from.emit(name))
-            self._row.addWidget(button)
+            self.add(button)
 
     def _add_boxes(self) -> None:
         """What is shown beside the hand."""
@@ -64,7 +63,7 @@ class HandControls(QWidget):
             box = self.boxes[name] = QCheckBox(text)
             box.setToolTip(tip)
             box.setChecked(name != "axes")
-            self._row.addWidget(box)
+            self.add(box)
 
     def _reference(self) -> QComboBox:
         choice = QComboBox()

@@ -19,6 +19,7 @@ from app.viewmodels.colours import hue_colours
 from app.viewmodels.hand_scene import HandScene, HandSceneModel, followed, view_direction
 from app.viewmodels.hand_skin import HandSkin
 from app.viewmodels.states import VALIDITY
+from app.widgets.measures import NEAR, WIDE
 from app.widgets.view3d.view_3d import View3D
 from tracker.errors import GlovetrackError
 from tracker.messages import Shed, Validity
@@ -56,8 +57,8 @@ class HandPanel(Panel):
         self.controls.reference_chosen.connect(self._choose_reference)
         self.controls.trail_chosen.connect(self._choose_trail)
         column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
-        column.setSpacing(6)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(NEAR)
         column.addWidget(self.controls)
         column.addWidget(self.view, 1)
         column.addLayout(self._legend())
@@ -69,7 +70,7 @@ class HandPanel(Panel):
 
     def _legend(self) -> QHBoxLayout:
         row = QHBoxLayout()
-        row.setSpacing(16)
+        row.setSpacing(WIDE)
         words = {
             Validity.MEASURED: self.tr("measured"),
             Validity.INFERRED: self.tr("inferred"),

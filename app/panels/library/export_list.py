@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.jobs.export import ExportQueue, QueueItem
 from app.panels.library.session_files import open_folder
+from app.widgets.measures import NEAR
 from app.words import tr
 
 
@@ -49,7 +50,7 @@ class ExportList(QWidget):
         row.addWidget(self.folder_button)
         row.addStretch(1)
         column = QVBoxLayout(self)
-        column.setContentsMargins(0, 6, 0, 0)
+        column.setContentsMargins(0, NEAR, 0, 0)
         column.addWidget(self.table, 1)
         column.addLayout(row)
         queue.changed.connect(self._show)

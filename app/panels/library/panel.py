@@ -25,6 +25,7 @@ from app.panels.panel import Panel
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.library import Details, SessionRow
+from app.widgets.measures import NEAR, TIGHT
 
 
 class LibraryPanel(Panel):
@@ -59,8 +60,8 @@ class LibraryPanel(Panel):
         self.tabs.setCornerWidget(self.page.search)
         self.tabs.addTab(ExportList(self.exports), self.tr("Exports"))
         column = QVBoxLayout(self)
-        column.setContentsMargins(8, 4, 8, 8)
-        column.setSpacing(6)
+        column.setContentsMargins(NEAR, TIGHT, NEAR, NEAR)
+        column.setSpacing(NEAR)
         column.addWidget(self.tabs, 1)
         column.addWidget(self.transport)
         self._connect()

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from app.panels.library.session_table import SessionTable
 from app.viewmodels.library import SessionRow
 from app.widgets.flow_layout import FlowLayout
+from app.widgets.measures import NEAR
 
 SEARCH = 280  # px
 
@@ -44,13 +45,13 @@ class SessionPage(QWidget):
         self.search.setAccessibleName(self.tr("Search"))
         self.search.textChanged.connect(self.table.show_only)
         column = QVBoxLayout(self)
-        column.setContentsMargins(0, 6, 0, 0)
+        column.setContentsMargins(0, NEAR, 0, 0)
         column.addWidget(self.table, 1)
         column.addLayout(self._buttons())
         self.enable()
 
     def _buttons(self) -> QHBoxLayout:
-        flow = FlowLayout(spacing=6)
+        flow = FlowLayout(spacing=NEAR)
         self.buttons: dict[str, QPushButton] = {}
         for key, text in (
             ("replay", self.tr("Replay")),
@@ -108,6 +109,7 @@ class SessionPage(QWidget):
             ("recover", one and rows[0].recoverable),
         ):
             self.buttons[key].setEnabled(on)
+        self.buttons["recover"].setVisible(one and rows[0].recoverable)
         for key, on in (
             ("beside", len(rows) == 2),
             ("report", bool(rows)),

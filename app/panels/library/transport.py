@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 from app.engines.engine import Player
 from app.viewmodels.log import KINDS
 from app.viewmodels.recording import position_text
+from app.widgets.measures import TIGHT
 from app.widgets.timeline import Mark, TimelineBar
 
 SAME_PLACE = 0.6  # s; while it plays one is soon past the note that one jumped to
@@ -33,7 +34,7 @@ class TransportBar(QWidget):
         self.timeline.range_changed.connect(self.set_range)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(2)
+        column.setSpacing(TIGHT)
         column.addWidget(self.timeline)
         column.addLayout(self._buttons())
         self.set_player(None)
@@ -43,7 +44,7 @@ class TransportBar(QWidget):
         self.loop_button = QToolButton()
         self.loop_button.setCheckable(True)
         row = QHBoxLayout()
-        row.setSpacing(4)
+        row.setSpacing(TIGHT)
         buttons = (
             (QToolButton(), "◂", self.tr("The image before (,)"), lambda: self.step(-1)),
             (self.play_button, self.tr("Pause"), self.tr("Ctrl+Space"), self.toggle),

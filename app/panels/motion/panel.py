@@ -25,7 +25,8 @@ from app.panels.panel import Panel
 from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.motion import MotionModel
-from app.widgets.flow_layout import FlowLayout
+from app.widgets.measures import NEAR
+from app.widgets.one_line import OneLine
 from tracker.errors import GlovetrackError
 
 FIGURES_EVERY = 10  # refreshes
@@ -56,9 +57,9 @@ class MotionPanel(Panel):
         self.said = QLabel()
         self.said.setWordWrap(True)
         column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
-        column.setSpacing(6)
-        column.addLayout(self._controls())
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(NEAR)
+        column.addWidget(self._controls())
         column.addWidget(both, 1)
         column.addWidget(self.said)
         host.opened.connect(self._open)
@@ -68,8 +69,8 @@ class MotionPanel(Panel):
     def title(self) -> str:
         return self.tr("Motion")
 
-    def _controls(self) -> FlowLayout:
-        row = FlowLayout(spacing=6)
+    def _controls(self) -> OneLine:
+        row = OneLine()
         self.ends = QComboBox(), QComboBox()
         self.ends[0].setAccessibleName(self.tr("Distance from"))
         self.ends[1].setAccessibleName(self.tr("Distance to"))
@@ -88,8 +89,8 @@ class MotionPanel(Panel):
         self.copy.clicked.connect(self._copy)
         self.save = QPushButton(self.tr("Save as CSV…"))
         self.save.clicked.connect(self._ask_file)
-        for widget in (*self.ends, self.add, self.remove, self.units, self.copy, self.save):
-            row.addWidget(widget)
+        for widget in (self.units, self.copy, self.save, *self.ends, self.add, self.remove):
+            row.add(widget)
         return row
 
     def _say(self, text: str) -> None:

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.widgets.measures import WIDE
 from tracker.calibration.stereo.board import BoardSpec, page_size, print_image
 from tracker.errors import ConfigError
 from tracker.sensors.image_input import ImageInput
@@ -103,7 +104,7 @@ class BoardPage(QWidget):
         left.addWidget(self._import_box())
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(18)
+        row.setSpacing(WIDE)
         row.addLayout(left, 1)
         row.addWidget(self.preview, 1)
 

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.viewmodels.states import BAD, GOOD
 from app.viewmodels.stereo import problems, solution_figures, view_rows
+from app.widgets.measures import APART, FAR, NEAR, WIDE
 from tracker.calibration.stereo.coverage import Coverage
 from tracker.calibration.stereo.solve import Solution
 
@@ -47,8 +48,8 @@ class ResultPage(QWidget):
         self.table.horizontalHeader().setStretchLastSection(True)
         self._grid = QGridLayout()
         self._grid.setColumnStretch(1, 1)
-        self._grid.setVerticalSpacing(8)
-        self._grid.setHorizontalSpacing(18)
+        self._grid.setVerticalSpacing(NEAR)
+        self._grid.setHorizontalSpacing(WIDE)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -59,12 +60,12 @@ class ResultPage(QWidget):
         left.addLayout(self._grid)
         left.addStretch(1)
         row = QHBoxLayout()
-        row.setSpacing(24)
+        row.setSpacing(FAR)
         row.addLayout(left, 1)
         row.addWidget(self.table, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(12)
+        column.setSpacing(APART)
         column.addWidget(self.words)
         column.addLayout(working)
         column.addWidget(self.reasons)

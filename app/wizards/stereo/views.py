@@ -35,6 +35,7 @@ from app.viewmodels.stereo import (
 )
 from app.widgets.coverage_map import CoverageMap
 from app.widgets.image_view import ImageView
+from app.widgets.measures import TIGHT, WIDE
 from app.wizards.stereo.board_watcher import BoardSeen
 from tracker.calibration.stereo.collect import Answer
 from tracker.calibration.stereo.coverage import coverage
@@ -83,7 +84,7 @@ class CollectPage(QWidget):
         self._meters = QGridLayout()
         self._bars: list[tuple[QLabel, QProgressBar]] = []
         below = QHBoxLayout()
-        below.setSpacing(18)
+        below.setSpacing(WIDE)
         below.addLayout(self._figures(), 3)
         below.addLayout(self._taken(), 2)
         column = QVBoxLayout(self)
@@ -96,7 +97,7 @@ class CollectPage(QWidget):
 
     def _figures(self) -> QVBoxLayout:
         self._meters.setColumnStretch(2, 1)
-        self._meters.setVerticalSpacing(3)
+        self._meters.setVerticalSpacing(TIGHT)
         column = QVBoxLayout()
         column.addLayout(self._meters)
         column.addWidget(self.map)

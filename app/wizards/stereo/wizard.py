@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.platform.tasks import TaskOwner
 from app.viewmodels.stereo import split_fresh
+from app.widgets.measures import APART, WIDE
 from app.wizards.sizing import fit_to_screen
 from app.wizards.stereo.board import BoardPage, ImageChoice
 from app.wizards.stereo.board_watcher import Watching
@@ -94,8 +95,8 @@ class StereoWizard(QDialog):
         buttons.addWidget(self.back)
         buttons.addWidget(self.next)
         column = QVBoxLayout(self)
-        column.setContentsMargins(18, 14, 18, 14)
-        column.setSpacing(12)
+        column.setContentsMargins(WIDE, APART, WIDE, APART)
+        column.setSpacing(APART)
         column.addWidget(self._steps)
         column.addWidget(self.pages, 1)
         column.addLayout(buttons)

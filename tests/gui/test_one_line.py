@@ -1,0 +1,58 @@
+"""One line of controls: what finds no room stands behind a button, and comes back."""
+
+import pytest
+from PySide6.QtWidgets import QCheckBox, QPushButton
+
+from app.widgets.one_line import OneLine
+
+
+@pytest.fixture
+def line(qtbot):
+    line = OneLine()
+    qtbot.addWidget(line)
+    for word in ("Replay", "Export", "Compare", "Refresh"):
+        line.add(QPushButton(word))
+    line.add(QCheckBox("Loop"))
+    line.resize(line.sizeHint())
+    line.show()
+    return line
+
+
+def test_all_stand_in_the_line_where_there_is_room(line):
+    assert line.in_leaf == [] and not line.more.isVisible()
+    places = [w.x() for w in line.findChildren(QPushButton) if w.parent() is line]
+    assert places == sorted(places) and len(set(places)) == 4
+
+
+def test_the_last_ones_go_behind_the_button_first_and_nothing_is_cut_off(line):
+    width, height = line.width(), line.height()
+    line.resize(width * 2 // 3, height)
+    hidden = len(line.in_leaf)
+    assert 0 < hidden < 5 and line.more.isVisible()
+    inside = [w for w in (*line.findChildren(QPushButton), line.more) if w.parent() is line]
+    assert max(w.geometry().right() for w in inside) <= line.width()
+    assert line.height() == height
+    line.resize(line.minimumSizeHint())
+    assert len(line.in_leaf) == 5
+    line.resize(width, height)
+    assert line.in_leaf == []
+
+
+def test_what_stands_in_the_leaf_can_be_used_there(line, qtbot):
+    box = line.findChild(QCheckBox)
+    line.resize(line.minimumSizeHint())
+    menu = line.more.menu()
+    menu.popup(line.mapToGlobal(line.rect().bottomLeft()))
+    qtbot.waitUntil(box.isVisible)
+    assert box.window() is menu and menu.height() > 4 * box.height()
+    box.click()
+    assert box.isChecked()
+    menu.hide()
+
+
+def test_hidden_ones_take_no_room_and_stay_hidden(line):
+    button = line.findChild(QPushButton)
+    button.hide()
+    line.resize(line.minimumSizeHint())
+    line.resize(line.sizeHint())
+    assert button.isHidden() and line.in_leaf == []
