@@ -15,12 +15,18 @@ NAME = "icon_name"
 """The property of an action or a button that says which drawing it bears."""
 SIZES = (16, 32, 48)  # px; up to 300 %
 INK = "currentColor"
+GAP = "\N{EN SPACE}"
 
 
 def dress(item: QAction | QAbstractButton, name: str) -> None:
     """Give it the drawing ``name``; `recolour` finds it again."""
     item.setProperty(NAME, name)
     item.setIcon(icon(name, QApplication.palette()))
+
+
+def beside(text: str) -> str:
+    """``text`` at a distance from the icon before it, of which Qt's styles know only 4 px."""
+    return GAP + text
 
 
 def recolour(app: QApplication) -> None:

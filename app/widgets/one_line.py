@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLayout, QSizePolicy, QWidget
 
 from app.widgets.measures import NEAR
 from app.widgets.more_button import MoreButton
+
+CHANGES = (
+    QEvent.Type.FontChange,
+    QEvent.Type.StyleChange,
+    QEvent.Type.Polish,
+    QEvent.Type.ShowToParent,
+    QEvent.Type.HideToParent,
+)
 
 
 class OneLine(QWidget):
@@ -83,13 +91,24 @@ class OneLine(QWidget):
         self.more.setVisible(count < len(self._widgets))
         self.updateGeometry()
 
+    def _fit(self) -> None:
+        """Their sizes have changed, which layouts out of sight are not told."""
+        for widget in (*self._widgets, self.more):
+            widget.updateGeometry()
+        self._share()
+        self._row.activate()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        QTimer.singleShot(0, self, self._fit)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._share()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
-            self._share()
+        if event.type() in CHANGES:  # of how much room it needs
+            QTimer.singleShot(0, self, self._fit)  # not while it is being moved itself
         return super().eventFilter(watched, event)
 
 

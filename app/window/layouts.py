@@ -61,7 +61,7 @@ JOBS = (
         ((("cameras",),), (("hand",),)),
         0.55,
         across=("library", "motion", "log"),
-        below=0.4,
+        below=0.46,
     ),
     Job(
         "all",

@@ -8,7 +8,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolBar, QToolButton, QWidget
 
-from app.widgets.icons import dress
+from app.widgets.icons import beside, dress
 from app.widgets.segments import Segments
 from app.window.layouts import JOBS
 
@@ -48,6 +48,7 @@ class ToolBar(QToolBar):
         self._fill()
         for action, job in zip(jobs, JOBS, strict=True):
             dress(action, job.icon)
+            action.setIconText(beside(action.text()))
         self.segments = Segments(jobs)
         self.addWidget(self.segments)
         self._fill()
@@ -65,7 +66,7 @@ class ToolBar(QToolBar):
             "palette": self.tr("Find"),
         }
         for key, text in words.items():
-            actions[key].setIconText(text)
+            actions[key].setIconText(beside(text))
             actions[key].setToolTip(tip_of(actions[key]))
 
     def _button(self, action: QAction) -> QToolButton:

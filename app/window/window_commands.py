@@ -16,8 +16,9 @@ from app.panels.colours.panel import ColoursPanel
 from app.panels.hand.panel import HandPanel
 from app.panels.library.panel import LibraryPanel
 from app.platform.translation import SYSTEM, languages
+from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
-from app.widgets.icons import dress
+from app.widgets.icons import beside, dress
 from app.window.bug_reports import BugReports
 from app.window.commands import Command, Commands
 from app.window.set_up_dialogs import SetUpDialogs
@@ -29,6 +30,8 @@ from tracker.settings import ENGINES
 
 class Window(Protocol):
     """What commands ask of the window itself."""
+
+    store: SettingsStore
 
     def tr(self, text: str, /) -> str: ...
 
@@ -261,7 +264,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     name = w.tr("Stop &recording") if recording else w.tr("&Record")
     action = commands.actions["record"]
     action.setText(name)
-    action.setIconText(w.tr("Stop recording") if recording else w.tr("Record"))
+    action.setIconText(beside(w.tr("Stop recording") if recording else w.tr("Record")))
     dress(action, "circle-stop" if recording else "circle-dot")
 
 

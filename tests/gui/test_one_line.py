@@ -56,3 +56,12 @@ def test_hidden_ones_take_no_room_and_stay_hidden(line):
     line.resize(line.minimumSizeHint())
     line.resize(line.sizeHint())
     assert button.isHidden() and line.in_leaf == []
+
+
+def test_after_a_change_of_style_every_word_has_the_room_it_needs(line, qtbot):
+    line.resize(line.sizeHint() * 0.8)
+    line.setStyleSheet("QPushButton { padding: 4px 24px; }")
+    buttons = line.findChildren(QPushButton)
+    qtbot.waitUntil(lambda: len(line.in_leaf) > 1)
+    inside = [b for b in buttons if b.parent() is line]
+    qtbot.waitUntil(lambda: all(b.width() >= b.sizeHint().width() for b in inside))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
@@ -51,12 +51,14 @@ class ColoursPanel(Panel):
         self.ranges, self.image = ColoursRanges(), ColoursImage(tasks)
         self.files, self.tools, self.light = ColoursFiles(self), ColoursTools(), ColoursLight()
         column = QVBoxLayout(self)
-        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setContentsMargins(NEAR, TIGHT, NEAR, TIGHT)
         column.setSpacing(TIGHT)
         least = TWO_COLUMNS - 2 * NEAR
-        column.addWidget(self.tools)  # first: what warnings say below moves it nowhere
+        head = QHBoxLayout()  # first: what warnings say below moves it nowhere
+        head.addWidget(self.tools, 1)
+        head.addWidget(self.light)
+        column.addLayout(head)
         column.addWidget(TwoHalves(self.ranges, self.image, least, (5, 4)), 1)
-        column.addWidget(self.light)
         self._connect_tools()
         self._connect_parts()
 
