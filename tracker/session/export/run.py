@@ -58,7 +58,8 @@ def export(
     ``_left`` and ``_right`` at its name's end; returned is then what both say, by side, as
     ``hands``. A file and the JSON beside it are there whole or not at all. What exists is replaced
     only with ``force``, and the session itself never. ``watch`` hears which share of the session
-    has been read, once per pass over it, and may raise to end the export. Raises GlovetrackError in words.
+    has been read, once per pass over it, and may raise to end the export. Raises GlovetrackError
+    in words.
     """
     if format not in FORMATS:
         raise ConfigError(f"There is no format {format!r}; there are {', '.join(FORMATS)}.")
