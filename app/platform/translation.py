@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QLocale, QTranslator
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from app import words
 from resources import folder
@@ -56,8 +56,17 @@ def install(app: QCoreApplication, setting: str, where: Path | None = None) -> s
     if code == ENGLISH:
         words.use(None)
         return code
+    _install_qt_words(app, code)
     catalogue = Catalogue(app)
     catalogue.load(str(where / f"{PREFIX}{code}.qm"))
     app.installTranslator(catalogue)
     words.use(lambda text: catalogue.translate(CONTEXT, text))
     return code
+
+
+def _install_qt_words(app: QCoreApplication, code: str) -> None:
+    """What Qt itself says: buttons of dialogs, names of keys. Installed first, it is asked last."""
+    theirs = QTranslator(app)
+    folder_of_qt = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
+    if theirs.load(f"qtbase_{code}", folder_of_qt):
+        app.installTranslator(theirs)

@@ -13,11 +13,17 @@ from app.viewmodels.calibration import SETTLED, calibration_view
 from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
-from app.words import tr
+from app.words import mark, tr
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
 """°/s: gyros known better than this need no rest."""
+
+CONTROLS = {
+    "exposure": mark("exposure"),
+    "gain": mark("gain"),
+    "white_balance": mark("white balance"),
+}
 
 
 @dataclass(frozen=True)
@@ -161,7 +167,7 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
     if view.setup.camera_controls is None:
         return SetUpStep(name, True, tr("this source has no exposure to be set"))
     controls = {c.name: c for c in view.setup.camera_controls.controls() if c.available}
-    open_ones = [n.replace("_", " ") for n, c in controls.items() if not c.locked and n != "gain"]
+    open_ones = [tr(CONTROLS[n]) for n, c in controls.items() if not c.locked and n != "gain"]
     if not controls:
         return SetUpStep(
             name, True, tr("this camera lets no program set it: keep the light as it is")
@@ -169,20 +175,19 @@ def _exposure(view: Snapshot | None) -> SetUpStep:
     if open_ones:
         words = tr("The camera changes {} by itself.").format(", ".join(open_ones))
         return SetUpStep(name, False, words, "lock_camera", tr("Lock it now"))
-    return SetUpStep(
-        name, True, ", ".join(f"{n.replace('_', ' ')} {c.value:g}" for n, c in controls.items())
-    )
+    values = (f"{tr(CONTROLS[n])} {c.value:g}" for n, c in controls.items())
+    return SetUpStep(name, True, ", ".join(values))
 
 
 def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
     """Lamp and exposure; what colours and the room cost is told, but can be lived with."""
-    name = "Light"
+    name = tr("Light")
     if light is None or light.reading is None or view is None or not images_arrive(view):
-        return SetUpStep(name, False, "Waits for images.")
-    words = light.reading.advice[0].words if light.reading.advice else "the markers are clear"
+        return SetUpStep(name, False, tr("Waits for images."))
+    words = light.reading.advice[0].words if light.reading.advice else tr("the markers are clear")
     if light.reading.good:
         return SetUpStep(name, True, words)
-    return SetUpStep(name, False, words, "show_colours", "Show")
+    return SetUpStep(name, False, words, "show_colours", tr("Show"))
 
 
 def hues_seen(view: Snapshot) -> set[str]:

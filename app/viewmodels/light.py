@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from app.widgets.image_shapes import Ring
+from app.words import mark, tr
 from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.vision.colours import ColourProfile
 
@@ -17,14 +18,14 @@ EVERY = 1.0  # s of images from one reading to the next
 KEPT = 10.0  # s that a reading stays while no hand is seen
 MISSED_COLOUR = "#FF4FD8"
 SHORT = {
-    "clipped": "too bright",
-    "dark": "too dark",
-    "noisy": "noisy",
-    "warm": "too warm",
-    "cold": "too cold",
-    "near": "hues alike",
-    "room": "colours in the room",
-    "missed": "markers missed",
+    "clipped": mark("too bright"),
+    "dark": mark("too dark"),
+    "noisy": mark("noisy"),
+    "warm": mark("too warm"),
+    "cold": mark("too cold"),
+    "near": mark("hues alike"),
+    "room": mark("colours in the room"),
+    "missed": mark("markers missed"),
 }
 
 
@@ -82,22 +83,25 @@ class LightWatch:
         """The light in a few words."""
         if self.reading is None or self._without_hand:
             return "–"
-        said = [SHORT[a.kind] for a in self.reading.advice if a.kind in SHORT]
-        return ", ".join(said) or "good"
+        said = [tr(SHORT[a.kind]) for a in self.reading.advice if a.kind in SHORT]
+        return ", ".join(said) or tr("good")
 
     def sentences(self) -> list[str]:
         """What to change, and the figures that say so."""
         r = self.reading
         if r is None:
-            return ["No image has been looked at yet."]
-        words = [a.words for a in r.advice] or ["Nothing to change: the markers are clear."]
-        figures = [f"noise {r.noise:.1f} levels"]
+            return [tr("No image has been looked at yet.")]
+        words = [a.words for a in r.advice] or [tr("Nothing to change: the markers are clear.")]
+        figures = [tr("noise {:.1f} levels").format(r.noise)]
         if len(r.uv):
             found = int(r.found.sum())
-            figures = [f"{found} of {len(r.uv)} markers found", f"brightness {r.level:.0f} of 255",
-                       *figures]  # fmt: skip
+            figures = [
+                tr("{} of {} markers found").format(found, len(r.uv)),
+                tr("brightness {:.0f} of 255").format(r.level),
+                *figures,
+            ]
         if np.isfinite(r.warmth):
-            figures.append(f"red to blue on the cloth {r.warmth:.1f}")
+            figures.append(tr("red to blue on the cloth {:.1f}").format(r.warmth))
         return [*words, ", ".join(figures) + "."]
 
     def rings(self, step: int) -> list[Ring]:

@@ -15,7 +15,7 @@ from app.panels.cameras import CamerasPanel
 from app.panels.colours.panel import ColoursPanel
 from app.panels.hand.panel import HandPanel
 from app.panels.library.panel import LibraryPanel
-from app.platform.translation import SYSTEM, languages
+from app.platform.translation import ENGLISH, SYSTEM, languages
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
 from app.widgets.icons import beside, dress
@@ -25,6 +25,7 @@ from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import Sources
 from app.window.status_bar import StatusBar
 from app.window.takes import Takes
+from app.words import tr
 from tracker.settings import ENGINES
 
 
@@ -130,7 +131,7 @@ def _tracking(on: Targets) -> list[Command]:
 
 def _engines(on: Targets, menu: str) -> list[Command]:
     w = on.window
-    titles = {name: w.tr("Engine: {}").format(title) for name, title in ENGINES.items()}
+    titles = {name: w.tr("Engine: {}").format(tr(title)) for name, title in ENGINES.items()}
     return [
         Command(
             f"engine_{n}",
@@ -274,6 +275,7 @@ def _languages(on: Targets, menu: str) -> list[Command]:
     if len(codes) < 2:
         return []
     own = {code: QLocale(code).nativeLanguageName() for code in codes}
+    own[ENGLISH] = QLocale.languageToString(QLocale(ENGLISH).language())  # not "American English"
     titles = {SYSTEM: on.window.tr("Language: as the system"), **own}
     return [
         Command(

@@ -188,7 +188,7 @@ class LockBox(QGroupBox):
         grid = QGridLayout()
         grid.setColumnStretch(2, 1)
         for i, (name, text) in enumerate(NAMES.items()):
-            self._add_row(grid, i, name, self.tr("Lock {}").format(text.lower()))
+            self._add_row(grid, i, name, tr(text))
         column = QVBoxLayout(self)
         column.addWidget(self.words)
         column.addLayout(grid)

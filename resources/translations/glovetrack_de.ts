@@ -5,4638 +5,5139 @@
     <message>
       <location filename="app/engines/camera_choice.py" />
       <source>No camera was found. Plug in the stereo camera and look again, or, where the system lists no cameras, enter its number under Set-up, Camera (0 is the first one).</source>
-      <translation type="unfinished" />
+      <translation>Keine Kamera gefunden. Stereokamera anschließen und neu suchen oder, wo das System keine Kameras auflistet, ihre Nummer unter Einrichtung, Kamera eingeben (0 ist die erste).</translation>
     </message>
     <message>
       <location filename="app/engines/camera_choice.py" />
       <source>The camera {} is not there; there are: {}. Plug it in, or choose another one under Set-up, Camera.</source>
-      <translation type="unfinished" />
+      <translation>Die Kamera {} ist nicht da; da sind: {}. Anschließen oder unter Einrichtung, Kamera eine andere wählen.</translation>
     </message>
     <message>
       <location filename="app/engines/demo.py" />
       <source>a simulated wearer and camera</source>
-      <translation type="unfinished" />
+      <translation>simulierte Person und Kamera</translation>
     </message>
     <message>
       <location filename="app/engines/demo.py" />
       <source>first image</source>
-      <translation type="unfinished" />
+      <translation>erstes Bild</translation>
     </message>
     <message>
       <location filename="app/engines/demo.py" />
       <source>devices</source>
-      <translation type="unfinished" />
+      <translation>Geräte</translation>
     </message>
     <message>
       <location filename="app/engines/demo.py" />
       <source>The simulated camera did not start.</source>
-      <translation type="unfinished" />
+      <translation>Die simulierte Kamera ist nicht gestartet.</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
       <source>engine</source>
-      <translation type="unfinished" />
+      <translation>Verfahren</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
       <source>camera</source>
-      <translation type="unfinished" />
+      <translation>Kamera</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
       <source>camera alone</source>
-      <translation type="unfinished" />
+      <translation>nur Kamera</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
       <source>The hand is shown by its IMUs alone, without a place.</source>
-      <translation type="unfinished" />
+      <translation>Die Hand wird allein nach ihren IMUs gezeigt, ohne Ort.</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
       <source>No glove was found: no USB serial port is there. Is it plugged in?</source>
-      <translation type="unfinished" />
+      <translation>Kein Handschuh gefunden: Es gibt keinen seriellen USB-Anschluss. Ist er eingesteckt?</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
       <source>The camera has no stereo calibration yet: make or import one under Set-up, Stereo calibration.</source>
-      <translation type="unfinished" />
+      <translation>Die Kamera hat noch keine Stereokalibrierung: unter Einrichtung, Stereokalibrierung eine machen oder importieren.</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
       <source>No glove was found. {}</source>
-      <translation type="unfinished" />
+      <translation>Kein Handschuh gefunden. {}</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
       <source>glove at {}</source>
-      <translation type="unfinished" />
+      <translation>Handschuh an {}</translation>
     </message>
     <message>
       <location filename="app/engines/recording.py" />
       <source>{} is still being written to its end; then another recording can begin.</source>
-      <translation type="unfinished" />
+      <translation>{} wird noch zu Ende geschrieben; dann kann eine neue Aufnahme beginnen.</translation>
     </message>
     <message>
       <location filename="app/jobs/calibration_commands.py" />
       <source>Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu.</source>
-      <translation type="unfinished" />
+      <translation>Nur das Verfahren chain behält die Kalibrierung einer Person: im Menü Tracking wählen.</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
       <source>waiting</source>
-      <translation type="unfinished" />
+      <translation>wartet</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
       <source>under way</source>
-      <translation type="unfinished" />
+      <translation>läuft</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
       <source>done</source>
-      <translation type="unfinished" />
+      <translation>fertig</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
       <source>failed</source>
-      <translation type="unfinished" />
+      <translation>gescheitert</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
       <source>cancelled</source>
-      <translation type="unfinished" />
+      <translation>abgebrochen</translation>
     </message>
     <message>
       <location filename="app/jobs/export.py" />
       <source>Exporting {}</source>
-      <translation type="unfinished" />
+      <translation>{} wird exportiert</translation>
     </message>
     <message>
       <location filename="app/jobs/library_scan.py" />
       <source>Reading the library</source>
-      <translation type="unfinished" />
+      <translation>Bibliothek wird gelesen</translation>
     </message>
     <message>
       <location filename="app/jobs/library_scan.py" />
       <source>Looking into sessions</source>
-      <translation type="unfinished" />
+      <translation>Sitzungen werden durchgesehen</translation>
     </message>
     <message>
       <location filename="app/jobs/offline_tracking.py" />
       <source>comparing</source>
-      <translation type="unfinished" />
+      <translation>Vergleich</translation>
     </message>
     <message>
       <location filename="app/jobs/offline_tracking.py" />
       <source>The folder {} is not there any more.</source>
-      <translation type="unfinished" />
+      <translation>Den Ordner {} gibt es nicht mehr.</translation>
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
       <source>The index fingertip is not seen: there is no place.</source>
-      <translation type="unfinished" />
+      <translation>Die Spitze des Zeigefingers ist nicht zu sehen: Es gibt keinen Ort.</translation>
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
       <source>Opening {}</source>
-      <translation type="unfinished" />
+      <translation>{} wird geöffnet</translation>
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
       <source>The stream {} runs.</source>
-      <translation type="unfinished" />
+      <translation>Der Stream {} läuft.</translation>
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
       <source>Closing {}</source>
-      <translation type="unfinished" />
+      <translation>{} wird geschlossen</translation>
     </message>
     <message>
       <location filename="app/jobs/remote.py" />
       <source>Remote control by {}</source>
-      <translation type="unfinished" />
+      <translation>Fernsteuerung über {}</translation>
     </message>
     <message>
       <location filename="app/jobs/remote.py" />
       <source>Remote control by {} is open.</source>
-      <translation type="unfinished" />
+      <translation>Die Fernsteuerung über {} ist offen.</translation>
     </message>
     <message>
       <location filename="app/jobs/take_motion.py" />
       <source>{} cannot be written: {}.</source>
-      <translation type="unfinished" />
+      <translation>{} lässt sich nicht schreiben: {}.</translation>
     </message>
     <message>
       <location filename="app/jobs/two_takes.py" />
       <source>{} is not tracked: track it again first.</source>
-      <translation type="unfinished" />
+      <translation>{} ist ohne Tracking: erst das Tracking wiederholen.</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>The file stays on this computer until you send it. It will hold:</source>
-      <translation type="unfinished" />
+      <translation>Die Datei bleibt auf diesem Computer, bis Sie sie versenden. Sie wird enthalten:</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>Save a bug report</source>
-      <translation type="unfinished" />
+      <translation>Fehlerbericht speichern</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>Change…</source>
-      <translation type="unfinished" />
+      <translation>Ändern…</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>Save</source>
-      <translation type="unfinished" />
+      <translation>Speichern</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>An image of the window</source>
-      <translation type="unfinished" />
+      <translation>Ein Bild des Fensters</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>The last seconds of the session</source>
-      <translation type="unfinished" />
+      <translation>Die letzten Sekunden der Sitzung</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>Camera images of these seconds</source>
-      <translation type="unfinished" />
+      <translation>Kamerabilder dieser Sekunden</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>Participant, task, notes and folder names</source>
-      <translation type="unfinished" />
+      <translation>Versuchsperson, Aufgabe, Notizen und Ordnernamen</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
       <source>File</source>
-      <translation type="unfinished" />
+      <translation>Datei</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
       <source>Calibration</source>
-      <translation type="unfinished" />
+      <translation>Kalibrierung</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
       <source>How late images are stamped, from the motion of the hand and its gyroscope</source>
-      <translation type="unfinished" />
+      <translation>Wie verspätet Bilder gestempelt sind, aus der Bewegung der Hand und ihrem Gyroskop</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
       <source>settled: %p %</source>
-      <translation type="unfinished" />
+      <translation>eingeschwungen: %p %</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
       <source>Start tracking to see what is estimated.</source>
-      <translation type="unfinished" />
+      <translation>Nach dem Start des Trackings steht hier, was geschätzt wird.</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
       <source>Hand length</source>
-      <translation type="unfinished" />
+      <translation>Handlänge</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
       <source>Images</source>
-      <translation type="unfinished" />
+      <translation>Bilder</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/table.py" />
       <source>Segment</source>
-      <translation type="unfinished" />
+      <translation>Segment</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/table.py" />
       <source>Scale ± 2σ</source>
-      <translation type="unfinished" />
+      <translation>Skala ± 2σ</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/table.py" />
       <source>Mounting</source>
-      <translation type="unfinished" />
+      <translation>Einbaulage</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/table.py" />
       <source>Gyro bias</source>
-      <translation type="unfinished" />
+      <translation>Gyro-Bias</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/table.py" />
       <source>Accel. bias</source>
-      <translation type="unfinished" />
+      <translation>Beschl.-Bias</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Who wears the glove</source>
-      <translation type="unfinished" />
+      <translation>Wer den Handschuh trägt</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Freeze</source>
-      <translation type="unfinished" />
+      <translation>Einfrieren</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Hold the calibration as it is; tracking goes on</source>
-      <translation type="unfinished" />
+      <translation>Die Kalibrierung festhalten, wie sie ist; das Tracking läuft weiter</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Compare</source>
-      <translation type="unfinished" />
+      <translation>Vergleichen</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Show what has changed since the last fit</source>
-      <translation type="unfinished" />
+      <translation>Zeigen, was sich seit der letzten Anpassung geändert hat</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Keep what has been learned</source>
-      <translation type="unfinished" />
+      <translation>Gelerntes behalten</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Reset</source>
-      <translation type="unfinished" />
+      <translation>Zurücksetzen</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Forget what has been learned</source>
-      <translation type="unfinished" />
+      <translation>Gelerntes vergessen</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Wearer</source>
-      <translation type="unfinished" />
+      <translation>Person</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Save as…</source>
-      <translation type="unfinished" />
+      <translation>Speichern als…</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Remove this profile</source>
-      <translation type="unfinished" />
+      <translation>Dieses Profil entfernen</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Save the calibration</source>
-      <translation type="unfinished" />
+      <translation>Kalibrierung speichern</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Who wears the glove?</source>
-      <translation type="unfinished" />
+      <translation>Wer trägt den Handschuh?</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Somebody new</source>
-      <translation type="unfinished" />
+      <translation>Neue Person</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Everything</source>
-      <translation type="unfinished" />
+      <translation>Alles</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>No image yet</source>
-      <translation type="unfinished" />
+      <translation>Noch kein Bild</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Cameras</source>
-      <translation type="unfinished" />
+      <translation>Kameras</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Left</source>
-      <translation type="unfinished" />
+      <translation>Links</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Right</source>
-      <translation type="unfinished" />
+      <translation>Rechts</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Layers</source>
-      <translation type="unfinished" />
+      <translation>Ebenen</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>What is drawn over the images</source>
-      <translation type="unfinished" />
+      <translation>Was über die Bilder gezeichnet wird</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Masks</source>
-      <translation type="unfinished" />
+      <translation>Masken</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Show what has the colours of the markers, each switched alone</source>
-      <translation type="unfinished" />
+      <translation>Zeigen, was die Farben der Marker hat; jede einzeln zu schalten</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Follow hand</source>
-      <translation type="unfinished" />
+      <translation>Hand folgen</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Keep the hand large in both images</source>
-      <translation type="unfinished" />
+      <translation>Die Hand in beiden Bildern groß halten</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Hold the images; tracking goes on</source>
-      <translation type="unfinished" />
+      <translation>Die Bilder festhalten; das Tracking läuft weiter</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Which cameras</source>
-      <translation type="unfinished" />
+      <translation>Welche Kameras</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Exposure…</source>
-      <translation type="unfinished" />
+      <translation>Belichtung…</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Lock exposure, gain and white balance; choose the camera</source>
-      <translation type="unfinished" />
+      <translation>Belichtung, Verstärkung und Weißabgleich sperren; Kamera wählen</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Blobs</source>
-      <translation type="unfinished" />
+      <translation>Blobs</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>A ring round each blob; dashed: of no marker</source>
-      <translation type="unfinished" />
+      <translation>Ein Ring um jeden Blob; gestrichelt: gehört zu keinem Marker</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Pairs</source>
-      <translation type="unfinished" />
+      <translation>Paare</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Filled rings: the marker is seen by both cameras</source>
-      <translation type="unfinished" />
+      <translation>Gefüllte Ringe: Beide Kameras sehen den Marker</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Rejected</source>
-      <translation type="unfinished" />
+      <translation>Verworfen</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Right colour, wrong shape, and why</source>
-      <translation type="unfinished" />
+      <translation>Richtige Farbe, falsche Form, und warum</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Expected</source>
-      <translation type="unfinished" />
+      <translation>Erwartet</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Markers where they should be, ids and 2σ</source>
-      <translation type="unfinished" />
+      <translation>Marker, wo sie sein sollten, mit Kennung und 2σ</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Residuals</source>
-      <translation type="unfinished" />
+      <translation>Residuen</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>From the expected place to the blob</source>
-      <translation type="unfinished" />
+      <translation>Vom erwarteten Ort zum Blob</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Skeleton</source>
-      <translation type="unfinished" />
+      <translation>Skelett</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>The hand as it is tracked</source>
-      <translation type="unfinished" />
+      <translation>Die Hand, wie sie verfolgt wird</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Both cameras</source>
-      <translation type="unfinished" />
+      <translation>Beide Kameras</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Left only</source>
-      <translation type="unfinished" />
+      <translation>Nur links</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Right only</source>
-      <translation type="unfinished" />
+      <translation>Nur rechts</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
       <source>Show the mask of {}</source>
-      <translation type="unfinished" />
+      <translation>Maske von {} zeigen</translation>
     </message>
     <message>
       <location filename="app/panels/checklist.py" />
       <source>Set-up</source>
-      <translation type="unfinished" />
+      <translation>Einrichtung</translation>
     </message>
     <message>
       <location filename="app/panels/checklist.py" />
       <source>Reading the light</source>
-      <translation type="unfinished" />
+      <translation>Licht wird gemessen</translation>
     </message>
     <message>
       <location filename="app/panels/checklist.py" />
       <source>Ready</source>
-      <translation type="unfinished" />
+      <translation>Bereit</translation>
     </message>
     <message>
       <location filename="app/panels/checklist.py" />
       <source>{} of {} done</source>
-      <translation type="unfinished" />
+      <translation>{} von {} erledigt</translation>
     </message>
     <message>
       <location filename="app/panels/colours/files.py" />
       <source>Colour profile</source>
-      <translation type="unfinished" />
+      <translation>Farbprofil</translation>
     </message>
     <message>
       <location filename="app/panels/colours/files.py" />
       <source>Export the colours</source>
-      <translation type="unfinished" />
+      <translation>Farben exportieren</translation>
     </message>
     <message>
       <location filename="app/panels/colours/image.py" />
       <source>Mask</source>
-      <translation type="unfinished" />
+      <translation>Maske</translation>
     </message>
     <message>
       <location filename="app/panels/colours/image.py" />
       <source>Searching the image</source>
-      <translation type="unfinished" />
+      <translation>Bild wird durchsucht</translation>
     </message>
     <message>
       <location filename="app/panels/colours/light.py" />
       <source>Show missed markers in the image</source>
-      <translation type="unfinished" />
+      <translation>Übersehene Marker im Bild zeigen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/light.py" />
       <source>Light</source>
-      <translation type="unfinished" />
+      <translation>Licht</translation>
     </message>
     <message>
       <location filename="app/panels/colours/light.py" />
       <source>What of the light costs markers, and what to change</source>
-      <translation type="unfinished" />
+      <translation>Was am Licht Marker kostet und was zu ändern ist</translation>
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
       <source>Colours</source>
-      <translation type="unfinished" />
+      <translation>Farben</translation>
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
       <source>These are the colours from the start.</source>
-      <translation type="unfinished" />
+      <translation>Das sind die Farben vom Anfang.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
       <source>These are the factory colours.</source>
-      <translation type="unfinished" />
+      <translation>Das sind die Werksfarben.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
       <source>Fitting the colours</source>
-      <translation type="unfinished" />
+      <translation>Farben werden angepasst</translation>
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
       <source>The factory colours are not those of this glove.</source>
-      <translation type="unfinished" />
+      <translation>Die Werksfarben sind nicht die dieses Handschuhs.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/ranges.py" />
       <source>Hue</source>
-      <translation type="unfinished" />
+      <translation>Farbton</translation>
     </message>
     <message>
       <location filename="app/panels/colours/ranges.py" />
       <source>Saturation</source>
-      <translation type="unfinished" />
+      <translation>Sättigung</translation>
     </message>
     <message>
       <location filename="app/panels/colours/ranges.py" />
       <source>Value</source>
-      <translation type="unfinished" />
+      <translation>Hellwert</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Image to tune on</source>
-      <translation type="unfinished" />
+      <translation>Bild zum Abstimmen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Live image</source>
-      <translation type="unfinished" />
+      <translation>Livebild</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Camera</source>
-      <translation type="unfinished" />
+      <translation>Kamera</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Hold this image; tracking goes on</source>
-      <translation type="unfinished" />
+      <translation>Dieses Bild festhalten; das Tracking läuft weiter</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Keep</source>
-      <translation type="unfinished" />
+      <translation>Behalten</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Keep this image for later</source>
-      <translation type="unfinished" />
+      <translation>Dieses Bild für später behalten</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>More about images</source>
-      <translation type="unfinished" />
+      <translation>Mehr zu Bildern</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Open an image…</source>
-      <translation type="unfinished" />
+      <translation>Bild öffnen…</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Save this image…</source>
-      <translation type="unfinished" />
+      <translation>Dieses Bild speichern…</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Remove this image</source>
-      <translation type="unfinished" />
+      <translation>Dieses Bild entfernen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Keeping an image</source>
-      <translation type="unfinished" />
+      <translation>Bild wird behalten</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Open an image</source>
-      <translation type="unfinished" />
+      <translation>Bild öffnen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Opening an image</source>
-      <translation type="unfinished" />
+      <translation>Bild wird geöffnet</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Save this image</source>
-      <translation type="unfinished" />
+      <translation>Dieses Bild speichern</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Saving an image</source>
-      <translation type="unfinished" />
+      <translation>Bild wird gespeichert</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>There is no image yet that could be kept.</source>
-      <translation type="unfinished" />
+      <translation>Es gibt noch kein Bild, das behalten werden könnte.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>There is no image yet that could be saved.</source>
-      <translation type="unfinished" />
+      <translation>Es gibt noch kein Bild, das gespeichert werden könnte.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
       <source>Choose a kept image first: the live one stays.</source>
-      <translation type="unfinished" />
+      <translation>Erst ein behaltenes Bild wählen: Das Livebild bleibt.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Pick +</source>
-      <translation type="unfinished" />
+      <translation>Pipette +</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Eyedropper: a click takes a pixel in, Ctrl+click leaves it out</source>
-      <translation type="unfinished" />
+      <translation>Pipette: Ein Klick nimmt ein Pixel auf, Strg+Klick lässt es aus</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Pick −</source>
-      <translation type="unfinished" />
+      <translation>Pipette −</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Eyedropper: a click leaves a pixel out</source>
-      <translation type="unfinished" />
+      <translation>Pipette: Ein Klick lässt ein Pixel aus</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Fit</source>
-      <translation type="unfinished" />
+      <translation>Anpassen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>From the image alone</source>
-      <translation type="unfinished" />
+      <translation>Allein aus dem Bild</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Round patches of like colour are looked for</source>
-      <translation type="unfinished" />
+      <translation>Gesucht werden runde Flecken ähnlicher Farbe</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>From the tracked markers</source>
-      <translation type="unfinished" />
+      <translation>Aus den verfolgten Markern</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Each tracked marker shows what its colour looks like here</source>
-      <translation type="unfinished" />
+      <translation>Jeder verfolgte Marker zeigt, wie seine Farbe hier aussieht</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Check the room without the hand</source>
-      <translation type="unfinished" />
+      <translation>Raum ohne Hand prüfen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Take the hand out of the image first</source>
-      <translation type="unfinished" />
+      <translation>Vorher die Hand aus dem Bild nehmen</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Profile</source>
-      <translation type="unfinished" />
+      <translation>Profil</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Import…</source>
-      <translation type="unfinished" />
+      <translation>Importieren…</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Export…</source>
-      <translation type="unfinished" />
+      <translation>Exportieren…</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Take over from</source>
-      <translation type="unfinished" />
+      <translation>Übernehmen von</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Back to the colours from the start</source>
-      <translation type="unfinished" />
+      <translation>Zurück zu den Farben vom Anfang</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Those that this session began with</source>
-      <translation type="unfinished" />
+      <translation>Die, mit denen diese Sitzung begann</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Factory colours</source>
-      <translation type="unfinished" />
+      <translation>Werksfarben</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Those that the program comes with</source>
-      <translation type="unfinished" />
+      <translation>Die, mit denen das Programm kommt</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Undo</source>
-      <translation type="unfinished" />
+      <translation>Rückgängig</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
       <source>Redo</source>
-      <translation type="unfinished" />
+      <translation>Wiederholen</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Back</source>
-      <translation type="unfinished" />
+      <translation>Rücken</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Palm</source>
-      <translation type="unfinished" />
+      <translation>Innen</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Side</source>
-      <translation type="unfinished" />
+      <translation>Seite</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Hand to compare with</source>
-      <translation type="unfinished" />
+      <translation>Vergleichshand</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>The outline of another hand: the truth of a simulated one, the second tracking of a replay, or another engine on the same data</source>
-      <translation type="unfinished" />
+      <translation>Der Umriss einer anderen Hand: die Wahrheit einer simulierten, das zweite Tracking einer Wiedergabe oder ein anderes Verfahren auf denselben Daten</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>No reference</source>
-      <translation type="unfinished" />
+      <translation>Keine Referenz</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Reference: truth or second</source>
-      <translation type="unfinished" />
+      <translation>Referenz: Wahrheit oder zweite</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Fingertip whose way is drawn</source>
-      <translation type="unfinished" />
+      <translation>Fingerspitze, deren Weg gezeichnet wird</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>The way of a fingertip over the last three seconds</source>
-      <translation type="unfinished" />
+      <translation>Der Weg einer Fingerspitze in den letzten drei Sekunden</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>No trail</source>
-      <translation type="unfinished" />
+      <translation>Keine Spur</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Look from there</source>
-      <translation type="unfinished" />
+      <translation>Von dort schauen</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Markers</source>
-      <translation type="unfinished" />
+      <translation>Marker</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Large: seen now. Small: lately. Ring: never</source>
-      <translation type="unfinished" />
+      <translation>Groß: jetzt gesehen. Klein: kürzlich. Ring: nie</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>2σ</source>
-      <translation type="unfinished" />
+      <translation>2σ</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>A ball round each fingertip</source>
-      <translation type="unfinished" />
+      <translation>Eine Kugel um jede Fingerspitze</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>The left camera's field of view</source>
-      <translation type="unfinished" />
+      <translation>Das Sichtfeld der linken Kamera</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Axes</source>
-      <translation type="unfinished" />
+      <translation>Achsen</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>The frame of each segment at its joint: x, y, z</source>
-      <translation type="unfinished" />
+      <translation>Das Koordinatensystem jedes Segments an seinem Gelenk: x, y, z</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Reference: {}</source>
-      <translation type="unfinished" />
+      <translation>Referenz: {}</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Trail: {}</source>
-      <translation type="unfinished" />
+      <translation>Spur: {}</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
       <source>Hand</source>
-      <translation type="unfinished" />
+      <translation>Hand</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
       <source>Making the hand's skin</source>
-      <translation type="unfinished" />
+      <translation>Haut der Hand wird gemacht</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
       <source>measured</source>
-      <translation type="unfinished" />
+      <translation>gemessen</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
       <source>inferred</source>
-      <translation type="unfinished" />
+      <translation>erschlossen</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
       <source>lost</source>
-      <translation type="unfinished" />
+      <translation>verloren</translation>
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
       <source>No hand yet</source>
-      <translation type="unfinished" />
+      <translation>Noch keine Hand</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
       <source>Preparing the 3D view</source>
-      <translation type="unfinished" />
+      <translation>3D-Ansicht wird vorbereitet</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
       <source>The 3D driver of the graphics card ended the program last time, so the hand is painted without it. The View menu brings the card back.</source>
-      <translation type="unfinished" />
+      <translation>Der 3D-Treiber der Grafikkarte hat das Programm letztes Mal beendet, deshalb wird die Hand ohne sie gezeichnet. Das Menü Ansicht holt die Karte zurück.</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
       <source>The 3D view of the graphics card is not part of this installation; the hand is painted without it.</source>
-      <translation type="unfinished" />
+      <translation>Die 3D-Ansicht der Grafikkarte gehört nicht zu dieser Installation; die Hand wird ohne sie gezeichnet.</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
       <source>The 3D view cannot use the graphics card; it is painted.</source>
-      <translation type="unfinished" />
+      <translation>Die 3D-Ansicht kann die Grafikkarte nicht nutzen; sie wird gezeichnet.</translation>
     </message>
     <message>
       <location filename="app/panels/library/compare_dialog.py" />
       <source>Two trackings compared</source>
-      <translation type="unfinished" />
+      <translation>Zwei Trackings im Vergleich</translation>
     </message>
     <message>
       <location filename="app/panels/library/compare_dialog.py" />
       <source>Copy</source>
-      <translation type="unfinished" />
+      <translation>Kopieren</translation>
     </message>
     <message>
       <location filename="app/panels/library/compare_dialog.py" />
       <source>Difference</source>
-      <translation type="unfinished" />
+      <translation>Unterschied</translation>
     </message>
     <message>
       <location filename="app/panels/library/compare_dialog.py" />
       <source>Error of {}</source>
-      <translation type="unfinished" />
+      <translation>Fehler von {}</translation>
     </message>
     <message>
       <location filename="app/panels/library/comparing.py" />
       <source>Reading two takes</source>
-      <translation type="unfinished" />
+      <translation>Zwei Aufnahmen werden gelesen</translation>
     </message>
     <message>
       <location filename="app/panels/library/comparing.py" />
       <source>Comparing</source>
-      <translation type="unfinished" />
+      <translation>Vergleich läuft</translation>
     </message>
     <message>
       <location filename="app/panels/library/comparing.py" />
       <source>Tracking {} again</source>
-      <translation type="unfinished" />
+      <translation>Tracking von {} wird wiederholt</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>Formats</source>
-      <translation type="unfinished" />
+      <translation>Formate</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>the whole session</source>
-      <translation type="unfinished" />
+      <translation>die ganze Sitzung</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source> Hz</source>
-      <translation type="unfinished" />
+      <translation> Hz</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>as recorded</source>
-      <translation type="unfinished" />
+      <translation>wie aufgenommen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>without participant and notes</source>
-      <translation type="unfinished" />
+      <translation>ohne Versuchsperson und Notizen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>as usual for the format</source>
-      <translation type="unfinished" />
+      <translation>wie für das Format üblich</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>F&amp;older</source>
-      <translation type="unfinished" />
+      <translation>&amp;Ordner</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>&amp;Formats</source>
-      <translation type="unfinished" />
+      <translation>&amp;Formate</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>&amp;Range</source>
-      <translation type="unfinished" />
+      <translation>&amp;Bereich</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>R&amp;ate</source>
-      <translation type="unfinished" />
+      <translation>&amp;Rate</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>A&amp;xes</source>
-      <translation type="unfinished" />
+      <translation>&amp;Achsen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>&amp;Units</source>
-      <translation type="unfinished" />
+      <translation>&amp;Einheiten</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>&amp;Privacy</source>
-      <translation type="unfinished" />
+      <translation>&amp;Datenschutz</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>Export</source>
-      <translation type="unfinished" />
+      <translation>Exportieren</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>Folder for the export</source>
-      <translation type="unfinished" />
+      <translation>Ordner für den Export</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>{} sessions</source>
-      <translation type="unfinished" />
+      <translation>{} Sitzungen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>Export {}</source>
-      <translation type="unfinished" />
+      <translation>{} exportieren</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
       <source>only {} to {} (in and out point)</source>
-      <translation type="unfinished" />
+      <translation>nur {} bis {} (Anfang und Ende)</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
       <source>Cancel the export</source>
-      <translation type="unfinished" />
+      <translation>Export abbrechen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
       <source>Forget what has ended</source>
-      <translation type="unfinished" />
+      <translation>Beendete vergessen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
       <source>Open folder</source>
-      <translation type="unfinished" />
+      <translation>Ordner öffnen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
       <source>State</source>
-      <translation type="unfinished" />
+      <translation>Zustand</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_list.py" />
       <source>Progress</source>
-      <translation type="unfinished" />
+      <translation>Fortschritt</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_presets.py" />
       <source>Preset</source>
-      <translation type="unfinished" />
+      <translation>Vorgabe</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_presets.py" />
       <source>Keep as…</source>
-      <translation type="unfinished" />
+      <translation>Behalten als…</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_presets.py" />
       <source>Remove</source>
-      <translation type="unfinished" />
+      <translation>Entfernen</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_presets.py" />
       <source>Keep these formats and options</source>
-      <translation type="unfinished" />
+      <translation>Diese Formate und Optionen behalten</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_presets.py" />
       <source>Name of the preset</source>
-      <translation type="unfinished" />
+      <translation>Name der Vorgabe</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_presets.py" />
       <source>none: as below</source>
-      <translation type="unfinished" />
+      <translation>keine: wie unten</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
       <source>Library &amp;&amp; replay</source>
-      <translation type="unfinished" />
+      <translation>Bibliothek &amp;&amp; Wiedergabe</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
       <source>Sessions</source>
-      <translation type="unfinished" />
+      <translation>Sitzungen</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
       <source>Exports</source>
-      <translation type="unfinished" />
+      <translation>Exporte</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
       <source>Mark the part first: I where it begins, O where it ends.</source>
-      <translation type="unfinished" />
+      <translation>Erst den Teil markieren: I, wo er beginnt, O, wo er endet.</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
       <source>Choose a session in the library to export it.</source>
-      <translation type="unfinished" />
+      <translation>Zum Exportieren eine Sitzung in der Bibliothek wählen.</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
       <source>Choose a session in the library to track it again.</source>
-      <translation type="unfinished" />
+      <translation>Zum Wiederholen des Trackings eine Sitzung in der Bibliothek wählen.</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
       <source>Choose two sessions in the library.</source>
-      <translation type="unfinished" />
+      <translation>Zwei Sitzungen in der Bibliothek wählen.</translation>
     </message>
     <message>
       <location filename="app/panels/library/panel.py" />
       <source>Exports ({})</source>
-      <translation type="unfinished" />
+      <translation>Exporte ({})</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>Tags, with commas between</source>
-      <translation type="unfinished" />
+      <translation>Schlagwörter, durch Kommas getrennt</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>Name</source>
-      <translation type="unfinished" />
+      <translation>Name</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>Tags of {}</source>
-      <translation type="unfinished" />
+      <translation>Schlagwörter von {}</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>Recovering {}</source>
-      <translation type="unfinished" />
+      <translation>{} wird gerettet</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/session_files.py" />
+      <source>Report of {} takes</source>
+      <translation>Bericht über {} Aufnahmen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>Cropping {}</source>
-      <translation type="unfinished" />
+      <translation>{} wird zugeschnitten</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>Rename {}</source>
-      <translation type="unfinished" />
+      <translation>{} umbenennen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>Tags of {} sessions</source>
-      <translation type="unfinished" />
+      <translation>Schlagwörter von {} Sitzungen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>{} holds the chosen {} of {}.</source>
-      <translation type="unfinished" />
+      <translation>{} enthält die gewählten {} aus {}.</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>{} cannot be moved to the bin, so it stays where it is.</source>
-      <translation type="unfinished" />
+      <translation>{} lässt sich nicht in den Papierkorb legen und bleibt, wo es ist.</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>{} is being recorded.</source>
-      <translation type="unfinished" />
+      <translation>{} wird gerade aufgenommen.</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
       <source>{} is open: close it first (Ctrl+W).</source>
-      <translation type="unfinished" />
+      <translation>{} ist geöffnet: erst schließen (Strg+W).</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Search by name, tag, date or quality</source>
-      <translation type="unfinished" />
+      <translation>Suche nach Name, Schlagwort, Datum oder Qualität</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Search</source>
-      <translation type="unfinished" />
+      <translation>Suche</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Choose two sessions of one movement</source>
-      <translation type="unfinished" />
+      <translation>Zwei Sitzungen einer Bewegung wählen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>More</source>
-      <translation type="unfinished" />
+      <translation>Mehr</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Replay</source>
-      <translation type="unfinished" />
+      <translation>Wiedergeben</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Track again…</source>
-      <translation type="unfinished" />
+      <translation>Tracking wiederholen…</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Recover</source>
-      <translation type="unfinished" />
+      <translation>Retten</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Refresh</source>
-      <translation type="unfinished" />
+      <translation>Aktualisieren</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Two takes side by side</source>
-      <translation type="unfinished" />
+      <translation>Zwei Aufnahmen nebeneinander</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/session_page.py" />
+      <source>Report</source>
+      <translation>Bericht</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Rename…</source>
-      <translation type="unfinished" />
+      <translation>Umbenennen…</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Tags…</source>
-      <translation type="unfinished" />
+      <translation>Schlagwörter…</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
       <source>Move to the bin</source>
-      <translation type="unfinished" />
+      <translation>In den Papierkorb</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
       <source>Recorded sessions</source>
-      <translation type="unfinished" />
+      <translation>Aufgenommene Sitzungen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
       <source>Session</source>
-      <translation type="unfinished" />
+      <translation>Sitzung</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
       <source>Recorded</source>
-      <translation type="unfinished" />
+      <translation>Aufgenommen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
       <source>Length</source>
-      <translation type="unfinished" />
+      <translation>Länge</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
       <source>Size</source>
-      <translation type="unfinished" />
+      <translation>Größe</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
       <source>Quality</source>
-      <translation type="unfinished" />
+      <translation>Qualität</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_table.py" />
       <source>Tags</source>
-      <translation type="unfinished" />
+      <translation>Schlagwörter</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>the usual ones</source>
-      <translation type="unfinished" />
+      <translation>die üblichen</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>every estimate knows the whole session (chain)</source>
-      <translation type="unfinished" />
+      <translation>jede Schätzung kennt die ganze Sitzung (chain)</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>The recorded sensor data go through tracking again. The result becomes a session of its own beside this one; both are then shown together and compared.</source>
-      <translation type="unfinished" />
+      <translation>Die aufgenommenen Sensordaten durchlaufen das Tracking noch einmal. Das Ergebnis wird eine eigene Sitzung neben dieser; beide werden dann zusammen gezeigt und verglichen.</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>Choose…</source>
-      <translation type="unfinished" />
+      <translation>Wählen…</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>&amp;Settings</source>
-      <translation type="unfinished" />
+      <translation>&amp;Einstellungen</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>&amp;Engine</source>
-      <translation type="unfinished" />
+      <translation>&amp;Verfahren</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>&amp;Hand</source>
-      <translation type="unfinished" />
+      <translation>&amp;Hand</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>&amp;Glove</source>
-      <translation type="unfinished" />
+      <translation>Handsch&amp;uh</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>&amp;Colours</source>
-      <translation type="unfinished" />
+      <translation>&amp;Farben</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>S&amp;mooth</source>
-      <translation type="unfinished" />
+      <translation>&amp;Glätten</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>Track</source>
-      <translation type="unfinished" />
+      <translation>Berechnen</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>Settings</source>
-      <translation type="unfinished" />
+      <translation>Einstellungen</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
       <source>Track {} again</source>
-      <translation type="unfinished" />
+      <translation>Tracking von {} wiederholen</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Position in the session</source>
-      <translation type="unfinished" />
+      <translation>Stelle in der Sitzung</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Speed</source>
-      <translation type="unfinished" />
+      <translation>Tempo</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>The image before (,)</source>
-      <translation type="unfinished" />
+      <translation>Das Bild davor (,)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Pause</source>
-      <translation type="unfinished" />
+      <translation>Pause</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Ctrl+Space</source>
-      <translation type="unfinished" />
+      <translation>Strg+Leertaste</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>The next image (.)</source>
-      <translation type="unfinished" />
+      <translation>Das nächste Bild (.)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>The note before (Ctrl+,)</source>
-      <translation type="unfinished" />
+      <translation>Die Notiz davor (Strg+,)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>The next note (Ctrl+.)</source>
-      <translation type="unfinished" />
+      <translation>Die nächste Notiz (Strg+.)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>In</source>
-      <translation type="unfinished" />
+      <translation>Anfang</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Begin the range here (I)</source>
-      <translation type="unfinished" />
+      <translation>Den Bereich hier beginnen (I)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Out</source>
-      <translation type="unfinished" />
+      <translation>Ende</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>End the range here (O)</source>
-      <translation type="unfinished" />
+      <translation>Den Bereich hier beenden (O)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Whole</source>
-      <translation type="unfinished" />
+      <translation>Ganz</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>No range</source>
-      <translation type="unfinished" />
+      <translation>Kein Bereich</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Loop</source>
-      <translation type="unfinished" />
+      <translation>Schleife</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Play the range over (L)</source>
-      <translation type="unfinished" />
+      <translation>Den Bereich immer wieder abspielen (L)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
       <source>Play</source>
-      <translation type="unfinished" />
+      <translation>Abspielen</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>Joint angle</source>
-      <translation type="unfinished" />
+      <translation>Gelenkwinkel</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source> s</source>
-      <translation type="unfinished" />
+      <translation> s</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>The second begins at</source>
-      <translation type="unfinished" />
+      <translation>Die zweite beginnt bei</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>By clock</source>
-      <translation type="unfinished" />
+      <translation>Nach Uhrzeit</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>As the computers' clocks had it</source>
-      <translation type="unfinished" />
+      <translation>Nach den Uhren der Computer</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>Both from their start</source>
-      <translation type="unfinished" />
+      <translation>Beide ab Beginn</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>The takes have no joint angle in common.</source>
-      <translation type="unfinished" />
+      <translation>Die Aufnahmen haben keinen gemeinsamen Gelenkwinkel.</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>{} beside {}</source>
-      <translation type="unfinished" />
+      <translation>{} neben {}</translation>
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>s from the start of {}</source>
-      <translation type="unfinished" />
+      <translation>s ab Beginn von {}</translation>
     </message>
     <message>
       <location filename="app/panels/log.py" />
       <source>Log</source>
-      <translation type="unfinished" />
+      <translation>Protokoll</translation>
     </message>
     <message>
       <location filename="app/panels/log.py" />
       <source>Filter</source>
-      <translation type="unfinished" />
+      <translation>Filter</translation>
     </message>
     <message>
       <location filename="app/panels/log.py" />
       <source>Bug report…</source>
-      <translation type="unfinished" />
+      <translation>Fehlerbericht…</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Motion</source>
-      <translation type="unfinished" />
+      <translation>Bewegung</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Measuring the take</source>
-      <translation type="unfinished" />
+      <translation>Aufnahme wird vermessen</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Distance from</source>
-      <translation type="unfinished" />
+      <translation>Abstand von</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Distance to</source>
-      <translation type="unfinished" />
+      <translation>Abstand zu</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Measure this distance</source>
-      <translation type="unfinished" />
+      <translation>Diesen Abstand messen</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Measure the chosen distances no more</source>
-      <translation type="unfinished" />
+      <translation>Die gewählten Abstände nicht mehr messen</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Unit of angles</source>
-      <translation type="unfinished" />
+      <translation>Einheit der Winkel</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Degrees</source>
-      <translation type="unfinished" />
+      <translation>Grad</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Radians</source>
-      <translation type="unfinished" />
+      <translation>Radiant</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Copy the table</source>
-      <translation type="unfinished" />
+      <translation>Tabelle kopieren</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Save as CSV…</source>
-      <translation type="unfinished" />
+      <translation>Als CSV speichern…</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Save the table</source>
-      <translation type="unfinished" />
+      <translation>Tabelle speichern</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>CSV (*.csv)</source>
-      <translation type="unfinished" />
+      <translation>CSV (*.csv)</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Reading the whole take…</source>
-      <translation type="unfinished" />
+      <translation>Die ganze Aufnahme wird gelesen…</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
       <source>Angles and distances</source>
-      <translation type="unfinished" />
+      <translation>Winkel und Abstände</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
       <source>Angle or distance</source>
-      <translation type="unfinished" />
+      <translation>Winkel oder Abstand</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
       <source>Now</source>
-      <translation type="unfinished" />
+      <translation>Jetzt</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
       <source>In its range</source>
-      <translation type="unfinished" />
+      <translation>Im Bereich</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
       <source>Least</source>
-      <translation type="unfinished" />
+      <translation>Kleinster</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
       <source>Greatest</source>
-      <translation type="unfinished" />
+      <translation>Größter</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
       <source>Range</source>
-      <translation type="unfinished" />
+      <translation>Umfang</translation>
     </message>
     <message>
       <location filename="app/panels/motion/table.py" />
       <source>Fastest / s</source>
-      <translation type="unfinished" />
+      <translation>Schnellste / s</translation>
     </message>
     <message>
       <location filename="app/panels/note_list.py" />
       <source>Notes of this recording</source>
-      <translation type="unfinished" />
+      <translation>Notizen dieser Aufnahme</translation>
     </message>
     <message>
       <location filename="app/panels/note_list.py" />
       <source>Double-click to change a note, Delete to take it back</source>
-      <translation type="unfinished" />
+      <translation>Doppelklick ändert eine Notiz, Entf nimmt sie zurück</translation>
     </message>
     <message>
       <location filename="app/panels/note_list.py" />
       <source>At</source>
-      <translation type="unfinished" />
+      <translation>Zeit</translation>
     </message>
     <message>
       <location filename="app/panels/note_list.py" />
       <source>Note</source>
-      <translation type="unfinished" />
+      <translation>Notiz</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Recording</source>
-      <translation type="unfinished" />
+      <translation>Aufnahme</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>for example P01</source>
-      <translation type="unfinished" />
+      <translation>zum Beispiel P01</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>for example pinch</source>
-      <translation type="unfinished" />
+      <translation>zum Beispiel Pinzettengriff</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>May hold {participant}, {task}, {date}, {time} and a counter: {n} or {n:03}</source>
-      <translation type="unfinished" />
+      <translation>Darf {participant}, {task}, {date}, {time} und einen Zähler enthalten: {n} oder {n:03}</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Participant</source>
-      <translation type="unfinished" />
+      <translation>Versuchsperson</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Task</source>
-      <translation type="unfinished" />
+      <translation>Aufgabe</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>File name</source>
-      <translation type="unfinished" />
+      <translation>Dateiname</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Folder</source>
-      <translation type="unfinished" />
+      <translation>Ordner</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Countdown</source>
-      <translation type="unfinished" />
+      <translation>Countdown</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>with a beep</source>
-      <translation type="unfinished" />
+      <translation>mit Ton</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Record</source>
-      <translation type="unfinished" />
+      <translation>Aufnehmen</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Note (Enter adds it)</source>
-      <translation type="unfinished" />
+      <translation>Notiz (Eingabetaste fügt sie hinzu)</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Time</source>
-      <translation type="unfinished" />
+      <translation>Zeit</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Messages</source>
-      <translation type="unfinished" />
+      <translation>Nachrichten</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Losses</source>
-      <translation type="unfinished" />
+      <translation>Verluste</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Disk</source>
-      <translation type="unfinished" />
+      <translation>Festplatte</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Folder for recordings</source>
-      <translation type="unfinished" />
+      <translation>Ordner für Aufnahmen</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Stop</source>
-      <translation type="unfinished" />
+      <translation>Stopp</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>none</source>
-      <translation type="unfinished" />
+      <translation>keiner</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>Not now ({})</source>
-      <translation type="unfinished" />
+      <translation>Nicht jetzt ({})</translation>
     </message>
     <message>
       <location filename="app/panels/recording.py" />
       <source>{} s</source>
-      <translation type="unfinished" />
+      <translation>{} s</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>Remote control: start, stop and note from other programs</source>
-      <translation type="unfinished" />
+      <translation>Fernsteuerung: Start, Stopp und Notiz aus anderen Programmen</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>Others in the network can start and stop recordings at this address: there is no password.</source>
-      <translation type="unfinished" />
+      <translation>An dieser Adresse können andere im Netz Aufnahmen starten und stoppen: Es gibt kein Passwort.</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>127.0.0.1: this computer alone. 0.0.0.0: all networks it is in</source>
-      <translation type="unfinished" />
+      <translation>127.0.0.1: nur dieser Computer. 0.0.0.0: alle Netze, in denen er ist</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>Listens at</source>
-      <translation type="unfinished" />
+      <translation>Lauscht an</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>By</source>
-      <translation type="unfinished" />
+      <translation>Über</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>Port</source>
-      <translation type="unfinished" />
+      <translation>Port</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>Clients</source>
-      <translation type="unfinished" />
+      <translation>Gegenstellen</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>Requests</source>
-      <translation type="unfinished" />
+      <translation>Anfragen</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>Refused</source>
-      <translation type="unfinished" />
+      <translation>Abgelehnt</translation>
     </message>
     <message>
       <location filename="app/panels/remote.py" />
       <source>Port of {}</source>
-      <translation type="unfinished" />
+      <translation>Port von {}</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>Sensors</source>
-      <translation type="unfinished" />
+      <translation>Sensoren</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>Angular rate / °/s</source>
-      <translation type="unfinished" />
+      <translation>Drehrate / °/s</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>Acceleration / g</source>
-      <translation type="unfinished" />
+      <translation>Beschleunigung / g</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>Joint angle / °</source>
-      <translation type="unfinished" />
+      <translation>Gelenkwinkel / °</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>Curves</source>
-      <translation type="unfinished" />
+      <translation>Kurven</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>Hold the curves; tracking goes on</source>
-      <translation type="unfinished" />
+      <translation>Die Kurven festhalten; das Tracking läuft weiter</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>Show this curve</source>
-      <translation type="unfinished" />
+      <translation>Diese Kurve zeigen</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>IMU: {}</source>
-      <translation type="unfinished" />
+      <translation>IMU: {}</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
       <source>Angles: {}</source>
-      <translation type="unfinished" />
+      <translation>Winkel: {}</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>The recording {} was cut off. What it holds can be recovered.</source>
-      <translation type="unfinished" />
+      <translation>Die Aufnahme {} ist abgebrochen. Was sie enthält, lässt sich retten.</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>Glovetrack</source>
-      <translation type="unfinished" />
+      <translation>Glovetrack</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>Recent sessions</source>
-      <translation type="unfinished" />
+      <translation>Letzte Sitzungen</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>Library</source>
-      <translation type="unfinished" />
+      <translation>Bibliothek</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>All recorded sessions</source>
-      <translation type="unfinished" />
+      <translation>Alle aufgenommenen Sitzungen</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>Demo</source>
-      <translation type="unfinished" />
+      <translation>Demo</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>A simulated glove and camera: see everything move, no hardware needed.</source>
-      <translation type="unfinished" />
+      <translation>Handschuh und Kamera simuliert: Alles bewegt sich, ganz ohne Geräte.</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>Glove and camera</source>
-      <translation type="unfinished" />
+      <translation>Handschuh und Kamera</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>Find your devices and go through the set-up, step by step.</source>
-      <translation type="unfinished" />
+      <translation>Geräte finden und Schritt für Schritt einrichten.</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>Recorded session</source>
-      <translation type="unfinished" />
+      <translation>Aufgenommene Sitzung</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>Replay a session file, look at it frame by frame, export it.</source>
-      <translation type="unfinished" />
+      <translation>Eine Sitzungsdatei abspielen, Bild für Bild ansehen, exportieren.</translation>
     </message>
     <message>
       <location filename="app/panels/start_page.py" />
       <source>{} more stand in the library.</source>
-      <translation type="unfinished" />
+      <translation>Weitere in der Bibliothek: {}.</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Streams &amp;&amp; haptics</source>
-      <translation type="unfinished" />
+      <translation>Streams &amp;&amp; Haptik</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>127.0.0.1 is this computer alone; UDP and VMC send there, servers listen there</source>
-      <translation type="unfinished" />
+      <translation>127.0.0.1 ist nur dieser Computer; UDP und VMC senden dorthin, Server lauschen dort</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>&amp;Address</source>
-      <translation type="unfinished" />
+      <translation>&amp;Adresse</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Joints</source>
-      <translation type="unfinished" />
+      <translation>Gelenke</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>What streams carry: our 21 joints, or the 26 joints of OpenXR in its axes</source>
-      <translation type="unfinished" />
+      <translation>Was Streams tragen: die eigenen 21 Gelenke oder die 26 von OpenXR in dessen Achsen</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Stream</source>
-      <translation type="unfinished" />
+      <translation>Stream</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Sent</source>
-      <translation type="unfinished" />
+      <translation>Gesendet</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Dropped</source>
-      <translation type="unfinished" />
+      <translation>Verworfen</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Vibration motors: press one to feel it</source>
-      <translation type="unfinished" />
+      <translation>Vibrationsmotoren: drücken, um einen zu spüren</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Strength of the test</source>
-      <translation type="unfinished" />
+      <translation>Stärke des Tests</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Vibrate when a fingertip enters a sphere of</source>
-      <translation type="unfinished" />
+      <translation>Vibrieren, wenn eine Fingerspitze in eine Kugel tritt von</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source> mm</source>
-      <translation type="unfinished" />
+      <translation> mm</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Radius of the sphere</source>
-      <translation type="unfinished" />
+      <translation>Radius der Kugel</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Put it at the index fingertip</source>
-      <translation type="unfinished" />
+      <translation>An die Zeigefingerspitze setzen</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>The sphere has no place yet.</source>
-      <translation type="unfinished" />
+      <translation>Die Kugel hat noch keinen Ort.</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Our joints</source>
-      <translation type="unfinished" />
+      <translation>Eigene Gelenke</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>OpenXR joints</source>
-      <translation type="unfinished" />
+      <translation>Gelenke von OpenXR</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Strength</source>
-      <translation type="unfinished" />
+      <translation>Stärke</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>The sphere stands at {:.0f}, {:.0f}, {:.0f} mm.</source>
-      <translation type="unfinished" />
+      <translation>Die Kugel liegt bei {:.0f}, {:.0f}, {:.0f} mm.</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
       <source>Motor {}</source>
-      <translation type="unfinished" />
+      <translation>Motor {}</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>the log of the window and of the program, and of a crash if there was one</source>
-      <translation type="unfinished" />
+      <translation>das Protokoll des Fensters und des Programms, und eines Absturzes, falls es einen gab</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>versions of Glovetrack, its packages and the operating system; size of the machine</source>
-      <translation type="unfinished" />
+      <translation>Versionen von Glovetrack, seinen Paketen und dem Betriebssystem; Größe des Computers</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>rates, latencies and losses of now</source>
-      <translation type="unfinished" />
+      <translation>Raten, Latenzen und Verluste von jetzt</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>an image of the window as it is now</source>
-      <translation type="unfinished" />
+      <translation>ein Bild des Fensters, wie es jetzt ist</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>an image of the window as it is now, with the library, the recording panel and the log blacked out</source>
-      <translation type="unfinished" />
+      <translation>ein Bild des Fensters, wie es jetzt ist, mit Bibliothek, Aufnahme und Protokoll geschwärzt</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>the last {} s of the session that is open: sensor data and tracking, without camera images</source>
-      <translation type="unfinished" />
+      <translation>die letzten {} s der offenen Sitzung: Sensordaten und Tracking, ohne Kamerabilder</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>A bug report of Glovetrack. It holds:</source>
-      <translation type="unfinished" />
+      <translation>Ein Fehlerbericht von Glovetrack. Er enthält:</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>the window's settings</source>
-      <translation type="unfinished" />
+      <translation>die Einstellungen des Fensters</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>the window's settings, without participant, task and folders</source>
-      <translation type="unfinished" />
+      <translation>die Einstellungen des Fensters, ohne Versuchsperson, Aufgabe und Ordner</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
       <source>the last {} s of the session that is open: sensor data and tracking, with camera images</source>
-      <translation type="unfinished" />
+      <translation>die letzten {} s der offenen Sitzung: Sensordaten und Tracking, mit Kamerabildern</translation>
     </message>
     <message>
       <location filename="app/platform/crash.py" />
       <source>Something went wrong inside Glovetrack ({}: {}).</source>
-      <translation type="unfinished" />
+      <translation>In Glovetrack ist etwas schiefgegangen ({}: {}).</translation>
     </message>
     <message>
       <location filename="app/platform/tasks.py" />
       <source>{} failed: {}: {}</source>
-      <translation type="unfinished" />
+      <translation>„{}“ ist gescheitert: {}: {}</translation>
     </message>
     <message>
       <location filename="app/storage/image_folder.py" />
       <source>{} is no image that can be read.</source>
-      <translation type="unfinished" />
+      <translation>{} ist kein lesbares Bild.</translation>
     </message>
     <message>
       <location filename="app/storage/image_folder.py" />
       <source>{}: the image could not be packed.</source>
-      <translation type="unfinished" />
+      <translation>{}: Das Bild ließ sich nicht packen.</translation>
     </message>
     <message>
       <location filename="app/storage/session_tags.py" />
       <source>it is too large</source>
-      <translation type="unfinished" />
+      <translation>zu groß</translation>
     </message>
     <message>
       <location filename="app/storage/session_tags.py" />
       <source>The tags of {} were left behind: {}.</source>
-      <translation type="unfinished" />
+      <translation>Die Schlagwörter von {} blieben zurück: {}.</translation>
     </message>
     <message>
       <location filename="app/storage/settings.py" />
       <source>they do not say which version they are of</source>
-      <translation type="unfinished" />
+      <translation>sie sagen nicht, von welcher Version sie sind</translation>
     </message>
     <message>
       <location filename="app/storage/settings.py" />
       <source>a later version of Glovetrack wrote them</source>
-      <translation type="unfinished" />
+      <translation>eine spätere Version von Glovetrack hat sie geschrieben</translation>
     </message>
     <message>
       <location filename="app/storage/settings.py" />
       <source>The window's settings could not be used ({}), so it starts with its own. They are kept in {}.</source>
-      <translation type="unfinished" />
+      <translation>Die Einstellungen des Fensters sind nicht zu verwenden ({}), deshalb startet es mit eigenen. Sie bleiben erhalten in {}.</translation>
     </message>
     <message>
       <location filename="app/storage/wearers.py" />
       <source>The profile {} was not removed: {}.</source>
-      <translation type="unfinished" />
+      <translation>Das Profil {} wurde nicht entfernt: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>Spread the fingers and turn the hand before the camera: sizes settle.</source>
-      <translation type="unfinished" />
+      <translation>Finger spreizen und die Hand vor der Kamera drehen: Die Größen schwingen sich ein.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>Bend and stretch the fingers and turn the wrist: the mounting of IMUs settles.</source>
-      <translation type="unfinished" />
+      <translation>Finger beugen und strecken und das Handgelenk drehen: Die Einbaulage der IMUs schwingt sich ein.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>Hold the hand still for three seconds: gyro biases settle.</source>
-      <translation type="unfinished" />
+      <translation>Die Hand drei Sekunden stillhalten: Der Gyro-Bias schwingt sich ein.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>Hold the hand at several slants: accelerometer biases settle.</source>
-      <translation type="unfinished" />
+      <translation>Die Hand in verschiedenen Neigungen halten: Der Bias der Beschleunigungssensoren schwingt sich ein.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>more than 2σ of both</source>
-      <translation type="unfinished" />
+      <translation>mehr als 2σ von beiden</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>within 2σ of both</source>
-      <translation type="unfinished" />
+      <translation>innerhalb 2σ von beiden</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>Everything has settled.</source>
-      <translation type="unfinished" />
+      <translation>Alles hat sich eingeschwungen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>not known yet: turn the hand</source>
-      <translation type="unfinished" />
+      <translation>noch nicht bekannt: die Hand drehen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>late</source>
-      <translation type="unfinished" />
+      <translation>zu spät</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>early</source>
-      <translation type="unfinished" />
+      <translation>zu früh</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>corrected</source>
-      <translation type="unfinished" />
+      <translation>korrigiert</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>not corrected</source>
-      <translation type="unfinished" />
+      <translation>nicht korrigiert</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>now {}
 change {}: {}</source>
-      <translation type="unfinished" />
+      <translation>jetzt {}
+Änderung {}: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>{} Least so far: {}.</source>
-      <translation type="unfinished" />
+      <translation>{} Am wenigsten bisher: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>{:.1f} ± {:.1f} ms</source>
-      <translation type="unfinished" />
+      <translation>{:.1f} ± {:.1f} ms</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>{} {}, {}</source>
-      <translation type="unfinished" />
+      <translation>{} {}, {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/camera_overlay.py" />
       <source>wrong size</source>
-      <translation type="unfinished" />
+      <translation>falsche Größe</translation>
     </message>
     <message>
       <location filename="app/viewmodels/camera_overlay.py" />
       <source>not convex</source>
-      <translation type="unfinished" />
+      <translation>nicht konvex</translation>
     </message>
     <message>
       <location filename="app/viewmodels/camera_overlay.py" />
       <source>not round</source>
-      <translation type="unfinished" />
+      <translation>nicht rund</translation>
     </message>
     <message>
       <location filename="app/viewmodels/camera_overlay.py" />
       <source>at the edge</source>
-      <translation type="unfinished" />
+      <translation>am Rand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>exposure</source>
+      <translation>Belichtung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>gain</source>
+      <translation>Verstärkung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>white balance</source>
+      <translation>Weißabgleich</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Glove found</source>
-      <translation type="unfinished" />
+      <translation>Handschuh gefunden</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>No glove answers. Plug it in, or try the demo.</source>
-      <translation type="unfinished" />
+      <translation>Kein Handschuh antwortet. Anschließen oder die Demo versuchen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>All IMUs answer</source>
-      <translation type="unfinished" />
+      <translation>Alle IMUs antworten</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Measured at rest</source>
-      <translation type="unfinished" />
+      <translation>In Ruhe vermessen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Lay the hand flat on the table for two seconds.</source>
-      <translation type="unfinished" />
+      <translation>Die Hand zwei Sekunden flach auf den Tisch legen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Camera found</source>
-      <translation type="unfinished" />
+      <translation>Kamera gefunden</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Camera calibrated</source>
-      <translation type="unfinished" />
+      <translation>Kamera kalibriert</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Exposure locked</source>
-      <translation type="unfinished" />
+      <translation>Belichtung gesperrt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Colours tuned</source>
-      <translation type="unfinished" />
+      <translation>Farben abgestimmt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Hand in view</source>
-      <translation type="unfinished" />
+      <translation>Hand im Bild</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Calibration settled</source>
-      <translation type="unfinished" />
+      <translation>Kalibrierung eingeschwungen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>The glove was here and is silent. Is it plugged in?</source>
-      <translation type="unfinished" />
+      <translation>Der Handschuh war da und schweigt. Ist er eingesteckt?</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Look again</source>
-      <translation type="unfinished" />
+      <translation>Ansehen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Measure</source>
-      <translation type="unfinished" />
+      <translation>Messen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>The camera was here and is silent. Is it plugged in?</source>
-      <translation type="unfinished" />
+      <translation>Die Kamera war da und schweigt. Ist sie eingesteckt?</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>No images arrive.</source>
-      <translation type="unfinished" />
+      <translation>Es kommen keine Bilder an.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Show a printed board to both lenses.</source>
-      <translation type="unfinished" />
+      <translation>Beiden Objektiven eine gedruckte Tafel zeigen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Hold the hand flat, about 35 cm before the camera, for two seconds.</source>
-      <translation type="unfinished" />
+      <source>the markers are clear</source>
+      <translation>die Marker sind deutlich</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Show</source>
-      <translation type="unfinished" />
+      <translation>Zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Hold the hand flat, about 35 cm before the camera, for two seconds.</source>
+      <translation>Die Hand zwei Sekunden flach halten, etwa 35 cm vor der Kamera.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Waits for the glove.</source>
-      <translation type="unfinished" />
+      <translation>Wartet auf den Handschuh.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Set up the glove</source>
-      <translation type="unfinished" />
+      <translation>Handschuh einrichten</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Show sensors</source>
-      <translation type="unfinished" />
+      <translation>Sensoren zeigen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>this engine estimates no biases</source>
-      <translation type="unfinished" />
+      <translation>dieses Verfahren schätzt keinen Bias</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>The left image is missing.</source>
-      <translation type="unfinished" />
+      <translation>Das linke Bild fehlt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>The right image is missing.</source>
-      <translation type="unfinished" />
+      <translation>Das rechte Bild fehlt.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Calibrate</source>
-      <translation type="unfinished" />
+      <translation>Kalibrieren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Waits for images.</source>
-      <translation type="unfinished" />
+      <translation>Wartet auf Bilder.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>it does not change here</source>
-      <translation type="unfinished" />
+      <translation>sie ändert sich hier nicht</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>this source has no exposure to be set</source>
-      <translation type="unfinished" />
+      <translation>diese Quelle hat keine einstellbare Belichtung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>this camera lets no program set it: keep the light as it is</source>
-      <translation type="unfinished" />
+      <translation>diese Kamera lässt sich von keinem Programm einstellen: Das Licht lassen, wie es ist</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Lock it now</source>
-      <translation type="unfinished" />
+      <translation>Jetzt sperren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Tune colours</source>
-      <translation type="unfinished" />
+      <translation>Farben abstimmen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>No marker is found.</source>
-      <translation type="unfinished" />
+      <translation>Kein Marker gefunden.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Waits for glove and camera.</source>
-      <translation type="unfinished" />
+      <translation>Wartet auf Handschuh und Kamera.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Needs glove and calibrated camera.</source>
-      <translation type="unfinished" />
+      <translation>Braucht Handschuh und kalibrierte Kamera.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Waits for tracking.</source>
-      <translation type="unfinished" />
+      <translation>Wartet auf das Tracking.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Hold poses</source>
+      <translation>Posen halten</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>{} of {}</source>
-      <translation type="unfinished" />
+      <translation>{} von {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>both images arrive</source>
-      <translation type="unfinished" />
+      <translation>beide Bilder kommen an</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>baseline {:.1f} mm</source>
-      <translation type="unfinished" />
+      <translation>Basislänge {:.1f} mm</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>The camera changes {} by itself.</source>
-      <translation type="unfinished" />
+      <translation>Die Kamera ändert {} von selbst.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>The intervals of {} overlap.</source>
-      <translation type="unfinished" />
+      <translation>Die Bereiche von {} überlappen sich.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Not seen: {}. Turn the hand, or tune the colours.</source>
-      <translation type="unfinished" />
+      <translation>Nicht zu sehen: {}. Die Hand drehen oder die Farben abstimmen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>seen: {}</source>
-      <translation type="unfinished" />
+      <translation>zu sehen: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Silent: {}.</source>
-      <translation type="unfinished" />
+      <translation>Keine Antwort von: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>gyros known to {:.1f} °/s</source>
-      <translation type="unfinished" />
+      <translation>Gyroskope auf {:.1f} °/s genau</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>hand length {}</source>
-      <translation type="unfinished" />
+      <translation>Handlänge {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>{} ({} patches)</source>
-      <translation type="unfinished" />
+      <translation>{} (Flecken: {})</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>Nothing was fitted: no patches of these colours were found.</source>
-      <translation type="unfinished" />
+      <translation>Nichts angepasst: Es wurden keine Flecken dieser Farben gefunden.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>There is no image yet to fit the colours to.</source>
-      <translation type="unfinished" />
+      <translation>Es gibt noch kein Bild, an das die Farben angepasst werden könnten.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>Fitted {}. Kept {}: too few are seen.</source>
-      <translation type="unfinished" />
+      <translation>Angepasst: {}. Belassen: {}, es sind zu wenige zu sehen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>No markers were tracked yet. Fit from the image alone first.</source>
-      <translation type="unfinished" />
+      <translation>Noch wurden keine Marker verfolgt. Erst allein aus dem Bild anpassen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
       <source>Fitted {}.</source>
-      <translation type="unfinished" />
+      <translation>Angepasst: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
       <source>The room has none of the colours.</source>
-      <translation type="unfinished" />
+      <translation>Der Raum hat keine der Farben.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
       <source>Exported to {}</source>
-      <translation type="unfinished" />
+      <translation>Exportiert nach {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
       <source>Colours of {}</source>
-      <translation type="unfinished" />
+      <translation>Farben von {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
       <source>{} must have the hues {} for this glove.</source>
-      <translation type="unfinished" />
+      <translation>{} muss für diesen Handschuh die Farbtöne {} haben.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
       <source>no image</source>
-      <translation type="unfinished" />
+      <translation>kein Bild</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
       <source>{:.0f} found in an image, about {:.0f} expected</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} in einem Bild gefunden, etwa {:.0f} erwartet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/colours.py" />
+      <source>{:.0f} found in an image, none expected</source>
+      <translation>{:.0f} in einem Bild gefunden, keine erwartet</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
       <source>{:.0f} of about {:.0f}</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} von etwa {:.0f}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
       <source>overlaps {}</source>
-      <translation type="unfinished" />
+      <translation>überlappt {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
       <source>the room has this colour too ({:.2g} % of it)</source>
-      <translation type="unfinished" />
+      <translation>der Raum hat diese Farbe auch ({:.2g} % davon)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colours.py" />
       <source>{:.0f} found in an image</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} in einem Bild gefunden</translation>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
       <source>{} is nearer to the truth: {} on average.</source>
-      <translation type="unfinished" />
+      <translation>{} ist näher an der Wahrheit: {} im Mittel.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
       <source>all keypoints, mean</source>
-      <translation type="unfinished" />
+      <translation>alle Schlüsselpunkte, Mittel</translation>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
       <source>all keypoints, largest</source>
-      <translation type="unfinished" />
+      <translation>alle Schlüsselpunkte, größter</translation>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
       <source>all joints, rms</source>
-      <translation type="unfinished" />
+      <translation>alle Gelenke, RMS</translation>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
       <source>{} instants in common; keypoints differ by {} on average, joints by {} (rms).</source>
-      <translation type="unfinished" />
+      <translation>Gemeinsame Zeitpunkte: {}; Schlüsselpunkte weichen im Mittel um {} ab, Gelenke um {} (RMS).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/compare.py" />
       <source>Both are the same to the last bit ({} instants).</source>
-      <translation type="unfinished" />
+      <translation>Beide sind bis aufs letzte Bit gleich (Zeitpunkte: {}).</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Table for spreadsheets and everything else (CSV)</source>
-      <translation type="unfinished" />
+      <translation>Tabelle für Tabellenkalkulation und alles andere (CSV)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Table for Python and R (Parquet)</source>
-      <translation type="unfinished" />
+      <translation>Tabelle für Python und R (Parquet)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Arrays for MATLAB and Python (HDF5)</source>
-      <translation type="unfinished" />
+      <translation>Felder für MATLAB und Python (HDF5)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Motion capture (C3D)</source>
-      <translation type="unfinished" />
+      <translation>Bewegungserfassung (C3D)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>OpenSim markers (TRC)</source>
-      <translation type="unfinished" />
+      <translation>OpenSim-Marker (TRC)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>OpenSim joint angles (MOT)</source>
-      <translation type="unfinished" />
+      <translation>OpenSim-Gelenkwinkel (MOT)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>OpenSim orientations of the IMUs (STO)</source>
-      <translation type="unfinished" />
+      <translation>OpenSim-Lagen der IMUs (STO)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>OpenSim model of the hand as tracked (OSIM)</source>
-      <translation type="unfinished" />
+      <translation>OpenSim-Modell der verfolgten Hand (OSIM)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Animation skeleton (BVH)</source>
-      <translation type="unfinished" />
+      <translation>Animationsskelett (BVH)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Animated hand in 3D (glTF)</source>
-      <translation type="unfinished" />
+      <translation>Animierte Hand in 3D (glTF)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Robot model of the hand (URDF)</source>
-      <translation type="unfinished" />
+      <translation>Robotermodell der Hand (URDF)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Film with the hand drawn in (MP4)</source>
-      <translation type="unfinished" />
+      <translation>Film mit eingezeichneter Hand (MP4)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Folder of images with the hand drawn in (PNG)</source>
-      <translation type="unfinished" />
+      <translation>Ordner mit Bildern, Hand eingezeichnet (PNG)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Session, whole or the chosen part (MCAP)</source>
-      <translation type="unfinished" />
+      <translation>Sitzung, ganz oder der gewählte Teil (MCAP)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Hand record of NVIDIA's Isaac tools (MCAP)</source>
-      <translation type="unfinished" />
+      <translation>Handdaten für Isaac von NVIDIA (MCAP)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
       <source>go on…</source>
-      <translation type="unfinished" />
+      <translation>weiter…</translation>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
       <source>Lay the hand flat on the table, palm down, and hold it still.</source>
-      <translation type="unfinished" />
+      <translation>Die Hand flach auf den Tisch legen, Innenseite nach unten, und stillhalten.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
       <source>Measured.</source>
-      <translation type="unfinished" />
+      <translation>Gemessen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
       <source>{} of {}: {}</source>
-      <translation type="unfinished" />
+      <translation>{} von {}: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
       <source>Waiting for rest. {}</source>
-      <translation type="unfinished" />
+      <translation>Warten auf Ruhe. {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>thumb</source>
+      <translation>Daumen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>index finger</source>
+      <translation>Zeigefinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>middle finger</source>
+      <translation>Mittelfinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>ring finger</source>
+      <translation>Ringfinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>little finger</source>
+      <translation>kleiner Finger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>The end joint of your {} bends {:.0f}° more than was thought.</source>
+      <translation>Endgelenk {}: beugt sich {:.0f}° mehr als angenommen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>The end joint of your {} bends {:.0f}° less than was thought.</source>
+      <translation>Endgelenk {}: beugt sich {:.0f}° weniger als angenommen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>Your hand is {:.1f} mm longer than was thought.</source>
+      <translation>Die Hand ist {:.1f} mm länger als angenommen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>Your hand is {:.1f} mm shorter than was thought.</source>
+      <translation>Die Hand ist {:.1f} mm kürzer als angenommen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>Tip of the thumb, to the side</source>
+      <translation>Daumenspitze, zur Seite</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>Length of the hand</source>
+      <translation>Länge der Hand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>End joint of the {}, stretched</source>
+      <translation>Endgelenk {}, gestreckt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_result.py" />
+      <source>End joint of the {}, bent</source>
+      <translation>Endgelenk {}, gebeugt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Hand flat on the table, fingers together</source>
+      <translation>Hand flach auf dem Tisch, Finger geschlossen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Flat on the table, fingers and thumb spread</source>
+      <translation>Flach auf dem Tisch, Finger und Daumen gespreizt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>A firm fist, the thumb over the fingers</source>
+      <translation>Eine feste Faust, der Daumen über den Fingern</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>A fist with the thumb straight</source>
+      <translation>Eine Faust mit gestrecktem Daumen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Thumb on the tip of the index finger</source>
+      <translation>Daumen auf die Spitze des Zeigefingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Thumb on the tip of the middle finger</source>
+      <translation>Daumen auf die Spitze des Mittelfingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Thumb on the tip of the ring finger</source>
+      <translation>Daumen auf die Spitze des Ringfingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Thumb on the tip of the little finger</source>
+      <translation>Daumen auf die Spitze des kleinen Fingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>flat</source>
+      <translation>flach</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>spread</source>
+      <translation>gespreizt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>fist</source>
+      <translation>Faust</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>thumb straight</source>
+      <translation>Daumen gestreckt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>index</source>
+      <translation>Zeigef.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>middle</source>
+      <translation>Mittelf.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>ring</source>
+      <translation>Ringf.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>little</source>
+      <translation>kleiner F.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Straighten the thumb</source>
+      <translation>Daumen strecken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Straighten the index finger</source>
+      <translation>Zeigefinger strecken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Straighten the middle finger</source>
+      <translation>Mittelfinger strecken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Straighten the ring finger</source>
+      <translation>Ringfinger strecken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Straighten the little finger</source>
+      <translation>Kleinen Finger strecken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Bend the thumb more</source>
+      <translation>Daumen stärker beugen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Bend the index finger more</source>
+      <translation>Zeigefinger stärker beugen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Bend the middle finger more</source>
+      <translation>Mittelfinger stärker beugen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Bend the ring finger more</source>
+      <translation>Ringfinger stärker beugen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Bend the little finger more</source>
+      <translation>Kleinen Finger stärker beugen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Nothing arrives from the glove</source>
+      <translation>Vom Handschuh kommt nichts an</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Show the hand to the camera</source>
+      <translation>Der Kamera die Hand zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Bring the tips together</source>
+      <translation>Die Spitzen zusammenführen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Hold it</source>
+      <translation>Halten</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/guided_words.py" />
+      <source>Next</source>
+      <translation>Weiter</translation>
     </message>
     <message>
       <location filename="app/viewmodels/hand_scene.py" />
       <source>Place unknown: orientation and finger angles by the IMUs alone</source>
-      <translation type="unfinished" />
+      <translation>Ort unbekannt: Lage und Fingerwinkel allein nach den IMUs</translation>
     </message>
     <message>
       <location filename="app/viewmodels/hand_scene.py" />
       <source>Nothing arrives: the hand stands as it was last</source>
-      <translation type="unfinished" />
+      <translation>Es kommt nichts an: Die Hand steht, wie sie zuletzt war</translation>
     </message>
     <message>
       <location filename="app/viewmodels/hand_scene.py" />
       <source>Position lost: the hand stands where it was last seen</source>
-      <translation type="unfinished" />
+      <translation>Ort verloren: Die Hand steht, wo sie zuletzt zu sehen war</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>being recorded</source>
-      <translation type="unfinished" />
+      <translation>wird aufgenommen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>unreadable</source>
-      <translation type="unfinished" />
+      <translation>unlesbar</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>not tracked</source>
-      <translation type="unfinished" />
+      <translation>ohne Tracking</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>tracked {} %</source>
-      <translation type="unfinished" />
+      <translation>verfolgt {} %</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>tracked {} %, {} packets lost</source>
-      <translation type="unfinished" />
+      <translation>verfolgt {} %, verlorene Pakete: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>whole</source>
-      <translation type="unfinished" />
+      <translation>vollständig</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
       <source>cut off</source>
-      <translation type="unfinished" />
+      <translation>abgebrochen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>too bright</source>
+      <translation>zu hell</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>too dark</source>
+      <translation>zu dunkel</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>noisy</source>
+      <translation>verrauscht</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>too warm</source>
+      <translation>zu warm</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>too cold</source>
+      <translation>zu kalt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>hues alike</source>
+      <translation>Farbtöne ähnlich</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>colours in the room</source>
+      <translation>Farben im Raum</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>markers missed</source>
+      <translation>Marker übersehen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>good</source>
+      <translation>gut</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>No image has been looked at yet.</source>
+      <translation>Noch wurde kein Bild angesehen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>Nothing to change: the markers are clear.</source>
+      <translation>Nichts zu ändern: Die Marker sind deutlich.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>noise {:.1f} levels</source>
+      <translation>Rauschen {:.1f} Stufen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>{} of {} markers found</source>
+      <translation>{} von {} Markern gefunden</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>brightness {:.0f} of 255</source>
+      <translation>Helligkeit {:.0f} von 255</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/light.py" />
+      <source>red to blue on the cloth {:.1f}</source>
+      <translation>Rot zu Blau auf dem Stoff {:.1f}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/log.py" />
       <source>Problems</source>
-      <translation type="unfinished" />
+      <translation>Probleme</translation>
     </message>
     <message>
       <location filename="app/viewmodels/log.py" />
       <source>Devices</source>
-      <translation type="unfinished" />
+      <translation>Geräte</translation>
     </message>
     <message>
       <location filename="app/viewmodels/log.py" />
       <source>Tracking</source>
-      <translation type="unfinished" />
+      <translation>Tracking</translation>
     </message>
     <message>
       <location filename="app/viewmodels/log.py" />
       <source>Computer</source>
-      <translation type="unfinished" />
+      <translation>Computer</translation>
     </message>
     <message>
       <location filename="app/viewmodels/log.py" />
       <source>Notes</source>
-      <translation type="unfinished" />
+      <translation>Notizen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/log.py" />
       <source>a note was deleted</source>
-      <translation type="unfinished" />
+      <translation>eine Notiz wurde gelöscht</translation>
     </message>
     <message>
       <location filename="app/viewmodels/log.py" />
       <source>changed to: {}</source>
-      <translation type="unfinished" />
+      <translation>geändert in: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recent.py" />
       <source>just now</source>
-      <translation type="unfinished" />
+      <translation>gerade eben</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recent.py" />
       <source>1 minute ago</source>
-      <translation type="unfinished" />
+      <translation>vor 1 Minute</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recent.py" />
       <source>today, {:%H:%M}</source>
-      <translation type="unfinished" />
+      <translation>heute, {:%H:%M}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recent.py" />
       <source>yesterday, {:%H:%M}</source>
-      <translation type="unfinished" />
+      <translation>gestern, {:%H:%M}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recent.py" />
       <source>{} days ago</source>
-      <translation type="unfinished" />
+      <translation>vor {} Tagen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recent.py" />
       <source>{} minutes ago</source>
-      <translation type="unfinished" />
+      <translation>vor {} Minuten</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
       <source>{} free</source>
-      <translation type="unfinished" />
+      <translation>{} frei</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
       <source>Under 1 GB is left: recording is not possible on this disk.</source>
-      <translation type="unfinished" />
+      <translation>Weniger als 1 GB ist frei: Auf dieser Festplatte ist keine Aufnahme möglich.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
       <source>Under 5 GB is left on this disk.</source>
-      <translation type="unfinished" />
+      <translation>Auf dieser Festplatte sind weniger als 5 GB frei.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
       <source>{} packets</source>
-      <translation type="unfinished" />
+      <translation>Pakete: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
       <source>{} images not recorded</source>
-      <translation type="unfinished" />
+      <translation>nicht aufgenommene Bilder: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
       <source>{} free, about {} of recording</source>
-      <translation type="unfinished" />
+      <translation>{} frei, etwa {} Aufnahme</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
       <source>{} messages that the computer had no time for</source>
-      <translation type="unfinished" />
+      <translation>Nachrichten, für die der Computer keine Zeit hatte: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/recording.py" />
       <source>Nothing can be recorded to {}: {}.</source>
-      <translation type="unfinished" />
+      <translation>Nach {} lässt sich nichts aufnehmen: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
       <source>UDP (JSON, words)</source>
-      <translation type="unfinished" />
+      <translation>UDP (JSON, Wörter)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
       <source>somebody is there</source>
-      <translation type="unfinished" />
+      <translation>jemand ist da</translation>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
       <source>nobody asks</source>
-      <translation type="unfinished" />
+      <translation>niemand fragt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
       <source>not open</source>
-      <translation type="unfinished" />
+      <translation>nicht offen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
       <source>off</source>
-      <translation type="unfinished" />
+      <translation>aus</translation>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
       <source>opening</source>
-      <translation type="unfinished" />
+      <translation>öffnet</translation>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
       <source>{}, {} s ago</source>
-      <translation type="unfinished" />
+      <translation>{}, vor {} s</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Frames whose stuffing was broken (COBS)</source>
-      <translation type="unfinished" />
+      <translation>Datenrahmen mit fehlerhafter Kodierung (COBS)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Frames whose check sum was wrong (CRC)</source>
-      <translation type="unfinished" />
+      <translation>Datenrahmen mit falscher Prüfsumme (CRC)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Frames of a wrong length</source>
-      <translation type="unfinished" />
+      <translation>Datenrahmen falscher Länge</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Frames of an unknown type, or far too long</source>
-      <translation type="unfinished" />
+      <translation>Datenrahmen unbekannter Art oder viel zu lang</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Times that the port was opened again</source>
-      <translation type="unfinished" />
+      <translation>Wie oft der Anschluss neu geöffnet wurde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Restarts of the glove</source>
-      <translation type="unfinished" />
+      <translation>Neustarts des Handschuhs</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Jumps of the glove's clock</source>
-      <translation type="unfinished" />
+      <translation>Sprünge der Uhr des Handschuhs</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Packets that the glove had no time to send</source>
-      <translation type="unfinished" />
+      <translation>Pakete, für die der Handschuh keine Sendezeit hatte</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>The host's time gained on the glove's clock, ppm</source>
-      <translation type="unfinished" />
+      <translation>Vorgang der Computeruhr gegen die Uhr des Handschuhs, ppm</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>Time that the USB adapter holds bytes back, ms</source>
-      <translation type="unfinished" />
+      <translation>Zeit, die der USB-Adapter Bytes zurückhält, ms</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>battery {:.2f} V</source>
-      <translation type="unfinished" />
+      <translation>Akku {:.2f} V</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>adapter waits {:.0f} ms</source>
-      <translation type="unfinished" />
+      <translation>Adapter wartet {:.0f} ms</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>silent</source>
-      <translation type="unfinished" />
+      <translation>schweigt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>⚠ battery low: {:.2f} V</source>
-      <translation type="unfinished" />
+      <translation>⚠ Akku schwach: {:.2f} V</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>⚠ adapter waits {:.0f} ms</source>
-      <translation type="unfinished" />
+      <translation>⚠ Adapter wartet {:.0f} ms</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>answers</source>
-      <translation type="unfinished" />
+      <translation>antwortet</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>jitter {:.1f} ms</source>
-      <translation type="unfinished" />
+      <translation>Jitter {:.1f} ms</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>1 frame damaged</source>
-      <translation type="unfinished" />
+      <translation>1 Datenrahmen beschädigt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>{} frames damaged</source>
-      <translation type="unfinished" />
+      <translation>{} Datenrahmen beschädigt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>1 packet dropped by the glove</source>
-      <translation type="unfinished" />
+      <translation>1 Paket vom Handschuh verworfen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>{} packets dropped by the glove</source>
-      <translation type="unfinished" />
+      <translation>{} Pakete vom Handschuh verworfen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>1 restart</source>
-      <translation type="unfinished" />
+      <translation>1 Neustart</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>{} restarts</source>
-      <translation type="unfinished" />
+      <translation>{} Neustarts</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>1 reconnection</source>
-      <translation type="unfinished" />
+      <translation>1 Neuverbindung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>{} reconnections</source>
-      <translation type="unfinished" />
+      <translation>{} Neuverbindungen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>1 jump of its clock</source>
-      <translation type="unfinished" />
+      <translation>1 Sprung seiner Uhr</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>{} jumps of its clock</source>
-      <translation type="unfinished" />
+      <translation>{} Sprünge seiner Uhr</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>clock {:+.0f} ppm</source>
-      <translation type="unfinished" />
+      <translation>Uhr {:+.0f} ppm</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>no samples</source>
-      <translation type="unfinished" />
+      <translation>keine Messwerte</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>{:.0f} packet lost</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} Paket verloren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>{:.0f} packets lost</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} Pakete verloren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
       <source>{:.0f} % missing</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/viewmodels/states.py" />
-      <source>good</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} % fehlen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
       <source>attention</source>
-      <translation type="unfinished" />
+      <translation>Achtung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
       <source>problem</source>
-      <translation type="unfinished" />
+      <translation>Problem</translation>
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
       <source>idle</source>
-      <translation type="unfinished" />
+      <translation>ruht</translation>
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
       <source>Searching for the hand</source>
-      <translation type="unfinished" />
+      <translation>Suche nach der Hand</translation>
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
       <source>Coasting on the glove alone</source>
-      <translation type="unfinished" />
+      <translation>Nur noch nach dem Handschuh</translation>
     </message>
     <message>
       <location filename="app/viewmodels/states.py" />
       <source>Position lost</source>
-      <translation type="unfinished" />
+      <translation>Ort verloren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Search of both images</source>
-      <translation type="unfinished" />
+      <translation>Suche in beiden Bildern</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>The engine's step for a message</source>
-      <translation type="unfinished" />
+      <translation>Der Schritt des Verfahrens für eine Nachricht</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>A packet's arrival to its estimate</source>
-      <translation type="unfinished" />
+      <translation>Von der Ankunft eines Pakets bis zu seiner Schätzung</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>An image's arrival to the estimate made of it</source>
-      <translation type="unfinished" />
+      <translation>Von der Ankunft eines Bildes bis zur Schätzung daraus</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>3D rate</source>
-      <translation type="unfinished" />
+      <translation>3D-Bildrate</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>overlays</source>
-      <translation type="unfinished" />
+      <translation>Einblendungen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>wide search</source>
-      <translation type="unfinished" />
+      <translation>weite Suche</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>images</source>
-      <translation type="unfinished" />
+      <translation>Bilder</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Packets of the glove that never arrived; images that came faster than they were read</source>
-      <translation type="unfinished" />
+      <translation>Pakete des Handschuhs, die nie ankamen; Bilder, die schneller kamen, als sie gelesen wurden</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Left out:</source>
-      <translation type="unfinished" />
+      <translation>Ausgelassen:</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Glove</source>
-      <translation type="unfinished" />
+      <translation>Handschuh</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Packets of the glove each second</source>
-      <translation type="unfinished" />
+      <translation>Pakete des Handschuhs pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Latency</source>
-      <translation type="unfinished" />
+      <translation>Latenz</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Lost</source>
-      <translation type="unfinished" />
+      <translation>Verloren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Stopped</source>
-      <translation type="unfinished" />
+      <translation>Gestoppt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Place unknown</source>
-      <translation type="unfinished" />
+      <translation>Ort unbekannt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Stereo images each second</source>
-      <translation type="unfinished" />
+      <translation>Stereobilder pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Estimates of the hand each second</source>
-      <translation type="unfinished" />
+      <translation>Schätzungen der Hand pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Its battery is low ({} V): charge it soon</source>
-      <translation type="unfinished" />
+      <translation>Sein Akku ist schwach ({} V): bald laden</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Of each stage, median (99th percentile):</source>
-      <translation type="unfinished" />
+      <translation>Je Stufe, Median (99. Perzentil):</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>{} packets, {} images</source>
-      <translation type="unfinished" />
+      <translation>Pakete: {}, Bilder: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>{}, battery low</source>
-      <translation type="unfinished" />
+      <translation>{}, Akku schwach</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Taken.</source>
-      <translation type="unfinished" />
+      <translation>Aufgenommen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Hold the board still.</source>
-      <translation type="unfinished" />
+      <translation>Die Tafel stillhalten.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>There is a view like this already: move on.</source>
-      <translation type="unfinished" />
+      <translation>So eine Ansicht gibt es schon: weiterbewegen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>There are enough views.</source>
-      <translation type="unfinished" />
+      <translation>Es gibt genug Ansichten.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Views</source>
-      <translation type="unfinished" />
+      <translation>Ansichten</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Image area</source>
-      <translation type="unfinished" />
+      <translation>Bildfläche</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Tilted views</source>
-      <translation type="unfinished" />
+      <translation>Geneigte Ansichten</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Far over near</source>
-      <translation type="unfinished" />
+      <translation>Fern zu nah</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>{}: {} corners, tilted {:.0f}°</source>
-      <translation type="unfinished" />
+      <translation>{}: {} Ecken, geneigt {:.0f}°</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>{}, off by {:.2f} px</source>
-      <translation type="unfinished" />
+      <translation>{}, daneben um {:.2f} px</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Error of all corners</source>
-      <translation type="unfinished" />
+      <translation>Fehler aller Ecken</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Distance of the lenses</source>
-      <translation type="unfinished" />
+      <translation>Objektivabstand</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Turned against each other</source>
-      <translation type="unfinished" />
+      <translation>Gegeneinander verdreht</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Focal length, left</source>
-      <translation type="unfinished" />
+      <translation>Brennweite, links</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Focal length, right</source>
-      <translation type="unfinished" />
+      <translation>Brennweite, rechts</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Image</source>
-      <translation type="unfinished" />
+      <translation>Bild</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>Worst corner</source>
-      <translation type="unfinished" />
+      <translation>Schlechteste Ecke</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>All rows shifted by</source>
-      <translation type="unfinished" />
+      <translation>Alle Zeilen verschoben um</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>used</source>
-      <translation type="unfinished" />
+      <translation>verwendet</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>dropped: it does not fit the others</source>
-      <translation type="unfinished" />
+      <translation>verworfen: passt nicht zu den anderen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>{:.0f} of {:.0f} %</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} von {:.0f} %</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>{:.2f} of {:.2f}</source>
-      <translation type="unfinished" />
+      <translation>{:.2f} von {:.2f}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>That is enough: go on.</source>
-      <translation type="unfinished" />
+      <translation>Das genügt: weiter.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>{} used, {} dropped</source>
-      <translation type="unfinished" />
+      <translation>{} verwendet, {} verworfen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
       <source>{} by {} px</source>
-      <translation type="unfinished" />
+      <translation>{} × {} px</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
       <source>VMC (OSC, avatars)</source>
-      <translation type="unfinished" />
+      <translation>VMC (OSC, Avatare)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
       <source>its library listens on all addresses of this computer, so others in the same network can read it, unless a firewall keeps them out</source>
-      <translation type="unfinished" />
+      <translation>seine Bibliothek lauscht an allen Adressen dieses Computers; andere im selben Netz können mitlesen, wenn keine Firewall sie abhält</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
       <source>nobody listens</source>
-      <translation type="unfinished" />
+      <translation>niemand hört zu</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
       <source>waits for tracking</source>
-      <translation type="unfinished" />
+      <translation>wartet auf Tracking</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
       <source>failing</source>
-      <translation type="unfinished" />
+      <translation>gestört</translation>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
       <source>sending</source>
-      <translation type="unfinished" />
+      <translation>sendet</translation>
     </message>
     <message>
       <location filename="app/viewmodels/take_names.py" />
       <source>The name {!r} is not complete; it can hold text and {}.</source>
-      <translation type="unfinished" />
+      <translation>Der Name {!r} ist nicht vollständig; er kann Text enthalten und {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/take_names.py" />
       <source>A name can hold {}, not {}.</source>
-      <translation type="unfinished" />
+      <translation>Ein Name kann {} enthalten, nicht {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>no packets lost</source>
-      <translation type="unfinished" />
+      <translation>keine Pakete verloren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>1 packet lost</source>
-      <translation type="unfinished" />
+      <translation>1 Paket verloren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>{} is whole: {}.</source>
-      <translation type="unfinished" />
+      <translation>{} ist vollständig: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>no image comes from the camera</source>
-      <translation type="unfinished" />
+      <translation>von der Kamera kommt kein Bild</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>no packet comes from the glove</source>
-      <translation type="unfinished" />
+      <translation>vom Handschuh kommt kein Paket</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>{} is not whole: {}</source>
-      <translation type="unfinished" />
+      <translation>{} ist nicht vollständig: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>{} packets lost</source>
-      <translation type="unfinished" />
+      <translation>{} Pakete verloren</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>This recording lacks something: {}.</source>
-      <translation type="unfinished" />
+      <translation>Dieser Aufnahme fehlt etwas: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>the IMUs {} cannot be heard</source>
-      <translation type="unfinished" />
+      <translation>die IMUs {} schweigen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>tracked {:.0f} % of the time</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} % der Zeit verfolgt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>{:.0f} images come a second instead of {:.0f}</source>
-      <translation type="unfinished" />
+      <translation>{:.0f} Bilder pro Sekunde statt {:.0f}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>the IMU {} cannot be heard</source>
-      <translation type="unfinished" />
+      <translation>die IMU {} schweigt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>{} needs a name with a letter or a digit in it.</source>
-      <translation type="unfinished" />
+      <translation>{} braucht einen Namen mit einem Buchstaben oder einer Ziffer.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>{} is there already, so {} keeps its name.</source>
-      <translation type="unfinished" />
+      <translation>{} gibt es schon, deshalb behält {} seinen Namen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
       <source>{} cannot be named {}: {}.</source>
-      <translation type="unfinished" />
+      <translation>{} kann nicht in {} umbenannt werden: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/two_takes.py" />
       <source>The takes have no tracked instant in common here.</source>
-      <translation type="unfinished" />
+      <translation>Die Aufnahmen haben hier keinen verfolgten Zeitpunkt gemeinsam.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/two_takes.py" />
       <source>differ by {:.1f}° (rms), {:.1f}° at most, over {:.1f} s</source>
-      <translation type="unfinished" />
+      <translation>Unterschied {:.1f}° (RMS), höchstens {:.1f}°, über {:.1f} s</translation>
     </message>
     <message>
       <location filename="app/viewmodels/worn_calibration.py" />
       <source>There is nothing to compare with yet: save a profile, or reset.</source>
-      <translation type="unfinished" />
+      <translation>Noch gibt es nichts zum Vergleichen: Profil speichern oder zurücksetzen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/worn_calibration.py" />
       <source>Frozen: nothing is learned until you unfreeze it.</source>
-      <translation type="unfinished" />
+      <translation>Eingefroren: Bis zum Auftauen wird nichts gelernt.</translation>
     </message>
     <message>
       <location filename="app/widgets/banner.py" />
       <source>Dismiss</source>
-      <translation type="unfinished" />
+      <translation>Schließen</translation>
     </message>
     <message>
       <location filename="app/widgets/command_palette.py" />
       <source>Type a command</source>
-      <translation type="unfinished" />
+      <translation>Befehl eingeben</translation>
     </message>
     <message>
       <location filename="app/widgets/coverage_map.py" />
       <source>{} empty cells</source>
-      <translation type="unfinished" />
+      <translation>Leere Felder: {}</translation>
+    </message>
+    <message>
+      <location filename="app/widgets/hold_ring.py" />
+      <source>held to {} %</source>
+      <translation>zu {} % gehalten</translation>
     </message>
     <message>
       <location filename="app/widgets/hue_range.py" />
       <source>Drag a handle, or the bar. Keys: ↓ ↑ choose a handle, ← → move it.</source>
-      <translation type="unfinished" />
+      <translation>Einen Griff oder den Balken ziehen. Tasten: ↓ ↑ wählen einen Griff, ← → bewegen ihn.</translation>
     </message>
     <message>
       <location filename="app/widgets/hue_strip.py" />
       <source>Histogram of hues</source>
-      <translation type="unfinished" />
+      <translation>Histogramm der Farbtöne</translation>
     </message>
     <message>
       <location filename="app/widgets/image_view.py" />
       <source>Wheel or + −: zoom. Drag or arrows: move. Double click or 0: all.</source>
-      <translation type="unfinished" />
+      <translation>Rad oder + −: Zoom. Ziehen oder Pfeile: verschieben. Doppelklick oder 0: alles.</translation>
     </message>
     <message>
       <location filename="app/widgets/range_row.py" />
       <source>{}, first</source>
-      <translation type="unfinished" />
+      <translation>{}, Anfang</translation>
     </message>
     <message>
       <location filename="app/widgets/range_row.py" />
       <source>{}, last</source>
-      <translation type="unfinished" />
+      <translation>{}, Ende</translation>
     </message>
     <message>
       <location filename="app/widgets/view3d/view_3d.py" />
       <source>The hand in 3D</source>
-      <translation type="unfinished" />
+      <translation>Die Hand in 3D</translation>
     </message>
     <message>
       <location filename="app/window/about.py" />
       <source>About Glovetrack</source>
-      <translation type="unfinished" />
+      <translation>Über Glovetrack</translation>
     </message>
     <message>
       <location filename="app/window/about.py" />
       <source>Parts and their licences</source>
-      <translation type="unfinished" />
+      <translation>Bestandteile und ihre Lizenzen</translation>
     </message>
     <message>
       <location filename="app/window/about.py" />
       <source>Apache-2.0</source>
-      <translation type="unfinished" />
+      <translation>Apache-2.0</translation>
     </message>
     <message>
       <location filename="app/window/about.py" />
       <source>Hand tracking with a sensor glove and a stereo camera. Free software under the Apache Licence 2.0, without any warranty.</source>
-      <translation type="unfinished" />
+      <translation>Hand-Tracking mit einem Sensorhandschuh und einer Stereokamera. Freie Software unter der Apache-Lizenz 2.0, ohne jede Gewähr.</translation>
     </message>
     <message>
       <location filename="app/window/about.py" />
       <source>Glovetrack {}</source>
-      <translation type="unfinished" />
+      <translation>Glovetrack {}</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
       <source>Saving the bug report</source>
-      <translation type="unfinished" />
+      <translation>Fehlerbericht wird gespeichert</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
       <source>Glovetrack ended unexpectedly the last time.</source>
-      <translation type="unfinished" />
+      <translation>Glovetrack wurde letztes Mal unerwartet beendet.</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
       <source>Save a bug report…</source>
-      <translation type="unfinished" />
+      <translation>Fehlerbericht speichern…</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
       <source>The bug report is saved: {}.</source>
-      <translation type="unfinished" />
+      <translation>Der Fehlerbericht ist gespeichert: {}.</translation>
     </message>
     <message>
       <location filename="app/window/bug_reports.py" />
       <source> Not in it: {}.</source>
-      <translation type="unfinished" />
+      <translation> Nicht darin: {}.</translation>
     </message>
     <message>
       <location filename="app/window/countdown.py" />
       <source>Esc: not now</source>
-      <translation type="unfinished" />
+      <translation>Esc: nicht jetzt</translation>
     </message>
     <message>
       <location filename="app/window/countdown.py" />
       <source>Recording begins in {} s</source>
-      <translation type="unfinished" />
+      <translation>Aufnahme beginnt in {} s</translation>
     </message>
     <message>
       <location filename="app/window/docks.py" />
       <source>&amp;View</source>
-      <translation type="unfinished" />
+      <translation>&amp;Ansicht</translation>
     </message>
     <message>
       <location filename="app/window/help.py" />
       <source>Guide</source>
-      <translation type="unfinished" />
+      <translation>Anleitung</translation>
     </message>
     <message>
       <location filename="app/window/help.py" />
       <source>Search the guide</source>
-      <translation type="unfinished" />
+      <translation>Anleitung durchsuchen</translation>
     </message>
     <message>
       <location filename="app/window/help.py" />
       <source>Keys</source>
-      <translation type="unfinished" />
+      <translation>Tasten</translation>
     </message>
     <message>
       <location filename="app/window/help.py" />
       <source>Key</source>
-      <translation type="unfinished" />
+      <translation>Taste</translation>
     </message>
     <message>
       <location filename="app/window/help.py" />
       <source>Does</source>
-      <translation type="unfinished" />
+      <translation>Bewirkt</translation>
     </message>
     <message>
       <location filename="app/window/help.py" />
       <source>Menu</source>
-      <translation type="unfinished" />
+      <translation>Menü</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>&amp;Layout</source>
-      <translation type="unfinished" />
+      <translation>&amp;Layout</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>Keep this layout</source>
-      <translation type="unfinished" />
+      <translation>Dieses Layout behalten</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>Kept layouts</source>
-      <translation type="unfinished" />
+      <translation>Behaltene Layouts</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>Name of the layout</source>
-      <translation type="unfinished" />
+      <translation>Name des Layouts</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>Layout</source>
-      <translation type="unfinished" />
+      <translation>Layout</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>Rename a layout</source>
-      <translation type="unfinished" />
+      <translation>Layout umbenennen</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>Delete a layout</source>
-      <translation type="unfinished" />
+      <translation>Layout löschen</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>&amp;Keep this layout…</source>
-      <translation type="unfinished" />
+      <translation>Dieses Layout &amp;behalten…</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>&amp;Rename a layout…</source>
-      <translation type="unfinished" />
+      <translation>Layout &amp;umbenennen…</translation>
     </message>
     <message>
       <location filename="app/window/layout_keeper.py" />
       <source>&amp;Delete a layout…</source>
-      <translation type="unfinished" />
+      <translation>Layout &amp;löschen…</translation>
     </message>
     <message>
       <location filename="app/window/layouts.py" />
       <source>Set up</source>
-      <translation type="unfinished" />
+      <translation>Einrichten</translation>
     </message>
     <message>
       <location filename="app/window/layouts.py" />
       <source>Watch</source>
-      <translation type="unfinished" />
+      <translation>Beobachten</translation>
     </message>
     <message>
       <location filename="app/window/layouts.py" />
       <source>All panels</source>
-      <translation type="unfinished" />
+      <translation>Alle Felder</translation>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
       <source>Glovetrack speaks another language when it is started the next time.</source>
-      <translation type="unfinished" />
+      <translation>Glovetrack spricht die andere Sprache, wenn es das nächste Mal gestartet wird.</translation>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
-      <source>Glovetrack: {}</source>
-      <translation type="unfinished" />
+      <source>{} – Glovetrack</source>
+      <translation>{} – Glovetrack</translation>
     </message>
     <message>
       <location filename="app/window/recent.py" />
       <source>Looking for earlier sessions</source>
-      <translation type="unfinished" />
+      <translation>Frühere Sitzungen werden gesucht</translation>
     </message>
     <message>
       <location filename="app/window/recent.py" />
       <source>Show it</source>
-      <translation type="unfinished" />
+      <translation>Zeigen</translation>
     </message>
     <message>
       <location filename="app/window/recent.py" />
       <source>What could be read of the recording is in {}.</source>
-      <translation type="unfinished" />
+      <translation>Was von der Aufnahme zu lesen war, steht in {}.</translation>
     </message>
     <message>
       <location filename="app/window/refresher.py" />
       <source>The panel {} failed and rests ({}: {}); the rest goes on.</source>
-      <translation type="unfinished" />
+      <translation>Das Feld {} ist ausgefallen und ruht ({}: {}); der Rest läuft weiter.</translation>
     </message>
     <message>
       <location filename="app/window/set_up_dialogs.py" />
       <source>Looking for cameras</source>
-      <translation type="unfinished" />
+      <translation>Kameras werden gesucht</translation>
+    </message>
+    <message>
+      <location filename="app/window/set_up_dialogs.py" />
+      <source>Only the engine chain learns from poses: choose it in the Tracking menu.</source>
+      <translation>Nur das Verfahren chain lernt aus Posen: im Menü Tracking wählen.</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
       <source>Starting the demo</source>
-      <translation type="unfinished" />
+      <translation>Demo wird gestartet</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
       <source>Looking for glove and camera</source>
-      <translation type="unfinished" />
+      <translation>Handschuh und Kamera werden gesucht</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
       <source>Open a session</source>
-      <translation type="unfinished" />
+      <translation>Sitzung öffnen</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
       <source>Show the set-up</source>
-      <translation type="unfinished" />
+      <translation>Einrichtung zeigen</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
       <source>Open it now</source>
-      <translation type="unfinished" />
+      <translation>Jetzt öffnen</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
       <source>{} waits: a recording is under way.</source>
-      <translation type="unfinished" />
+      <translation>{} wartet: Eine Aufnahme läuft.</translation>
     </message>
     <message>
       <location filename="app/window/status_bar.py" />
       <source>Cancel</source>
-      <translation type="unfinished" />
+      <translation>Abbrechen</translation>
     </message>
     <message>
       <location filename="app/window/status_bar.py" />
       <source>The window is refreshed {} times a second</source>
-      <translation type="unfinished" />
+      <translation>Das Fenster wird {}-mal pro Sekunde aufgefrischt</translation>
     </message>
     <message>
       <location filename="app/window/takes.py" />
       <source>What happened?</source>
-      <translation type="unfinished" />
+      <translation>Was ist geschehen?</translation>
     </message>
     <message>
       <location filename="app/window/takes.py" />
       <source>Name of the recording</source>
-      <translation type="unfinished" />
+      <translation>Name der Aufnahme</translation>
     </message>
     <message>
       <location filename="app/window/takes.py" />
       <source>Checking {}</source>
-      <translation type="unfinished" />
+      <translation>{} wird geprüft</translation>
     </message>
     <message>
       <location filename="app/window/ticker.py" />
       <source>Paused</source>
-      <translation type="unfinished" />
+      <translation>Pause</translation>
     </message>
     <message>
       <location filename="app/window/tool_bar.py" />
       <source>Commands</source>
-      <translation type="unfinished" />
+      <translation>Befehle</translation>
     </message>
     <message>
       <location filename="app/window/tool_bar.py" />
       <source>Open</source>
-      <translation type="unfinished" />
+      <translation>Öffnen</translation>
     </message>
     <message>
       <location filename="app/window/tool_bar.py" />
       <source>Start</source>
-      <translation type="unfinished" />
+      <translation>Start</translation>
     </message>
     <message>
       <location filename="app/window/tool_bar.py" />
       <source>Find</source>
-      <translation type="unfinished" />
+      <translation>Suchen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;File</source>
-      <translation type="unfinished" />
+      <translation>&amp;Datei</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Set-up</source>
-      <translation type="unfinished" />
+      <translation>&amp;Einrichtung</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Tracking</source>
-      <translation type="unfinished" />
+      <translation>&amp;Tracking</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Replay</source>
-      <translation type="unfinished" />
+      <translation>&amp;Wiedergabe</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Images</source>
-      <translation type="unfinished" />
+      <translation>&amp;Bilder</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Help</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Stop &amp;recording</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Record</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Language: as the system</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Start the &amp;demo</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Glove and camera</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Open a session…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Export…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Close the session</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Quit</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Glove…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Camera…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Stereo calibration…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Lock the exposure as it is</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Start tracking</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>S&amp;top tracking</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Pause the recording</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Add a &amp;note…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Play or pause</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>The image &amp;before</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>The &amp;next image</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>The note &amp;earlier</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>The note &amp;later</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;In point here</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Out point here</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Whole session</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Crop to a new session</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Loop on or off</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Track &amp;again…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Compare two sessions</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Two takes side by si&amp;de</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Freeze the images</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Whole image</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Hand from the &amp;back</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Hand from the &amp;palm</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Hand from the &amp;side</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Hand from the &amp;camera</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Undo the colour change</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Redo the colour change</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Command palette…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Latency of &amp;each stage</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Reset the layout</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>&amp;Full screen</source>
-      <translation type="unfinished" />
+      <translation>&amp;Hilfe</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>3D view: &amp;chosen by itself</source>
-      <translation type="unfinished" />
+      <translation>3D-Ansicht: von &amp;selbst gewählt</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>3D view: by the &amp;graphics card</source>
-      <translation type="unfinished" />
+      <translation>3D-Ansicht: mit der &amp;Grafikkarte</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>3D view: &amp;painted</source>
-      <translation type="unfinished" />
+      <translation>3D-Ansicht: g&amp;ezeichnet</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Light</source>
-      <translation type="unfinished" />
+      <translation>&amp;Hell</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Dark</source>
-      <translation type="unfinished" />
+      <translation>&amp;Dunkel</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>As the &amp;system</source>
-      <translation type="unfinished" />
+      <translation>&amp;Wie das System</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Stop &amp;recording</source>
+      <translation>Aufnahme s&amp;toppen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Record</source>
+      <translation>&amp;Aufnehmen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Language: as the system</source>
+      <translation>Sprache: wie das System</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Start the &amp;demo</source>
+      <translation>&amp;Demo starten</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Glove and camera</source>
+      <translation>&amp;Handschuh und Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Open a session…</source>
+      <translation>Sitzung &amp;öffnen…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Export…</source>
+      <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Close the session</source>
+      <translation>Sitzung s&amp;chließen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Quit</source>
+      <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Glove…</source>
+      <translation>&amp;Handschuh…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Camera…</source>
+      <translation>&amp;Kamera…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Stereo calibration…</source>
+      <translation>&amp;Stereokalibrierung…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Guided &amp;poses…</source>
+      <translation>Geführte &amp;Posen…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Lock the exposure as it is</source>
+      <translation>&amp;Belichtung sperren, wie sie ist</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Start tracking</source>
+      <translation>Tracking &amp;starten</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>S&amp;top tracking</source>
+      <translation>Tracking st&amp;oppen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Pause the recording</source>
+      <translation>Aufnahme &amp;pausieren</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Add a &amp;note…</source>
+      <translation>&amp;Notiz hinzufügen…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Play or pause</source>
+      <translation>Ab&amp;spielen oder Pause</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>The image &amp;before</source>
+      <translation>Das Bild &amp;davor</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>The &amp;next image</source>
+      <translation>Das &amp;nächste Bild</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>The note &amp;earlier</source>
+      <translation>Die Notiz da&amp;vor</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>The note &amp;later</source>
+      <translation>Die nächste N&amp;otiz</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;In point here</source>
+      <translation>Hier &amp;Anfang setzen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Out point here</source>
+      <translation>Hier &amp;Ende setzen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Whole session</source>
+      <translation>&amp;Ganze Sitzung</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Crop to a new session</source>
+      <translation>In neue Sitzung &amp;zuschneiden</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Loop on or off</source>
+      <translation>Sch&amp;leife ein oder aus</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Track &amp;again…</source>
+      <translation>&amp;Tracking wiederholen…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Compare two sessions</source>
+      <translation>Zwei Sitzungen ve&amp;rgleichen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Two takes side by si&amp;de</source>
+      <translation>Zwei Aufnahmen ne&amp;beneinander</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Freeze the images</source>
+      <translation>Bilder &amp;einfrieren</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Whole image</source>
+      <translation>&amp;Ganzes Bild</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Hand from the &amp;back</source>
+      <translation>Hand vom &amp;Rücken</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Hand from the &amp;palm</source>
+      <translation>Hand von &amp;innen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Hand from the &amp;side</source>
+      <translation>Hand von der &amp;Seite</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Hand from the &amp;camera</source>
+      <translation>Hand von der &amp;Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Undo the colour change</source>
+      <translation>Farbänderung rückgängig &amp;machen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Redo the colour change</source>
+      <translation>Farbänderung &amp;wiederholen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Command palette…</source>
+      <translation>&amp;Befehle suchen…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Latency of &amp;each stage</source>
+      <translation>Latenz &amp;jeder Stufe</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Reset the layout</source>
+      <translation>Layout &amp;zurücksetzen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Full screen</source>
+      <translation>&amp;Vollbild</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Guide</source>
-      <translation type="unfinished" />
+      <translation>&amp;Anleitung</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;Keys</source>
-      <translation type="unfinished" />
+      <translation>&amp;Tasten</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>Save a &amp;bug report…</source>
-      <translation type="unfinished" />
+      <translation>&amp;Fehlerbericht speichern…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;About Glovetrack</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Stop recording</source>
-      <translation type="unfinished" />
+      <translation>&amp;Über Glovetrack</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>Engine: {}</source>
-      <translation type="unfinished" />
+      <translation>Verfahren: {}</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Stop recording</source>
+      <translation>Aufnahme stoppen</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>Exposure</source>
-      <translation type="unfinished" />
+      <translation>Belichtung</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>Gain</source>
-      <translation type="unfinished" />
+      <translation>Verstärkung</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>White balance</source>
-      <translation type="unfinished" />
+      <translation>Weißabgleich</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>this camera has none</source>
-      <translation type="unfinished" />
+      <translation>hat diese Kamera nicht</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>▲ the camera does not take it</source>
-      <translation type="unfinished" />
+      <translation>▲ die Kamera nimmt es nicht an</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>Camera set-up</source>
-      <translation type="unfinished" />
+      <translation>Kamera einrichten</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>&amp;Exchange left and right</source>
-      <translation type="unfinished" />
+      <translation>&amp;Links und rechts tauschen</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>Where a stereo calibration finds the cameras exchanged</source>
-      <translation type="unfinished" />
+      <translation>Falls eine Stereokalibrierung die Kameras vertauscht findet</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>&amp;Look again</source>
-      <translation type="unfinished" />
+      <translation>&amp;Neu suchen</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>&amp;Camera</source>
-      <translation type="unfinished" />
+      <translation>&amp;Kamera</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>a video file, or rtsp:// or http:// of a stream</source>
-      <translation type="unfinished" />
+      <translation>eine Videodatei, oder rtsp:// oder http:// eines Streams</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>&amp;Right images from</source>
-      <translation type="unfinished" />
+      <translation>&amp;Rechte Bilder von</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>&amp;Or from</source>
-      <translation type="unfinished" />
+      <translation>&amp;Oder von</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>&amp;Use this camera</source>
-      <translation type="unfinished" />
+      <translation>Kamera &amp;verwenden</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>Close</source>
-      <translation type="unfinished" />
+      <translation>Schließen</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>The first one found</source>
-      <translation type="unfinished" />
+      <translation>Die erste gefundene</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>the same image, side by side</source>
-      <translation type="unfinished" />
+      <translation>dasselbe Bild, nebeneinander</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>Locks</source>
-      <translation type="unfinished" />
+      <translation>Sperren</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>A camera that exposes by itself changes the colours with every move.</source>
-      <translation type="unfinished" />
+      <translation>Eine Kamera, die selbst belichtet, ändert die Farben mit jeder Bewegung.</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>○ by itself, now {}</source>
-      <translation type="unfinished" />
+      <translation>○ von selbst, jetzt {}</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>The simulated camera's exposure is fixed.</source>
-      <translation type="unfinished" />
+      <translation>Die Belichtung der simulierten Kamera ist fest.</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>Start glove and camera: what the camera can do is shown then.</source>
-      <translation type="unfinished" />
+      <translation>Handschuh und Kamera starten: Dann steht hier, was die Kamera kann.</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
       <source>● locked at {}</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
-      <source>Lock {}</source>
-      <translation type="unfinished" />
+      <translation>● gesperrt bei {}</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>{}: glove {}, {} IMUs, {} baud</source>
-      <translation type="unfinished" />
+      <translation>{}: Handschuh {}, {} IMUs, {} Baud</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>A port that is not on USB, such as /dev/rfcomm0 or COM7:</source>
-      <translation type="unfinished" />
+      <translation>Ein Anschluss, der nicht an USB ist, etwa /dev/rfcomm0 oder COM7:</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>&amp;Other port…</source>
-      <translation type="unfinished" />
+      <translation>Anderer &amp;Anschluss…</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>Whichever it answers at</source>
-      <translation type="unfinished" />
+      <translation>Die, bei der er antwortet</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>Right hand</source>
-      <translation type="unfinished" />
+      <translation>Rechte Hand</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>Left hand</source>
-      <translation type="unfinished" />
+      <translation>Linke Hand</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>&amp;Port</source>
-      <translation type="unfinished" />
+      <translation>Ans&amp;chluss</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>S&amp;peed</source>
-      <translation type="unfinished" />
+      <translation>&amp;Baudrate</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>&amp;Side</source>
-      <translation type="unfinished" />
+      <translation>&amp;Seite</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>&amp;Glove file</source>
-      <translation type="unfinished" />
+      <translation>&amp;Handschuhdatei</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>&amp;Hand file</source>
-      <translation type="unfinished" />
+      <translation>Hand&amp;datei</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>&amp;Wearer</source>
-      <translation type="unfinished" />
+      <translation>&amp;Person</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>Other port</source>
-      <translation type="unfinished" />
+      <translation>Anderer Anschluss</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>Looking for gloves…</source>
-      <translation type="unfinished" />
+      <translation>Handschuhe werden gesucht…</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>Simulated glove (plays along)</source>
-      <translation type="unfinished" />
+      <translation>Simulierter Handschuh (spielt mit)</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>No USB serial port is there. Plug the glove in and look again.</source>
-      <translation type="unfinished" />
+      <translation>Es gibt keinen seriellen USB-Anschluss. Handschuh einstecken und neu suchen.</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>The glove in use</source>
-      <translation type="unfinished" />
+      <translation>Der Handschuh in Gebrauch</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>{}: a glove that is sending</source>
-      <translation type="unfinished" />
+      <translation>{}: ein Handschuh, der sendet</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>{}: glove {}, {} IMUs</source>
-      <translation type="unfinished" />
+      <translation>{}: Handschuh {}, {} IMUs</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>{} baud</source>
-      <translation type="unfinished" />
+      <translation>{} Baud</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/feed.py" />
       <source>The session was closed.</source>
-      <translation type="unfinished" />
+      <translation>Die Sitzung wurde geschlossen.</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>Lay the hand flat on the table, palm down.</source>
-      <translation type="unfinished" />
+      <translation>Die Hand flach auf den Tisch legen, Innenseite nach unten.</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>&amp;Measure</source>
-      <translation type="unfinished" />
+      <translation>&amp;Messen</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>&amp;Start the test</source>
-      <translation type="unfinished" />
+      <translation>Test &amp;starten</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>You are asked to move one part after the other; no click is needed.</source>
-      <translation type="unfinished" />
+      <translation>Sie werden gebeten, ein Teil nach dem anderen zu bewegen; klicken müssen Sie nicht.</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>nothing</source>
-      <translation type="unfinished" />
+      <translation>nichts</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>IMU</source>
-      <translation type="unfinished" />
+      <translation>IMU</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>Gyro bias x y z, °/s</source>
-      <translation type="unfinished" />
+      <translation>Gyro-Bias x y z, °/s</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>± °/s</source>
-      <translation type="unfinished" />
+      <translation>± °/s</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>Noise, m°/s/√Hz</source>
-      <translation type="unfinished" />
+      <translation>Rauschen, m°/s/√Hz</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>Gravity, m/s²</source>
-      <translation type="unfinished" />
+      <translation>Schwere, m/s²</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>What was found</source>
-      <translation type="unfinished" />
+      <translation>Befund</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>No samples come.</source>
-      <translation type="unfinished" />
+      <translation>Es kommen keine Messwerte.</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/pages.py" />
       <source>Moves now: {}</source>
-      <translation type="unfinished" />
+      <translation>Bewegt sich jetzt: {}</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
       <source>Glove set-up</source>
-      <translation type="unfinished" />
+      <translation>Handschuh einrichten</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
       <source>&amp;1 Glove</source>
-      <translation type="unfinished" />
+      <translation>&amp;1 Handschuh</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
       <source>&amp;2 At rest</source>
-      <translation type="unfinished" />
+      <translation>&amp;2 In Ruhe</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
       <source>&amp;3 Wiggle test</source>
-      <translation type="unfinished" />
+      <translation>&amp;3 Wackeltest</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
       <source>&amp;Use this glove</source>
-      <translation type="unfinished" />
+      <translation>Handschuh &amp;verwenden</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
       <source>Looking for gloves</source>
-      <translation type="unfinished" />
+      <translation>Handschuhe werden gesucht</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
       <source>Freeing the glove's port</source>
-      <translation type="unfinished" />
+      <translation>Anschluss des Handschuhs wird freigegeben</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>Guided calibration</source>
+      <translation>Geführte Kalibrierung</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/dialog.py" />
+      <source>No pose was held.</source>
+      <translation>Keine Pose wurde gehalten.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>Soun&amp;d</source>
+      <translation>&amp;Ton</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>A beep when a pose has been held</source>
+      <translation>Ein Ton, wenn eine Pose gehalten wurde</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>&amp;Start</source>
+      <translation>&amp;Start</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>I &amp;hold it (Enter)</source>
+      <translation>&amp;Halte ich (Eingabe)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>Where the pose is held and the ring does not believe it</source>
+      <translation>Falls die Pose gehalten wird und der Ring es nicht glaubt</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>Skip (S)</source>
+      <translation>Auslassen (S)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>Repeat (R)</source>
+      <translation>Noch einmal (R)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>End (Esc)</source>
+      <translation>Ende (Esc)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>Hold eight poses, each for two seconds</source>
+      <translation>Acht Posen halten, jede zwei Sekunden</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/lead.py" />
+      <source>They show the tracking how your fingers and your thumb bend. It takes half a minute. Do with the glove what the hand on the left does.</source>
+      <translation>Sie zeigen dem Tracking, wie sich Finger und Daumen beugen. Es dauert eine halbe Minute. Mit dem Handschuh tun, was die Hand links tut.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>The tracking knew you already: nothing has changed that you would see.</source>
+      <translation>Das Tracking kannte Sie schon: Nichts Sichtbares hat sich geändert.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>What was learned</source>
+      <translation>Was gelernt wurde</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>Of you</source>
+      <translation>An Ihnen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>Before</source>
+      <translation>Vorher</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>After</source>
+      <translation>Nachher</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>Change</source>
+      <translation>Änderung</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>&amp;Keep</source>
+      <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>&amp;Undo</source>
+      <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>Forget what these poses have taught</source>
+      <translation>Vergessen, was diese Posen gelehrt haben</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>&amp;Once more</source>
+      <translation>&amp;Noch einmal</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>The tracking thinks about it…</source>
+      <translation>Das Tracking denkt nach…</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>Nothing was learned</source>
+      <translation>Nichts wurde gelernt</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>{} of {} poses held</source>
+      <translation>{} von {} Posen gehalten</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/stage.py" />
+      <source>The pose to be held</source>
+      <translation>Die zu haltende Pose</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>ChArUco (may be partly hidden)</source>
-      <translation type="unfinished" />
+      <translation>ChArUco (darf teilweise verdeckt sein)</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>Chessboard (always whole)</source>
-      <translation type="unfinished" />
+      <translation>Schachbrett (immer ganz)</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>unknown</source>
-      <translation type="unfinished" />
+      <translation>unbekannt</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>From the camera's data sheet; a ZED Mini has 63 mm</source>
-      <translation type="unfinished" />
+      <translation>Aus dem Datenblatt der Kamera; eine ZED Mini hat 63 mm</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>&amp;Board</source>
-      <translation type="unfinished" />
+      <translation>&amp;Tafel</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>Squares a&amp;cross</source>
-      <translation type="unfinished" />
+      <translation>Felder &amp;quer</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>Squares &amp;down</source>
-      <translation type="unfinished" />
+      <translation>Felder &amp;hoch</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>Side of a &amp;square, measured</source>
-      <translation type="unfinished" />
+      <translation>Feld&amp;seite, gemessen</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>Lenses &amp;apart, if known</source>
-      <translation type="unfinished" />
+      <translation>&amp;Objektivabstand, falls bekannt</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>&amp;Images from</source>
-      <translation type="unfinished" />
+      <translation>&amp;Bilder von</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>Save the board for printing…</source>
-      <translation type="unfinished" />
+      <translation>Tafel zum Drucken speichern…</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>A calibration is there already</source>
-      <translation type="unfinished" />
+      <translation>Es gibt schon eine Kalibrierung</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>It is checked as strictly as one made here, and can be tried on the board.</source>
-      <translation type="unfinished" />
+      <translation>Sie wird so streng geprüft wie eine hier gemachte und lässt sich an der Tafel erproben.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>ZED factory file…</source>
-      <translation type="unfinished" />
+      <translation>ZED-Werksdatei…</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>OpenCV file…</source>
-      <translation type="unfinished" />
+      <translation>OpenCV-Datei…</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>The page is {} by {} mm: print it without scaling.</source>
-      <translation type="unfinished" />
+      <translation>Die Seite misst {} × {} mm: ohne Skalierung drucken.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>Save the board</source>
-      <translation type="unfinished" />
+      <translation>Tafel speichern</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>Board</source>
-      <translation type="unfinished" />
+      <translation>Tafel</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
       <source>{} cannot be written.</source>
-      <translation type="unfinished" />
+      <translation>{} lässt sich nicht schreiben.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
       <source>Simulated board (demo)</source>
-      <translation type="unfinished" />
+      <translation>Simulierte Tafel (Demo)</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
       <source>Camera in use</source>
-      <translation type="unfinished" />
+      <translation>Kamera in Gebrauch</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
       <source>camera in use</source>
-      <translation type="unfinished" />
+      <translation>Kamera in Gebrauch</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
       <source>The camera in use was closed: start glove and camera again.</source>
-      <translation type="unfinished" />
+      <translation>Die Kamera in Gebrauch wurde geschlossen: Handschuh und Kamera neu starten.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
       <source>Folder {}</source>
-      <translation type="unfinished" />
+      <translation>Ordner {}</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/image_choices.py" />
       <source>Chosen camera: {}</source>
-      <translation type="unfinished" />
+      <translation>Gewählte Kamera: {}</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>ZED factory file</source>
-      <translation type="unfinished" />
+      <translation>ZED-Werksdatei</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>OpenCV calibration</source>
-      <translation type="unfinished" />
+      <translation>OpenCV-Kalibrierung</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>Folder with left and right images</source>
-      <translation type="unfinished" />
+      <translation>Ordner mit linken und rechten Bildern</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>squares of the board</source>
-      <translation type="unfinished" />
+      <translation>Felder der Tafel</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>Image's &amp;width, px</source>
-      <translation type="unfinished" />
+      <translation>Bild&amp;breite, px</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>Image's &amp;height, px</source>
-      <translation type="unfinished" />
+      <translation>Bild&amp;höhe, px</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>&amp;Unit of T in the file</source>
-      <translation type="unfinished" />
+      <translation>&amp;Einheit von T in der Datei</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>Side of a &amp;square</source>
-      <translation type="unfinished" />
+      <translation>&amp;Seite eines Feldes</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/import_form.py" />
       <source>Import {}</source>
-      <translation type="unfinished" />
+      <translation>{} importieren</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>Calibrated: now check it on fresh views</source>
-      <translation type="unfinished" />
+      <translation>Kalibriert: jetzt an neuen Ansichten prüfen</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>View</source>
-      <translation type="unfinished" />
+      <translation>Ansicht</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>Left, px</source>
-      <translation type="unfinished" />
+      <translation>Links, px</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>Right, px</source>
-      <translation type="unfinished" />
+      <translation>Rechts, px</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>Calibrating</source>
-      <translation type="unfinished" />
+      <translation>Kalibrierung läuft</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>No calibration</source>
-      <translation type="unfinished" />
+      <translation>Keine Kalibrierung</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>Calibrating: {}</source>
-      <translation type="unfinished" />
+      <translation>Kalibrierung läuft: {}</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/solving.py" />
       <source>Stereo calibration</source>
-      <translation type="unfinished" />
+      <translation>Stereokalibrierung</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>Waiting for the camera</source>
-      <translation type="unfinished" />
+      <translation>Warten auf die Kamera</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>Views taken</source>
-      <translation type="unfinished" />
+      <translation>Aufgenommene Ansichten</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>Remove the view</source>
-      <translation type="unfinished" />
+      <translation>Ansicht entfernen</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>Left image</source>
-      <translation type="unfinished" />
+      <translation>Linkes Bild</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>Right image</source>
-      <translation type="unfinished" />
+      <translation>Rechtes Bild</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>Rows differ by</source>
-      <translation type="unfinished" />
+      <translation>Zeilenversatz</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>Show the board once more.</source>
-      <translation type="unfinished" />
+      <translation>Die Tafel noch einmal zeigen.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
       <source>The image has another size.</source>
-      <translation type="unfinished" />
+      <translation>Das Bild hat eine andere Größe.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Closing the camera</source>
-      <translation type="unfinished" />
+      <translation>Kamera wird geschlossen</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Steps</source>
-      <translation type="unfinished" />
+      <translation>Schritte</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Images from a folder…</source>
-      <translation type="unfinished" />
+      <translation>Bilder aus einem Ordner…</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Result</source>
-      <translation type="unfinished" />
+      <translation>Ergebnis</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Check</source>
-      <translation type="unfinished" />
+      <translation>Prüfen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/wizard.py" />
+      <source>&amp;Back</source>
+      <translation>&amp;Zurück</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Save and use</source>
-      <translation type="unfinished" />
+      <translation>Speichern und nutzen</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>Checked on every third image of the folder.</source>
-      <translation type="unfinished" />
+      <translation>An jedem dritten Bild des Ordners geprüft.</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/wizard.py" />
       <source>checked: {:.3f} px</source>
-      <translation type="unfinished" />
+      <translation>geprüft: {:.3f} px</translation>
+    </message>
+    <message>
+      <location filename="tracker/settings.py" />
+      <source>chain (cameras and IMUs, our own)</source>
+      <translation>chain (Kameras und IMUs, das eigene)</translation>
+    </message>
+    <message>
+      <location filename="tracker/settings.py" />
+      <source>vist (Lee et al. 2021)</source>
+      <translation>vist (Lee et al. 2021)</translation>
+    </message>
+    <message>
+      <location filename="tracker/settings.py" />
+      <source>switching (fingers by their IMUs alone)</source>
+      <translation>switching (Finger allein nach ihren IMUs)</translation>
+    </message>
+    <message>
+      <location filename="tracker/settings.py" />
+      <source>Madgwick (fingers by their IMUs alone)</source>
+      <translation>Madgwick (Finger allein nach ihren IMUs)</translation>
+    </message>
+    <message>
+      <location filename="tracker/settings.py" />
+      <source>inertial (IMUs alone, no place)</source>
+      <translation>inertial (nur IMUs, ohne Ort)</translation>
     </message>
   </context>
 </TS>

@@ -142,7 +142,7 @@ class StereoWizard(QDialog):
         self._steps.setText(" &nbsp;›&nbsp; ".join(shown))
         self.back.setVisible(page != BOARD)
         self.folder.setVisible(page == BOARD)
-        self.back.setText(self.tr("Back"))
+        self.back.setText(self.tr("&Back"))
         words = (self.tr("Start"), self.tr("Calibrate"), self.tr("Check"), self.tr("Save and use"))
         self.next.setText(self.tr("Save") if page == CHECK and self._simulated() else words[page])
         self._enable()
