@@ -20,7 +20,7 @@ _TITLES = {
     "vmc": mark("VMC (OSC, avatars)"),
     "lsl": "Lab Streaming Layer",
     "foxglove": "Foxglove",
-    "isaac": "Isaac record (MCAP)",
+    "isaac": mark("Isaac record (MCAP)"),
 }
 REACH = {
     "lsl": mark(
