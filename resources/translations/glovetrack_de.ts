@@ -3606,6 +3606,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/streams.py" />
+      <source>Isaac record (MCAP)</source>
+      <translation>Isaac-Handdaten (MCAP)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/streams.py" />
       <source>its library listens on all addresses of this computer, so others in the same network can read it, unless a firewall keeps them out</source>
       <translation>seine Bibliothek lauscht an allen Adressen dieses Computers; andere im selben Netz können mitlesen, wenn keine Firewall sie abhält</translation>
     </message>
