@@ -36,6 +36,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
+    from tracker.conformance.command import add_commands as add_conformance
     from tracker.evaluation.commands import add_commands as add_evaluation
     from tracker.offline.commands import add_commands as add_offline
     from tracker.session.commands import add_commands as add_session
@@ -51,6 +52,7 @@ def _parser() -> argparse.ArgumentParser:
     add_offline(commands)
     add_session(commands)
     add_evaluation(commands)
+    add_conformance(commands)
     return parser
 
 

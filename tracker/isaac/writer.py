@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import BinaryIO
 
 from mcap.writer import CompressionType, Writer
@@ -43,3 +45,13 @@ class IsaacWriter:
     def finish(self) -> None:
         """Write the index, without which most readers take a file for cut off."""
         self._writer.finish()
+
+
+def write_records(path: Path, hands: Mapping[str, Sequence[HandRecord]]) -> None:
+    """A file of the records of each side, in the order of their available times."""
+    told = [(r.stamps.available, side, r) for side, records in hands.items() for r in records]
+    with path.open("wb") as file:
+        writer = IsaacWriter(file)
+        for _, side, record in sorted(told, key=lambda item: item[:2]):
+            writer.write(side, record)
+        writer.finish()

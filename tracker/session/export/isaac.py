@@ -44,16 +44,16 @@ def export_isaac(reader: SessionReader, path: Path, options: ExportOptions) -> E
 
 def write_hands(writer: IsaacWriter, hands: Mapping[str, tuple[EstimateSeries, Arrivals]]) -> None:
     """One series per side, in G; records of both in the order of their available times."""
-    streams = [_records(side, *given) for side, given in hands.items()]
+    streams = [hand_records(side, *given) for side, given in hands.items()]
     for _, side, record in merge(*streams, key=lambda item: item[0]):
         writer.write(side, record)
     writer.finish()
 
 
-def _records(
+def hand_records(
     side: str, m: EstimateSeries, arrivals: Arrivals
 ) -> Iterator[tuple[int, str, HandRecord]]:
-    """(available time ns, side, record) in order."""
+    """(available time ns, side, record) in order, of a series in G."""
     to_monotonic = m.info.anchor.monotonic_ns - m.info.anchor.wall_ns + m.zero_ns
     radii = joint_radii(m.info.hand)
     hand = openxr_joints(m.keypoints, m.q, m.state, m.keypoint_names, radii)

@@ -1,0 +1,164 @@
+"""A wearer who shows scripted gestures: open, fist, grips, pinches and a turn of the wrist."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import accumulate
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+
+from tracker.geometry import so3
+from tracker.hand.model import HandModel
+from tracker.hand.names import FINGERS
+from tracker.messages import Array, CameraPose
+from tracker.simulation.motion import Poses, Still, pose_at
+from tracker.simulation.postures import posture
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
+from tracker.simulation.wearer import Wearer
+
+MOVE = 0.8  # s from one gesture to the next
+TOUCH = 0.010  # m between the tips of a pinch: the fingers' thickness
+APART = 0.015  # m by which no other tip comes as near
+TURN = np.deg2rad(60.0)  # of the wrist, to either side
+SWAY_ANGLE, SWAY = np.deg2rad(0.8), 0.002  # rad and m, of a hand that is held still
+
+OPEN: dict[str, float] = {
+    f"{f}_mcp_abduction": a for f, a in zip(FINGERS, (5, 1, -3, -6), strict=True)
+}
+FIST: dict[str, float] = {
+    **{f"{f}_mcp_flexion": 75.0 for f in FINGERS},
+    **{f"{f}_pip_flexion": 95.0 for f in FINGERS},
+    "thumb_cmc_flexion": 22.0,
+    "thumb_cmc_abduction": -12.0,
+    "thumb_mcp_flexion": 40.0,
+}
+GRIP: dict[str, float] = {
+    **{f"{f}_mcp_flexion": 35.0 for f in FINGERS},
+    **{f"{f}_pip_flexion": 45.0 for f in FINGERS},
+    "thumb_cmc_flexion": 12.0,
+    "thumb_cmc_abduction": -8.0,
+    "thumb_mcp_flexion": 20.0,
+}
+
+
+class Cue(NamedTuple):
+    """A gesture that is held for ``hold`` s, ``before`` s after the one before."""
+
+    gesture: str
+    before: float
+    hold: float
+
+
+class Gestures:
+    """The cues one after another, by a hand in front of a camera.
+
+    A gesture is open, fist, grip, turn or ``pinch_`` and a finger. Fingers of a glove that follow
+    their synergies do so here. The turn goes from one side to the other and back.
+    """
+
+    follows_synergies = True
+
+    def __init__(
+        self,
+        hand: HandModel,
+        cues: Sequence[Cue],
+        seed: int,
+        camera: CameraPose | None = None,
+        wearer: Wearer | None = None,
+    ) -> None:
+        """``wearer``: whose fingers meet in a pinch, where that is not the hand of the file."""
+        self._hand, self._wearer, self.cues = hand, wearer, tuple(cues)
+        ends = list(accumulate(c.before + c.hold for c in cues))
+        self.starts = [end - c.hold for c, end in zip(cues, ends, strict=True)]
+        self.duration = ends[-1] + MOVE
+        self._angles = np.array([self._posture("open"), *(self._posture(c.gesture) for c in cues)])
+        still = RandomPostures(hand, seed, duration=3.0, camera=camera)
+        _, self._R, self._p = pose_at(still, 0.0)
+        self._sway = SmoothNoise(rng_for(seed, "gestures"), (6,), 0.7)
+
+    def poses(self, t: Array) -> Poses:
+        """The hand at t (n,) s."""
+        angles = np.tile(self._angles[0], (len(t), 1))
+        roll = np.zeros(len(t))
+        for k, (cue, start) in enumerate(zip(self.cues, self.starts, strict=True)):
+            share = minimum_jerk((t - start) / MOVE + 1)
+            angles += share[:, None] * (self._angles[k + 1] - self._angles[k])
+            if cue.gesture == "turn":
+                roll += TURN * _turning(t - start, cue.hold)
+        sway = self._sway(t)
+        turned = so3.exp(np.outer(roll, [1.0, 0.0, 0.0]) + SWAY_ANGLE * sway[:, :3])
+        centre = np.array([self._hand.length / 2, 0.0, 0.0])
+        R = self._R @ turned
+        p = self._p + self._R @ centre - R @ centre + SWAY * sway[:, 3:]
+        return Poses(angles, R, p)
+
+    def _posture(self, gesture: str) -> Array:
+        if gesture.startswith("pinch_"):
+            return self._pinches[gesture.removeprefix("pinch_")]
+        return posture(self._hand, {"fist": FIST, "grip": GRIP}.get(gesture, OPEN))
+
+    @cached_property
+    def _pinches(self) -> dict[str, Array]:
+        wanted = {c.gesture.removeprefix("pinch_") for c in self.cues if "pinch_" in c.gesture}
+        return {finger: pinch(self._hand, finger, self._wearer) for finger in wanted}
+
+
+def _turning(t: Array, hold: float) -> Array:
+    """To one side before t = 0, to the other and back within ``hold`` s, then upright again."""
+    inside = np.cos(2 * np.pi * np.clip(t / hold, 0, 1))
+    return minimum_jerk(t / MOVE + 1) * inside * (1 - minimum_jerk((t - hold) / MOVE))
+
+
+def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
+    """(J,) rad as the hand file defines them: the thumb's tip at the tip of ``finger``, the other tips further away.
+
+    Middle, ring and little finger bend together, as synergies have them.
+    """
+    moved = [n for n in hand.joint_names if n.startswith("thumb_") and n not in _given(hand)]
+    group = ("index",) if finger == "index" else FINGERS[1:]
+    bent = [f"{group[0]}_{joint}_flexion" for joint in ("mcp", "pip")]
+    rows = [hand.angle_index[n] for n in (*moved, *bent)]
+    limits = hand.angle_limits[rows]
+    start = np.clip(np.deg2rad([10.0] * len(moved) + [45.0, 45.0]), *limits.T)
+
+    def angles_of(x: Array) -> Array:
+        given = dict(zip((*moved, *bent), x, strict=True))
+        out, known = np.zeros(len(hand.joint_names)), np.zeros(len(hand.joint_names), bool)
+        for name, value in given.items():
+            for one in (name.replace(group[0], f) for f in group) if name in bent else (name,):
+                out[hand.angle_index[one]], known[hand.angle_index[one]] = value, True
+        return hand.apply_synergies(out, np.asarray(known | ~_sourced(hand), float))[0]
+
+    def cost(x: Array) -> float:
+        reach = tip_distances(hand, angles_of(x), wearer)
+        near = reach.pop(finger)
+        other = sum(max(near + APART - d, 0.0) ** 2 for d in reach.values())
+        return float(1e4 * ((near - TOUCH) ** 2 + other) + 1e-3 * np.sum((x - start) ** 2))
+
+    return angles_of(minimize(cost, start, bounds=limits, options={"maxiter": 40}).x)
+
+
+def tip_distances(hand: HandModel, angles: Array, wearer: Wearer | None = None) -> dict[str, float]:
+    """m from the thumb's tip to that of each finger, of a wearer or of the hand as in its file."""
+    if wearer is None:
+        points = hand.keypoints(*hand.forward(angles, np.eye(3), np.zeros(3)))
+    else:
+        true = wearer.truth(Still(angles, np.eye(3), np.zeros(3)), np.zeros(1))
+        points = wearer.keypoints(true.R_GB[0], true.p_GB[0])
+    tip = {f: points[hand.keypoint_names.index(f"{f}_tip")] for f in ("thumb", *FINGERS)}
+    return {f: float(np.linalg.norm(tip[f] - tip["thumb"])) for f in FINGERS}
+
+
+def _given(hand: HandModel) -> set[str]:
+    """Angles that follow from others."""
+    return {s.angle for s in hand.synergies}
+
+
+def _sourced(hand: HandModel) -> NDArray[np.bool_]:
+    """(J,) bool: angles that a synergy gives."""
+    return np.array([n in _given(hand) for n in hand.joint_names])
