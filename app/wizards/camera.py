@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDoubleSpinBox,
+    QFileDialog,
     QFormLayout,
     QGridLayout,
     QGroupBox,
@@ -60,6 +61,8 @@ class CameraSetup(QDialog):
         self.exchanged = QCheckBox(self.tr("&Exchange left and right"))
         self.exchanged.setToolTip(self.tr("Where a stereo calibration finds the cameras exchanged"))
         self.exchanged.setChecked(store.value.camera_exchanged)
+        self.arriving = QLabel()
+        self.arriving.setProperty("role", "faint")
         self.locks = LockBox()
         self.locks.wanted.connect(self._lock)
         self._lay_out()
@@ -83,7 +86,14 @@ class CameraSetup(QDialog):
         form = QFormLayout()
         form.addRow(left_label, row)
         form.addRow(self.tr("&Right images from"), self.right)
-        form.addRow(self.tr("&Or from"), self.other)
+        self.browse = QPushButton(self.tr("&Browse…"))
+        self.browse.clicked.connect(self._choose_file)
+        from_file = QHBoxLayout()
+        from_file.addWidget(self.other, 1)
+        from_file.addWidget(self.browse)
+        other_label = QLabel(self.tr("&Or from"))
+        other_label.setBuddy(self.other)
+        form.addRow(other_label, from_file)
         form.addRow("", self.exchanged)
         self.use = QPushButton(self.tr("&Use this camera"))
         self.use.setProperty("role", "primary")
@@ -99,6 +109,7 @@ class CameraSetup(QDialog):
         column.setContentsMargins(WIDE, APART, WIDE, APART)
         column.setSpacing(APART)
         column.addLayout(form)
+        column.addWidget(self.arriving)
         column.addWidget(self.locks)
         column.addStretch(1)
         column.addLayout(buttons)
@@ -131,6 +142,12 @@ class CameraSetup(QDialog):
         else:
             self.other.setText(chosen)
 
+    def _choose_file(self) -> None:
+        words = self.tr("A video with both images side by side")
+        name, _ = QFileDialog.getOpenFileName(self, words, self.other.text())
+        if name:
+            self.other.setText(name)
+
     def choice(self) -> str:
         """As the settings hold it."""
         if self.other.text().strip():
@@ -150,6 +167,7 @@ class CameraSetup(QDialog):
 
     def _tick(self) -> None:
         setup = self._host.setup
+        self.arriving.setText(self._arriving())
         controls = setup.camera_controls if setup is not None else None
         if setup is not None and setup.simulated:
             self.locks.show_nothing(self.tr("The simulated camera's exposure is fixed."))
@@ -158,6 +176,18 @@ class CameraSetup(QDialog):
             self.locks.show_nothing(words)
         else:
             self.locks.show_controls(controls.controls())
+
+    def _arriving(self) -> str:
+        """Size and rate of the images that come now; empty where none do."""
+        view = self._host.snapshot()
+        if view is None or view.frame is None or not view.images_arrive:
+            return ""
+        image = view.frame.left if view.frame.left is not None else view.frame.right
+        rate = view.status.values.get("frame_rate_hz", 0.0) if view.status is not None else 0.0
+        if image is None:
+            return ""
+        words = self.tr("Arriving: {} by {} px for each eye, {} images a second")
+        return words.format(image.shape[1], image.shape[0], f"{rate:.0f}")
 
     def _lock(self, locks: Locks) -> None:
         self._store.update(camera_locks=locks_text(locks))

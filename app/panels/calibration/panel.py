@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
@@ -15,7 +22,6 @@ from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerFile, WearerStore
 from app.viewmodels.calibration import camera_time
 from app.viewmodels.worn_calibration import WornCalibration
-from app.widgets.flow_layout import FlowLayout
 from app.widgets.measures import APART, NEAR
 from tracker.errors import GlovetrackError
 
@@ -59,11 +65,13 @@ class CalibrationPanel(Panel):
         self.table = CalibrationTable()
 
     def _lay_out(self) -> None:
-        head = FlowLayout(spacing=APART)
+        head = QHBoxLayout()
+        head.setSpacing(APART)
+        self.camera_time.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         head.addWidget(QLabel(self.tr("Hand length")))
         head.addWidget(self.length)
-        head.addWidget(QLabel(self.tr("Images")))
-        head.addWidget(self.camera_time)
+        head.addWidget(QLabel(self.tr("Camera delay")))
+        head.addWidget(self.camera_time, 1)
         head.addWidget(self.overall)
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
