@@ -115,7 +115,8 @@ def _turning(t: Array, hold: float) -> Array:
 
 
 def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
-    """(J,) rad as the hand file defines them: the thumb's tip at the tip of ``finger``, the other tips further away.
+    """(J,) rad as the hand file defines them: the thumb's tip at the tip of ``finger``, the other
+    tips further away.
 
     Middle, ring and little finger bend together, as synergies have them.
     """
