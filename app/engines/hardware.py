@@ -14,6 +14,7 @@ from app.engines.guide import WearersGuide
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
+from app.storage.bound_gloves import as_bound
 from app.storage.settings import AppSettings
 from app.words import tr
 from tracker import library
@@ -67,6 +68,8 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     """
     found = find_devices(progress, settings)
     progress(0.7, tr("engine"))
+    hello = found.glove.hello if found.glove else None
+    settings, recalled = as_bound(settings, hello.glove_id if hello else None)
     hand, glove = library.load(settings.glove, settings.hand)
     pipeline = Pipeline(hand, glove, found.rig, Settings() if found.whole else INERTIAL)
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
@@ -103,7 +106,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         has_glove=link is not None,
         has_camera=chosen is not None,
         camera_calibrated=found.rig is not None,
-        missing=" ".join(found.missing),
+        missing=" ".join((*found.missing, *((recalled,) if recalled else ()))),
         image_rate=(lambda: chosen.source.fps) if chosen else None,
     )
 

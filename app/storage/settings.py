@@ -57,6 +57,7 @@ class AppSettings:
     card_trial: bool = False  # the graphics card's view has not yet drawn enough to be trusted
     hand: str = "reference-right"
     glove: str = "vist-small"
+    gloves: dict[str, Any] = field(default_factory=dict)  # `BoundGlove`s, by their numbers
     port: str = ""
     baud: int = 0  # of the glove's line; 0: whichever it answers at
     camera: str = ""  # see `app.engines.camera_choice`

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.storage.bound_gloves import BoundGlove, bound
 from app.storage.settings import AppSettings
 from app.words import tr
 from tracker import library
@@ -36,7 +37,7 @@ class ChoicePage(QWidget):
 
     def __init__(self, settings: AppSettings, wearers: list[str], with_session: bool) -> None:
         super().__init__()
-        self._with_session = with_session
+        self._with_session, self._settings = with_session, settings
         self.ports, self.side = QComboBox(), QComboBox()
         self.gloves, self.hands = QComboBox(), QComboBox()
         self.wearers = QComboBox()
@@ -57,6 +58,7 @@ class ChoicePage(QWidget):
             self.speed.addItem(self.tr("{} baud").format(baud), baud)
         self.speed.setCurrentIndex(max(0, self.speed.findData(settings.baud)))
         self._answered_at: dict[str, int] = {}
+        self._numbers: dict[str, int] = {}  # of the gloves that answered, by port
         self.side.addItem(self.tr("Right hand"), "right")
         self.side.addItem(self.tr("Left hand"), "left")
         self._lay_out()
@@ -64,6 +66,7 @@ class ChoicePage(QWidget):
         self._fill(settings.glove, settings.hand)
         self.show_ports([], SESSION if with_session else settings.port)
         self.side.currentIndexChanged.connect(lambda _i: self._fill("", ""))
+        self.ports.currentIndexChanged.connect(lambda _i: self._recall())
         for box in (self.gloves, self.hands, self.ports, self.speed):
             box.currentIndexChanged.connect(lambda _i: self.changed.emit())
 
@@ -118,6 +121,28 @@ class ChoicePage(QWidget):
     def port(self) -> str:
         return str(self.ports.currentData() or "")
 
+    def glove_id(self) -> int | None:
+        """Of the glove at the chosen port; None where it told none."""
+        return self._numbers.get(self.port())
+
+    def bound(self) -> BoundGlove:
+        """What the glove is bound to by the choices as they are."""
+        return BoundGlove(
+            str(self.side.currentData()),
+            self.gloves.currentText(),
+            self.hands.currentText(),
+            str(self.wearers.currentData()),
+        )
+
+    def _recall(self) -> None:
+        """A glove that was set up before brings its side, its files and its wearer."""
+        known = bound(self._settings, self.glove_id())
+        if known is None or self.side.findData(known.side) < 0:
+            return
+        self.side.setCurrentIndex(self.side.findData(known.side))
+        self._fill(known.glove, known.hand)
+        self.wearers.setCurrentIndex(max(0, self.wearers.findData(known.wearer)))
+
     def baud(self) -> int:
         """The chosen speed; 0 where the glove's own is taken."""
         return int(self.speed.currentData() or 0)
@@ -152,6 +177,8 @@ class ChoicePage(QWidget):
         for report in reports:
             if report.is_glove:
                 self._answered_at[report.path] = report.baud
+                if report.hello is not None:
+                    self._numbers[report.path] = report.hello.glove_id
                 self.ports.addItem(_title(report), report.path)
         if before not in ("", SESSION, SIMULATED) and self.ports.findData(before) < 0:
             self.ports.addItem(before, before)  # it may come back, and is not on every list
@@ -159,6 +186,7 @@ class ChoicePage(QWidget):
         self.ports.setCurrentIndex(max(0, self.ports.findData(before)))
         self.ports.blockSignals(False)
         self.words.setText("\n".join(_remarks(reports)))
+        self._recall()
         self.changed.emit()
 
 

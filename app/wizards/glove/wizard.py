@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import JobProgress, TaskOwner
+from app.storage.bound_gloves import with_bound
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerStore
 from app.wizards.glove.choice import SESSION, SIMULATED, ChoicePage
@@ -150,6 +151,9 @@ class GloveSetup(QDialog):
     def _use(self) -> None:
         port = self.choice.port()
         kept = self._store.value.port if port in (SESSION, SIMULATED) else port
+        if (number := self.choice.glove_id()) is not None:
+            gloves = with_bound(self._store.value, number, self.choice.bound())
+            self._store.update(gloves=gloves)
         self._store.update(
             port=kept,
             baud=self.choice.baud(),

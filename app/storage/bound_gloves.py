@@ -1,0 +1,47 @@
+"""Gloves that were set up once, known again by the number in their HELLO wherever they are."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+from app.storage.settings import AppSettings
+from app.words import tr
+
+
+@dataclass(frozen=True)
+class BoundGlove:
+    """Side, files and wearer (a name, or empty) of one glove."""
+
+    side: str
+    glove: str
+    hand: str
+    wearer: str = ""
+
+
+def bound(settings: AppSettings, glove_id: int | None) -> BoundGlove | None:
+    """What the glove of that number was bound to; None where it is new, or told no number."""
+    said = settings.gloves.get(str(glove_id)) if glove_id is not None else None
+    if not isinstance(said, dict):
+        return None
+    words = [said.get(name) for name in ("side", "glove", "hand", "wearer")]
+    if not all(isinstance(word, str) for word in words):
+        return None
+    return BoundGlove(*map(str, words))
+
+
+def with_bound(settings: AppSettings, glove_id: int, glove: BoundGlove) -> dict[str, Any]:
+    """The gloves of the settings with this one, to be kept."""
+    return {**settings.gloves, str(glove_id): asdict(glove)}
+
+
+def as_bound(settings: AppSettings, glove_id: int | None) -> tuple[AppSettings, str]:
+    """The settings with the files that the glove was bound to, and a sentence where they are other
+    than those chosen last: a left glove is not tracked with a right one's files."""
+    known = bound(settings, glove_id)
+    if known is None or (known.glove, known.hand) == (settings.glove, settings.hand):
+        return settings, ""
+    words = tr("This is glove {} of the {} hand: its own files {} and {} are used.")
+    side = tr("left") if known.side == "left" else tr("right")
+    said = words.format(glove_id, side, known.glove, known.hand)
+    return replace(settings, glove=known.glove, hand=known.hand), said
