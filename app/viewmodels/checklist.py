@@ -224,7 +224,7 @@ def _hand(view: Snapshot | None) -> SetUpStep:
     if not (packets_arrive(view) or images_arrive(view)):
         return SetUpStep(name, False, tr("Waits for glove and camera."))
     if tracking == Tracking.TRACKING:
-        return SetUpStep(name, True, "tracking")
+        return SetUpStep(name, True, tr("tracking"))
     if view is not None and not view.setup.whole:
         return SetUpStep(name, False, tr("Needs glove and calibrated camera."))
     return SetUpStep(

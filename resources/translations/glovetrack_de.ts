@@ -230,7 +230,7 @@
     <message>
       <location filename="app/panels/calibration/panel.py" />
       <source>settled: %p %</source>
-      <translation>eingeschwungen: %p %</translation>
+      <translation>stabil: %p %</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
@@ -244,8 +244,8 @@
     </message>
     <message>
       <location filename="app/panels/calibration/panel.py" />
-      <source>Images</source>
-      <translation>Bilder</translation>
+      <source>Camera delay</source>
+      <translation>Kameraverzug</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/table.py" />
@@ -409,11 +409,6 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
-      <source>Exposure…</source>
-      <translation>Belichtung…</translation>
-    </message>
-    <message>
-      <location filename="app/panels/cameras.py" />
       <source>Lock exposure, gain and white balance; choose the camera</source>
       <translation>Belichtung, Verstärkung und Weißabgleich sperren; Kamera wählen</translation>
     </message>
@@ -491,6 +486,11 @@
       <location filename="app/panels/cameras.py" />
       <source>Right only</source>
       <translation>Nur rechts</translation>
+    </message>
+    <message>
+      <location filename="app/panels/cameras.py" />
+      <source>Exposure…</source>
+      <translation>Belichtung…</translation>
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
@@ -2150,7 +2150,7 @@
     <message>
       <location filename="app/viewmodels/calibration.py" />
       <source>Everything has settled.</source>
-      <translation>Alles hat sich eingeschwungen.</translation>
+      <translation>Alles ist stabil.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -2287,7 +2287,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/checklist.py" />
       <source>Calibration settled</source>
-      <translation>Kalibrierung eingeschwungen</translation>
+      <translation>Kalibrierung stabil</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3387,12 +3387,12 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>3D rate</source>
-      <translation>3D-Bildrate</translation>
+      <translation>3D-Rate</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>overlays</source>
-      <translation>Einblendungen</translation>
+      <translation>Overlays</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -3412,7 +3412,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>Left out:</source>
-      <translation>Ausgelassen:</translation>
+      <translation>Gespart:</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -3467,7 +3467,7 @@ change {}: {}</source>
     <message>
       <location filename="app/viewmodels/status.py" />
       <source>{} packets, {} images</source>
-      <translation>Pakete: {}, Bilder: {}</translation>
+      <translation>{} Pak., {} Bild.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -4391,6 +4391,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
+      <source>A video with both images side by side</source>
+      <translation>Ein Video mit beiden Bildern nebeneinander</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>Arriving: {} by {} px for each eye, {} images a second</source>
+      <translation>Es kommt an: {} × {} px je Auge, {} Bilder pro Sekunde</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
       <source>this camera has none</source>
       <translation>hat diese Kamera nicht</translation>
     </message>
@@ -4433,6 +4443,11 @@ change {}: {}</source>
       <location filename="app/wizards/camera.py" />
       <source>&amp;Right images from</source>
       <translation>&amp;Rechte Bilder von</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>&amp;Browse…</source>
+      <translation>&amp;Durchsuchen…</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
