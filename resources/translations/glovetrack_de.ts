@@ -2078,6 +2078,21 @@
       <translation>„{}“ ist gescheitert: {}: {}</translation>
     </message>
     <message>
+      <location filename="app/storage/bound_gloves.py" />
+      <source>This is glove {} of the {} hand: its own files {} and {} are used.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/bound_gloves.py" />
+      <source>left</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="app/storage/bound_gloves.py" />
+      <source>right</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="app/storage/image_folder.py" />
       <source>{} is no image that can be read.</source>
       <translation>{} ist kein lesbares Bild.</translation>
@@ -2408,6 +2423,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/checklist.py" />
       <source>Waits for glove and camera.</source>
       <translation>Wartet auf Handschuh und Kamera.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>tracking</source>
+      <translation>wird verfolgt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
