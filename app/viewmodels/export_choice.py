@@ -31,6 +31,9 @@ WORDS = {
     "mp4": mark("Film with the hand drawn in (MP4)"),
     "png": mark("Folder of images with the hand drawn in (PNG)"),
     "mcap": mark("Session, whole or the chosen part (MCAP)"),
+    "bids": mark("Data set for laboratories (Motion-BIDS, a folder)"),
+    "imu.csv": mark("Raw samples of the IMUs (CSV)"),
+    "imu.parquet": mark("Raw samples of the IMUs (Parquet)"),
     "isaac": mark("Hand record of NVIDIA's Isaac tools (MCAP)"),
 }
 """What each format is for, by its name on the command line."""

@@ -88,4 +88,4 @@ def test_export_formats_are_all_told() -> None:
 
     text = (GUIDE / "exporting.md").read_text("utf-8")
     table = "\n".join(line.split("|")[1] for line in text.split("\n") if line.startswith("| `"))
-    assert set(re.findall(r"`(\w+)`", table)) == set(FORMATS)
+    assert set(re.findall(r"`([\w.]+)`", table)) == set(FORMATS)

@@ -31,6 +31,14 @@ class RawImu:
     def __len__(self) -> int:
         return len(self.stamp_ns)
 
+    def rows(self, rows: IntArray, zero_ns: int = 0) -> RawImu:
+        """Some of the packets, the computer's times counted from ``zero_ns``."""
+        return RawImu(
+            self.names, self.stamp_ns[rows] - zero_ns, self.arrival_ns[rows] - zero_ns,
+            self.device_s[rows], self.seq[rows], self.accel[rows], self.gyro[rows],
+            self.valid[rows],
+        )  # fmt: skip
+
     @property
     def rate(self) -> float:
         """Packets per second: the inverse of the median step; NaN of fewer than two."""

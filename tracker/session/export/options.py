@@ -8,13 +8,13 @@ from tracker.errors import ConfigError
 
 FORMATS = (
     *("csv", "parquet", "h5", "c3d", "trc", "mot", "sto", "osim", "bvh", "glb", "urdf"),
-    *("mp4", "png", "mcap", "isaac"),
+    *("mp4", "png", "mcap", "isaac", "bids", "imu.csv", "imu.parquet"),
 )
 WHOLE_HAND = ("sto", "osim", "bvh", "glb", "urdf")
 """Formats of a skeleton, which cannot leave out joints."""
 BOTH_HANDS = ("mcap",)
 """Formats of which one file holds both hands."""
-FOLDERS = ("png",)
+FOLDERS = ("png", "bids")
 """Formats of many files."""
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")
 OPENXR = "openxr"

@@ -39,6 +39,9 @@ _WRITERS = {
     "mp4": "overlay:export_mp4",
     "png": "overlay:export_png",
     "mcap": "mcap:export_mcap",
+    "bids": "bids:export_bids",
+    "imu.csv": "imu:export_imu_csv",
+    "imu.parquet": "imu:export_imu_parquet",
     "isaac": "isaac:export_isaac",
 }
 """Module and function for each format, imported when it is asked for: the libraries are slow."""

@@ -1,0 +1,190 @@
+"""Motion-BIDS: a data set of one session with two tracking systems, the hand as computed and the
+IMUs as recorded (bids-specification.readthedocs.io, Motion)."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from tracker import __version__
+from tracker.messages import Array
+from tracker.session.export.load import load_series
+from tracker.session.export.options import UNITS, ExportOptions
+from tracker.session.export.series import EstimateSeries
+from tracker.session.raw_imu import RawImu, read_notes, read_raw_imu
+from tracker.session.reader import SessionReader
+
+VERSION = "1.10.0"
+TASK = "movement"
+_IMU = {"acc": ("ACCEL", "m/s^2"), "gyr": ("GYRO", "rad/s")}
+_TYPES = ("POS", "ORNT", "JNTANG", "ACCEL", "GYRO", "MAGN", "VEL", "ANGACCEL", "LATENCY", "MISC")
+"""Types of channels whose numbers are told, also where there is none."""
+
+
+class Channel(NamedTuple):
+    """A column of a motion file, as ``_channels.tsv`` tells it."""
+
+    name: str
+    component: str
+    type: str
+    tracked_point: str
+    units: str
+
+
+class System(NamedTuple):
+    """A tracking system: (N, C) values, a row each ``1 / rate`` s."""
+
+    name: str
+    words: str
+    rate: float
+    channels: list[Channel]
+    values: Array
+
+
+def export_bids(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
+    """``path`` becomes a folder. What is lost is ``n/a``."""
+    m = load_series(reader, options, even=True)
+    who = "" if "participant" in options.anonymous else m.info.participant
+    subject = "sub-" + (re.sub(r"[^A-Za-z0-9]", "", who) or "01")
+    folder = path / subject / "motion"
+    folder.mkdir(parents=True)
+    systems = [_hand(m, options.units or "m")]
+    raw = read_raw_imu(reader, need=False)
+    if len(raw) > 1:
+        systems.append(_imu(raw, m))
+    _top(path, subject, m)
+    for system in systems:
+        _write(folder / f"{subject}_task-{TASK}_tracksys-{system.name}", system, m)
+    if "notes" not in options.anonymous:
+        _events(folder / f"{subject}_task-{TASK}_events", reader, m)
+    _scans(path / subject, subject, systems, m, "time" not in options.anonymous)
+    return m
+
+
+def _hand(m: EstimateSeries, unit: str) -> System:
+    channels, columns = [], []
+    for k, point in enumerate(m.keypoint_names):
+        for c, axis in enumerate("xyz"):
+            channels.append(Channel(f"{point}_POS_{axis}", axis, "POS", point, unit))
+            columns.append(m.keypoints[:, k, c] * UNITS[unit])
+        for c, axis in enumerate("xyzw"):
+            name = f"{point}_ORNT_{axis}"
+            channels.append(Channel(name, f"quat_{axis}", "ORNT", point, "n/a"))
+            columns.append(m.q[:, k, c])
+    for j, name in enumerate(m.joint_names):
+        channels.append(Channel(name, "n/a", "JNTANG", name.rsplit("_", 1)[0], "rad"))
+        columns.append(m.angles[:, j])
+    return System("hand", "Glovetrack, fused hand", m.rate, channels, np.array(columns).T)
+
+
+def _imu(raw: RawImu, m: EstimateSeries) -> System:
+    """All axes of all IMUs; the latency of each packet against the hand's first row."""
+    names, values = raw.channels()
+    channels = [Channel("latency", "n/a", "LATENCY", "n/a", "s")]
+    for name in names:
+        imu, what, axis = name.rsplit("_", 2)
+        kind, unit = _IMU[what]
+        channels.append(Channel(name, axis, kind, imu, unit))
+    latency = (raw.stamp_ns - (m.stamp_ns[0] + m.zero_ns)) * 1e-9
+    table = np.column_stack([latency, values])
+    return System("imu", "Glovetrack, inertial sensors", raw.rate, channels, table)
+
+
+def _write(stem: Path, system: System, m: EstimateSeries) -> None:
+    with Path(f"{stem}_motion.tsv").open("w", encoding="utf-8", newline="\n") as out:
+        for row in system.values:
+            out.write("\t".join("n/a" if np.isnan(v) else f"{v:.9g}" for v in row) + "\n")
+    head = (*Channel._fields, "sampling_frequency", "reference_frame")
+    rate = f"{system.rate:.9g}"
+    rows = [(*c, rate, _frame(c)) for c in system.channels]
+    _table(Path(f"{stem}_channels.tsv"), head, rows)
+    used = sorted({_frame(c) for c in system.channels} - {"n/a"})
+    frames = {f: _FRAMES[f].format(axes=m.notes["axes_are"]) for f in used}
+    told = {"reference_frame": {"Description": "What axes are those of", "Levels": frames}}
+    _json(Path(f"{stem}_channels.json"), told)
+    types = [c.type for c in system.channels]
+    counts = {f"{t}ChannelCount": types.count(t) for t in _TYPES}
+    points = {c.tracked_point for c in system.channels} - {"n/a"}
+    said = {
+        "TaskName": TASK,
+        "TaskDescription": "Movement of a hand that wears a sensor glove",
+        "SamplingFrequency": round(system.rate, 6),
+        "SamplingFrequencyEffective": round(system.rate, 6),
+        "MotionChannelCount": len(types),
+        **counts,
+        "TrackedPointsCount": len(points),
+        "TrackingSystemName": system.words,
+        "RecordingType": "continuous",
+        "RecordingDuration": round(len(system.values) / system.rate, 6),
+        "SoftwareVersions": f"Glovetrack {__version__}",
+        "MissingValues": "n/a",
+    }
+    _json(Path(f"{stem}_motion.json"), said)
+
+
+_FRAMES = {
+    "world": "World of the recording: {axes}. Quaternions are of the bone that begins at the "
+    "point: x along it to its tip, z out of the back of the hand.",
+    "sensor": "The sensor's own axes; accelerations are specific force.",
+    "joint": "Abduction about z, then flexion about y, then twist about x of the turned axes; "
+    "flexion is positive towards the palm.",
+}
+
+
+def _frame(c: Channel) -> str:
+    known = {"POS": "world", "ORNT": "world", "JNTANG": "joint", "LATENCY": "n/a"}
+    return known.get(c.type, "sensor")
+
+
+def _top(path: Path, subject: str, m: EstimateSeries) -> None:
+    description = {
+        "Name": "Movement of a hand, tracked with a sensor glove",
+        "BIDSVersion": VERSION,
+        "DatasetType": "raw",
+        "GeneratedBy": [{"Name": "Glovetrack", "Version": __version__}],
+    }
+    _json(path / "dataset_description.json", description)
+    text = "Exported by Glovetrack. `tracksys-hand` is what was computed, `tracksys-imu` what the "
+    text += "glove's inertial sensors measured.\n"
+    (path / "README.md").write_text(text, "utf-8")
+    _table(path / "participants.tsv", ("participant_id", "hand"), [(subject, m.info.side)])
+    told = {"hand": {"Description": "Hand that wore the glove", "Levels": {
+        "left": "left hand", "right": "right hand"}}}  # fmt: skip
+    _json(path / "participants.json", told)
+
+
+def _events(stem: Path, reader: SessionReader, m: EstimateSeries) -> None:
+    """Notes, in s from the hand's first row; no file where there is none."""
+    zero = int(m.stamp_ns[0]) + m.zero_ns
+    rows = [
+        (f"{(t - zero) * 1e-9:.6f}", "0", " ".join(text.split()) or "n/a")
+        for t, text in sorted(read_notes(reader))
+    ]
+    if rows:
+        _table(stem.with_suffix(".tsv"), ("onset", "duration", "trial_type"), rows)
+        said = {"trial_type": {"Description": "Note of the experimenter"}}
+        _json(stem.with_suffix(".json"), said)
+
+
+def _scans(
+    folder: Path, subject: str, systems: list[System], m: EstimateSeries, dated: bool
+) -> None:
+    when = datetime.fromtimestamp(int(m.stamp_ns[0]) * 1e-9, UTC).isoformat(timespec="microseconds")
+    time = when.replace("+00:00", "Z") if dated else "n/a"
+    rows = [(f"motion/{subject}_task-{TASK}_tracksys-{s.name}_motion.tsv", time) for s in systems]
+    _table(folder / f"{subject}_scans.tsv", ("filename", "acq_time"), rows)
+
+
+def _table(path: Path, head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> None:
+    lines = ["\t".join(row) for row in (head, *rows)]
+    path.write_text("\n".join(lines) + "\n", "utf-8")
+
+
+def _json(path: Path, value: dict[str, Any]) -> None:
+    path.write_text(json.dumps(value, indent=2) + "\n", "utf-8")
