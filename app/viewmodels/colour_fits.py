@@ -2,34 +2,47 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
 
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_images import Image
 from app.words import tr
-from tracker.calibration.colours_fit import FoundHue, fit_image
+from tracker.calibration.colours_fit import FoundHue
 from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides
+from tracker.calibration.colours_image import learn_image
+from tracker.calibration.colours_learn import ColourSamples, learn
+from tracker.calibration.colours_sample import KnownMarkers, known_sides, samples_of
 from tracker.errors import ConfigError
 from tracker.messages import Tracking
 from tracker.vision.colours import ColourProfile
 
 Fit = tuple[ColourProfile, tuple[FoundHue, ...]]
 FitWork = Callable[[], Fit]
+LEARNED_IMAGES = 12  # pairs, 66 MB at 720p
+LEARNED_APART = 0.25  # s between two of them
 
 
-def image_fit(image: Image | None, profile: ColourProfile) -> FitWork:
-    """Fit to an image, whatever is known of the hand. Raises ConfigError where there is none."""
+def image_fit(image: Image | None, profile: ColourProfile, setup: EngineSetup) -> FitWork:
+    """Fit to one image of the glove, whatever is known of the hand.
+
+    Raises ConfigError where there is none.
+    """
     if image is None:
         raise ConfigError(tr("There is no image yet to fit the colours to."))
-    return lambda: fit_image(image, profile)
+    size, fx = float(setup.glove.marker_size.mean()), setup.rig.fx
+    return lambda: learn_image(image, profile, size, fx)
 
 
 class MarkerWatch:
     """Gathers what tracked markers look like, while the panel is in sight."""
 
     def __init__(self, setup: EngineSetup) -> None:
+        self._glove = setup.glove
         self._samples = MarkerSamples(setup.glove, setup.profile.hue_names)
+        self._images: deque[list[tuple[Image, KnownMarkers]]] = deque(maxlen=LEARNED_IMAGES)
+        self._image_due = float("-inf")
         self._last = float("-inf")
 
     def watch(self, view: Snapshot) -> None:
@@ -40,6 +53,9 @@ class MarkerWatch:
         if frame.t == self._last:
             return
         self._last = frame.t
+        if not frame.t < self._image_due <= frame.t + LEARNED_APART:
+            self._image_due = frame.t + LEARNED_APART
+            self._images.append(known_sides(frame, blobs, result, self._glove))
         sides = seen_sides(frame.left, frame.right, (blobs.left, blobs.right), result)
         self._samples.take(sides, result.visible)
 
@@ -47,8 +63,19 @@ class MarkerWatch:
         """Fit to what was gathered. Raises ConfigError where that is nothing."""
         if len(self._samples) == 0:
             raise ConfigError(tr("No markers were tracked yet. Fit from the image alone first."))
-        taken = self._samples.copy()
-        return lambda: taken.fit(profile)
+        taken, images = self._samples.copy(), list(self._images)
+        return lambda: _learned(taken, images, profile)
+
+
+def _learned(
+    taken: MarkerSamples, images: list[list[tuple[Image, KnownMarkers]]], profile: ColourProfile
+) -> Fit:
+    """Ranges round what the markers look like, and what is theirs, the glove's and the room's."""
+    fitted, found = taken.fit(profile)
+    samples = ColourSamples.of(profile.hue_names)
+    for image, known in (side for sides in images for side in sides):
+        samples.add(samples_of(image, known, profile.hue_names))
+    return learn(fitted, samples), found
 
 
 def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:

@@ -20,6 +20,7 @@ from app.viewmodels.colour_images import (
     room_image,
     room_shares,
 )
+from app.viewmodels.colour_live import LiveImages
 from app.viewmodels.colours import HueRow, blob_counts, hue_rows, seen_rows
 from app.widgets.image_shapes import Ring
 from app.words import tr
@@ -123,7 +124,7 @@ class ColourTuning:
         """``kept``: tuned earlier, in place of the one the engine has."""
         self.setup = setup
         self.hue = 0  # row of the one that is tuned
-        self.markers = MarkerWatch(setup)
+        self.markers, self.live = MarkerWatch(setup), LiveImages(setup)
         self.last_words = tr("Colours of {}").format(setup.camera) if kept is not None else ""
         self.room: dict[str, float] = {}
         self._history = ProfileHistory(kept or setup.profile)

@@ -13,13 +13,14 @@ from tracker.calibration.colours_fit import FoundHue, Image
 from tracker.calibration.colours_learn import learn, wide_profiles
 from tracker.calibration.colours_sample import KnownMarkers, samples_of
 from tracker.errors import GlovetrackError
-from tracker.messages import Blobs, IntArray
+from tracker.messages import Array, Blobs, IntArray
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
 NEAR = 5.0  # extents of a blob, within which its neighbours are
 HAND = 11.0  # extents, from the middle of a hand to its farthest marker
 LIKE = 1.6  # ratio of extents of one glove's markers
+SAME = 4.0  # px between a patch and itself
 LEAST_PATCHES, LEAST_HUES = 8, 2
 
 
@@ -43,15 +44,40 @@ def learn_image(
         )
     names = profile.hue_names
     hue = tuple(names[k] for k in best.hue[crowd])
-    known = KnownMarkers(best.uv[crowd], best.size[crowd].max(axis=1), hue, best.uv[crowd])
+    known = KnownMarkers(best.uv[crowd], best.size[crowd], hue, best.uv[crowd])
     samples = samples_of(image, known, names)
     fitted = learn(profile, samples)
+    _refuse_worse(image, (profile, fitted), (marker_size, fx), best.uv[crowd])
     found = [
         FoundHue(h, samples.patches[h.name], len(samples.pixels(h.name)))
         for h in fitted.hues
         if samples.patches[h.name]
     ]
     return fitted, tuple(found)
+
+
+def _refuse_worse(
+    image: Image,
+    profiles: tuple[ColourProfile, ColourProfile],
+    camera: tuple[float, float],
+    glove: Array,
+) -> None:
+    """Raises GlovetrackError where the second profile shows fewer patches of the ``glove`` (n, 2)
+    px than the first, or as many and more of the room."""
+    (was, other), (now, others) = (_on_glove(Detector(p, *camera), image, glove) for p in profiles)
+    if now < was or (now == was and others > other + 1):
+        raise GlovetrackError(
+            f"The colours stay as they are: fitted ones show {now} patches of the glove and "
+            f"{others} other things, these {was} and {other}."
+        )
+
+
+def _on_glove(detector: Detector, image: Image, glove: Array) -> tuple[int, int]:
+    """Blobs at one of these places (n, 2) px, and others."""
+    blobs, _ = detector.detect(image)
+    apart = np.linalg.norm(blobs.uv[:, None] - glove[None], axis=2)
+    there = int(np.count_nonzero(apart.min(axis=1, initial=np.inf) < SAME))
+    return there, len(blobs) - there
 
 
 def glove_of(blobs: Blobs) -> IntArray:

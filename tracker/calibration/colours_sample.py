@@ -8,12 +8,15 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracker.calibration.colours_fit import Image
+from tracker.calibration.colours_fit import Image, hue_interval
 from tracker.calibration.colours_learn import ColourSamples
 from tracker.glove.model import GloveModel
 from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame
+from tracker.vision.colours import HUES
 
-CORE = 0.36  # of a marker's extent: radius of the disc that is surely cloth
+CORE = 0.36  # of a marker's smaller extent: radius of the disc that is surely cloth
+LEAST_SHARE = 0.5  # of a disc's median saturation and value, for a pixel of its cloth
+MOST_TURN = 20  # of hue, from the disc's middle one
 AWAY = 0.75  # the same, of the disc that may be
 RING = (0.85, 1.25)  # the same, of the ring that is the glove's cloth beside it
 HAND = 6.0  # the same, around each marker, of what is not the room
@@ -22,13 +25,18 @@ ROOM_STEP = 7  # every so many-th pixel of the room is taken
 
 @dataclass(frozen=True, eq=False)
 class KnownMarkers:
-    """Markers in one image: uv (n, 2) px, extent (n,) px, and the hue's name of each; ``hand``
-    (k, 2) px further places that are not the room."""
+    """Markers in one image: uv (n, 2) px, ``size`` (n, 2) px along and across, the hue's name
+    of each; ``hand`` (k, 2) px further places that are not the room."""
 
     uv: Array
-    extent: Array
+    size: Array
     hue: tuple[str, ...]
     hand: Array
+
+    @property
+    def extent(self) -> Array:
+        """(n,) px, the larger one."""
+        return np.asarray(self.size.max(axis=1))
 
 
 def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> ColourSamples:
@@ -38,8 +46,9 @@ def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> Col
     taken = np.zeros(shape, np.uint8)
     for uv, extent in zip(known.uv, known.extent, strict=True):
         _disc(taken, uv, AWAY * extent)
-    for uv, extent, name in zip(known.uv, known.extent, known.hue, strict=True):
-        core = _pixels(image, uv, 0.0, CORE * extent)
+    for uv, size, name in zip(known.uv, known.size, known.hue, strict=True):
+        extent = float(size.max())
+        core = _cloth(_pixels(image, uv, 0.0, CORE * float(size.min())))
         if len(core):
             out.hues[name].append(core)
             out.patches[name] += 1
@@ -52,6 +61,19 @@ def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> Col
         _disc(away, uv, reach)
     out.room.append(image[away == 0][::ROOM_STEP])
     return out
+
+
+def _cloth(pixels: Image) -> Image:
+    """Of the BGR pixels (n, 3) of a disc those like most of them: a slanted patch, or one that
+    something covers in part, shows what is beside it."""
+    if len(pixels) == 0:
+        return pixels
+    hsv = np.asarray(cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV), np.uint8)[0].astype(np.int64)
+    like = np.all(hsv[:, 1:] >= LEAST_SHARE * np.median(hsv[:, 1:], axis=0), axis=1)
+    first, last = hue_interval(hsv[like, 0], 0.25)
+    middle = first + ((last - first) % HUES) / 2
+    like &= np.abs((hsv[:, 0] - middle + HUES / 2) % HUES - HUES / 2) <= MOST_TURN
+    return pixels[like]
 
 
 def _disc(mask: NDArray[np.uint8], uv: Array, radius: float) -> None:
@@ -90,8 +112,7 @@ def known_sides(
         if image is None or found is None or not (match >= 0).any():
             continue
         rows = np.flatnonzero(match >= 0)
-        extent = found.size[match[rows]].max(axis=1)
         hand = expected[np.isfinite(expected[:, 0])]
         hue = tuple(glove.markers[int(m)].hue for m in rows)
-        out.append((image, KnownMarkers(found.uv[match[rows]], extent, hue, hand)))
+        out.append((image, KnownMarkers(found.uv[match[rows]], found.size[match[rows]], hue, hand)))
     return out

@@ -13,6 +13,7 @@ from tracker.offline.colours_fit import (
     ColourCheck,
     Sensed,
     SessionFit,
+    Worn,
     check_messages,
     fit_messages,
 )
@@ -34,7 +35,7 @@ def fit_session(source: Path, out: Path, colours: str = "", force: bool = False)
     """
     check_target(out, force, [source])
     info, messages = _read(source, colours)
-    fit = fit_messages(messages, info, profile_of(info))
+    fit = fit_messages(messages, worn_in(info), profile_of(info))
     write_kept(out, profile_to_toml(replace(fit.profile, name=out.stem)))
     return fit
 
@@ -42,7 +43,14 @@ def fit_session(source: Path, out: Path, colours: str = "", force: bool = False)
 def check_session(source: Path, colours: str = "") -> ColourCheck:
     """How well ``colours`` (name or file), else the session's own, serve it."""
     info, messages = _read(source, colours)
-    return check_messages(messages, info, profile_of(info))
+    return check_messages(messages, worn_in(info), profile_of(info))
+
+
+def worn_in(info: SessionInfo) -> Worn:
+    """What a session says of hand, glove and cameras. Raises FileError where it has no cameras."""
+    if info.rig is None:
+        raise FileError("The session says nothing of its cameras: no hand can be found in it.")
+    return Worn(info.hand, info.glove, info.rig)
 
 
 def _read(source: Path, colours: str) -> tuple[SessionInfo, list[Sensed]]:

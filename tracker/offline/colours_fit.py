@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +17,8 @@ from numpy.typing import NDArray
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import known_sides, samples_of
 from tracker.errors import GlovetrackError
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
 from tracker.messages import (
     BlobFrame,
     Blobs,
@@ -26,15 +29,23 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.pipeline import Pipeline
-from tracker.session.description import SessionInfo
 from tracker.settings import Settings
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector, DetectorParams, detect_frame
+from tracker.vision.rig import StereoRig
 
 Sensed = ImuSample | StereoFrame
 LEAST_IMAGES = 2  # with a hand that is sure, to learn from
 LEAST_SHARE = 0.6  # of the markers that should be seen
 ROUNDS = 2  # of learning and looking again
+
+
+class Worn(NamedTuple):
+    """The hand, the glove on it, and the cameras that see it."""
+
+    hand: HandModel
+    glove: GloveModel
+    rig: StereoRig
 
 
 @dataclass(frozen=True)
@@ -104,18 +115,16 @@ class Looked:
         return sum(_found(r).sum() for r in self.results) / max(self.images, 1)
 
 
-def fit_messages(
-    messages: Sequence[Sensed], info: SessionInfo, profile: ColourProfile
-) -> SessionFit:
+def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile) -> SessionFit:
     """Colours for these packets and images, in the order of feeding.
 
     Raises GlovetrackError where no hand is found for sure, or nothing better than ``profile``.
     """
-    before = look(messages, info, profile)
+    before = look(messages, worn, profile)
     best = before
     if _is_poor(before):
         for wide in wide_profiles(profile):
-            tried = look(_beginning(messages), info, wide)
+            tried = look(_beginning(messages), worn, wide)
             if tried.matched > best.matched:
                 best = tried
     fitted = profile
@@ -126,10 +135,10 @@ def fit_messages(
                 "The colours could not be fitted: no hand was found for sure, whatever the light. "
                 "Hold the hand flat and still in view of both cameras, in more or whiter light."
             )
-        samples = _samples(best, info, fitted.hue_names, odd=len(best.frames) < 4 or turn > 0)
+        samples = _samples(best, worn, fitted.hue_names, odd=len(best.frames) < 4 or turn > 0)
         fitted, patches = learn(fitted, samples), samples.patches
-        best = look(messages, info, fitted)
-    old, new = checked(before, info, profile), checked(best, info, fitted)
+        best = look(messages, worn, fitted)
+    old, new = checked(before, worn, profile), checked(best, worn, fitted)
     fewer, same = new.found < old.found - 0.25, new.found < old.found + 0.5
     if fewer or (same and new.clashing > old.clashing + 1):
         raise GlovetrackError(
@@ -139,19 +148,16 @@ def fit_messages(
     return SessionFit(fitted, old, new, patches)
 
 
-def check_messages(
-    messages: Sequence[Sensed], info: SessionInfo, profile: ColourProfile
-) -> ColourCheck:
+def check_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile) -> ColourCheck:
     """How well ``profile`` serves for these packets and images."""
-    return checked(look(messages, info, profile), info, profile)
+    return checked(look(messages, worn, profile), worn, profile)
 
 
-def look(messages: Iterable[Sensed], info: SessionInfo, profile: ColourProfile) -> Looked:
+def look(messages: Iterable[Sensed], worn: Worn, profile: ColourProfile) -> Looked:
     """Track the hand with these colours."""
-    assert info.rig is not None
-    pipeline = Pipeline(info.hand, info.glove, info.rig, Settings())
-    size = float(np.median(info.glove.marker_size)) if info.glove.markers else 0.012
-    detector = Detector(profile, size, info.rig.fx, DetectorParams())
+    pipeline = Pipeline(worn.hand, worn.glove, worn.rig, Settings())
+    size = float(np.median(worn.glove.marker_size)) if worn.glove.markers else 0.012
+    detector = Detector(profile, size, worn.rig.fx, DetectorParams())
     out = Looked(others=np.zeros(len(profile.hues), np.int64))
     waiting: dict[float, tuple[StereoFrame, BlobFrame]] = {}
     for message in messages:
@@ -211,23 +217,23 @@ def _beginning(messages: Sequence[Sensed], images: int = 10) -> list[Sensed]:
 
 
 def _samples(
-    looked: Looked, info: SessionInfo, names: tuple[str, ...], odd: bool, most: int = 12
+    looked: Looked, worn: Worn, names: tuple[str, ...], odd: bool, most: int = 12
 ) -> ColourSamples:
     """Pixels of at most so many images, every other one where ``odd`` ones are kept for a check."""
     out = ColourSamples.of(names)
     rows = range(0, len(looked.frames), 1 if odd else 2)
     step = max(1, -(-len(rows) // most))
     for k in list(rows)[::step]:
-        for side in known_sides(looked.frames[k], looked.blobs[k], looked.results[k], info.glove):
+        for side in known_sides(looked.frames[k], looked.blobs[k], looked.results[k], worn.glove):
             out.add(samples_of(*side, names))
     return out
 
 
-def checked(looked: Looked, info: SessionInfo, profile: ColourProfile) -> ColourCheck:
+def checked(looked: Looked, worn: Worn, profile: ColourProfile) -> ColourCheck:
     """What a pass says of the colours, hue by hue."""
     names = profile.hue_names
     expected, found, other = np.zeros((3, len(names)))
-    hue = np.array([names.index(m.hue) for m in info.glove.markers])
+    hue = np.array([names.index(m.hue) for m in worn.glove.markers])
     for blobs, result in zip(looked.blobs, looked.results, strict=True):
         np.add.at(expected, hue, np.nan_to_num(result.visible))
         np.add.at(found, hue, _found(result))

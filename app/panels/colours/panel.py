@@ -71,7 +71,8 @@ class ColoursPanel(Panel):
         tools.undo.connect(self.undo)
         tools.redo.connect(self.redo)
         image = self.image.source.image
-        tools.fit_image.connect(lambda: self._fit(lambda t: image_fit(image(), t.profile)))
+        tools.fit_live.connect(self.fit_live)
+        tools.fit_image.connect(lambda: self._fit(lambda t: image_fit(image(), t.profile, t.setup)))
         tools.fit_markers.connect(lambda: self._fit(lambda t: t.markers.fit(t.profile)))
         tools.load.connect(self.files.ask_load)
         tools.save.connect(self.files.ask_save)
@@ -180,6 +181,24 @@ class ColoursPanel(Panel):
         else:
             self.host.error.emit(words)
 
+    def fit_live(self) -> None:
+        """Fit to the images of the next or last seconds, with the packets around them."""
+        if self.tuning is None:
+            return
+        try:
+            self.tuning.live.ask()
+        except GlovetrackError as error:
+            self.host.error.emit(str(error))
+
+    def _gather(self, view: Snapshot) -> None:
+        """Keep images for a fit, and begin one that waits for them."""
+        tuning = self.tuning
+        if tuning is None or not self.image.source.is_live:
+            return
+        tuning.live.watch(view)
+        if tuning.live.wanted and tuning.live.is_enough:
+            self._fit(lambda t: t.live.fit(t.profile))
+
     def check_room(self) -> None:
         """Take the image shown now for the room without the glove."""
         image = self.image.source.image()
@@ -194,6 +213,7 @@ class ColoursPanel(Panel):
             return
         self.image.source.take(view)
         self.tuning.markers.watch(view)
+        self._gather(view)
         self.tuning.watch_room(self.image.source.view)
         self.light.look_at(self.image.shown(), self.tuning)
         self._draw()

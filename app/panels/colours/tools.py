@@ -17,6 +17,7 @@ class ColoursTools(OneLine):
     picking = Signal(bool)
     undo = Signal()
     redo = Signal()
+    fit_live = Signal()
     fit_image = Signal()
     fit_markers = Signal()
     load = Signal()
@@ -79,8 +80,10 @@ class ColoursTools(OneLine):
 
     def _fit_button(self) -> QToolButton:
         button, menu = self._menu_button(self.tr("Fit"))
+        live = menu.addAction(self.tr("From what is seen now"), self.fit_live.emit)
+        live.setToolTip(self.tr("Hold the hand in view: glove and cameras find it in any light"))
         image = menu.addAction(self.tr("From the image alone"), self.fit_image.emit)
-        image.setToolTip(self.tr("Round patches of like colour are looked for"))
+        image.setToolTip(self.tr("A crowd of patches of the glove's colours is looked for"))
         markers = menu.addAction(self.tr("From the tracked markers"), self.fit_markers.emit)
         markers.setToolTip(self.tr("Each tracked marker shows what its colour looks like here"))
         menu.addSeparator()

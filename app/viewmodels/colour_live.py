@@ -1,0 +1,97 @@
+"""The last seconds of images with the packets around them, for a fit of the colours to both."""
+
+from __future__ import annotations
+
+from collections import deque
+
+from app.engines.engine import EngineSetup
+from app.engines.snapshot import Snapshot
+from app.viewmodels.colour_fits import Fit, FitWork
+from app.words import tr
+from tracker.calibration.colours_fit import FoundHue
+from tracker.errors import ConfigError
+from tracker.messages import ImuSample, StereoFrame
+from tracker.vision.colours import ColourProfile
+
+MOST_IMAGES = 20  # pairs, 110 MB at 720p
+ENOUGH = 10  # of them, for a fit
+APART = 0.1  # s between two of them, at least
+GAP = 0.5  # s without packets or images, after which what came before is no use
+MOST_PACKETS = 4000
+
+
+class LiveImages:
+    """Gathers while the panel is in sight. A fit that is ``wanted`` waits until there is enough."""
+
+    def __init__(self, setup: EngineSetup) -> None:
+        self._setup = setup
+        self._frames: deque[StereoFrame] = deque(maxlen=MOST_IMAGES)
+        self._packets: deque[ImuSample] = deque(maxlen=MOST_PACKETS)
+        self.wanted = False
+
+    def __len__(self) -> int:
+        """Pairs of images that are kept."""
+        return len(self._frames)
+
+    @property
+    def is_enough(self) -> bool:
+        """Whether a fit can begin."""
+        return len(self._frames) >= ENOUGH
+
+    def ask(self) -> None:
+        """Have a fit made as soon as there is enough.
+
+        Raises ConfigError where glove or calibrated cameras are missing.
+        """
+        if not self._setup.whole:
+            raise ConfigError(
+                tr(
+                    "Fitting to what is seen needs the glove and both cameras, calibrated. "
+                    "Fit to one image instead."
+                )
+            )
+        self.wanted = True
+
+    def watch(self, view: Snapshot) -> None:
+        """Take the latest images and all packets that came meanwhile."""
+        self._take_packets(view)
+        frame = view.frame
+        if frame is None or frame.left is None or frame.right is None:
+            return
+        if self._frames and not 0 <= frame.t - self._frames[-1].t <= MOST_IMAGES * GAP:
+            self._frames.clear()  # a replay was moved, or the panel was out of sight
+        if not self._frames or frame.t - self._frames[-1].t >= APART:
+            self._frames.append(frame)
+
+    def _take_packets(self, view: Snapshot) -> None:
+        last = self._packets[-1].t if self._packets else float("-inf")
+        if view.imu and view.imu[-1].t < last:
+            self._forget()
+            last = float("-inf")
+        new = [p for p in view.imu if p.t > last]
+        if new and self._packets and new[0].t - last > GAP:
+            self._forget()
+        self._packets.extend(new)
+
+    def _forget(self) -> None:
+        self._packets.clear()
+        self._frames.clear()
+
+    def fit(self, profile: ColourProfile) -> FitWork:
+        """The fit to what was gathered, for another thread."""
+        self.wanted = False
+        first = self._frames[0].t - GAP if self._frames else 0.0
+        messages: list[ImuSample | StereoFrame] = [p for p in self._packets if p.t >= first]
+        messages += self._frames
+        messages.sort(key=lambda m: m.t_arrival)
+        setup = self._setup
+
+        def work() -> Fit:
+            from tracker.offline.colours_fit import Worn, fit_messages
+
+            fit = fit_messages(messages, Worn(setup.hand, setup.glove, setup.rig), profile)
+            hues = [h for h in fit.profile.hues if fit.patches.get(h.name)]
+            found = tuple(FoundHue(h, fit.patches[h.name], 0) for h in hues)
+            return fit.profile, found
+
+        return work

@@ -1,0 +1,70 @@
+"""Images and packets gathered for a fit of the colours to what is seen."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
+
+from app.engines.snapshot import Snapshot
+from app.viewmodels.colour_live import ENOUGH, GAP, MOST_IMAGES, LiveImages
+from tracker.errors import GlovetrackError
+from tracker.messages import ImuSample
+
+SETUP = scripted_setup(ScriptedEngine())
+
+
+def packet(t: float) -> ImuSample:
+    n = len(SETUP.glove.imus)
+    still = np.tile([0.0, 0.0, 9.81], (n, 1))
+    return ImuSample(t, t + 0.01, t, -1, still, np.zeros((n, 3)), np.ones(n, bool))
+
+
+def view(t: float) -> Snapshot:
+    """A look at ``t`` with the packets of the last second."""
+    frame = dataclasses.replace(frame_and_blobs(5)[0], t=t, t_arrival=t + 0.03)
+    imu = tuple(packet(x) for x in np.arange(round(100 * t) - 100, round(100 * t)) / 100)
+    return Snapshot(setup=SETUP, running=True, frame=frame, imu=imu)
+
+
+def gathered(looks: int, start: float = 10.0) -> LiveImages:
+    live = LiveImages(SETUP)
+    for k in range(looks):
+        live.watch(view(start + 0.125 * k))
+    return live
+
+
+def test_a_second_of_looks_is_enough_and_memory_is_bounded() -> None:
+    assert not gathered(ENOUGH - 1).is_enough
+    assert gathered(ENOUGH).is_enough
+    assert len(gathered(3 * MOST_IMAGES)) == MOST_IMAGES
+
+
+def test_what_was_before_a_gap_or_a_step_back_is_forgotten() -> None:
+    live = gathered(ENOUGH)
+    live.watch(view(20.0 + GAP))
+    assert len(live) == 1
+    live.watch(view(5.0))
+    assert len(live) == 1
+
+
+def test_a_fit_without_a_hand_is_refused_in_words() -> None:
+    live = gathered(ENOUGH)
+    live.ask()
+    assert live.wanted
+    blind = dataclasses.replace(
+        SETUP.profile,
+        hues=tuple(dataclasses.replace(h, saturation=(255, 255)) for h in SETUP.profile.hues),
+    )
+    for frame in live._frames:  # the room alone
+        object.__setattr__(frame, "left", np.full_like(frame.left, 128))
+        object.__setattr__(frame, "right", np.full_like(frame.right, 128))
+    with pytest.raises(GlovetrackError, match="no hand was found"):
+        live.fit(blind)()
+    assert not live.wanted
+
+
+def test_without_calibrated_cameras_the_fit_says_what_serves_instead() -> None:
+    live = LiveImages(dataclasses.replace(SETUP, camera_calibrated=False))
+    with pytest.raises(GlovetrackError, match="one image instead"):
+        live.ask()
