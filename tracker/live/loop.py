@@ -17,6 +17,7 @@ from tracker.clock import nanoseconds, seconds
 from tracker.errors import GlovetrackError
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.gestures.recogniser import GestureRecogniser, gesture_event
+from tracker.live.colour_watch import ColourWatch
 from tracker.live.frame_results import FrameResults
 from tracker.live.imu_history import ImuHistory
 from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item
@@ -97,6 +98,7 @@ class LiveLoop:
         self.frames = FrameResults()
         self.history = ImuHistory(telemetry)
         self.load = LoadWatch()
+        self.colours = ColourWatch(len(pipeline.glove.markers))
         self.predicted: RegionPrediction | None = None  # for the vision thread
         self._order = order or ArrivalOrder()
         names = pipeline.glove.keypoint_names(pipeline.hand)
@@ -142,6 +144,8 @@ class LiveLoop:
             self.journal.record(blobs)
             self.pipeline.feed_frame(blobs)
         self._feed_reference(blobs)
+        if self.estimate is not None:
+            self.colours.look(blobs, self.estimate.tracking)
         if self.history.silent(blobs.t_arrival, SILENCE):
             self._show(self.pipeline.predict(blobs.t), record=False)
         now = self.clock()
@@ -186,6 +190,8 @@ class LiveLoop:
         pipeline, frames = self.pipeline, self.frames
         for text in pipeline.take_words():
             self.journal.say("device", text)
+        for text in self.colours.take_words():
+            self.journal.say("tracking", text)
         for text in self.load.take_words():
             self.journal.say("load", text)
         for result in pipeline.take_results():

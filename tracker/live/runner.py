@@ -69,6 +69,7 @@ class LiveTracker:
             self._loop,
             self._loop.history,
             self._loop.load,
+            self._loop.colours,
             self._inbox,
             self._journal,
             self._glove_reader,

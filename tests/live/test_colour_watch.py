@@ -1,0 +1,55 @@
+"""When the log blames the colours, and when it takes that back."""
+
+import numpy as np
+
+from tracker.live.colour_watch import PATIENCE, ColourWatch
+from tracker.messages import BlobFrame, Blobs, Tracking
+
+MARKERS = 37
+
+
+def blobs(t: float, count: int) -> BlobFrame:
+    uv = np.zeros((count, 2))
+    one = Blobs.empty()
+    fields = {n: getattr(one, n) for n in one.__dataclass_fields__}
+    many = {n: np.zeros((count, *a.shape[1:]), a.dtype) for n, a in fields.items()}
+    assert many["uv"].shape == uv.shape
+    return BlobFrame(t, t, ("red",), Blobs(**many), None)
+
+
+def said(count: int, tracking: Tracking, seconds: float = 3.0, fps: float = 30.0) -> list[str]:
+    watch = ColourWatch(MARKERS)
+    for k in range(round(seconds * fps)):
+        watch.look(blobs(10 + k / fps, count), tracking)
+    return watch.take_words()
+
+
+def test_many_patches_without_a_hand_are_said_once() -> None:
+    words = said(400, Tracking.SEARCHING)
+    assert words == ["The colours find 400 patches, none fit the glove: fit the colours."]
+    assert said(400, Tracking.LOST) == words
+
+
+def test_nothing_is_said_of_a_tracked_hand_a_clean_room_or_a_moment() -> None:
+    assert said(400, Tracking.TRACKING) == []
+    assert said(MARKERS, Tracking.SEARCHING) == []
+    assert said(400, Tracking.SEARCHING, PATIENCE - 0.2) == []
+
+
+def test_it_is_taken_back_when_the_hand_is_found() -> None:
+    watch = ColourWatch(MARKERS)
+    for k in range(90):
+        watch.look(blobs(10 + k / 30, 400), Tracking.LOST)
+    assert watch.figures() == {"colours_unfit": 1.0}
+    watch.look(blobs(13.1, 400), Tracking.TRACKING)
+    assert watch.figures() == {"colours_unfit": 0.0}
+    assert len(watch.take_words()) == 2
+    watch.look(blobs(13.2, 400), Tracking.TRACKING)
+    assert watch.take_words() == []
+
+
+def test_seconds_without_images_do_not_count() -> None:
+    watch = ColourWatch(MARKERS)
+    watch.look(blobs(10.0, 400), Tracking.LOST)
+    watch.look(blobs(14.0, 400), Tracking.LOST)
+    assert watch.take_words() == []

@@ -1,0 +1,54 @@
+"""Saying that the colours are to blame: many patches for a while, and no hand among them."""
+
+from __future__ import annotations
+
+from tracker.messages import BlobFrame, Tracking
+
+PATIENCE = 2.0  # s
+MANY = 2.0  # patches in one image for each of the glove's markers
+GAP = 1.0  # s without images, after which it begins anew
+
+
+class ColourWatch:
+    """For one glove with so many ``markers``; times in s of the images' stamps."""
+
+    def __init__(self, markers: int) -> None:
+        self._markers = markers
+        self._since = self._last = float("-inf")
+        self._most = 0
+        self._words: list[str] = []
+        self.unfit = False
+
+    def look(self, blobs: BlobFrame, tracking: Tracking) -> None:
+        """One more image, and what was made of it."""
+        count = max((len(b) for b in (blobs.left, blobs.right) if b is not None), default=0)
+        lost = tracking in (Tracking.SEARCHING, Tracking.LOST)
+        if not lost or not self._is_strange(count) or blobs.t - self._last > GAP:
+            self._begin(blobs.t)
+        self._last = blobs.t
+        if not (lost and self._is_strange(count)):
+            return
+        self._most = max(self._most, count)
+        if not self.unfit and blobs.t - self._since >= PATIENCE:
+            self.unfit = True
+            self._words.append(
+                f"The colours find {self._most} patches, none fit the glove: fit the colours."
+            )
+
+    def _is_strange(self, count: int) -> bool:
+        """Whether so many patches are more than a glove and a room should show."""
+        return count > MANY * self._markers
+
+    def _begin(self, t: float) -> None:
+        if self.unfit:
+            self._words.append("The colours find no more patches than they should, or the hand.")
+        self._since, self._most, self.unfit = t, 0, False
+
+    def take_words(self) -> list[str]:
+        """Sentences since the last call, for the log."""
+        words, self._words = self._words, []
+        return words
+
+    def figures(self) -> dict[str, float]:
+        """Whether the colours are to blame now."""
+        return {"colours_unfit": float(self.unfit)}
