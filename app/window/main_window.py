@@ -35,6 +35,7 @@ from app.widgets.scrolled import Scrolled
 from app.window import theme
 from app.window.about import AboutDialog
 from app.window.bug_reports import BugReports, ReportSources
+from app.window.colours_told import ColoursTold
 from app.window.commands import Commands
 from app.window.countdown import Countdown
 from app.window.docks import geometry_of, list_docks, make_docks, restore_geometry
@@ -92,6 +93,8 @@ class MainWindow(QMainWindow):
         restore_geometry(self, self.store.value.geometry)
         self.set_theme(self.store.value.theme)
         self.ticker = Ticker(self.host, self.panels, self.bar, self)
+        told = ColoursTold(self.messages, self.colours, self.show_panel)
+        self.ticker.colours_unfit.connect(told.tell)
         self.ticker.start()
 
     # --- making

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
@@ -21,7 +21,12 @@ RATE_OVER_S = 1.0
 
 
 class Ticker(QObject):
-    """Runs from `start` to `stop`; ``ticks`` is counted for measuring the window's rate."""
+    """Runs from `start` to `stop`; ``ticks`` is counted for measuring the window's rate.
+
+    ``colours_unfit``: the colours find patches and no hand, or no longer so.
+    """
+
+    colours_unfit = Signal(bool)
 
     def __init__(
         self,
@@ -35,6 +40,7 @@ class Ticker(QObject):
         self._refresher = Refresher(panels, TICK_MS / 1000, host.error.emit)
         self._status_due = 0.0
         self.ticks = 0
+        self._unfit = False
         host.closed.connect(self._clear)
         self._counted = (0.0, 0)  # when, and how many ticks there had been
         self._timer = QTimer(self)
@@ -74,6 +80,11 @@ class Ticker(QObject):
     def _refresh_status(self, view: Snapshot | None) -> None:
         placed = view is None or (view.setup.has_camera and view.setup.camera_calibrated)
         self._bar.show_status(view.status if view else None, self._host.running, placed)
+        values = view.status.values if view is not None and view.status is not None else {}
+        unfit = bool(values.get("colours_unfit", 0.0))
+        if unfit != self._unfit:
+            self._unfit = unfit
+            self.colours_unfit.emit(unfit)
         recording, text = self._host.recording, ""
         if recording.request is not None:
             word = self.tr("Paused") if recording.paused else self.tr("Recording")

@@ -68,3 +68,16 @@ def test_without_calibrated_cameras_the_fit_says_what_serves_instead() -> None:
     live = LiveImages(dataclasses.replace(SETUP, camera_calibrated=False))
     with pytest.raises(GlovetrackError, match="one image instead"):
         live.ask()
+
+
+def test_the_banner_blames_the_colours_while_that_is_true_and_leads_to_a_fit(window, engine, qtbot):
+    window.host.adopt(scripted_setup(engine))
+    engine.values["colours_unfit"] = 1.0
+    qtbot.waitUntil(lambda: "none fit the glove" in window.banner.text(), timeout=30_000)
+    engine.values["colours_unfit"] = 0.0
+    qtbot.waitUntil(lambda: not window.messages.isVisible(), timeout=30_000)
+    engine.values["colours_unfit"] = 1.0
+    qtbot.waitUntil(window.messages.isVisible, timeout=30_000)
+    window.banner.buttons[0].click()
+    assert window.colours.tuning.live.wanted
+    assert not window.messages.isVisible()
