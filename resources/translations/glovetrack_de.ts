@@ -2080,17 +2080,17 @@
     <message>
       <location filename="app/storage/bound_gloves.py" />
       <source>This is glove {} of the {} hand: its own files {} and {} are used.</source>
-      <translation type="unfinished" />
+      <translation>Das ist Handschuh {} der {} Hand: Seine eigenen Dateien {} und {} werden verwendet.</translation>
     </message>
     <message>
       <location filename="app/storage/bound_gloves.py" />
       <source>left</source>
-      <translation type="unfinished" />
+      <translation>linken</translation>
     </message>
     <message>
       <location filename="app/storage/bound_gloves.py" />
       <source>right</source>
-      <translation type="unfinished" />
+      <translation>rechten</translation>
     </message>
     <message>
       <location filename="app/storage/image_folder.py" />
@@ -2678,6 +2678,21 @@ change {}: {}</source>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Session, whole or the chosen part (MCAP)</source>
       <translation>Sitzung, ganz oder der gewählte Teil (MCAP)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Data set for laboratories (Motion-BIDS, a folder)</source>
+      <translation>Datensatz für Labore (Motion-BIDS, ein Ordner)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Raw samples of the IMUs (CSV)</source>
+      <translation>Rohe Messwerte der IMUs (CSV)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Raw samples of the IMUs (Parquet)</source>
+      <translation>Rohe Messwerte der IMUs (Parquet)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/export_choice.py" />
