@@ -34,6 +34,10 @@ class WearerStore:
         write_wearer(self.path(name), wearer)
         return kept_name(name)
 
+    def take_in(self, path: Path, layout: ChainLayout) -> str:
+        """Keep a file of elsewhere under its own name; that name. Raises FileError."""
+        return self.save(path.stem, read_wearer(path, layout))
+
     def remove(self, name: str) -> None:
         """Raises GlovetrackError where the disk refuses."""
         try:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import CalibrationView, calibration_view
 from app.words import tr
-from tracker.fusion.chain.calibration.profile_file import WearerFile
+from tracker.fusion.chain.calibration.profile_file import WearerFile, write_wearer
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.messages import Calibration
@@ -21,6 +22,7 @@ class WornCalibration:
         self._worn: WearerFile | None = None
         self._last_fit: Calibration | None = None
         self._saving = ""  # the name that an answer of the engine is to be saved under
+        self._exporting: Path | None = None  # the file that an answer is to be written to
         self.latest: Calibration | None = None
 
     def open(self) -> None:
@@ -48,9 +50,20 @@ class WornCalibration:
         """What is `learned` next is to be kept under this name."""
         self._saving = name
 
+    def ask_to_export(self, path: Path) -> None:
+        """What is `learned` next is to be written to this file."""
+        self._exporting = path
+
+    def take_in(self, path: Path, layout: ChainLayout) -> str:
+        """Keep a file of elsewhere; the name that it has here. Raises FileError."""
+        return self._store.take_in(path, layout)
+
     def learned(self, wearer: WearerFile) -> str:
         """Keep it if that was asked for; the name that it has now, or "". Raises FileError."""
         name, self._saving = self._saving, ""
+        path, self._exporting = self._exporting, None
+        if path is not None:
+            write_wearer(path, wearer)
         if not name:
             return ""
         kept = self._store.save(name, wearer)

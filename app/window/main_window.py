@@ -185,6 +185,8 @@ class MainWindow(QMainWindow):
         self.log.report.connect(self.reports.ask)
         self.library.compared.connect(lambda _comparison: self.hand.show_reference())
         self.checklist.action.connect(self.run_command)
+        self.calibration.guided_asked.connect(self.set_up.open_guided)
+        self.set_up.learned.connect(self._keep_learned)
         self._enable()
 
     # --- what there is to say
@@ -200,6 +202,13 @@ class MainWindow(QMainWindow):
         """A sentence of the banner stands in the log, once."""
         if not self.log.model.ends_with(text):
             self.log.add(Event(time.monotonic(), "note" if good else "error", text))
+
+    def _keep_learned(self) -> None:
+        """What guided poses have taught stays beyond today only in somebody's profile."""
+        if not self.calibration.keep_learned():
+            text = self.tr("It is kept while this session runs.")
+            ask = (self.tr("Save it for the next time…"), self.calibration.wearer.ask_name)
+            self.messages.say(text, ask, good=True)
 
     # --- what the engine host tells
 

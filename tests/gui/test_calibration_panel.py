@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
-from PySide6.QtWidgets import QInputDialog
+from PySide6.QtWidgets import QFileDialog, QInputDialog
 
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
@@ -151,6 +151,27 @@ def test_a_wearer_is_put_on_again_when_the_engine_changes(panel, engine, store, 
     engine.inner = chain()  # as a change of the engine makes it
     panel.window().sources.set_engine("chain")
     assert engine.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
+
+
+def test_a_profile_goes_to_another_computer_as_text(panel, tmp_path, qtbot, monkeypatch):
+    file = tmp_path / "Anna.toml"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, **__: (str(file), ""))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, **__: (str(file), ""))
+    panel.wearer.export_button.click()
+    qtbot.waitUntil(file.exists, timeout=30_000)
+    assert 'hand = "reference-right"' in file.read_text("utf-8")
+    panel.reset(None)
+    assert shown(panel, 0, 1).startswith("1.000 ± ")
+    panel.wearer.import_button.click()
+    assert panel.wearer.name == "Anna" and shown(panel, 0, 1).startswith("1.040 ± ")
+
+
+def test_an_import_that_is_no_profile_is_refused_in_words(panel, tmp_path, monkeypatch):
+    file = tmp_path / "other.toml"
+    file.write_text("schema = 1\n", "utf-8")
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, **__: (str(file), ""))
+    panel.wearer.import_button.click()
+    assert "other.toml" in panel.window().banner.text() and panel.wearer.name == ""
 
 
 def test_a_wearer_of_another_glove_is_refused_in_words(panel, store, qtbot):

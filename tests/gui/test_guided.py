@@ -291,6 +291,32 @@ def test_what_is_kept_stays_with_the_engine(guided, clock, engine, qtbot):
     np.testing.assert_array_equal(engine.inner.synergies[0], taught)
 
 
+def test_what_is_kept_goes_into_the_chosen_wearers_profile(guided, window, clock, engine, qtbot):
+    window.calibration.save("Anna")
+    row = window.calibration.wearer
+    qtbot.waitUntil(lambda: row.name == "Anna", timeout=10_000)
+    file = window.calibration._worn._store.path("Anna")
+    before = file.read_text("utf-8")
+    finished(guided, clock, engine, qtbot)
+    guided.outcome.keep_button.click()
+    qtbot.waitUntil(lambda: file.read_text("utf-8") != before, timeout=10_000)
+
+
+def test_kept_of_somebody_new_it_offers_to_save(guided, window, clock, engine, qtbot):
+    finished(guided, clock, engine, qtbot)
+    guided.outcome.keep_button.click()
+    assert "while this session runs" in window.banner.text()
+
+
+def test_the_calibration_panel_and_the_set_up_list_lead_to_it(guided, window):
+    guided.close()
+    window.calibration.wearer.guided_button.click()
+    assert window.set_up.dialogs["guided"].isVisible()
+    window.set_up.dialogs["guided"].close()
+    window.checklist.action.emit("guided")
+    assert window.set_up.dialogs["guided"].isVisible()
+
+
 def test_it_ends_with_the_tracking(guided, window, clock, engine):
     guided.start()
     engine.take("flat")

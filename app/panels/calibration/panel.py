@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
@@ -31,6 +34,7 @@ PROFILE_ENGINE = "chain"
 class CalibrationPanel(Panel):
     name = "calibration"
     period = 0.5
+    guided_asked = Signal()
 
     def __init__(
         self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
@@ -86,6 +90,9 @@ class CalibrationPanel(Panel):
         row.chosen.connect(self.wear)
         row.save.connect(self.save)
         row.remove.connect(self.remove)
+        row.export.connect(self.export)
+        row.take_in.connect(self.take_in)
+        row.guided.connect(self.guided_asked)
         row.reset.connect(self.reset)
         row.freeze.connect(self._link.freeze)
         row.compare.connect(lambda _on: self._draw())
@@ -96,7 +103,9 @@ class CalibrationPanel(Panel):
         self._enable()
 
     def _enable(self) -> None:
-        self.wearer.set_available(self._link.available)
+        setup = self.host.setup
+        guided = setup is not None and setup.guide is not None
+        self.wearer.set_available(self._link.available, guided)
 
     # --- the wearer
 
@@ -145,6 +154,30 @@ class CalibrationPanel(Panel):
         """Keep what has been learned under a name; the engine is asked for it first."""
         self._worn.ask_to_save(name)
         self._link.ask()
+
+    def keep_learned(self) -> bool:
+        """Keep what poses have taught in the wearer's profile; False where nobody was chosen."""
+        if self.wearer.name:
+            self.save(self.wearer.name)
+        return bool(self.wearer.name)
+
+    def export(self, path: Path) -> None:
+        """Write what has been learned to a file; the engine is asked for it first."""
+        self._worn.ask_to_export(path)
+        self._link.ask()
+
+    def take_in(self, path: Path) -> None:
+        """Keep a profile that was written elsewhere, and put it on."""
+        layout = self._link.layout()
+        if layout is None:
+            return
+        try:
+            name = self._worn.take_in(path, layout)
+        except GlovetrackError as error:
+            self.host.error.emit(str(error))
+            return
+        self.wearer.set_names(self._worn.names(), name)
+        self.wear(name)
 
     def _learned(self, wearer: WearerFile) -> None:
         try:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
+    QFileDialog,
     QInputDialog,
     QLabel,
     QMenu,
@@ -18,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.widgets.one_line import OneLine
 
+PATTERN = "*.toml"
 NEW = 0  # row of "somebody new"
 
 
@@ -27,6 +30,9 @@ class WearerRow(OneLine):
     chosen = Signal(str)  # a profile's name; empty for somebody new
     save = Signal(str)  # the name to save under
     remove = Signal(str)
+    export = Signal(object)  # the Path of the file to be written
+    take_in = Signal(object)  # the Path of a file to be kept and put on
+    guided = Signal()  # poses that the wearer holds on request
     reset = Signal(object)  # a list of one segment, or None for all
     freeze = Signal(bool)
     compare = Signal(bool)
@@ -46,19 +52,43 @@ class WearerRow(OneLine):
         self.save_button = self._button(self.tr("Save"), self.tr("Keep what has been learned"))
         self._fill_save_menu()
         self.reset_button = self._button(self.tr("Reset"), self.tr("Forget what has been learned"))
+        self.import_button = self._plain(
+            self.tr("Import…"), self.tr("Put on a profile from a file of another computer")
+        )
+        self.import_button.clicked.connect(self.ask_import)
+        self.export_button = self._plain(
+            self.tr("Export…"), self.tr("Write what has been learned of the wearer as text")
+        )
+        self.export_button.clicked.connect(self.ask_export)
+        self.guided_button = self._plain(
+            self.tr("Guided poses…"), self.tr("Half a minute of poses that show your fingertips")
+        )
+        self.guided_button.clicked.connect(self.guided)
         self._segments: tuple[str, ...] = ()
         who = QLabel(self.tr("Wearer"))
         who.setBuddy(self.choice)
-        for widget in (who, self.choice, self.save_button, self.reset_button):
+        for widget in (
+            who,
+            self.choice,
+            self.guided_button,
+            self.save_button,
+            self.import_button,
+            self.export_button,
+            self.reset_button,
+        ):
             self.add(widget)
         for box in (self.frozen, self.comparing):
             self.add(box)
         self.set_names((), "")
 
-    def _button(self, text: str, tip: str) -> QToolButton:
+    def _plain(self, text: str, tip: str) -> QToolButton:
         button = QToolButton()
         button.setText(text)
         button.setToolTip(tip)
+        return button
+
+    def _button(self, text: str, tip: str) -> QToolButton:
+        button = self._plain(text, tip)
         button.setMenu(QMenu(button))
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         return button
@@ -80,6 +110,23 @@ class WearerRow(OneLine):
         )
         if ok and text.strip():
             self.save.emit(text.strip())
+
+    def ask_export(self) -> None:
+        """Where to write what has been learned."""
+        path, _ = QFileDialog.getSaveFileName(
+            self, self.tr("Export the wearer's profile"), f"{self.name or 'wearer'}.toml", PATTERN
+        )
+        if path:
+            chosen = Path(path)
+            self.export.emit(chosen if chosen.suffix else chosen.with_suffix(".toml"))
+
+    def ask_import(self) -> None:
+        """Which file to put on."""
+        path, _ = QFileDialog.getOpenFileName(
+            self, self.tr("Import a wearer's profile"), "", PATTERN
+        )
+        if path:
+            self.take_in.emit(Path(path))
 
     @property
     def name(self) -> str:
@@ -107,7 +154,15 @@ class WearerRow(OneLine):
         for name in segments:
             menu.addAction(name.replace("_", " "), partial(self.reset.emit, [name]))
 
-    def set_available(self, on: bool) -> None:
-        """Off where no engine takes commands."""
-        for widget in (self.choice, self.save_button, self.reset_button, self.frozen):
+    def set_available(self, on: bool, guided: bool) -> None:
+        """Off where no engine takes commands; ``guided``: it can be told of poses too."""
+        for widget in (
+            self.choice,
+            self.save_button,
+            self.import_button,
+            self.export_button,
+            self.reset_button,
+            self.frozen,
+        ):
             widget.setEnabled(on)
+        self.guided_button.setEnabled(on and guided)

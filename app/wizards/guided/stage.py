@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import time
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject
@@ -18,6 +17,7 @@ from app.widgets.hold_ring import HoldRing
 from app.widgets.view3d.scene import DrawnSurface, rgb
 from app.widgets.view3d.shapes import Surface
 from app.widgets.view3d.view_3d import View3D
+from tracker.clock import monotonic
 from tracker.messages import Estimate, Validity
 
 
@@ -34,7 +34,7 @@ class PoseStage(QWidget):
         self._skin: HandSkin | None = None
         self._body: DrawnSurface | None = None
         self._outline: DrawnSurface | None = None
-        self.before, self.pose, self._since = "", "flat", time.monotonic()
+        self.before, self.pose, self._since = "", "flat", monotonic()
         self.view = View3D()
         self.view.setMinimumSize(240, 240)
         self.view.set_background(background)
@@ -68,14 +68,14 @@ class PoseStage(QWidget):
         """Go from the pose that is shown to this one."""
         if pose != self.pose:
             self.before, self.pose = self.pose, pose
-        self._since = time.monotonic()
+        self._since = monotonic()
 
     def refresh(self, estimate: Estimate | None, again: bool) -> None:
         """Draw the hand as it is by now; ``again``: show the way anew after a while."""
         skin, body = self._skin, self._body
         if skin is None or body is None:
             return
-        shown = self._drawn.shown(self.before, self.pose, time.monotonic() - self._since, again)
+        shown = self._drawn.shown(self.before, self.pose, monotonic() - self._since, again)
         orbit = self.view.orbit
         orbit.target, orbit.distance = shown.p_middle, self._drawn.distance()
         orbit.look_from(shown.eye)
