@@ -193,6 +193,7 @@ CLOCKS = {
     "tracker/evaluation/inertial/cost.py": "measures",
     "tracker/evaluation/vist/run.py": "how long is left",
     "tracker/evaluation/vist/trial.py": "measures",
+    "tracker/streaming/isaac.py": "the default of a clock that is handed over",
     "tracker/terminal.py": "how often progress is printed",
     "tracker/offline/track.py": "measures",
     "tracker/sensors/discovery.py": "the default of a clock that is handed over",
