@@ -71,12 +71,16 @@ def _over_grey(image: Image, shown: Image, mask: Image) -> Image:
     return np.asarray(out, np.uint8)
 
 
-def pixel_hsv(image: Image, u: float, v: float) -> tuple[int, int, int]:
-    """HSV of the median colour of the 3 by 3 pixels around (u, v)."""
+def pixel_bgr(image: Image, u: float, v: float) -> Image:
+    """(3,) the median colour of the 3 by 3 pixels around (u, v)."""
     row, column = round(v), round(u)
     patch = image[max(0, row - 1) : row + 2, max(0, column - 1) : column + 2]
-    middle = np.median(patch.reshape(-1, 3), axis=0).astype(np.uint8)
-    h, s, value = to_hsv(middle.reshape(1, 1, 3))[0, 0]
+    return np.asarray(np.median(patch.reshape(-1, 3), axis=0).astype(np.uint8))
+
+
+def pixel_hsv(image: Image, u: float, v: float) -> tuple[int, int, int]:
+    """The same in HSV."""
+    h, s, value = to_hsv(pixel_bgr(image, u, v).reshape(1, 1, 3))[0, 0]
     return int(h), int(s), int(value)
 
 

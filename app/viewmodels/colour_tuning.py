@@ -16,6 +16,7 @@ from app.viewmodels.colour_images import (
     Image,
     hue_histogram,
     mask_image,
+    pixel_bgr,
     pixel_hsv,
     room_image,
     room_shares,
@@ -26,6 +27,7 @@ from app.widgets.image_shapes import Ring
 from app.words import tr
 from tracker import library
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
+from tracker.calibration.colours_learn import taught
 from tracker.errors import ConfigError
 from tracker.files import write_kept
 from tracker.messages import Array, Blobs
@@ -156,7 +158,9 @@ class ColourTuning:
         changed = (
             remove_pixel(self.hue_range, pixel) if leave_out else add_pixel(self.hue_range, pixel)
         )
-        self._history.change(with_range(self.profile, changed))
+        bgr = pixel_bgr(image, u * MASK_STEP, v * MASK_STEP)
+        learned = taught(self.profile, bgr, -1 if leave_out else self.hue)
+        self._history.change(with_range(learned, changed))
 
     def take(self, profile: ColourProfile, words: str) -> None:
         """Another profile as one step that can be taken back, and a sentence about it."""

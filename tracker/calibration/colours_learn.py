@@ -37,6 +37,7 @@ LEAST_PIXELS, LEAST_PATCHES = 60, 2  # of a hue, to learn it
 WIDE_HUE, WIDE_SATURATION, WIDE_VALUE = 4, 60, 35  # a hue's margin and floors of wide colours
 LIGHTS = ((1.0, 1.0), (0.75, 1.2), (0.55, 1.4), (1.25, 0.85), (1.5, 0.7))  # of blue and red
 TYPICAL = (200.0, 170.0)  # saturation and value of a marker
+TAUGHT = 1  # cells of learned colours to each side of one that was picked
 CLOTH_SHARE = 0.15  # of what is around a marker; at a finger's edge it is half, between two less
 
 
@@ -158,6 +159,20 @@ def _cell_colours() -> Image:
 def _hsv(pixels: Image) -> Image:
     """BGR pixels (n, 3) in HSV."""
     return np.asarray(cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV), np.uint8)[0]
+
+
+def taught(profile: ColourProfile, bgr: Image, hue: int) -> ColourProfile:
+    """``profile`` in which colours next to a BGR pixel (3,) are the hue's with this row, or the
+    room's where it is -1: what was learned yields to the eyedropper."""
+    if profile.learned is None:
+        return profile
+    side = 1 << LEARNED_BITS
+    classes = profile.learned.classes().reshape(side, side, side).copy()
+    b, g, r = (int(x) >> (8 - LEARNED_BITS) for x in bgr)
+    around = tuple(slice(max(x - TAUGHT, 0), x + TAUGHT + 1) for x in (b, g, r))
+    classes[around] = hue + 1 if hue >= 0 else ROOM
+    learned = LearnedColours.of(classes.ravel(), profile.learned.cloth)
+    return replace(profile, learned=learned)
 
 
 def wide_profiles(profile: ColourProfile) -> Iterator[ColourProfile]:

@@ -1,0 +1,42 @@
+"""The eyedropper has the last word about what was learned."""
+
+import numpy as np
+
+from tracker import library
+from tracker.calibration.colours_learn import taught
+from tracker.vision.colours import (
+    LEARNED_CELLS,
+    ROOM,
+    ColourProfile,
+    LearnedColours,
+    parse_profile,
+)
+from tracker.vision.detector import Detector
+
+FACTORY = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+BLUE = np.array([200, 100, 20], np.uint8)
+
+
+def patch() -> np.ndarray:
+    image = np.full((120, 160, 3), 40, np.uint8)
+    image[50:66, 70:86] = BLUE
+    return image
+
+
+def found(profile: ColourProfile) -> list[str]:
+    blobs, _ = Detector(profile).detect(patch())
+    return [profile.hue_names[k] for k in blobs.hue]
+
+
+def test_a_picked_colour_is_found_though_it_was_learned_as_the_rooms_and_can_be_left_out() -> None:
+    room = LearnedColours.of(np.full(LEARNED_CELLS, ROOM, np.uint8))
+    learned = ColourProfile("x", FACTORY.hues, learned=room)
+    assert found(FACTORY) == ["blue"]
+    assert found(learned) == []
+    picked = taught(learned, BLUE, learned.hue_names.index("blue"))
+    assert found(picked) == ["blue"]
+    assert found(taught(picked, BLUE, -1)) == []
+
+
+def test_colours_without_anything_learned_stay_as_they_are() -> None:
+    assert taught(FACTORY, BLUE, 0) is FACTORY
