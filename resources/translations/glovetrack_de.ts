@@ -314,6 +314,36 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Import…</source>
+      <translation>Importieren…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Put on a profile from a file of another computer</source>
+      <translation>Profil aus der Datei eines anderen Computers anlegen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Export…</source>
+      <translation>Exportieren…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Write what has been learned of the wearer as text</source>
+      <translation>Was über die Person gelernt wurde, als Text schreiben</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Guided poses…</source>
+      <translation>Geführte Posen…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Half a minute of poses that show your fingertips</source>
+      <translation>Eine halbe Minute Posen, die Ihre Fingerspitzen zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
       <source>Wearer</source>
       <translation>Person</translation>
     </message>
@@ -336,6 +366,16 @@
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Who wears the glove?</source>
       <translation>Wer trägt den Handschuh?</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Export the wearer's profile</source>
+      <translation>Profil der Person exportieren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Import a wearer's profile</source>
+      <translation>Profil einer Person importieren</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -709,13 +749,23 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
+      <source>From what is seen now</source>
+      <translation>Aus dem, was jetzt zu sehen ist</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/tools.py" />
+      <source>Hold the hand in view: glove and cameras find it in any light</source>
+      <translation>Die Hand ins Bild halten: Handschuh und Kameras finden sie bei jedem Licht</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/tools.py" />
       <source>From the image alone</source>
       <translation>Allein aus dem Bild</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Round patches of like colour are looked for</source>
-      <translation>Gesucht werden runde Flecken ähnlicher Farbe</translation>
+      <source>A crowd of patches of the glove's colours is looked for</source>
+      <translation>Gesucht wird eine Ansammlung von Flecken in den Farben des Handschuhs</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -741,16 +791,6 @@
       <location filename="app/panels/colours/tools.py" />
       <source>Profile</source>
       <translation>Profil</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/tools.py" />
-      <source>Import…</source>
-      <translation>Importieren…</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/tools.py" />
-      <source>Export…</source>
-      <translation>Exportieren…</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -2525,6 +2565,11 @@ change {}: {}</source>
       <translation>Angepasst: {}.</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/colour_live.py" />
+      <source>Fitting to what is seen needs the glove and both cameras, calibrated. Fit to one image instead.</source>
+      <translation>Anpassen an das, was zu sehen ist, braucht den Handschuh und beide Kameras, kalibriert. Stattdessen an ein Bild anpassen.</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/colour_tuning.py" />
       <source>The room has none of the colours.</source>
       <translation>Der Raum hat keine der Farben.</translation>
@@ -3875,6 +3920,21 @@ change {}: {}</source>
       <translation> Nicht darin: {}.</translation>
     </message>
     <message>
+      <location filename="app/window/colours_told.py" />
+      <source>The colours find many patches, none fit the glove: fit the colours.</source>
+      <translation>Die Farben finden viele Flecken, keine passen zum Handschuh: Farben anpassen.</translation>
+    </message>
+    <message>
+      <location filename="app/window/colours_told.py" />
+      <source>Fit them now</source>
+      <translation>Jetzt anpassen</translation>
+    </message>
+    <message>
+      <location filename="app/window/colours_told.py" />
+      <source>Show the colours</source>
+      <translation>Farben zeigen</translation>
+    </message>
+    <message>
       <location filename="app/window/countdown.py" />
       <source>Esc: not now</source>
       <translation>Esc: nicht jetzt</translation>
@@ -3988,6 +4048,16 @@ change {}: {}</source>
       <location filename="app/window/main_window.py" />
       <source>Glovetrack speaks another language when it is started the next time.</source>
       <translation>Glovetrack spricht die andere Sprache, wenn es das nächste Mal gestartet wird.</translation>
+    </message>
+    <message>
+      <location filename="app/window/main_window.py" />
+      <source>It is kept while this session runs.</source>
+      <translation>Es bleibt, solange diese Sitzung läuft.</translation>
+    </message>
+    <message>
+      <location filename="app/window/main_window.py" />
+      <source>Save it for the next time…</source>
+      <translation>Für nächstes Mal speichern…</translation>
     </message>
     <message>
       <location filename="app/window/main_window.py" />
