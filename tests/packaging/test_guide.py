@@ -69,9 +69,13 @@ def test_every_page_is_listed() -> None:
 def test_shortcuts_are_the_windows() -> None:
     """Each key that the guide names is one that the window knows."""
     root = GUIDE.parents[1] / "app"
-    files = ("window/window_commands.py", "panels/library/session_page.py")
+    files = (
+        *("window/window_commands.py", "panels/library/session_page.py"),
+        "wizards/guided/dialog.py",
+    )
     texts = [(root / name).read_text("utf-8") for name in files]
     known = {key for text in texts for key in re.findall(r'"([^"\n]{1,12})"', text)}
+    known |= {key for text in texts for key in re.findall(r"Key_([A-Z])\b", text)}
     told = {
         key
         for page in PAGES
