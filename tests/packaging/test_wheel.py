@@ -35,7 +35,7 @@ def tracked(*folders: str) -> list[str]:
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
     source, target = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("wheel")
     for name in tracked(
-        *("app", "tracker", "resources", "packaging/backend.py"),
+        *("app", "tracker", "resources", "docs/guide", "packaging/backend.py"),
         *("pyproject.toml", "README.md", "LICENSE"),
     ):
         (source / name).parent.mkdir(parents=True, exist_ok=True)

@@ -65,7 +65,7 @@ def table(path: Path, **options: object) -> tuple[np.ndarray, dict[str, np.ndarr
     export(path, "csv", out, ExportOptions(**options), force=True)  # type: ignore[arg-type]
     with out.open() as file:
         rows = list(csv.DictReader(file))
-    names = [k[:-6] for k in rows[0] if k.endswith("_state")]
+    names = [k[:-6] for k in rows[0] if k.endswith("_state") and f"{k[:-6]}_x" in rows[0]]
     points = {
         n: np.array([[float(r[f"{n}_{c}"] or "nan") for c in "xyz"] for r in rows]) for n in names
     }

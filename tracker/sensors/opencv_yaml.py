@@ -92,16 +92,28 @@ def _matrix(node: cv2.FileNode) -> Array | None:
     where there are more or fewer numbers than they say."""
     if not node.isMap():
         return None
-    rows, columns, data = (node.getNode(name) for name in ("rows", "cols", "data"))
-    if not (rows.isInt() and columns.isInt() and data.isSeq()):
+    shape, data = _shape(node), node.getNode("data")
+    if shape is None or not data.isSeq():
         return None
-    shape = int(rows.real()), int(columns.real())
     numbers = [data.at(k) for k in range(min(data.size(), MOST_NUMBERS))]
     if min(shape) < 1 or shape[0] * shape[1] != len(numbers):
         return None
     if not all(n.isReal() or n.isInt() for n in numbers):
         return None
     return np.array([n.real() for n in numbers]).reshape(shape)
+
+
+def _shape(node: cv2.FileNode) -> tuple[int, int] | None:
+    """Rows and columns; OpenCV 5 writes ``sizes``, a single one of a vector."""
+    sizes = node.getNode("sizes")
+    if sizes.isSeq() and sizes.size() in (1, 2):
+        counts = [sizes.at(k) for k in range(sizes.size())]
+    else:
+        counts = [node.getNode(name) for name in ("rows", "cols")]
+    if not all(count.isInt() for count in counts):
+        return None
+    rows, *columns = (int(count.real()) for count in counts)
+    return rows, columns[0] if columns else 1
 
 
 def _shaped(matrix: Array, shape: tuple[int, ...], what: str, where: str) -> Array:

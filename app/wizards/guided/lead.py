@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QPushButton, QVBox
 from app.engines.engine import EngineSetup
 from app.viewmodels.guided import GuidedRun, Phase
 from app.viewmodels.guided_words import POSE_WORDS, chips, colour, word
+from app.widgets.measures import FAR
 from app.wizards.guided.stage import PoseStage
 from app.words import tr
 from tracker.messages import Estimate
@@ -51,12 +52,12 @@ class LeadPage(QWidget):
         text = QVBoxLayout()
         text.addStretch(1)
         text.addWidget(self.words)
-        text.addSpacing(24)
+        text.addSpacing(FAR)
         text.addWidget(self.word)
         text.addWidget(self.notes)
         text.addStretch(1)
         upper = QHBoxLayout()
-        upper.setSpacing(24)
+        upper.setSpacing(FAR)
         upper.addWidget(self.stage, 11)
         upper.addLayout(text, 9)
         keys = QHBoxLayout()
