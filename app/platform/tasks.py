@@ -160,7 +160,7 @@ class LatestJob(QObject):
         self._owner.failed.connect(self.failed)
         self._waiting: tuple[Job, Callable[[Any], None]] | None = None
         self._busy = False
-        self._newest = 0
+        self._done: Callable[[Any], None] | None = None  # of the job under way, while wanted
 
     def run(self, job: Job, done: Callable[[Any], None]) -> None:
         """Ask; returns at once. ``done`` gets the answer in this thread, if it still is wanted."""
@@ -171,20 +171,19 @@ class LatestJob(QObject):
 
     def forget(self) -> None:
         """Nothing is wanted any more."""
-        self._newest += 1
-        self._waiting = None
+        self._waiting = self._done = None
 
     def _begin(self) -> None:
         if self._waiting is None:
             return
-        (job, done), self._waiting = self._waiting, None
-        mine, self._busy = self._newest, True
+        (job, self._done), self._waiting = self._waiting, None
+        self._busy = True
+        self._owner.run(self._title, job, self._answer, self._ended)
 
-        def answer(result: Any) -> None:
-            if mine == self._newest:
-                done(result)
-
-        self._owner.run(self._title, job, answer, self._ended)
+    def _answer(self, result: Any) -> None:
+        """One job runs at a time, so what is wanted now is this one's answer, or none."""
+        if self._done is not None:
+            self._done(result)
 
     def _ended(self) -> None:
         self._busy = False

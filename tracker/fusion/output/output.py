@@ -16,10 +16,10 @@ from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 
 INFERRED_DEG = {
     "thumb_metacarpal": 20.0,
-    "thumb_distal": 19.0,
+    "thumb_distal": 24.0,
     "proximal": 17.0,
     "intermediate": 20.0,
-    "distal": 18.0,
+    "distal": 28.0,
 }
 """Standard deviation of a joint that nothing senses about what its synergy says, flexion and
 abduction together: of a segment, else of a finger's segments of that kind."""
