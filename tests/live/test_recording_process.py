@@ -59,10 +59,11 @@ def test_the_same_bits_of_a_recording_begun_in_the_middle(
         clock=lambda: 2.0,
     )
     processes = RecorderProcesses()
+    recorder = processes.record(recorded, about(sim, tracker))  # the stream waits for no process
     tracker.start()
     try:
         until(0.8, tracker, stream)
-        tracker.set_recorder(processes.record(recorded, about(sim, tracker)))
+        tracker.set_recorder(recorder)
         until(1e9, tracker, stream)
     finally:
         tracker.stop()
