@@ -101,6 +101,7 @@ def test_hatching_has_its_pitch_and_dots_let_the_background_through() -> None:
     assert 0.3 < inner.mean() < 0.7
 
 
+@pytest.mark.usefixtures("compare_large")
 def test_an_outline_is_drawn_around_and_not_within() -> None:
     scene = RasterScene()
     scene.set_ink("#FFFFFF")

@@ -65,6 +65,16 @@ def test_images_are_reproducible_and_every_one_has_its_own_noise(
     assert np.mean(once.pair(1.0)[0] != once.pair(1.1)[0]) > 0.3
 
 
+@pytest.mark.usefixtures("compare_large")
+def test_small_images_are_those_of_plain_python(hand: HandModel, glove: GloveModel) -> None:
+    """A few thousand pixels: grain, noise and shadow are tables that cost a twin nothing."""
+    still = Still(np.zeros(len(hand.joint_names)), np.eye(3), np.array([0.10, 0.0, 0.05]))
+    scene = SimulatedScene(Wearer.exact(hand, glove), still, ideal_rig(64, 48), seed=1)
+    left, right = DeskRenderer(scene, DeskParams("lamp", jpeg_quality=0)).pair(1.0)
+    assert left.shape == right.shape == (48, 64, 3)
+    assert left.std() > 5
+
+
 def test_markers_show_where_they_are(hand: HandModel, glove: GloveModel) -> None:
     """In LED light each visible patch has more of its own colour at its middle than the cloth."""
     scene = over_a_desk(hand, glove)
