@@ -217,7 +217,7 @@ def test_urdf_moves_like_the_hand(tracked, tmp_path: Path, session_info) -> None
     export(path, "urdf", tmp_path / "o.urdf")
     robot = yourdfpy.URDF.load(str(tmp_path / "o.urdf"), load_meshes=False)
     hand, e = session_info.hand, estimates[3]
-    assert sorted(robot.actuated_joint_names) == sorted(hand.joint_names)
+    assert set(hand.joint_names) < set(robot.actuated_joint_names)
     robot.update_cfg(dict(zip(hand.joint_names, e.angles, strict=True)))
     R, p = hand.forward(e.angles, np.eye(3), np.zeros(3))
     for i, name in enumerate(hand.segment_names):

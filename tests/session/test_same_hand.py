@@ -161,15 +161,67 @@ def test_glb_says_what_the_csv_says(tracked: Path) -> None:
                 assert np.linalg.norm(p - Y_UP @ points[name][k]) < NEAR, (name, k)
 
 
-def test_urdf_differs_from_the_csv_as_its_json_says(tracked: Path) -> None:
-    """It has the axes of anatomy and one size for all time, the CSV a rotation per segment."""
+def urdf_positions(path: Path, every: int = 1) -> list[tuple[int, dict[str, np.ndarray]]]:
+    """Row of the trajectory, and where yourdfpy has the keypoints in the world with its values."""
+    robot = yourdfpy.URDF.load(str(path), load_meshes=False)
+    with path.with_suffix(".joints.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    names = robot.actuated_joint_names
+    links = [n for n in robot.link_map if n.endswith("_keypoint")]
+    out = []
+    for k in range(0, len(rows), every):
+        if all(rows[k][n] for n in names):
+            robot.update_cfg([float(rows[k][n]) for n in names])
+            place = {n[:-9]: robot.get_transform(n, "world")[:3, 3] for n in links}
+            out.append((k, place))
+    return out
+
+
+def test_urdf_with_its_trajectory_says_what_the_csv_says(tracked: Path) -> None:
+    """In a foreign reader: bones that change, and axes that a joint has not."""
     out = tracked.with_name("o.urdf")
-    said = export(tracked, "urdf", out, force=True)["differs_mm"]
+    export(tracked, "urdf", out, force=True)
+    t, points, _ = table(tracked)
+    found = urdf_positions(out, every=4)
+    assert len(found) > 0.2 * len(t)
+    for k, place in found:
+        assert set(place) == set(points)
+        away = [np.linalg.norm(place[n] - points[n][k]) for n in points]
+        assert max(away) < NEAR, k
+
+
+def test_urdf_follows_a_part_at_another_rate_in_other_axes(tracked: Path) -> None:
+    out, options = tracked.with_name("o.urdf"), {"rate": 40.0, "start": 1.0, "axes": "opensim"}
+    export(tracked, "urdf", out, ExportOptions(**options), force=True)  # type: ignore[arg-type]
+    _, points, _ = table(tracked, **options)
+    found = urdf_positions(out, every=9)
+    assert len(found) > 10
+    for k, place in found:
+        assert max(np.linalg.norm(place[n] - points[n][k]) for n in points) < NEAR
+
+
+def test_what_moves_a_urdf_is_within_its_limits(tracked: Path) -> None:
+    out = tracked.with_name("o.urdf")
+    export(tracked, "urdf", out, force=True)
+    robot = yourdfpy.URDF.load(str(out), load_meshes=False)
+    with out.with_suffix(".joints.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert set(rows[0]) == {"t", *robot.actuated_joint_names}
+    for joint in robot.actuated_joints:
+        values = np.array([float(r[joint.name] or "nan") for r in rows])
+        if joint.type != "continuous":
+            assert np.nanmin(values) > joint.limit.lower - 1e-7, joint.name
+            assert np.nanmax(values) < joint.limit.upper + 1e-7, joint.name
+
+
+def test_urdf_with_the_angles_alone_differs_as_its_json_says(tracked: Path) -> None:
+    """Without the other joints it has one size for all time, the CSV the size known then."""
+    out = tracked.with_name("o.urdf")
+    said = export(tracked, "urdf", out, force=True)["angles_alone_differ_mm"]
     t, points, rows = table(tracked)
     robot = yourdfpy.URDF.load(str(out), load_meshes=False)
-    names = robot.actuated_joint_names
     k = len(t) - 1
-    robot.update_cfg({n: float(rows[k][n]) for n in names})
+    robot.update_cfg({n: float(rows[k].get(n, 0.0)) for n in robot.actuated_joint_names})
     links = {n: robot.get_transform(f"{n}_keypoint", "dorsum")[:3, 3] for n in points}
     a = np.array([links[n] for n in points])
     b = np.array([points[n][k] for n in points])

@@ -103,6 +103,18 @@ def test_a_sidecar_that_a_kill_left_alone_does_not_block(tracked: Path) -> None:
     assert json.loads(tracked.with_name("o.csv.json").read_text())["rows"] == 150
 
 
+def test_nor_does_the_trajectory_of_a_urdf_that_never_came(tracked: Path) -> None:
+    words = ["export", str(tracked), "--format", "urdf", "-o", str(tracked.with_name("o.urdf"))]
+    assert main(words) == 0
+    assert main(words) == 1, "all is there already"
+    tracked.with_name("o.urdf").unlink()
+    assert main(words) == 0
+    tracked.with_name("o.urdf").unlink()
+    tracked.with_name("o.urdf.json").write_text("somebody's")
+    assert main(words) == 1, "what is not ours stays"
+    assert tracked.with_name("o.joints.csv").exists()
+
+
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 def test_a_signal_leaves_nothing_that_blocks(tmp_path: Path, number: signal.Signals) -> None:
     out = tmp_path / "o.mcap"

@@ -40,7 +40,7 @@ class JointMotion(NamedTuple):
 def joint_motion(m: EstimateSeries) -> JointMotion:
     """Of a series in right-handed axes."""
     hand = m.info.hand
-    R = _matrices(m.segment_q)
+    R = matrices(m.segment_q)
     offset, turn = np.full_like(m.segment_p, np.nan), np.full_like(R, np.nan)
     for s, a in enumerate(hand.parent):
         if a >= 0:
@@ -50,7 +50,7 @@ def joint_motion(m: EstimateSeries) -> JointMotion:
     return JointMotion(offset, turn)
 
 
-def _matrices(q: Array) -> Array:
+def matrices(q: Array) -> Array:
     """(N, S, 3, 3) of quaternions (N, S, 4); NaN where lost."""
     R = np.full((*q.shape[:2], 3, 3), np.nan)
     known = np.isfinite(q).all(axis=2)

@@ -16,6 +16,8 @@ BOTH_HANDS = ("mcap",)
 """Formats of which one file holds both hands."""
 FOLDERS = ("png", "bids")
 """Formats of many files."""
+TRAJECTORY = ".joints.csv"
+"""Ending of the table that stands beside a URDF."""
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")
 OPENXR = "openxr"
 """In place of names of joints: OpenXR's 26, in OpenXR's world unless axes are asked for."""

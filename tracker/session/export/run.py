@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from importlib import import_module
 from pathlib import Path
@@ -18,6 +18,7 @@ from tracker.session.export.options import (
     BOTH_HANDS,
     FOLDERS,
     FORMATS,
+    TRAJECTORY,
     WHOLE_HAND,
     ExportOptions,
 )
@@ -45,6 +46,8 @@ _WRITERS = {
     "isaac": "isaac:export_isaac",
 }
 """Module and function for each format, imported when it is asked for: the libraries are slow."""
+_BESIDE = {"urdf": (TRAJECTORY,)}
+"""Endings of what a writer makes beside its file, in place of the file's own."""
 
 
 def export(
@@ -105,10 +108,12 @@ def _export_one(
 ) -> dict[str, Any]:
     sidecar = path_out.with_name(path_out.name + ".json")
     check_target(path_out, force and format not in FOLDERS, [path_in])
-    _forget_orphan(sidecar, path_out)
+    others = [path_out.with_suffix(ending) for ending in _BESIDE.get(format, ())]
+    _forget_orphan(sidecar, path_out, others)
     module, _, function = _WRITERS[format].partition(":")
     write = getattr(import_module(f"tracker.session.export.{module}"), function)
-    with whole_files(sidecar, path_out, force=force, inputs=[path_in]) as (beside, partial):
+    names = (sidecar, *others, path_out)
+    with whole_files(*names, force=force, inputs=[path_in]) as (beside, *_, partial):
         with SessionReader(path_in, watch=watch, side=side) as reader:
             series = write(reader, partial, options)
             report = _report(reader, format, path_out, options, series)
@@ -116,8 +121,9 @@ def _export_one(
     return report
 
 
-def _forget_orphan(sidecar: Path, path: Path) -> None:
-    """Take away our JSON where the export beside it never came to be: the process was killed."""
+def _forget_orphan(sidecar: Path, path: Path, others: Sequence[Path]) -> None:
+    """Take away our JSON, and the files that came after it, where the export beside them never
+    came to be: the process was killed."""
     if os.path.lexists(path) or not sidecar.is_file():
         return
     try:
@@ -125,7 +131,8 @@ def _forget_orphan(sidecar: Path, path: Path) -> None:
     except (ValueError, OSError, RecursionError):
         return
     if isinstance(said, dict) and "glovetrack" in said and said.get("file") == path.name:
-        sidecar.unlink(missing_ok=True)
+        for left in (*others, sidecar):
+            left.unlink(missing_ok=True)
 
 
 def _report(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -113,20 +114,25 @@ def recorded_series(reader: SessionReader) -> EstimateSeries:
     if not found:
         raise FileError(f"{reader.path} holds no estimates; track it first.")
     found.sort(key=lambda m: m.t)
-    info = reader.info
+    return series_of(reader.info, found)
+
+
+def series_of(info: SessionInfo, found: Sequence[Estimate]) -> EstimateSeries:
+    """Estimates in the order of their times; of none, one of no rows."""
+    k, j, s = len(info.keypoint_names), len(info.hand.joint_names), len(info.hand.segments)
     return EstimateSeries(
         info,
         info.keypoint_names,
         info.hand.joint_names,
         np.array([info.anchor.wall(m.t) for m in found], np.int64),
-        np.array([m.keypoints for m in found]),
-        np.array([m.keypoint_q for m in found]),
-        np.array([m.keypoint_state for m in found]),
-        np.array([m.keypoint_sd for m in found]),
-        np.array([m.angles for m in found]),
-        np.array([m.angle_state for m in found]),
-        np.array([m.segment_p for m in found]),
-        _quaternions(np.array([m.segment_R for m in found])),
+        np.array([m.keypoints for m in found]).reshape(-1, k, 3),
+        np.array([m.keypoint_q for m in found]).reshape(-1, k, 4),
+        np.array([m.keypoint_state for m in found], np.int64).reshape(-1, k),
+        np.array([m.keypoint_sd for m in found]).reshape(-1, k),
+        np.array([m.angles for m in found]).reshape(-1, j),
+        np.array([m.angle_state for m in found], np.int64).reshape(-1, j),
+        np.array([m.segment_p for m in found]).reshape(-1, s, 3),
+        _quaternions(np.array([m.segment_R for m in found]).reshape(-1, s, 3, 3)),
     )
 
 

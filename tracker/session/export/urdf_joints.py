@@ -1,0 +1,159 @@
+"""What the joints of a URDF have to do so that it stands where the estimates say, at each instant.
+
+A joint of anatomy has the axes and the angles of the session. What these leave out has joints of
+its own, of one axis each: bones whose size was still being found shift the joint at their end, and
+a rotation that was estimated about an axis that the joint has not leans. Their zero is the hand of
+the last calibration, so one who sets the angles alone has that hand.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from tracker.hand.names import AXES
+from tracker.messages import Array
+from tracker.session.export.joints import JointMotion, joint_motion, matrices
+from tracker.session.export.series import EstimateSeries, seconds_text
+
+STILL_M, STILL = 2e-6, 2e-5
+"""Less than this, m and rad, no joint is made for: over a finger that is less than 0.02 mm."""
+REACH = 10.0
+"""m that the hand may be from the origin."""
+_LETTERS = "xyz"
+
+
+class Axis(NamedTuple):
+    """A joint of one degree of freedom: ``kind`` of URDF, ``letter`` of its axis, values (N,) m or
+    rad, ``limits`` that hold beside what was tracked."""
+
+    name: str
+    kind: str
+    letter: str
+    values: Array
+    limits: tuple[float, float] = (0.0, 0.0)
+
+
+class LinkAxes(NamedTuple):
+    """From a parent to a link: shifts in the parent's axes, then rotations one after the other."""
+
+    shifts: tuple[Axis, ...] = ()
+    turns: tuple[Axis, ...] = ()
+
+
+class HandAxes(NamedTuple):
+    """Of all segments, and of all keypoints against the segments that they belong to."""
+
+    segments: tuple[LinkAxes, ...]
+    keypoints: tuple[LinkAxes, ...]
+
+    def joints(self) -> list[Axis]:
+        """All of them, from the root outward."""
+        links = (*self.segments, *self.keypoints)
+        return [axis for link in links for axis in (*link.shifts, *link.turns)]
+
+
+def hand_axes(m: EstimateSeries, origins: Array, tips: Array) -> HandAxes:
+    """Of a series in right-handed axes; ``origins`` (S, 3) and ``tips`` (K, 3) m are where the
+    last calibration has joints and keypoints in the B before them.
+    """
+    motion, hand = joint_motion(m), m.info.hand
+    segments = [
+        _root(m, i) if hand.parent[i] < 0 else _joint(m, motion, i, origins[i])
+        for i in range(len(hand.segments))
+    ]
+    return HandAxes(tuple(segments), tuple(_keypoints(m, tips)))
+
+
+def _root(m: EstimateSeries, i: int) -> LinkAxes:
+    """All six degrees of freedom, from the origin of the session."""
+    name = m.info.hand.segments[i].name
+    p, turns = m.segment_p[:, i], np.full((len(m), 3), np.nan)
+    known = np.isfinite(m.segment_q[:, i]).all(axis=1)
+    if known.any():
+        euler = Rotation.from_quat(m.segment_q[known, i]).as_euler("ZYX")
+        turns[known] = np.unwrap(euler, axis=0)
+    return LinkAxes(
+        tuple(
+            Axis(f"{name}_{c}", "prismatic", c, p[:, k], (-REACH, REACH))
+            for k, c in enumerate(_LETTERS)
+        ),
+        tuple(Axis(f"{name}_turn_{c}", "continuous", c, turns[:, k]) for k, c in enumerate("zyx")),
+    )
+
+
+def _joint(m: EstimateSeries, motion: JointMotion, i: int, origin: Array) -> LinkAxes:
+    hand = m.info.hand
+    name, joint = hand.segments[i].name, hand.joint_of.get(hand.segments[i].name)
+    shifts = _shifts(f"{name}_shift", motion.offset[:, i] - origin)
+    turn = motion.turn[:, i]
+    angles = np.zeros((len(m), 3))
+    turns = []
+    for k, axis in enumerate(AXES):
+        if joint is not None and axis in joint.axes:
+            angles[:, k] = _angle(m, i, k, turn)
+            name_of = f"{joint.name}_{axis}"
+            limits = joint.limits[axis]
+            turns.append(Axis(name_of, "revolute", "zyx"[k], angles[:, k], limits))
+    return LinkAxes(shifts, (*turns, *_leans(name, turn, angles)))
+
+
+def _angle(m: EstimateSeries, i: int, k: int, turn: Array) -> Array:
+    """(N,) the session's angle; where it says none but knows the segment, nought."""
+    column = m.info.hand.axis_columns[i][k]
+    known = np.isfinite(turn).all(axis=(1, 2))
+    angle = m.angles[:, column]
+    return np.where(known & ~np.isfinite(angle), 0.0, np.where(known, angle, np.nan))
+
+
+def _leans(name: str, turn: Array, angles: Array) -> tuple[Axis, ...]:
+    """Joints for what the angles (N, 3) leave of the rotations (N, 3, 3)."""
+    left = np.full((len(turn), 3), np.nan)
+    known = np.isfinite(turn).all(axis=(1, 2)) & np.isfinite(angles).all(axis=1)
+    if known.any():
+        said = Rotation.from_euler("ZYX", angles[known])
+        left[known] = (said.inv() * Rotation.from_matrix(turn[known])).as_euler("ZYX")
+    used = _used(left, STILL)
+    return tuple(
+        Axis(f"{name}_lean_{c}", "revolute", c, left[:, k]) for k, c in enumerate("zyx") if used[k]
+    )
+
+
+def _keypoints(m: EstimateSeries, tips: Array) -> list[LinkAxes]:
+    hand, glove = m.info.hand, m.info.glove
+    out, turns = [], matrices(m.segment_q)
+    for k, (name, i) in enumerate(
+        zip(m.keypoint_names, glove.keypoint_segments(hand), strict=True)
+    ):
+        away = m.keypoints[:, k] - m.segment_p[:, i]
+        local = np.einsum("nji,nj->ni", turns[:, i], away)
+        out.append(LinkAxes(_shifts(f"{name}_keypoint_shift", local - tips[k])))
+    return out
+
+
+def _shifts(name: str, away: Array) -> tuple[Axis, ...]:
+    used = _used(away, STILL_M)
+    return tuple(
+        Axis(f"{name}_{c}", "prismatic", c, away[:, k]) for k, c in enumerate(_LETTERS) if used[k]
+    )
+
+
+def _used(values: Array, least: float) -> list[bool]:
+    """Which columns of values (N, 3) ever leave nought."""
+    return [bool(v) for v in np.abs(np.nan_to_num(values)).max(axis=0, initial=0.0) > least]
+
+
+def write_trajectory(path: Path, m: EstimateSeries, axes: list[Axis]) -> None:
+    """A row of values, m and rad, for each row of the CSV; empty where lost."""
+    with path.open("w", encoding="utf-8", newline="") as out:
+        writer = csv.writer(out, lineterminator="\n")
+        writer.writerow(["t", *(axis.name for axis in axes)])
+        for k in range(len(m)):
+            values = [float(axis.values[k]) for axis in axes]
+            cells = ["" if math.isnan(v) else f"{v:.9g}" for v in values]
+            writer.writerow([seconds_text(int(m.stamp_ns[k])), *cells])
