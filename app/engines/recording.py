@@ -157,6 +157,13 @@ class Recording(QObject):
         """Whether a recording that has ended is still being written."""
         return self._closing is not None
 
+    @property
+    def file(self) -> Path | None:
+        """The one that is written just now, after its end too until it is closed."""
+        if self.request is not None:
+            return self.request.path
+        return self._closing[0] if self._closing is not None else None
+
     def end(self) -> None:
         """End the file; the engine writes what waits and closes it, before or after this returns.
 

@@ -20,6 +20,7 @@ from tracker.messages import (
     Tracking,
 )
 
+AT_FRAME = 0.1  # s between an image and an estimate that is shown over it
 SILENT_AFTER = 0.7  # s: with a panel's own period a silence is seen within about a second
 
 
@@ -89,5 +90,7 @@ class Snapshot:
 
 
 def nearest(estimates: Sequence[Estimate], t: float) -> Estimate | None:
-    """The estimate whose instant is nearest to ``t``."""
-    return min(estimates, key=lambda e: abs(e.t - t), default=None)
+    """The estimate whose instant is nearest to ``t``; None where all are too far from it to be
+    drawn over what was exposed then."""
+    found = min(estimates, key=lambda e: abs(e.t - t), default=None)
+    return found if found is not None and abs(found.t - t) <= AT_FRAME else None

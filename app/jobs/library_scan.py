@@ -1,18 +1,24 @@
-"""Looks through the folder of recorded sessions, in the background."""
+"""Looks through the folder of recorded sessions, in the background, and watches it."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
 from app.platform.tasks import JobProgress, RunningJob, TaskOwner
 from app.viewmodels.library import Details, SessionRow, look_inside, scan
 
+QUIET_MS = 300  # that a folder has been left alone before it is read again
+
 
 class LibraryScan(QObject):
-    """First what the files' index tells, then what is inside, one file after the other."""
+    """First what the files' index tells, then what is inside, one file after the other.
 
+    ``stale``: a file has come, gone or got another name since.
+    """
+
+    stale = Signal()
     found = Signal(object, object)  # the rows, and `Details` known of earlier scans by path
     detailed = Signal(object, object)  # a path and its `Details`
 
@@ -20,17 +26,39 @@ class LibraryScan(QObject):
         super().__init__(parent)
         self._tasks = tasks
         self._details: dict[tuple[Path, tuple[int, int]], Details] = {}
+        self._reading: RunningJob | None = None
+        self._asked = 0
         self._looking: RunningJob | None = None
+        self._watcher = QFileSystemWatcher(self)
+        self._quiet = QTimer(self, singleShot=True, interval=QUIET_MS)
+        self._watcher.directoryChanged.connect(lambda _path: self._quiet.start())
+        self._quiet.timeout.connect(self.stale)
 
     def begin(self, folder: Path, recording: Path | None) -> None:
         """``recording``: the file that is being written."""
-        self._tasks.run(
+        self._watch(folder)
+        self._asked += 1
+        number = self._asked
+        if self._reading is not None:
+            self._reading.cancel()
+        self._reading = self._tasks.run(
             self.tr("Reading the library"),
-            lambda progress: scan(folder, progress, recording),
+            lambda progress: (number, scan(folder, progress, recording)),
             self._found,
         )
 
-    def _found(self, rows: list[SessionRow]) -> None:
+    def _watch(self, folder: Path) -> None:
+        """This folder and no other."""
+        others = [d for d in self._watcher.directories() if d != str(folder)]
+        if others:
+            self._watcher.removePaths(others)
+        if folder.is_dir() and str(folder) not in self._watcher.directories():
+            self._watcher.addPath(str(folder))
+
+    def _found(self, numbered: tuple[int, list[SessionRow]]) -> None:
+        number, rows = numbered
+        if number != self._asked:
+            return  # of before: it has been asked again since
         known = {r.path: d for r in rows if (d := self._details.get((r.path, r.stamp)))}
         self.found.emit(rows, known)
         new = [r for r in rows if r.path not in known and not r.problem]
@@ -60,3 +88,9 @@ class LibraryScan(QObject):
             details = self._details.get((row.path, row.stamp))
             if details is not None:
                 self.detailed.emit(row.path, details)
+
+    def shut_down(self) -> None:
+        """Nothing is looked at any more."""
+        self._quiet.stop()
+        if self._watcher.directories():
+            self._watcher.removePaths(self._watcher.directories())

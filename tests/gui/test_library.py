@@ -251,3 +251,11 @@ def test_settings_of_another_version_are_said_and_the_usual_ones_serve(recorded,
     assert not (tmp_path / "new.mcap").exists()
     usual = track_job(old, tmp_path / "new.mcap", TrackOptions(settings=USUAL))
     assert usual(JobProgress(lambda *_: None)).figures["compared"] > 200
+
+
+def test_a_file_put_into_the_folder_appears_by_itself(library, recorded, qtbot):
+    folder = library.selected().path.parent
+    shutil.copy(recorded, folder / "brought.mcap")
+    qtbot.waitUntil(lambda: library.table.rowCount() == 2, timeout=20_000)
+    (folder / "brought.mcap").unlink()
+    qtbot.waitUntil(lambda: library.table.rowCount() == 1, timeout=20_000)

@@ -10,7 +10,7 @@ from app.widgets.one_line import OneLine
 def line(qtbot):
     line = OneLine()
     qtbot.addWidget(line)
-    for word in ("Replay", "Export", "Compare", "Refresh"):
+    for word in ("Replay", "Export", "Compare", "Recover"):
         line.add(QPushButton(word))
     line.add(QCheckBox("Loop"))
     line.resize(line.sizeHint())

@@ -6,12 +6,15 @@ import numpy as np
 import pytest
 
 from app.engines.replay.engine import ReplayEngine, open_replay
+from app.engines.replay.moment import LATE, ReplayMoment
 from app.engines.replay.references import ReferenceTrack
+from app.engines.replay.sights import pairs
 from app.panels.library.transport import TransportBar
-from tracker.messages import BlobFrame, Estimate, Event
+from tracker.messages import BlobFrame, Estimate, Event, StereoFrame
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
+from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
 
 SECONDS = 3.0
@@ -203,3 +206,45 @@ def test_one_jumps_from_note_to_note(qtbot):
         bar.jump(by)
         visited.append(player.position)
     assert visited == [2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0]
+
+
+class TestImagesAndBlobs:
+    """What is seen where images and blobs come in either order, or one of them is missing."""
+
+    @staticmethod
+    def image(t: float) -> StereoFrame:
+        return StereoFrame(t, t, np.zeros((2, 2, 3), np.uint8), None)
+
+    @staticmethod
+    def blobs(t: float) -> BlobFrame:
+        return BlobFrame(t, t, (), None, None)
+
+    def test_blobs_that_come_before_their_image_are_shown_with_it(self):
+        moment = ReplayMoment(3, has_images=True)
+        for t in (1.0, 1.1):
+            moment.take(self.blobs(t))
+            moment.take(self.image(t))
+            assert moment.frame is not None
+            assert moment.frame[0].left is not None
+            assert moment.frame[0].t == moment.frame[1].t == t
+
+    def test_blobs_whose_image_was_left_out_do_not_blacken_what_is_seen(self):
+        moment = ReplayMoment(3, has_images=True)
+        moment.take(self.image(1.0))
+        moment.take(self.blobs(1.0))
+        moment.take(self.blobs(1.1))
+        assert moment.frame is not None and moment.frame[0].t == 1.0
+        moment.take(self.blobs(1.0 + 2 * LATE))  # no image for so long: it is not to be expected
+        assert moment.frame[0].left is None and moment.frame[1].t == 1.0 + 2 * LATE
+
+    def test_without_images_in_the_file_blobs_are_shown_at_once(self):
+        moment = ReplayMoment(3, has_images=False)
+        moment.take(self.blobs(1.0))
+        assert moment.frame is not None and moment.frame[1].t == 1.0
+
+    def test_pairs_are_found_in_either_order_and_halves_are_not(self):
+        def packed(t: float) -> PackedFrame:
+            return PackedFrame(t, t + 0.01, {}, None, 0)
+
+        messages = [self.blobs(1.0), packed(1.0), packed(1.1), self.blobs(1.1), self.blobs(1.2)]
+        assert list(pairs(messages)) == pytest.approx([1.01, 1.1])

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
 from app.engines.engine import EngineSetup, ReferenceHand
 from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
+from app.engines.replay.sights import first_sight
 from app.engines.replay.thread import ReplayThread, holds
 from app.engines.replay.transport import ReplayPlayer
 from app.engines.warm_up import warm_up_view
@@ -27,14 +27,12 @@ from tracker.messages import (
     Status,
     StereoFrame,
 )
-from tracker.session.images import PackedFrame
 from tracker.session.notes import standing
 from tracker.session.reader import SessionReader
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.rig import StereoRig, ideal_rig
 
 MAX_EVENTS = 5000
-MOST_BEFORE_SIGHT = 500  # messages; what has none of its images by then has none
 
 
 class ReplayEngine:
@@ -44,7 +42,8 @@ class ReplayEngine:
         self._reader = SessionReader(path)
         self.info = self._reader.info
         self._references = References(path, holds(self._reader, "/truth/"))
-        self._moment = ReplayMoment(len(self.info.glove.markers))
+        has_images = any("/image" in name for name in self._reader.topic_names)
+        self._moment = ReplayMoment(len(self.info.glove.markers), has_images)
         self.player = ReplayPlayer(path, self._reader.duration, self._references)
         self._thread = ReplayThread(self._reader, self.player, self._moment, self._references)
 
@@ -127,19 +126,6 @@ class ReplayEngine:
     ) -> None:
         """Only the log has it: a file is not written to again."""
         self._moment.take(Event(self.start_t + self.player.position, "note", text))
-
-
-def first_sight(reader: SessionReader) -> float | None:
-    """When (s) the first blobs come whose image is in the file, too: blobs may come first whose
-    image was taken before the recording began. None where there are none."""
-    seen: set[float] = set()
-    with suppress(FileError):  # what is damaged has been told by who read it first
-        for message in islice(reader.packed_messages((StereoFrame, BlobFrame)), MOST_BEFORE_SIGHT):
-            if isinstance(message, PackedFrame):
-                seen.add(message.t)
-            elif isinstance(message, BlobFrame) and message.t in seen:
-                return message.t_arrival
-    return None
 
 
 def open_replay(path: Path, progress: JobProgress) -> EngineSetup:

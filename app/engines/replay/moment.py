@@ -20,16 +20,19 @@ from tracker.messages import (
 )
 
 IMAGES_WAITING = 30
-
-
-BLOBS_LATE = 0.3  # s after which images are shown without: nobody had the time to search them
+LATE = 0.3  # s after which an image is shown without its blobs, and blobs without their image
 
 
 class ReplayMoment:
-    """Taken by the replay's thread, read by the window's. ``markers``: how many the glove has."""
+    """Taken by the replay's thread, read by the window's.
 
-    def __init__(self, markers: int) -> None:
-        self._markers = markers
+    ``markers``: how many the glove has. ``has_images``: whether the file holds any, so that blobs
+    wait for theirs. At one arrival time either may come first: images are packed by another process
+    than the one that writes.
+    """
+
+    def __init__(self, markers: int, has_images: bool) -> None:
+        self._markers, self._has_images = markers, has_images
         self.estimate: Estimate | None = None
         self.frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
         self.calibration: Calibration | None = None
@@ -42,6 +45,8 @@ class ReplayMoment:
         self._images: dict[float, StereoFrame] = {}
         self._imu: deque[ImuSample] = deque()
         self._searched: float | None = None  # t of the last blobs, or of the first image
+        self._pictured: float | None = None  # t of the last image, or of the first blobs
+        self._waiting: BlobFrame | None = None  # the last blobs, whose image has not come yet
 
     def take(self, message: Message) -> None:
         """The next message of the file; an image waits for its blobs."""
@@ -63,20 +68,31 @@ class ReplayMoment:
             self._events.append(message)
 
     def _take_image(self, image: StereoFrame) -> None:
+        self._pictured = image.t
+        if self._waiting is not None and self._waiting.t == image.t:
+            blobs, self._waiting = self._waiting, None
+            self._show(image, blobs)
+            return
         self._images[image.t] = image
         while len(self._images) > IMAGES_WAITING:
             self._images.pop(next(iter(self._images)))
         if self._searched is None:
             self._searched = image.t
-        if image.t - self._searched > BLOBS_LATE:
+        if image.t - self._searched > LATE:
             self._show(image, BlobFrame(image.t, image.t_arrival, (), None, None, image.pose))
 
     def _take_blobs(self, blobs: BlobFrame) -> None:
         self._searched = blobs.t
+        if self._pictured is None:
+            self._pictured = blobs.t
         image = self._images.pop(blobs.t, None)
-        if image is None:
-            image = StereoFrame(blobs.t, blobs.t_arrival, None, None, blobs.pose, blobs.index)
-        self._show(image, blobs)
+        if image is not None:
+            self._show(image, blobs)
+        elif self._has_images and blobs.t - self._pictured <= LATE:
+            self._waiting = blobs  # the image before stands until then
+        else:
+            empty = StereoFrame(blobs.t, blobs.t_arrival, None, None, blobs.pose, blobs.index)
+            self._show(empty, blobs)
 
     def _show(self, image: StereoFrame, blobs: BlobFrame) -> None:
         tracking = self.estimate.tracking if self.estimate else Tracking.SEARCHING

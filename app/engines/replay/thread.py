@@ -7,9 +7,10 @@ import time
 
 from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
+from app.engines.replay.sights import sights
 from app.engines.replay.transport import Transport
 from tracker.errors import GlovetrackError
-from tracker.messages import BlobFrame, Estimate, Event, Message
+from tracker.messages import Estimate, Event, Message
 from tracker.session.reader import SessionReader
 
 IDLE_S = 0.03
@@ -33,7 +34,7 @@ class ReplayThread:
         self._thread: threading.Thread | None = None
         self._shown_at = 0.0  # where the image on screen stands
         # Without blobs (a session tracked again) there is no image: one steps by estimates.
-        self._steps_by: type = BlobFrame if holds(reader, "/camera/") else Estimate
+        self._has_blobs = holds(reader, "/camera/")
 
     def start(self) -> None:
         self._thread = threading.Thread(target=self._run, name="glovetrack-replay")
@@ -67,11 +68,16 @@ class ReplayThread:
         for reach in LOOK_BACK_S:
             begin = self.start_t + self._shown_at - reach * back
             end = self.start_t + self._shown_at
-            found = self._reader.messages((self._steps_by,), start=begin, end=end)
-            before = [_arrival(m) - self.start_t for m in found]
+            before = [t - self.start_t for t in self._steps(begin, end)]
             if len(before) >= back or begin <= self.start_t:
                 break
         self._transport.seek_to = before[-back] if len(before) >= back else 0.0
+
+    def _steps(self, begin: float, end: float) -> list[float]:
+        """Where (s) one steps to between two times."""
+        if self._has_blobs:
+            return sights(self._reader, begin, end)
+        return [_arrival(m) for m in self._reader.messages((Estimate,), start=begin, end=end)]
 
     def _play_from(self, start: float) -> None:
         self._moment.forget()
@@ -87,11 +93,13 @@ class ReplayThread:
 
     def _take(self, message: Message, due: bool) -> None:
         """``due``: not of the time before the position that was asked for."""
+        before = self._moment.frame
         if due or not isinstance(message, Event):
             self._moment.take(message)
         if isinstance(message, Estimate):
             self._references.advance(message.t)
-        if due and isinstance(message, self._steps_by):
+        shown = self._moment.frame is not before
+        if due and (shown if self._has_blobs else isinstance(message, Estimate)):
             self._shown_at = _arrival(message) - self.start_t
             self._transport.images_due = max(0, self._transport.images_due - 1)
 

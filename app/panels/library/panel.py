@@ -72,7 +72,9 @@ class LibraryPanel(Panel):
         self.files.changed.connect(self.rescan)
         self.host.opened.connect(self._opened)
         self.host.closed.connect(lambda: self._set_player(None))
-        self.host.recording.changed.connect(lambda on: None if on else self.rescan())
+        self.host.recording.begun.connect(self.rescan)
+        self.host.recording.finished.connect(lambda _path: self.rescan())
+        self._scan.stale.connect(self.rescan)
         self._scan.found.connect(self._show_rows)
         self._scan.detailed.connect(self.table.show_details)
         self.page.asked.connect(self._do)
@@ -83,7 +85,6 @@ class LibraryPanel(Panel):
     def _do(self, asked: str) -> None:
         paths = [row.path for row in self.table.selected()]
         whole_list: dict[str, Callable[[], object]] = {
-            "refresh": self.rescan,
             "track": self.ask_track,
             "compare": self.compare_selected,
             "beside": partial(self.compare_selected, beside=True),
@@ -118,9 +119,7 @@ class LibraryPanel(Panel):
     def rescan(self) -> None:
         """Look into the folder again, in the background."""
         self._looked = True
-        request = self.host.recording.request
-        recording = request.path if request is not None else None
-        self._scan.begin(sessions_folder(self._store.value), recording)
+        self._scan.begin(sessions_folder(self._store.value), self.host.recording.file)
 
     def showEvent(self, event: QShowEvent) -> None:
         """What is in the folder is there when one first looks."""
@@ -214,7 +213,8 @@ class LibraryPanel(Panel):
         self._comparing.follow()
 
     def shut_down(self) -> None:
-        """Remember how wide the columns are."""
+        """Remember how wide the columns are; the folder is not watched any more."""
+        self._scan.shut_down()
         widths = self.table.widths()
         if widths != self._store.value.library_columns:
             self._store.update(library_columns=widths)

@@ -59,7 +59,6 @@ class SessionPage(QWidget):
             ("compare", self.tr("Compare")),
             ("export", self.tr("Export…")),
             ("recover", self.tr("Recover")),
-            ("refresh", self.tr("Refresh")),
         ):
             self.buttons[key] = QPushButton(text)
             self.buttons[key].clicked.connect(partial(self._ask, key))
