@@ -149,6 +149,7 @@ THREADS = {
     "app/wizards/glove/feed.py": "reads the glove that is being set up",
     "app/wizards/stereo/board_watcher.py": "looks for the board beside the window",
     "tracker/kernels/build.py": "compiles parts side by side, ahead of time",
+    "tracker/live/applications.py": "an application sees every estimate and holds up none",
     "tracker/live/recording.py": "the disk's own",
     "tracker/live/reference.py": "a second engine, never in the way of the first",
     "tracker/live/threads.py": "devices, vision and engine",

@@ -101,6 +101,7 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         vibrate=link.vibrate,
         guide=WearersGuide(tracker),
         command=tracker.command,
+        stage=tracker.stage,
         reference_tracking=tracker,
         camera=CAMERA,
         image_rate=lambda: spec.fps,

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Protocol
 
 from app.engines.guide import PoseGuide
+from tracker.applications.stage import ApplicationStage
 from tracker.clock import ClockAnchor
 from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
@@ -160,6 +161,7 @@ class EngineSetup:
     camera_controls: CameraControls | None = None  # of a device that is open
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     image_rate: Callable[[], float] | None = None  # images a second that the camera should give
+    stage: ApplicationStage | None = None  # where an application of the hand runs
     guide: PoseGuide | None = None  # tells the engine of guided poses
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms
     has_glove: bool = True

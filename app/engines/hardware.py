@@ -99,6 +99,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         vibrate=link.vibrate if link else None,
         guide=WearersGuide(tracker),
         command=tracker.command,
+        stage=tracker.stage,
         reference_tracking=tracker if found.whole else None,
         # a calibration file's name holds a ZED's serial number
         camera=f"{chosen.title} {Path(settings.calibration).stem}" if chosen else "",

@@ -68,7 +68,10 @@ JOBS = (
         "panels-top-left",
         (
             (("cameras",), ("sensors", "motion", "library", "log")),
-            (("hand",), ("calibration", "checklist", "colours", "recording", "streams")),
+            (
+                ("hand", "applications"),
+                ("calibration", "checklist", "colours", "recording", "streams"),
+            ),
         ),
         0.58,
         (0.55, 0.55),

@@ -13,6 +13,7 @@ from app.engines.engine_host import EngineHost
 from app.jobs.outputs import Outputs
 from app.jobs.record_key import RecordKey
 from app.jobs.remote import RemoteControl
+from app.panels.applications.panel import ApplicationsPanel
 from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
 from app.panels.checklist import ChecklistPanel
@@ -111,6 +112,7 @@ class MainWindow(QMainWindow):
         self.colours = ColoursPanel(self.host, self.store, self.tasks)
         self.recording = RecordingPanel(self.host, self.plan, self.record_key)
         self.streams = StreamsPanel(self.host, self.outputs, self.remote)
+        self.applications = ApplicationsPanel(self.host, self.store)
         self.panels: list[Panel] = [
             self.cameras,
             self.hand,
@@ -123,6 +125,7 @@ class MainWindow(QMainWindow):
             self.colours,
             self.recording,
             self.streams,
+            self.applications,
         ]
 
     def _make_frame(self) -> None:
@@ -262,6 +265,7 @@ class MainWindow(QMainWindow):
         assert isinstance(app, QApplication)
         colours = theme.apply(app, name)
         self.hand.view.set_background(colours.scene)
+        self.applications.set_background(colours.scene)
         self.sensors.set_colours(colours.base, colours.text)
         self.motion.plot.set_colours(colours.base, colours.text)
         if name != self.store.value.theme:

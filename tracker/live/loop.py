@@ -13,10 +13,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from tracker.applications.stage import ApplicationStage
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import GlovetrackError
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.gestures.recogniser import GestureRecogniser, gesture_event
+from tracker.live.applications import ApplicationThread
 from tracker.live.colour_watch import ColourWatch
 from tracker.live.frame_results import FrameResults
 from tracker.live.imu_history import ImuHistory
@@ -103,6 +105,8 @@ class LiveLoop:
         self._order = order or ArrivalOrder()
         names = pipeline.glove.keypoint_names(pipeline.hand)
         self.gestures = GestureRecogniser(pipeline.hand, names)
+        self.stage = ApplicationStage(pipeline.hand, pipeline.glove, journal.record)
+        self.applications = ApplicationThread(self.stage, telemetry, clock)
         self._reference: ReferenceEngine | None = None
         self._pipeline_lock = threading.RLock()
         self._finishing: list[RecordingThread] = []
@@ -132,6 +136,8 @@ class LiveLoop:
             self.history.add(sample)
             self.journal.record(sample)
             self._show(self.pipeline.feed_imu(sample), record=True)
+            assert self.estimate is not None
+            self.applications.put(self.estimate, sample.t_arrival)
         self._feed_reference(sample)
         now = self.clock()
         self.telemetry.took("imu", now - sample.t_arrival)
@@ -304,6 +310,7 @@ class LiveLoop:
             with self._pipeline_lock:
                 self._at_start = self.telemetry.values(self.clock())
                 self.journal.open(recorder)
+                self.stage.begin_anew()
                 self.record_state()
                 self._record_status()
             self.journal.say("recording", "Recording.")

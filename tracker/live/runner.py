@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from tracker.applications.stage import ApplicationStage
 from tracker.clock import monotonic
 from tracker.fusion.engine import Engine
 from tracker.live.devices import CameraReader, GloveReader
@@ -70,6 +71,7 @@ class LiveTracker:
             self._loop.history,
             self._loop.load,
             self._loop.colours,
+            self._loop.applications,
             self._inbox,
             self._journal,
             self._glove_reader,
@@ -94,6 +96,7 @@ class LiveTracker:
         self._vision.images.close()
         self._threads.join()
         self.set_reference(None)
+        self._loop.applications.close()
         self._loop.set_recorder(None)
         self._glove.close()
         self._camera.close()
@@ -123,6 +126,11 @@ class LiveTracker:
         Raises ConfigError for an unknown name.
         """
         self._loop.set_engine(name)
+
+    @property
+    def stage(self) -> ApplicationStage:
+        """Where an application of the tracked hand runs."""
+        return self._loop.stage
 
     def set_reference(self, name: str | None) -> None:
         """Let a second engine see the same messages, to be compared with; None ends it.

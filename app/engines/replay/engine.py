@@ -15,6 +15,7 @@ from app.engines.replay.transport import ReplayPlayer
 from app.engines.warm_up import warm_up_view
 from app.platform.tasks import JobProgress
 from resources import folder
+from tracker.applications.stage import ApplicationStage
 from tracker.errors import FileError, GlovetrackError
 from tracker.live.recording import Recorder
 from tracker.messages import (
@@ -45,7 +46,10 @@ class ReplayEngine:
         has_images = any("/image" in name for name in self._reader.topic_names)
         self._moment = ReplayMoment(len(self.info.glove.markers), has_images)
         self.player = ReplayPlayer(path, self._reader.duration, self._references)
-        self._thread = ReplayThread(self._reader, self.player, self._moment, self._references)
+        self.stage = ApplicationStage(self.info.hand, self.info.glove)
+        self._thread = ReplayThread(
+            self._reader, self.player, self._moment, self._references, self.stage
+        )
 
     @property
     def has_truth(self) -> bool:
@@ -155,4 +159,5 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
         truth=engine.truth if engine.has_truth else None,
         simulated=info.simulated,
         player=engine.player,
+        stage=engine.stage,
     )

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import threading
 import time
+from collections import deque
 
 from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
 from app.engines.replay.sights import sights
 from app.engines.replay.transport import Transport
+from tracker.applications.stage import ApplicationStage
 from tracker.errors import GlovetrackError
 from tracker.messages import Estimate, Event, Message
 from tracker.session.reader import SessionReader
@@ -19,7 +21,7 @@ LOOK_BACK_S = (0.5, 2.0, 10.0)  # where the image before is looked for, nearest 
 
 
 class ReplayThread:
-    """Brings ``moment`` and ``references`` to where ``transport`` wants them."""
+    """Brings ``moment``, ``references`` and ``stage`` to where ``transport`` wants them."""
 
     def __init__(
         self,
@@ -27,9 +29,10 @@ class ReplayThread:
         transport: Transport,
         moment: ReplayMoment,
         references: References,
+        stage: ApplicationStage,
     ) -> None:
         self._reader, self._transport = reader, transport
-        self._moment, self._references = moment, references
+        self._moment, self._references, self._stage = moment, references, stage
         self.start_t = reader.anchor.monotonic(reader.span_ns[0])
         self._thread: threading.Thread | None = None
         self._shown_at = 0.0  # where the image on screen stands
@@ -81,6 +84,7 @@ class ReplayThread:
 
     def _play_from(self, start: float) -> None:
         self._moment.forget()
+        self._stage.begin_anew()
         self._transport.position, self._transport.images_due = start, 1
         begin = self.start_t + start - LEAD_IN_S
         self._references.seek(begin)
@@ -98,6 +102,8 @@ class ReplayThread:
             self._moment.take(message)
         if isinstance(message, Estimate):
             self._references.advance(message.t)
+            if due:
+                deque(self._stage.feed(message), maxlen=0)
         shown = self._moment.frame is not before
         if due and (shown if self._has_blobs else isinstance(message, Estimate)):
             self._shown_at = _arrival(message) - self.start_t

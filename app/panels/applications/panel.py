@@ -1,0 +1,256 @@
+"""Applications of the tracked hand: which one runs, its settings, and what it has drawn."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.engine import EngineSetup
+from app.engines.engine_host import EngineHost
+from app.engines.snapshot import Snapshot
+from app.panels.applications.bodies import ApplicationBodies
+from app.panels.applications.settings_form import SettingsForm
+from app.panels.hand.bodies import HandBodies
+from app.panels.panel import Panel
+from app.platform.tasks import LatestJob
+from app.storage.settings import SettingsStore
+from app.viewmodels.application_drawing import DrawingForms, bounds
+from app.viewmodels.applications import ApplicationsModel
+from app.viewmodels.hand_scene import HandScene, HandSceneModel, ShownParts
+from app.viewmodels.hand_skin import HandSkin
+from app.widgets.measures import NEAR
+from app.widgets.one_line import OneLine
+from app.widgets.view3d.orbit import VIEW_ANGLE_DEG
+from app.widgets.view3d.scene import Label, contrast
+from app.widgets.view3d.view_3d import View3D
+from tracker.messages import Shed
+
+FIRST_LOOK = np.array([-0.75, 0.25, 0.6])
+PARTS = ShownParts(markers=False, uncertainty=False, camera=False, reference=False)
+ROOM = 1.25  # times what is drawn that the view shows
+FORM_WIDTH = 230  # px
+
+
+class ApplicationsPanel(Panel):
+    name = "applications"
+    period = 1 / 30
+    spared_at = Shed.VIEW_RATE
+
+    def __init__(
+        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(host, parent)
+        self._store = store
+        self._background = "#000000"
+        self.view = View3D()
+        self.view.scene_changed.connect(self._make_bodies)
+        self._setup: EngineSetup | None = None
+        self.model: ApplicationsModel | None = None
+        self._hand_model: HandSceneModel | None = None
+        self._bodies: tuple[HandBodies, ApplicationBodies] | None = None
+        self._forms = DrawingForms()
+        self._skin: HandSkin | None = None
+        self._skins = LatestJob(self.tr("Making the hand's skin"), self)
+        self._skins.failed.connect(host.error)
+        self._to_fit = False
+        self.form = SettingsForm()
+        self.form.setFixedWidth(FORM_WIDTH)
+        self.form.hide()
+        self.form.changed.connect(self._set)
+        self.said = QLabel()
+        self.said.setWordWrap(True)
+        self._lay_out()
+        host.opened.connect(self._open)
+        host.closed.connect(self._clear)
+        self._clear()
+
+    def title(self) -> str:
+        return self.tr("Applications")
+
+    def _lay_out(self) -> None:
+        middle = QHBoxLayout()
+        middle.addWidget(self.view, 1)
+        middle.addWidget(self.form)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
+        column.setSpacing(NEAR)
+        column.addWidget(self._controls())
+        column.addLayout(middle, 1)
+        column.addWidget(self.said)
+
+    def _controls(self) -> OneLine:
+        row = OneLine()
+        self.choice = QComboBox()
+        self.choice.setAccessibleName(self.tr("Application"))
+        self.choice.currentIndexChanged.connect(lambda _i: self._choose())
+        self.again = QPushButton(self.tr("Begin anew"))
+        self.again.clicked.connect(self._begin_anew)
+        self.fit = QPushButton(self.tr("Show all"))
+        self.fit.setToolTip(self.tr("Move the eye until all that is drawn is in sight"))
+        self.fit.clicked.connect(self._fit_next)
+        self.settings = QToolButton()
+        self.settings.setText(self.tr("Settings"))
+        self.settings.setCheckable(True)
+        self.settings.toggled.connect(self.form.setVisible)
+        for widget in (self.choice, self.again, self.fit, self.settings):
+            row.add(widget)
+        return row
+
+    # --- what is wanted
+
+    def choose(self, name: str, settings: dict[str, Any] | None = None) -> None:
+        """Run an application by its name; empty for none."""
+        self.choice.blockSignals(True)
+        self.choice.setCurrentIndex(max(0, self.choice.findData(name)))
+        self.choice.blockSignals(False)
+        self._run(name, settings)
+
+    def _choose(self) -> None:
+        self._run(str(self.choice.currentData() or ""), None)
+
+    def _run(self, name: str, settings: dict[str, Any] | None) -> None:
+        if self.model is None:
+            return
+        problem = self.model.show(name, settings)
+        self.form.show_rows(self.model.rows())
+        self._make_bodies()
+        self._fit_next()
+        self._say(problem)
+        for button in (self.again, self.settings):
+            button.setEnabled(bool(name) and not problem)
+        self.view.setAccessibleDescription(self.choice.currentText())
+
+    def _begin_anew(self) -> None:
+        if self.model is not None and self.model.stage is not None:
+            self.model.stage.begin_anew()
+
+    def _set(self, key: str, value: object) -> None:
+        self._say(self.model.set(key, value) if self.model is not None else "")
+
+    def _fit_next(self) -> None:
+        self._to_fit = True
+
+    def _say(self, text: str) -> None:
+        self._problem = text
+        self.said.setText(text)
+
+    def set_background(self, colour: str) -> None:
+        self._background = colour
+        self.view.set_background(colour)
+
+    # --- the engine
+
+    def _open(self, setup: EngineSetup) -> None:
+        self._clear()
+        self._setup, self.model = setup, ApplicationsModel(setup)
+        self._hand_model = HandSceneModel(setup)
+        self.choice.blockSignals(True)
+        self.choice.addItem(self.tr("No application"), "")
+        for name, title in self.model.titles.items():
+            self.choice.addItem(title, name)
+        self.choice.blockSignals(False)
+        self.choice.setEnabled(True)
+        self.view.orbit.look_from(FIRST_LOOK)
+        name, settings = self.model.recorded
+        if name in self.model.titles:
+            self.choose(name, settings)
+        self._make_bodies()
+
+    def _clear(self) -> None:
+        self._setup = self.model = self._hand_model = self._bodies = self._skin = None
+        self._skin_asked = False
+        self._skins.forget()
+        self.choice.blockSignals(True)
+        self.choice.clear()
+        self.choice.blockSignals(False)
+        for widget in (self.choice, self.again, self.settings):
+            widget.setEnabled(False)
+        self.form.show_rows([])
+        self._say("")
+        self.view.set_labels(())
+        if self.view.scene is not None:
+            self.view.scene.clear()
+
+    def _make_skin(self, setup: EngineSetup) -> None:
+        """Once the panel is in sight; a second's work, beside the window."""
+        self._skin_asked = True
+        hand, glove = setup.hand, setup.glove
+
+        def made(skin: HandSkin) -> None:
+            if self._setup is setup:
+                self._skin = skin
+                self._make_bodies()
+
+        self._skins.run(lambda _progress: HandSkin(hand, glove), made)
+
+    def _make_bodies(self) -> None:
+        """Fill the scene of the view that draws now, anew."""
+        self._bodies = None
+        scene = self.view.scene
+        if self._setup is None or scene is None:
+            return
+        scene.clear()
+        hand = HandBodies(scene, self._setup, {})
+        self._bodies = hand, ApplicationBodies(scene)
+        if self._skin is not None:
+            hand.put_on(self._skin)
+
+    # --- drawing
+
+    def refresh(self, view: Snapshot | None) -> None:
+        if self.model is None or self._hand_model is None or view is None or self._bodies is None:
+            self.view.caption = self.tr("No hand yet")
+            self.view.render_scene()
+            return
+        if not self._skin_asked:
+            self._make_skin(view.setup)
+        if self._bodies[1].worn_out:
+            self._make_bodies()
+        scene = self._hand_model.scene(view)
+        self.view.caption = scene.caption if scene is not None else self.tr("No hand yet")
+        self._draw(scene)
+        if not self._problem:
+            self.said.setText(self.model.line())
+        self.view.render_scene()
+
+    def _draw(self, scene: HandScene | None) -> None:
+        assert self.model is not None and self._bodies is not None
+        hand, own = self._bodies
+        drawing = self.model.drawing
+        if self._to_fit and (drawing or scene is not None):
+            self._look_at(bounds(drawing), scene)
+        labels: list[Label] = []
+        if scene is not None:
+            labels += hand.update_ground(scene)
+            hand.update(scene, PARTS, self.view.orbit)
+        own.update(self._forms.surfaces(drawing), self._forms.lines(drawing))
+        ink = contrast(self._background)
+        labels += [Label(f.text, f.p, f.colour) for f in self._forms.labels(drawing, ink)]
+        self.view.set_labels(labels)
+
+    def _look_at(self, box: Any, scene: HandScene | None) -> None:
+        """Move the eye until the drawing and the hand are in sight."""
+        corners = [*box] if box is not None else []
+        if scene is not None:
+            corners += [scene.segment_p.min(axis=0), scene.segment_p.max(axis=0)]
+        low, high = np.min(corners, axis=0), np.max(corners, axis=0)
+        self._to_fit = box is None and self.model is not None and self.model.runs
+        orbit = self.view.orbit
+        orbit.target = (low + high) / 2
+        half = max(0.5 * float(np.linalg.norm(high - low)), 0.08)
+        orbit.distance = ROOM * half / float(np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2)))
+
+    def shut_down(self) -> None:
+        self._bodies = None
+        self._skins.shut_down()
+        self.view.shut_down()

@@ -1,0 +1,104 @@
+"""What the Applications panel says: which there are, their settings, what they have told."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from typing import Any
+
+from app.engines.engine import EngineSetup
+from app.words import tr
+from tracker.applications.drawing import Drawing
+from tracker.applications.registry import titles
+from tracker.applications.runner import BEGINS, KIND
+from tracker.errors import ConfigError
+
+NO_EVENTS = frozenset({BEGINS})
+
+
+@dataclass(frozen=True)
+class SettingRow:
+    """One setting: its value is a number, a text, a boolean or a tuple of numbers."""
+
+    key: str
+    value: Any
+
+
+class ApplicationsModel:
+    """Of one open engine."""
+
+    def __init__(self, setup: EngineSetup) -> None:
+        self._setup = setup
+        self.stage = setup.stage
+        self.titles = titles()
+
+    @property
+    def recorded(self) -> tuple[str, dict[str, Any]]:
+        """Name and settings of the application that a session holds; empty where there is none."""
+        player = self._setup.player
+        for _, event in player.events if player is not None else ():
+            if event.kind == KIND and event.data.get("what") == BEGINS:
+                settings: Any = event.data.get("settings", {})
+                return str(event.data["application"]), dict(settings)
+        return "", {}
+
+    def show(self, name: str, settings: dict[str, Any] | None = None) -> str:
+        """Run it; why it cannot be, in words, or empty."""
+        if self.stage is None:
+            return tr("Applications run on a tracked hand: open the demo, devices or a session.")
+        try:
+            self.stage.show(name, settings)
+        except (ConfigError, ImportError) as error:
+            return str(error)
+        return ""
+
+    @property
+    def runs(self) -> bool:
+        """Whether there is an application."""
+        return self.stage is not None and bool(self.stage.name)
+
+    def rows(self) -> list[SettingRow]:
+        """The settings of what runs."""
+        settings = self.stage.settings if self.stage is not None else None
+        if settings is None:
+            return []
+        return [SettingRow(f.name, getattr(settings, f.name)) for f in fields(settings)]
+
+    def set(self, key: str, value: Any) -> str:
+        """Change one; why it cannot be, or empty."""
+        try:
+            if self.stage is not None:
+                self.stage.set(key, value)
+        except ConfigError as error:
+            return str(error)
+        return ""
+
+    @property
+    def drawing(self) -> Drawing:
+        """The newest; empty before the first."""
+        outcome = self.stage.outcome if self.stage is not None else None
+        return outcome.drawing if outcome is not None else ()
+
+    def line(self) -> str:
+        """What has happened, in one line."""
+        stage = self.stage
+        if stage is None or not stage.name:
+            return ""
+        if stage.problem:
+            return tr("It failed and rests: {}").format(stage.problem)
+        counts = [(what, n) for what, n in stage.counts.items() if what not in NO_EVENTS]
+        return ", ".join(f"{what} {n}" for what, n in counts) or tr("Nothing has happened yet.")
+
+
+def parsed(text: str, like: Any) -> Any:
+    """What a user has written, as a value like ``like``. Raises ValueError."""
+    if isinstance(like, tuple):
+        return [float(part) for part in text.replace(";", ",").split(",") if part.strip()]
+    return text
+
+
+def written(value: Any) -> str:
+    """A text or a tuple of numbers as a user writes it."""
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return ", ".join(f"{float(v):g}" for v in value)
+    return str(value)

@@ -1,0 +1,141 @@
+"""Applications in the real window: drawn around the hand, set, begun anew."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pytest
+from gui_fakes import ScriptedEngine, models, scripted_setup
+
+from app.viewmodels.application_drawing import DrawingForms, bounds
+from tracker.applications import registry
+from tracker.applications.drawing import Line, Mesh, Points, Text
+from tracker.applications.hand import HandSample
+from tracker.applications.interface import Happening, Step
+from tracker.applications.stage import ApplicationStage
+from tracker.messages import Event
+
+TETRA = np.array([[0, 0, 0], [1.0, 0, 0], [0, 1, 0], [0, 0, 1]])
+FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+
+
+@dataclass(frozen=True)
+class CompassSettings:
+    size: float = 0.05
+    loud: bool = True
+    place: tuple[float, ...] = ()
+    word: str = "north"
+
+
+class Compass:
+    """All primitives at the index fingertip; counts samples."""
+
+    name, title, between = "compass", "Compass", 0
+
+    def __init__(self, settings: CompassSettings) -> None:
+        self.settings = settings
+        self.samples = 0
+
+    def step(self, hand: HandSample) -> Step:
+        self.samples += 1
+        tip = hand.point("index_tip")
+        assert tip is not None
+        R = self.settings.size * np.eye(3)
+        drawing = (
+            Mesh("needle", TETRA, FACES, "#D55E00", R, tip),
+            Line("way", np.array([tip, tip + [0.0, 0.05, 0.0]])),
+            Points("dots", tip + np.eye(3) * 0.03),
+            Text("word", self.settings.word, tip),
+        )
+        events = [Happening("sample")] if self.samples == 1 else []
+        return Step(drawing, events)
+
+
+@pytest.fixture
+def staged(window, qtbot, monkeypatch):
+    """The window with an engine that has a stage, and the compass among the applications."""
+    known = registry.kind
+    monkeypatch.setattr(registry, "kind", lambda n: Compass if n == "compass" else known(n))
+    monkeypatch.setattr(registry, "names", lambda: ["compass"])
+    told: list[Event] = []
+    hand, glove, _ = models()
+    stage = ApplicationStage(hand, glove, told.append)
+    engine = ScriptedEngine()
+    window.host.adopt(replace(scripted_setup(engine), stage=stage))
+    window.show_panel("applications")
+    qtbot.waitUntil(window.applications.isVisible, timeout=10_000)
+    window.ticker.stop()
+    return window.applications, stage, engine, told
+
+
+def show(panel, stage, engine) -> None:
+    for _ in stage.feed(engine.latest_estimate()):
+        pass
+    panel.refresh(panel.host.snapshot())
+
+
+def painted(panel) -> np.ndarray:
+    image = panel.view.grab().toImage()
+    return np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)[:, ::4].copy()
+
+
+def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
+    panel, stage, engine, told = staged
+    show(panel, stage, engine)
+    before = painted(panel)
+    panel.choice.setCurrentIndex(panel.choice.findData("compass"))
+    show(panel, stage, engine)
+    show(panel, stage, engine)
+    assert stage.name == "compass"
+    assert (painted(panel) != before).mean() > 0.01
+    assert panel.said.text() == "sample 1"
+    assert [e.data["what"] for e in told] == ["begins", "sample"]
+    panel.again.click()
+    show(panel, stage, engine)
+    assert [e.data["what"] for e in told[2:]] == ["begins", "sample"]
+    panel.choice.setCurrentIndex(0)
+    show(panel, stage, engine)
+    assert told[-1].data["what"] == "ends"
+    assert panel.model.drawing == ()
+
+
+def test_settings_are_changed_in_the_form(staged):
+    panel, stage, engine, told = staged
+    panel.choose("compass")
+    show(panel, stage, engine)
+    panel.settings.click()
+    assert set(panel.form.fields) == {"size", "loud", "place", "word"}
+    panel.form.fields["size"].setValue(0.1)
+    panel.form.fields["loud"].click()
+    panel.form.fields["place"].setText("1, 2; 3")
+    panel.form.fields["place"].editingFinished.emit()
+    show(panel, stage, engine)
+    assert stage.settings == CompassSettings(0.1, False, (1.0, 2.0, 3.0), "north")
+    panel.form.fields["place"].setText("far away")
+    panel.form.fields["place"].editingFinished.emit()
+    assert panel.form.fields["place"].text() == ""
+    changed = [e.data["key"] for e in told if e.data["what"] == "setting"]
+    assert changed == ["size", "loud", "place"]
+
+
+def test_forms_are_where_the_drawing_says():
+    turn = 0.5 * np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    drawing = (
+        Mesh("m", TETRA, FACES, R=turn, p=np.array([1.0, 0, 0])),
+        Line("l", np.array([[0.0, 0, 0], [0, 0, 2.0]])),
+        Points("p", np.array([[0.0, -1, 0]]), 0.1),
+    )
+    forms = DrawingForms()
+    mesh, balls = forms.surfaces(drawing)
+    assert mesh.points[1] == pytest.approx([1.0, 0.5, 0.0])
+    assert np.linalg.norm(mesh.normals, axis=1) == pytest.approx(1.0)
+    outwards = np.einsum("vk,vk->v", mesh.normals, mesh.points - mesh.points.mean(axis=0))
+    assert outwards.min() > 0
+    radius = np.linalg.norm(balls.points - [0.0, -1, 0], axis=1)
+    assert radius == pytest.approx(0.1, rel=1e-5)
+    (line,) = forms.lines(drawing)
+    assert (line.points[1:] == [0.0, 0.0, 2.0]).all()
+    low, high = bounds(drawing)
+    assert low == pytest.approx([0.0, -1.0, 0.0])
+    assert high == pytest.approx([1.0, 0.5, 2.0])

@@ -1,0 +1,114 @@
+"""Where an application runs: chosen, set and looked at by any thread, fed by one."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, Protocol
+
+from tracker.applications.interface import Command
+from tracker.applications.runner import FAILED, KIND, ApplicationRunner, Outcome
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Estimate, Event
+
+
+class Sink(Protocol):
+    """Takes an application's commands to a device; passes over those that are not for it."""
+
+    def take(self, commands: Sequence[Command], t: float) -> None:
+        """What a sample at ``t`` (s) has brought; called for each sample, also without commands."""
+
+    def close(self) -> None:
+        """Let the device rest."""
+
+
+class ApplicationStage:
+    """Empty until `show`. ``tell`` gets each event, in the thread that feeds."""
+
+    def __init__(
+        self, hand: HandModel, glove: GloveModel, tell: Callable[[Event], None] = lambda _: None
+    ) -> None:
+        self._hand, self._glove, self._tell = hand, glove, tell
+        self._runner: ApplicationRunner | None = None
+        self._ending: ApplicationRunner | None = None
+        self._anew = False
+        self.sinks: list[Sink] = []
+        self.outcome: Outcome | None = None
+        self.counts: Counter[str] = Counter()
+        self.last: Event | None = None
+        self.problem = ""
+
+    # --- from any thread
+
+    @property
+    def name(self) -> str:
+        """Of the application that is shown; empty where there is none."""
+        runner = self._runner
+        return runner.name if runner is not None else ""
+
+    @property
+    def settings(self) -> Any:
+        """The dataclass of its settings; None where there is none."""
+        runner = self._runner
+        return runner.settings if runner is not None else None
+
+    def show(self, name: str, settings: Mapping[str, Any] | None = None) -> None:
+        """Run another application, as new; an empty name: none. Raises ConfigError."""
+        made = ApplicationRunner(name, self._hand, self._glove, settings) if name else None
+        self._ending, self._runner = self._runner, made
+        self._anew, self.outcome, self.last, self.problem = False, None, None, ""
+        self.counts.clear()
+
+    def set(self, key: str, value: Any) -> None:
+        """Change a setting. Raises ConfigError."""
+        if self._runner is not None:
+            self._runner.set(key, value)
+
+    def begin_anew(self) -> None:
+        """From the next sample on, as in the beginning: a recording holds all of it."""
+        self._anew = True
+
+    # --- from the one that feeds
+
+    def feed(self, estimate: Estimate) -> Iterator[Outcome]:
+        """Give an estimate to the application, if there is one; to be gone through."""
+        ending, self._ending = self._ending, None
+        if ending is not None:
+            self._hear(ending.ended(estimate.t))
+        runner = self._runner
+        if runner is None or self.problem:
+            return
+        if self._anew:
+            self._anew = False
+            runner.begin_anew()
+        try:
+            for outcome in runner.feed(estimate):
+                self._take(outcome)
+                yield outcome
+        except Exception as error:  # noqa: BLE001 - a stranger's code must not end ours
+            self._fail(runner, estimate.t, error)
+
+    def _take(self, outcome: Outcome) -> None:
+        for sink in list(self.sinks):
+            sink.take(outcome.commands, outcome.t)
+        self.outcome = outcome
+        for event in outcome.events:
+            self._hear(event)
+
+    def _hear(self, event: Event) -> None:
+        self.counts[str(event.data["what"])] += 1
+        self.last = event
+        self._tell(event)
+
+    def _fail(self, runner: ApplicationRunner, t: float, error: Exception) -> None:
+        """It rests until it is chosen again."""
+        self.problem = f"{type(error).__name__}: {error}"
+        data: dict[str, object] = {"application": runner.name, "hand": runner.side, "what": FAILED}
+        self._hear(Event(t, KIND, self.problem, data))
+
+    def close(self) -> None:
+        """Let all devices rest."""
+        for sink in self.sinks:
+            sink.close()
+        self.sinks.clear()

@@ -1,0 +1,89 @@
+"""A hand that does what it is told: from key to key, each a place, a turn and a gesture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.geometry import so3
+from tracker.hand.model import HandModel
+from tracker.hand.names import FINGERS
+from tracker.messages import Array
+from tracker.simulation.gestures import FIST, OPEN, pinch
+from tracker.simulation.motion import Poses
+from tracker.simulation.postures import posture
+from tracker.simulation.smooth import minimum_jerk
+from tracker.simulation.wearer import Wearer
+
+PALM = 0.625  # of the way from the wrist to the knuckles: the palm's middle
+RELAXED = {f"{f}_{joint}_flexion": 32.0 for f in FINGERS for joint in ("mcp", "pip")}
+THUMB_UP = {
+    **{f"{f}_mcp_flexion": 80.0 for f in FINGERS},
+    **{f"{f}_pip_flexion": 95.0 for f in FINGERS},
+    "thumb_cmc_flexion": -15.0,
+    "thumb_cmc_abduction": 10.0,
+}
+POINT = {
+    **{name: angle for name, angle in FIST.items() if not name.startswith("index")},
+    "index_mcp_flexion": 5.0,
+    "index_pip_flexion": 5.0,
+}
+GRASP = {
+    **{f"{f}_mcp_flexion": 35.0 for f in FINGERS},
+    **{f"{f}_pip_flexion": 45.0 for f in FINGERS},
+    "thumb_mcp_flexion": 10.0,
+}
+POSTURES = {
+    "relaxed": RELAXED,
+    "open_palm": OPEN,
+    "fist": FIST,
+    "grasp": GRASP,
+    "thumb_up": THUMB_UP,
+    "point": POINT,
+}
+
+
+class Key(NamedTuple):
+    """At ``t`` s the hand shows ``gesture`` with its palm's middle at ``palm`` m in G, turned from
+    palm down, fingers along x, by the rotation vector ``turn`` in degrees about G's axes."""
+
+    t: float
+    gesture: str
+    palm: tuple[float, float, float]
+    turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+class ScriptedHand:
+    """Minimum-jerk moves (Flash & Hogan 1985) from each key to the next; two equal keys hold."""
+
+    follows_synergies = True
+
+    def __init__(self, hand: HandModel, keys: Sequence[Key], wearer: Wearer | None = None) -> None:
+        """``wearer``: whose fingers meet in a pinch, where that is not the hand of the file."""
+        self.duration = keys[-1].t + 0.5
+        self._t = np.array([k.t for k in keys])
+        shapes = {k.gesture for k in keys}
+        known = {name: _angles(hand, name, wearer) for name in shapes}
+        self._angles = np.array([known[k.gesture] for k in keys])
+        self._R = so3.exp(np.deg2rad([k.turn for k in keys]))
+        self._palm = np.array([k.palm for k in keys], float)
+        self._middle = np.array([PALM * hand.segments[hand.root].length, 0.0, 0.0])
+        self._turn = so3.log(np.swapaxes(self._R[:-1], 1, 2) @ self._R[1:]).reshape(-1, 3)
+
+    def poses(self, t: Array) -> Poses:
+        t = np.clip(np.asarray(t, float), self._t[0], self._t[-1])
+        k = np.clip(np.searchsorted(self._t, t, side="right") - 1, 0, len(self._t) - 2)
+        length = self._t[k + 1] - self._t[k]
+        share = minimum_jerk((t - self._t[k]) / length)[:, None]
+        angles = self._angles[k] + share * (self._angles[k + 1] - self._angles[k])
+        R = self._R[k] @ so3.exp(share * self._turn[k])
+        palm = self._palm[k] + share * (self._palm[k + 1] - self._palm[k])
+        return Poses(angles, R, palm - R @ self._middle)
+
+
+def _angles(hand: HandModel, gesture: str, wearer: Wearer | None) -> Array:
+    if gesture.startswith("pinch_"):
+        return pinch(hand, gesture.removeprefix("pinch_"), wearer)
+    return posture(hand, POSTURES[gesture])
