@@ -27,6 +27,7 @@ from tracker.vision.colours import ColourProfile
 _log = logging.getLogger(__name__)
 SetupFactory = Callable[[JobProgress], EngineSetup]
 STATUS_PERIOD = 0.1  # s
+CLOSING = 0.3  # s that the end of a file is waited for; a slow disk finishes it while one goes on
 RECENT_ESTIMATES = 60
 """One second at the window's rate: more than any image is late."""
 
@@ -111,8 +112,8 @@ class EngineHost(QObject):
         if self._setup is None or not self.running:
             return
         self.recording.end()
-        self._setup.engine.stop()
-        self.recording.look()  # its file is closed by now
+        self._setup.engine.stop(CLOSING)
+        self.recording.leave()
         self.running = False
         self._spent = True
         self.running_changed.emit(False)
@@ -131,9 +132,13 @@ class EngineHost(QObject):
         self.closed.emit()
 
     def end(self) -> None:
-        """Shut down for good: an engine still being built is freed when it comes."""
+        """Shut down for good: an engine still being built is freed when it comes.
+
+        Waits for the disk, where a file is not whole yet.
+        """
         self._ended = True
         self.shut_down()
+        self.recording.wait()
 
     # --- what the user asks
 
@@ -201,12 +206,12 @@ class EngineHost(QObject):
 
     def snapshot(self) -> Snapshot | None:
         """The latest of everything, and the events since the last call by signal."""
+        self.recording.look()
         setup = self._setup
         if setup is None:
             return None
         for event in setup.engine.take_events():
             self.happened.emit(event)
-        self.recording.look()
         if self._spent and setup.player is None:
             return Snapshot(setup=setup, running=False)  # what was live is no more
         estimate = setup.engine.latest_estimate()

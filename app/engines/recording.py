@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -21,6 +22,9 @@ from tracker.messages import Calibration, EngineState, Event, Message, Status
 from tracker.session.description import SessionInfo
 from tracker.vision.colours import profile_to_toml
 
+LONGEST_CLOSING = 100.0
+"""s, more than the recorder's process is waited for; its file can be recovered then."""
+
 
 class PausableRecorder:
     """Passes messages on to ``inner`` unless ``paused``; what happens only once always."""
@@ -30,7 +34,8 @@ class PausableRecorder:
         self.paused = False
         self.written = 0  # messages so far
         self.broken = False  # nothing more is written; the engine has said why
-        self.closed = False  # the file is whole, or as whole as it gets
+        self.problem = ""  # the same in words, for when the engine is gone
+        self._closed = threading.Event()
         self.figures: Mapping[str, float] = {}  # of the last status: the recording's own
 
     def write(self, message: Message, overloaded: bool = False) -> bool:
@@ -47,19 +52,28 @@ class PausableRecorder:
         with self._watched():
             self._inner.flush()
 
+    @property
+    def closed(self) -> bool:
+        """The file is whole, or as whole as it gets."""
+        return self._closed.is_set()
+
+    def wait(self, longest: float) -> bool:
+        """Until it is `closed`, at most ``longest`` s; whether it is."""
+        return self._closed.wait(longest)
+
     def close(self) -> None:
         try:
             with self._watched():
                 self._inner.close()
         finally:
-            self.closed = True
+            self._closed.set()
 
     @contextmanager
     def _watched(self) -> Iterator[None]:
         try:
             yield
-        except (GlovetrackError, OSError):
-            self.broken = True
+        except (GlovetrackError, OSError) as error:
+            self.broken, self.problem = True, str(error)
             raise
 
 
@@ -83,6 +97,7 @@ class Recording(QObject):
         self._recorder: PausableRecorder | None = None
         self._began = 0.0
         self._closing: tuple[Path, PausableRecorder] | None = None  # its disk is behind
+        self._left = False  # its engine is gone and tells nothing of it any more
         self.request: RecordingRequest | None = None
 
     @property
@@ -149,8 +164,23 @@ class Recording(QObject):
         if self._recorder is not None and self._recorder.broken:
             self.end()
         if self._closing is not None and self._closing[1].closed:
-            path, self._closing = self._closing[0], None
+            (path, recorder), self._closing = self._closing, None
+            if self._left and recorder.problem:
+                self.failed.emit(
+                    tr("The recording could not be finished: {}").format(recorder.problem)
+                )
             self.finished.emit(path)
+
+    def leave(self) -> None:
+        """The engine ends now, and a file whose disk is behind is finished without it."""
+        self.look()
+        self._left = True
+
+    def wait(self) -> None:
+        """Until no file is being written any more, for as long as a disk may take."""
+        if self._closing is not None:
+            self._closing[1].wait(LONGEST_CLOSING)
+        self.look()
 
     @property
     def closing(self) -> bool:
@@ -171,7 +201,7 @@ class Recording(QObject):
         """
         if self._setup is None or self.request is None or self._recorder is None:
             return
-        self._closing = self.request.path, self._recorder
+        self._closing, self._left = (self.request.path, self._recorder), False
         self._setup.engine.set_recorder(None)
         self._setup = self._recorder = self.request = None
         self.changed.emit(False)

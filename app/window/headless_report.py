@@ -82,6 +82,7 @@ def _run(
     rate = (window.ticker.ticks - ticks) / (time.monotonic() - began)
     view = window.host.snapshot()
     window.host.stop()
+    window.host.recording.wait()
     export_job(ExportRequest(path, "csv", table))(JobProgress(lambda _f, _t: None))
     print(_report(figures, view, rate, path))
     return 0

@@ -68,7 +68,7 @@ class ScriptedEngine:
     def start(self) -> None:
         self.started += 1
 
-    def stop(self) -> None:
+    def stop(self, patience: float | None = None) -> None:
         self.stopped += 1
         self.set_recorder(None)
 

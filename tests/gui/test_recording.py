@@ -1,5 +1,6 @@
 """Record, pause, note, stop; and what a closing window leaves behind."""
 
+import threading
 from datetime import datetime
 
 import pytest
@@ -120,6 +121,34 @@ def test_the_time_recorded_counts_from_the_record_command_to_the_stop(engine, tm
     assert recording.elapsed == 10.0
     recording.end()
     assert recording.elapsed == 0.0 and recording.request is None
+
+
+def test_an_engine_stops_while_the_disk_is_behind_and_the_file_is_told_when_whole(
+    recording, engine, recorders, monkeypatch, tmp_path
+):
+    host, finished, said = recording.host, [], []
+    host.recording.finished.connect(finished.append)
+    host.recording.failed.connect(said.append)
+    behind = engine.recorder
+    monkeypatch.setattr(engine, "set_recorder", lambda recorder: None)  # its end takes long
+    recorders[0].close = lambda: (_ for _ in ()).throw(FileError("The disk is full."))
+    host.shut_down()
+    assert host.setup is None and host.recording.closing and finished == []
+    with pytest.raises(FileError):
+        behind.close()  # in the disk's own thread
+    assert host.snapshot() is None
+    assert [path.name[:6] for path in finished] == ["P-01-a"] and not host.recording.closing
+    assert said == ["The recording could not be finished: The disk is full."]
+
+
+def test_closing_the_window_waits_for_the_disk(recording, engine, recorders, monkeypatch):
+    behind = engine.recorder
+    monkeypatch.setattr(engine, "set_recorder", lambda recorder: None)
+    disk_thread = threading.Timer(0.5, behind.close)
+    disk_thread.start()
+    recording.close()
+    assert recorders[0].closed
+    disk_thread.join()
 
 
 def test_a_disk_that_is_behind_is_not_waited_for(engine, tmp_path, qapp, monkeypatch):

@@ -220,6 +220,27 @@ def test_the_end_of_a_recording_is_not_waited_for_long(
     assert said[-1] == "The recording is finished."
 
 
+def test_devices_are_free_though_the_disk_is_behind(
+    sim: Simulation, profile: ColourProfile
+) -> None:
+    freed: list[bool] = []
+
+    class Freed(Camera):
+        def close(self) -> None:
+            freed.append(True)
+
+    slow = SlowTape()
+    tracker, stream = live(sim, profile, slow, camera=Freed)
+    run_to_the_end(tracker, stream)
+    began = time.monotonic()
+    tracker.stop(PATIENCE)
+    assert time.monotonic() - began < PATIENCE + 2.0
+    assert freed and not slow.closed
+    slow.let_go.set()
+    tracker.stop()  # waits to the end
+    assert slow.closed
+
+
 def test_a_device_that_fails_is_reported_in_words(sim: Simulation, profile: ColourProfile) -> None:
     tracker, _ = live(sim, profile, None, camera=BrokenCamera)
     tracker.start()

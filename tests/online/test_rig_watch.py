@@ -143,12 +143,35 @@ def result(t: float, off_px: float) -> FrameResult:
     return replace(nothing, residual=np.full((MARKERS, 4), off_px))
 
 
+def agree(watch: RigWatch, begin: float, end: float) -> None:
+    """Packets up to ``end`` from a second before, and images that agree from ``begin`` on."""
+    for t in np.arange(end - 1.0, end + 0.04, 0.01):
+        watch.packet(t)
+    for t in np.arange(begin, end, 0.033):
+        watch.check(result(t, 0.1))
+
+
+@pytest.mark.parametrize(("seen", "jumps"), [(0.5, 1), (0.1, 0)])
+def test_a_hand_that_has_just_come_back_explains_a_jump(seen: float, jumps: int) -> None:
+    """How fast it moves is hardly known after one image or two."""
+    watch = RigWatch(ideal_rig())
+    agree(watch, 4.0 - seen, 4.0)
+    watch.check(result(4.02, 9.0))
+    assert watch.state.jumps == jumps
+
+
+@pytest.mark.parametrize(("late", "jumps"), [(0.01, 1), (0.03, 0)])
+def test_packets_that_are_not_there_yet_explain_a_jump(late: float, jumps: int) -> None:
+    watch = RigWatch(ideal_rig())
+    agree(watch, 3.0, 4.0)
+    watch.check(result(4.03 + late, 9.0))
+    assert watch.state.jumps == jumps
+
+
 @pytest.mark.parametrize(("silence", "jumps"), [(0.0, 1), (0.1, 0)])
 def test_a_silent_glove_explains_a_jump(silence: float, jumps: int) -> None:
     watch = RigWatch(ideal_rig())
-    for k in range(100):
-        watch.packet(k / 100)
-    watch.check(result(0.95, 0.1))
+    agree(watch, 0.3, 0.99)
     for t in np.arange(1.0 + silence, 1.2 + silence, 0.01):
         watch.packet(t)
     watch.check(result(1.05 + silence, 9.0))

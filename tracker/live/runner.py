@@ -89,17 +89,21 @@ class LiveTracker:
         self._threads.start("vision", self._vision.step)
         self._threads.start("engine", self._feed)
 
-    def stop(self) -> None:
-        """End all threads, finish the recording, free the devices. May be called again."""
+    def stop(self, patience: float | None = None) -> None:
+        """End all threads, free the devices, finish the recording. May be called again.
+
+        The recording's end is waited for ``patience`` s, then it goes on by itself; None waits for
+        as long as the disk takes.
+        """
         self._threads.tell_to_stop()
         self._inbox.close()
         self._vision.images.close()
         self._threads.join()
         self.set_reference(None)
         self._loop.applications.close()
-        self._loop.set_recorder(None)
         self._glove.close()
         self._camera.close()
+        self._loop.set_recorder(None, patience)
 
     def _feed(self) -> None:
         item = self._inbox.get(WAIT)

@@ -48,7 +48,8 @@ class RigWatchParams:
     jump_gap: float = 0.15  # s since the last image that agreed
     usual_gap: float = 0.07  # s without an image that agreed, up to which ``jump_px`` is meant
     packet_gap: float = 0.035  # s without a packet: then it is the hand that was not followed
-    settle: float = 0.3  # s after such a gap
+    ahead: float = 0.015  # s that an image is of after the last packet: neither was it then
+    settle: float = 0.3  # s after such a gap, and after markers were not seen to agree
 
 
 @dataclass(frozen=True)
@@ -71,6 +72,7 @@ class RigWatch:
         self._shifts: deque[float] = deque(maxlen=self._params.shift_pictures)
         self._wrong_way = self._right_way = 0
         self._agreed = -np.inf  # when markers last stood where they were expected
+        self._agreed_since = np.inf  # how long they have
         self._packet = self._gap_end = -np.inf
         self._words: list[str] = []
         self.state = RigState()
@@ -96,7 +98,9 @@ class RigWatch:
     def check(self, result: FrameResult) -> None:
         """Compare an image with what the filter expected of it."""
         p = self._params
-        if result.t > self._packet + p.packet_gap or result.t < self._gap_end + p.settle:
+        if result.t > self._packet + p.ahead:
+            self._gap_end = result.t
+        if result.t < self._gap_end + p.settle:
             self._agreed = -np.inf
             return
         if result.tracking != Tracking.TRACKING:
@@ -110,12 +114,16 @@ class RigWatch:
         # images alike: a double integral, so that limit grows with the square of the gap.
         gap = max((result.t - self._agreed) / p.usual_gap, 1.0)
         if max(apart, together) < p.jump_px:
+            if result.t - self._agreed > p.jump_gap:
+                self._agreed_since = result.t
             self._agreed = result.t
         elif apart < p.jump_px and together < p.jump_px * gap**2:
             return
         elif result.t - self._agreed <= p.jump_gap:
+            settled = self._agreed - self._agreed_since >= p.settle
             self._agreed = -np.inf  # one jump is told once
-            self._note_jump(apart, together)
+            if settled:  # else how fast the hand moves is hardly known yet
+                self._note_jump(apart, together)
 
     def take_words(self) -> list[str]:
         """Sentences for the log since the last call."""

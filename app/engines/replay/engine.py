@@ -83,7 +83,7 @@ class ReplayEngine:
     def start(self) -> None:
         self._thread.start()
 
-    def stop(self) -> None:
+    def stop(self, patience: float | None = None) -> None:
         self._thread.stop()
 
     def close(self) -> None:
