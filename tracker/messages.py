@@ -282,6 +282,48 @@ class EngineState:
     state: Any
 
 
+@dataclass(frozen=True)
+class RobotModel:
+    """A robot hand that follows the wearer's: what it is. ``urdf`` is its description as ROS has
+    it, ``settings`` JSON of how it is driven (docs/robot.md)."""
+
+    t: float
+    name: str
+    joint_names: tuple[str, ...]
+    objects: tuple[str, ...]
+    urdf: str
+    settings: str
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RobotState(_Frozen):
+    """A robot hand after the estimate of ``t``, in the order of its `RobotModel`.
+
+    command (n,) rad that joints are told, joints (n,) rad where they are; palm (7,) and objects
+    (m, 7) m and xyzw in the robot's world W (z up); force (5,) N on each fingertip, thumb first.
+    ``holding``: it stands still, because the hand is lost.
+    """
+
+    t: float
+    name: str
+    command: Array
+    joints: Array
+    palm: Array
+    objects: Array
+    force: Array
+    engaged: bool
+    holding: bool
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RobotMemory(_Frozen):
+    """All that a robot's next step depends on, after the estimate of ``t``: values (k,)."""
+
+    t: float
+    name: str
+    values: Array
+
+
 Message = (
     ImuSample
     | CameraImuSample
@@ -293,4 +335,7 @@ Message = (
     | Event
     | Status
     | EngineState
+    | RobotModel
+    | RobotState
+    | RobotMemory
 )

@@ -23,12 +23,16 @@ from tracker.messages import (
     FrameResult,
     ImuSample,
     Message,
+    RobotMemory,
+    RobotModel,
+    RobotState,
     Status,
     StereoFrame,
     Tracking,
     Validity,
 )
 from tracker.session.description import MAIN, SessionInfo
+from tracker.session.encode_robot import RobotEncoder
 from tracker.session.images import PackedFrame, encode_image
 from tracker.session.ros import motion, sensors, topics
 from tracker.vision.rig import StereoRig
@@ -66,6 +70,7 @@ class Encoder:
         self._coding, self._tracker = images, status
         self._info, self._side, self._wall = info, info.side, info.anchor.wall
         self._segments = [f"{info.side}_{s}" for s in info.hand.segment_names]
+        self._robots = RobotEncoder(self._wall)
         self._states: object = None
         self._pose_stamp = -1
         self._last_imu = 0
@@ -89,6 +94,8 @@ class Encoder:
                 return self.status(message)
             case Event():
                 return self.event(message)
+            case RobotModel() | RobotState() | RobotMemory():
+                return self.robot(message)
             case FrameResult() | EngineState():
                 return iter(())
 
@@ -123,6 +130,12 @@ class Encoder:
             self._pose_stamp = stamp
             messages = pose_messages(topics.TF, pose, self._wall(t_arrival), stamp)
             yield from (m for m in messages if exact or m.topic == topics.TF)
+
+    def robot(self, m: RobotModel | RobotState | RobotMemory) -> Iterator[Out]:
+        """Of a robot that follows the hand."""
+        stamp = self._wall(m.t)
+        for topic, kind, data in self._robots.parts(m):
+            yield Out(topic, kind, stamp, stamp, data)
 
     def images(self, m: StereoFrame) -> Iterator[Out]:
         """Both images, compressed, after the pose of a camera that moves."""

@@ -45,3 +45,21 @@ def hand(side: str, what: str) -> str:
 def truth(side: str, what: str) -> str:
     """keypoints or joint_states as they really were."""
     return f"/truth/{side}/{what}"
+
+
+ROBOT = (
+    "robot_description", "model", "memory", "joint_commands", "joint_states", "scene", "contact",
+)  # fmt: skip
+"""What there is of a robot that follows the hand, see docs/robot.md."""
+
+
+def robot(name: str, what: str) -> str:
+    """One of `ROBOT`."""
+    return f"/robot/{name}/{what}"
+
+
+def robot_of(topic: str) -> tuple[str, str]:
+    """Name and what of a robot's topic; both empty for another's."""
+    root, _, rest = topic.removeprefix("/").partition("/")
+    name, _, what = rest.partition("/")
+    return (name, what) if root == "robot" and what in ROBOT else ("", "")

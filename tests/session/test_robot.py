@@ -1,0 +1,75 @@
+"""A robot in a session: read back to the last bit, and by another reader of ROS messages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from mcap_ros2.reader import read_ros2_messages
+
+from tests.session.conftest import at
+from tracker.errors import FileError
+from tracker.messages import RobotMemory, RobotModel, RobotState
+from tracker.session.decode_robot import read_robot, robot_model, robot_names
+from tracker.session.reader import SessionReader
+
+MODEL = RobotModel(at(0), "claw_left", ("a", "b"), ("cube",), "<robot/>", '{"side": "left"}')
+
+
+def state(ms: float, seed: int) -> RobotState:
+    rng = np.random.default_rng(seed)
+    joints, poses = rng.normal(size=(2, 2)), rng.normal(size=(2, 7))
+    return RobotState(
+        at(ms), "claw_left", *joints, poses[0], poses[1:], rng.uniform(0, 9, 5), True, seed % 2 == 1
+    )
+
+
+def recorded(tmp_path: Path, record: Callable[..., Path]) -> Path:
+    memory = RobotMemory(at(20), "claw_left", np.arange(9.0))
+    told = [MODEL, *(state(10.0 * k, k) for k in range(1, 6)), memory, MODEL]
+    return record(tmp_path / "s.mcap", told)
+
+
+def test_a_robot_is_read_back_to_the_last_bit(tmp_path: Path, record: Callable[..., Path]) -> None:
+    with SessionReader(recorded(tmp_path, record)) as reader:
+        assert robot_names(reader) == ("claw_left",)
+        assert robot_model(reader, "claw_left") == MODEL
+        found = list(read_robot(reader, "claw_left"))
+    states = [m for m in found if isinstance(m, RobotState)]
+    memories = [m for m in found if isinstance(m, RobotMemory)]
+    assert len(states) == 5 and len(found) == 7  # it is said once what the robot is
+    for k, got in enumerate(states, start=1):
+        want = state(10.0 * k, k)
+        assert (got.t, got.engaged, got.holding) == (want.t, want.engaged, want.holding)
+        for name in ("command", "joints", "palm", "objects", "force"):
+            assert (getattr(got, name) == getattr(want, name)).all()
+    assert memories[0].t == at(20) and (memories[0].values == np.arange(9.0)).all()
+
+
+def test_another_reader_finds_joint_states_as_ros_has_them(
+    tmp_path: Path, record: Callable[..., Path]
+) -> None:
+    path = recorded(tmp_path, record)
+    topics = ["/robot/claw_left/joint_states", "/robot/claw_left/robot_description"]
+    said = {m.channel.topic: m.ros_msg for m in read_ros2_messages(str(path), topics=topics)}
+    assert list(said[topics[0]].name) == ["a", "b"]
+    assert list(said[topics[0]].position) == list(state(50, 5).joints)
+    assert said[topics[1]].data == "<robot/>"
+
+
+def test_a_state_before_it_is_said_what_the_robot_is_has_no_names_and_is_left_out(
+    tmp_path: Path, record: Callable[..., Path]
+) -> None:
+    path = record(tmp_path / "s.mcap", [state(10, 1), MODEL, state(20, 2)])
+    with SessionReader(path) as reader:
+        found = list(read_robot(reader, "claw_left"))
+    assert [m.t for m in found if isinstance(m, RobotState)] == [at(20)]
+
+
+def test_a_session_without_robots_has_none(tmp_path: Path, record: Callable[..., Path]) -> None:
+    with SessionReader(record(tmp_path / "s.mcap", [])) as reader:
+        assert robot_names(reader) == ()
+        with pytest.raises(FileError, match="does not say"):
+            robot_model(reader, "claw_left")
