@@ -217,7 +217,7 @@ def test_more_pieces_than_the_first_list_holds() -> None:
 
 
 def test_nothing_is_drawn_before_there_is_a_hand() -> None:
-    """A fingertip's ball has unit size until it is placed, and would fill the view."""
+    """A ring has unit size until it is placed, and would fill the view."""
     scene = RasterScene()
     scene.set_background("#102030")
     HandBodies(scene, scripted_setup(ScriptedEngine()), {})

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.engines.engine import EngineSetup
+from app.panels.hand.tip_rings import TipRings
 from app.viewmodels.hand_ground import AXIS, CELL, Ground
 from app.viewmodels.hand_scene import (
     MARKER_LATELY,
@@ -18,7 +19,7 @@ from app.viewmodels.hand_trail import ribbon, ribbon_faces
 from app.viewmodels.states import BLUISH_GREEN, GREY, ORANGE, PURPLE, SKY
 from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.scene import BodyLook, BodyScene, DrawnSurface, GroundLines, Label, rgb
-from app.widgets.view3d.shapes import Lines, Surface, ball, polyline
+from app.widgets.view3d.shapes import Lines, Surface, polyline
 
 WHITE = "#FFFFFF"
 FRUSTUM_DEPTH = 0.05
@@ -35,7 +36,7 @@ class HandBodies:
         self._colours = [hue_colours.get(m.hue, WHITE) for m in setup.glove.markers]
         self._skin: HandSkin | None = None
         tips = sum(n.endswith("_tip") for n in setup.hand.keypoint_names)
-        self._tips = [scene.add(ball(1.0), BodyLook(SKY, opacity=0.3)) for _ in range(tips)]
+        self._tips = TipRings(scene, tips)
         self._frustum = _frustum(setup)
         self._camera = scene.add(self._frustum, BodyLook(SKY, line_width=1.5))
         self._axes = [
@@ -53,9 +54,8 @@ class HandBodies:
         )
         self._ground = Ground()
         self._has_place = setup.camera_calibrated
-        # Nothing has its place before the first hand; a ball of unit size would fill the view.
-        for body in (*self._tips, *self._axes, *self._world, self._camera):
-            body.show(False)
+        for body in (*self._axes, *self._world, self._camera):
+            body.show(False)  # nothing has its place before the first hand
 
     def put_on(self, skin: HandSkin) -> None:
         """From now on there is a hand to be seen."""
@@ -72,7 +72,7 @@ class HandBodies:
         """Move everything to ``scene``."""
         if self._skin is not None:
             self._update_hand(self._skin, scene, show)
-        self._update_tips(scene, show.uncertainty)
+        self._tips.update(scene, show.uncertainty, orbit)
         self._update_axes(scene, show.axes)
         self._update_trail(scene, show.trail, orbit)
         corners = scene.p_GC + self._frustum.points @ scene.R_GC.T
@@ -122,15 +122,6 @@ class HandBodies:
         self._trail.show(there)
         if there:
             self._trail.drape(*ribbon(scene.trail, orbit.eye, rgb(PURPLE)))
-
-    def _update_tips(self, scene: HandScene, wanted: bool) -> None:
-        """A ball of 2σ around each fingertip."""
-        for i, body in enumerate(self._tips):
-            known = bool(np.isfinite(scene.tips[i]).all() and np.isfinite(scene.tip_sd[i]))
-            body.show(wanted and known)
-            if known:
-                radius = max(2 * float(scene.tip_sd[i]), 1e-4)
-                body.move(np.eye(3) * radius, scene.tips[i])
 
 
 def drape(surface: DrawnSurface, draped: Draped) -> None:

@@ -54,7 +54,14 @@ class HandControls(OneLine):
                 self.tr("Markers"),
                 self.tr("Large: seen now. Small: lately. Ring: never"),
             ),
-            ("uncertainty", self.tr("2σ"), self.tr("A ball round each fingertip")),
+            (
+                "uncertainty",
+                self.tr("2σ"),
+                self.tr(
+                    "A ring round each fingertip, of two standard deviations; "
+                    "broken: more than its 15 mm"
+                ),
+            ),
             ("camera", self.tr("Camera"), self.tr("The left camera's field of view")),
             ("axes", self.tr("Axes"), self.tr("The frame of each segment at its joint: x, y, z")),
         )

@@ -58,9 +58,9 @@ class Orbit:
         self.azimuth = float(np.arctan2(d[1], d[0]))
 
     def sees(self, points: Vector) -> bool:
-        """Whether all points (N, 3) m lie well before the eye and near the middle of its view."""
+        """Whether all points (N, 3) m lie well before the eye and within the height of its view."""
         away = points - self.eye
         depth = away @ -self.direction
         across = away - depth[:, None] * -self.direction
-        edge = np.tan(np.deg2rad(VIEW_ANGLE_DEG)) * depth  # twice the height: views are wide
+        edge = np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2)) * depth
         return bool((depth > 0.1).all() and (np.linalg.norm(across, axis=1) < edge).all())
