@@ -40,6 +40,18 @@ class Outcome:
     error: str = ""
 
 
+@dataclass(frozen=True)
+class WorkersAsked:
+    """``processes``: one per core if None. ``dask``: address of a cluster that does it instead."""
+
+    processes: int | None = None
+    dask: str = ""
+
+
+ALL_CORES = WorkersAsked()
+"""Of this machine."""
+
+
 class Board(Protocol):
     """The progress queue: (number of the task, share done); travels to the workers."""
 

@@ -30,6 +30,7 @@ class ExportRequest:
     target: Path
     part: tuple[float, float] | None = None
     options: ExportOptions = field(default_factory=ExportOptions)
+    also: tuple[Path, ...] = ()  # further sessions of a data set
 
 
 def free_target(folder: Path, source: Path, form: str, taken: Collection[Path] = ()) -> Path:
@@ -49,11 +50,15 @@ def export_job(request: ExportRequest) -> Job:
     """A job that writes the file; cancelled, it leaves none behind."""
 
     def run(progress: JobProgress) -> Path:
-        from tracker.session.export.run import export
+        from tracker.session.export.run import export, export_dataset
 
         progress(0.0, request.form)
         options = _options(request)
-        export(request.source, request.form, request.target, options, progress)
+        if request.also:
+            sources = [request.source, *request.also]
+            export_dataset(sources, request.form, request.target, options, progress)
+        else:
+            export(request.source, request.form, request.target, options, progress)
         return request.target
 
     return run

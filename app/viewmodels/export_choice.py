@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from app.words import mark
 from tracker.session.export.options import (
     AXES_NAMES,
+    DATASETS,
     FORMATS,
     PERSONAL,
     RATES,
     UNITS,
+    DatasetOptions,
     ExportOptions,
 )
 
@@ -35,19 +37,34 @@ WORDS = {
     "imu.csv": mark("Raw samples of the IMUs (CSV)"),
     "imu.parquet": mark("Raw samples of the IMUs (Parquet)"),
     "isaac": mark("Hand record of NVIDIA's Isaac tools (MCAP)"),
+    "lerobot": mark("Data set for robot learning (LeRobot, a folder)"),
 }
 """What each format is for, by its name on the command line."""
 
 
 @dataclass(frozen=True)
 class ExportChoice:
-    """``rate`` Hz, 0 as recorded; ``axes`` and ``units`` empty: as usual for the format."""
+    """``rate`` Hz, 0 as recorded; ``axes`` and ``units`` empty: as usual for the format; ``task``
+    and ``split`` of data sets: see `DatasetOptions`."""
 
     formats: tuple[str, ...] = ("csv",)
     rate: float = 0.0
     axes: str = ""
     units: str = ""
     anonymous: bool = False
+    task: str = ""
+    split: bool = False
+
+    @property
+    def is_dataset(self) -> bool:
+        """Whether one of the formats holds many sessions."""
+        return any(form in DATASETS for form in self.formats)
+
+    def options_of(self, form: str) -> ExportOptions:
+        """Axes and units are of no concern to formats that have their own."""
+        if form in DATASETS:
+            return replace(self.options, axes=None, units=None)
+        return self.options
 
     @property
     def options(self) -> ExportOptions:
@@ -56,6 +73,7 @@ class ExportChoice:
             axes=self.axes or None,
             units=self.units or None,
             anonymous=PERSONAL if self.anonymous else (),
+            dataset=DatasetOptions(self.task.strip(), self.split),
         )
 
     def as_dict(self) -> dict[str, Any]:
@@ -77,6 +95,8 @@ def choice_from(data: object) -> ExportChoice:
         axes=_of(found.get("axes"), AXES_NAMES),
         units=_of(found.get("units"), tuple(UNITS)),
         anonymous=found.get("anonymous") is True,
+        task=task if isinstance(task := found.get("task"), str) else "",
+        split=found.get("split") is True,
     )
 
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Qt, QUrl, Slot
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog
 
-from app.jobs.export import DONE, free_target
+from app.jobs.export import DONE, ExportRequest, free_target
 from app.panels.library.export_dialog import ExportDialog
 from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
 from app.storage.settings import SettingsStore
@@ -20,7 +20,7 @@ from app.window.main_window import MainWindow
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
-from tracker.session.export.options import FORMATS
+from tracker.session.export.options import FORMATS, DatasetOptions
 from tracker.session.reader import SessionReader
 
 NAMES = ("P01_pinch", "P01_fist", "P02_pinch")
@@ -261,10 +261,33 @@ def test_a_preset_brings_formats_and_options_back(library, window, store, qtbot)
     again.close()
 
 
+def test_many_sessions_become_one_data_set_with_its_task(qtbot, store, tmp_path):
+    """Of other formats there is a file for each session."""
+    sources = [tmp_path / "a.mcap", tmp_path / "b.mcap"]
+    dialog = ExportDialog(sources, None, store)
+    qtbot.addWidget(dialog)
+    tick(dialog, "csv")
+    assert not dialog.task.isEnabled()
+    tick(dialog, "csv", "lerobot")
+    dialog.axes.setCurrentIndex(dialog.axes.findData("unity"))
+    dialog.task.setText(" Grasp the cup ")
+    dialog.split.setChecked(True)
+    asked: list[ExportRequest] = []
+    dialog.wanted.connect(asked.append)
+    press_export(qtbot, dialog)
+    assert [(r.form, r.source.name, [p.name for p in r.also]) for r in asked] == [
+        ("csv", "a.mcap", []),
+        ("csv", "b.mcap", []),
+        ("lerobot", "a.mcap", ["b.mcap"]),
+    ]
+    assert asked[2].options.dataset == DatasetOptions("Grasp the cup", True)
+    assert asked[2].options.axes is None and asked[0].options.axes == "unity"
+
+
 def test_what_settings_hold_of_a_choice_may_be_anything():
     for data in (None, 3, {"formats": "csv"}, {"formats": ["exe"], "rate": "fast", "axes": 1}):
         assert choice_from(data) == ExportChoice()
-    choice = ExportChoice(("csv", "bvh"), 30.0, "unity", "cm", True)
+    choice = ExportChoice(("csv", "bvh"), 30.0, "unity", "cm", True, "Wave", True)
     assert choice_from(json.loads(json.dumps(choice.as_dict()))) == choice
 
 

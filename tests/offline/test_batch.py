@@ -8,13 +8,13 @@ import pytest
 from tracker.cli import main
 from tracker.errors import ConfigError, DeviceError, FileError
 from tracker.messages import Estimate
-from tracker.offline.batch import Job, WorkersAsked, plan, table, track_all
+from tracker.offline.batch import Job, plan, table, track_all
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
 from tracker.session.compare import compare
 from tracker.session.reader import SessionReader
-from tracker.workers import dask_workers
+from tracker.workers import WorkersAsked, dask_workers
 
 
 @pytest.fixture(scope="module")

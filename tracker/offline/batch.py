@@ -14,7 +14,9 @@ from tracker.offline.report import TrackReport
 from tracker.offline.track import track
 from tracker.session.glance import sessions_in
 from tracker.workers import (
+    ALL_CORES,
     Outcome,
+    WorkersAsked,
     WorkItem,
     run_all,
     some_workers,
@@ -30,14 +32,6 @@ class Job:
 
     source: Path
     out: Path
-
-
-@dataclass(frozen=True)
-class WorkersAsked:
-    """``processes``: one per core if None. ``dask``: address of a cluster that does it instead."""
-
-    processes: int | None = None
-    dask: str = ""
 
 
 def plan(sources: Sequence[Path], out: Path) -> list[Job]:
@@ -66,7 +60,7 @@ def track_all(
     jobs: Sequence[Job],
     options: TrackOptions,
     progress: Callable[[float], None],
-    asked: WorkersAsked = WorkersAsked(),
+    asked: WorkersAsked = ALL_CORES,
     force: bool = False,
 ) -> list[Outcome]:
     """Track every job, each in a process of its own; an outcome's value is a `TrackReport`.

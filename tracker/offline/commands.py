@@ -213,7 +213,8 @@ def _track(args: argparse.Namespace) -> int:
 
 
 def _track_many(args: argparse.Namespace, jobs: Sequence[Job], options: TrackOptions) -> int:
-    from tracker.offline.batch import WorkersAsked, table, to_json, track_all
+    from tracker.offline.batch import table, to_json, track_all
+    from tracker.workers import WorkersAsked
 
     progress = progress_line(f"tracking {len(jobs)} sessions")
     files = [path for job in jobs for path in (job.source, job.out)]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
@@ -15,7 +14,7 @@ import numpy as np
 from tracker import __version__, library
 from tracker.config import from_toml, to_toml
 from tracker.errors import ConfigError, FileError
-from tracker.files import check_target
+from tracker.files import check_target, sha256
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.engine import Engine
@@ -261,7 +260,7 @@ def _output_info(
     info: SessionInfo, settings: Settings, source: Path, options: TrackOptions
 ) -> SessionInfo:
     extra = {k: v for k, v in info.extra.items() if k != "smoothed"}
-    extra |= {"source": source.name, "source_sha256": _sha256(source)}
+    extra |= {"source": source.name, "source_sha256": sha256(source)}
     if options.smooth:
         extra["smoothed"] = "true"
     return replace(
@@ -271,14 +270,6 @@ def _output_info(
         arithmetic=arithmetic(),
         extra=extra,
     )
-
-
-def _sha256(path: Path) -> str:
-    digest = hashlib.sha256()
-    with path.open("rb") as file:
-        while block := file.read(1 << 20):
-            digest.update(block)
-    return digest.hexdigest()
 
 
 def _messages(

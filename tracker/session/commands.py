@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -42,7 +43,9 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     from tracker.session.export.options import AXES_NAMES, FORMATS, HIDEABLE, PERSONAL, UNITS
 
     command = subparsers.add_parser("export", help="write a session in another format")
-    command.add_argument("file", type=Path, metavar="IN")
+    command.add_argument(
+        "files", type=Path, nargs="+", metavar="IN", help="a session; for lerobot several, folders"
+    )
     command.add_argument("--format", required=True, choices=FORMATS)
     command.add_argument("-o", "--output", type=Path, required=True, metavar="OUT")
     command.add_argument("--rate", type=float, metavar="HZ", help="resample to this rate")
@@ -61,13 +64,34 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
         metavar="FIELD",
         help=f"leave out {' and '.join(PERSONAL)}, or the named ones of {', '.join(HIDEABLE)}",
     )
+    _add_dataset(command)
     add_json(command)
     command.set_defaults(func=_export)
 
 
+def _add_dataset(command: argparse.ArgumentParser) -> None:
+    from tracker.session.export.options import ENCODED, IMAGES
+
+    group = command.add_argument_group("data sets of many sessions (lerobot)")
+    group.add_argument("--task", default="", metavar="TEXT", help="what is done in them")
+    group.add_argument("--split", action="store_true", help="an episode from each note to the next")
+    group.add_argument(
+        "--images", choices=IMAGES, default=ENCODED, help="as recorded, films by ffmpeg, or none"
+    )
+    group.add_argument("--jobs", type=int, metavar="N", help="processes; one per core if not told")
+    group.add_argument("--dask", default="", metavar="ADDRESS", help="work on this Dask cluster")
+
+
 def _export(args: argparse.Namespace) -> int:
-    from tracker.session.export.options import PERSONAL, ExportOptions
-    from tracker.session.export.run import export, path_of_side
+    from tracker.session.export.options import (
+        DATASETS,
+        PERSONAL,
+        DatasetOptions,
+        ExportOptions,
+    )
+    from tracker.session.export.run import export, export_dataset, path_of_side
+    from tracker.terminal import progress_line
+    from tracker.workers import WorkersAsked
 
     anonymous = () if args.anonymous is None else tuple(args.anonymous or PERSONAL)
     options = ExportOptions(
@@ -79,12 +103,27 @@ def _export(args: argparse.Namespace) -> int:
         joints=tuple(args.joints.split(",")) if args.joints else (),
         anonymous=anonymous,
         every=args.every,
+        dataset=DatasetOptions(args.task or _asked_task(args), args.split, args.images),
     )
-    check_json(args, [args.file])
-    report = export(args.file, args.format, args.output, options, force=args.force)
+    check_json(args, args.files)
+    if args.format in DATASETS or len(args.files) > 1:
+        asked = WorkersAsked(args.jobs, args.dask)
+        progress = progress_line("exporting")
+        report = export_dataset(args.files, args.format, args.output, options, progress, asked)
+    else:
+        report = export(args.files[0], args.format, args.output, options, force=args.force)
     made = [path_of_side(args.output, side) for side in report.get("hands", ())] or [args.output]
-    finish(args, report, [str(path) for path in made], [args.file, *made])
+    finish(args, report, [str(path) for path in made], [*args.files, *made])
     return 0
+
+
+def _asked_task(args: argparse.Namespace) -> str:
+    """Of whoever sits at the terminal, where a data set is to say what is done in it."""
+    from tracker.session.export.options import DATASETS
+
+    if args.format not in DATASETS or args.split or not sys.stdin.isatty():
+        return ""
+    return input("What is done in these sessions? (Enter: as the sessions say) ").strip()
 
 
 def _add_report(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

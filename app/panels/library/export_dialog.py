@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -30,7 +31,7 @@ from app.storage.settings import SettingsStore
 from app.viewmodels.export_choice import WORDS, ExportChoice, choice_from
 from app.viewmodels.recording import position_text
 from app.words import tr
-from tracker.session.export.options import AXES_NAMES, FORMATS, UNITS
+from tracker.session.export.options import AXES_NAMES, DATASETS, FORMATS, UNITS
 
 MAX_RATE_HZ = 2000.0
 
@@ -89,6 +90,14 @@ class ExportDialog(QDialog):
         self.axes = self._choice(AXES_NAMES)
         self.units = self._choice(tuple(UNITS))
         self.anonymous = QCheckBox(self.tr("without participant and notes"))
+        self._make_dataset_fields()
+
+    def _make_dataset_fields(self) -> None:
+        """Of data sets of many sessions alone."""
+        self.task = QLineEdit()
+        self.task.setPlaceholderText(self.tr("What is done, in a sentence; else the notes say it"))
+        self.task.setToolTip(self.tr("The task of a data set's episodes, for robot learning"))
+        self.split = QCheckBox(self.tr("an episode from each note to the next"))
 
     def _choice(self, names: Sequence[str]) -> QComboBox:
         box = QComboBox()
@@ -113,6 +122,8 @@ class ExportDialog(QDialog):
         form.addRow(self.tr("A&xes"), self.axes)
         form.addRow(self.tr("&Units"), self.units)
         form.addRow(self.tr("&Privacy"), self.anonymous)
+        form.addRow(self.tr("&Task"), self.task)
+        form.addRow(self.tr("&Episodes"), self.split)
         return form
 
     def _buttons(self) -> QDialogButtonBox:
@@ -126,6 +137,8 @@ class ExportDialog(QDialog):
     def _enable(self) -> None:
         if hasattr(self, "start"):
             self.start.setEnabled(bool(self._chosen()))
+            for field in (self.task, self.split):
+                field.setEnabled(self.choice().is_dataset)
 
     def _choose_folder(self) -> None:
         folder = QFileDialog.getExistingDirectory(
@@ -152,6 +165,8 @@ class ExportDialog(QDialog):
             axes=self.axes.currentData(),
             units=self.units.currentData(),
             anonymous=self.anonymous.isChecked(),
+            task=self.task.text(),
+            split=self.split.isChecked(),
         )
 
     def show_choice(self, choice: ExportChoice) -> None:
@@ -163,6 +178,8 @@ class ExportDialog(QDialog):
         self.axes.setCurrentIndex(self.axes.findData(choice.axes))
         self.units.setCurrentIndex(self.units.findData(choice.units))
         self.anonymous.setChecked(choice.anonymous)
+        self.task.setText(choice.task)
+        self.split.setChecked(choice.split)
 
     # --- the export
 
@@ -170,9 +187,12 @@ class ExportDialog(QDialog):
         choice, folder = self.choice(), self.folder.text().strip()
         self._store.update(export=choice.as_dict(), export_folder=folder)
         taken: set[Path] = set()
-        for source in self._sources:
-            for form in choice.formats:
+        for form in choice.formats:
+            together = form in DATASETS
+            for source in self._sources[:1] if together else self._sources:
                 request = self._request(source, form, choice, taken)
+                if together:
+                    request = replace(request, also=self._sources[1:])
                 taken.add(request.target)
                 self.wanted.emit(request)
         self.close()
@@ -183,4 +203,4 @@ class ExportDialog(QDialog):
         """One session in one format; an existing file is never written over."""
         target = free_target(Path(self.folder.text()), source, form, taken)
         part = self._part if self.range.isChecked() else None
-        return ExportRequest(source, form, target, part, choice.options)
+        return ExportRequest(source, form, target, part, choice.options_of(form))

@@ -8,16 +8,20 @@ from tracker.errors import ConfigError
 
 FORMATS = (
     *("csv", "parquet", "h5", "c3d", "trc", "mot", "sto", "osim", "bvh", "glb", "urdf"),
-    *("mp4", "png", "mcap", "isaac", "bids", "imu.csv", "imu.parquet"),
+    *("mp4", "png", "mcap", "isaac", "lerobot", "bids", "imu.csv", "imu.parquet"),
 )
 WHOLE_HAND = ("sto", "osim", "bvh", "glb", "urdf")
 """Formats of a skeleton, which cannot leave out joints."""
-BOTH_HANDS = ("mcap",)
+BOTH_HANDS = ("mcap", "lerobot")
 """Formats of which one file holds both hands."""
-FOLDERS = ("png", "bids")
+FOLDERS = ("png", "bids", "lerobot")
 """Formats of many files."""
 TRAJECTORY = ".joints.csv"
 """Ending of the table that stands beside a URDF."""
+DATASETS = ("lerobot",)
+"""Formats that hold many sessions."""
+IMAGES = ENCODED, VIDEO, NONE = ("encoded", "video", "none")
+"""Of a data set: as recorded, as films by the system's ffmpeg, or left out."""
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")
 OPENXR = "openxr"
 """In place of names of joints: OpenXR's 26, in OpenXR's world unless axes are asked for."""
@@ -35,12 +39,28 @@ HIDEABLE = (*PERSONAL, "hand", "time")
 
 
 @dataclass(frozen=True)
+class DatasetOptions:
+    """``task``: what is done, in a sentence; without one, the note an episode begins with or the
+    session's own notes. ``split``: an episode from each note to the next, not one of each session.
+    ``images`` one of `IMAGES`. Raises ConfigError for another.
+    """
+
+    task: str = ""
+    split: bool = False
+    images: str = ENCODED
+
+    def __post_init__(self) -> None:
+        if self.images not in IMAGES:
+            raise ConfigError(f"Images can be {', '.join(IMAGES)}, not {self.images!r}.")
+
+
+@dataclass(frozen=True)
 class ExportOptions:
     """None keeps what the session or the format has. Raises ConfigError for what cannot be.
 
     ``rate`` Hz; ``start``, ``stop`` s from the first estimate; ``joints`` keypoints and angles to
     keep, or ("openxr",); ``anonymous`` what is left out, of `HIDEABLE`; ``every`` n-th image is
-    drawn.
+    drawn; ``dataset`` of formats that hold many sessions.
     """
 
     rate: float | None = None
@@ -51,6 +71,7 @@ class ExportOptions:
     joints: tuple[str, ...] = ()
     anonymous: tuple[str, ...] = ()
     every: int = 1
+    dataset: DatasetOptions = DatasetOptions()
 
     def __post_init__(self) -> None:
         low, high = RATES

@@ -36,8 +36,15 @@ def resample(m: EstimateSeries, rate: float) -> EstimateSeries:
             f"{len(m)} estimates over {m.elapsed[-1]:.0f} s would be {n} rows at {rate:g} Hz; "
             "export a part of them."
         )
+    return sampled_at(m, np.arange(n) / rate, rate)
+
+
+def sampled_at(m: EstimateSeries, t: Array, rate: float) -> EstimateSeries:
+    """Estimates at the rising instants ``t`` (n,), s from the first one; outside of it nothing.
+
+    Stamps of ``m`` rise; ``rate`` Hz is that of ``t``. See `resample`.
+    """
     smooth = low_passed(m, rate) if rate < 0.9 * m.rate else m
-    t = np.arange(n) / rate
     nearest = np.searchsorted((m.elapsed[1:] + m.elapsed[:-1]) / 2, t)
     keypoints = _spline(m.elapsed, smooth.keypoints, t)
     angles = _spline(m.elapsed, smooth.angles, t)

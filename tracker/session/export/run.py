@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 from collections.abc import Callable, Sequence
@@ -13,9 +12,10 @@ from typing import Any
 
 from tracker import __version__
 from tracker.errors import ConfigError
-from tracker.files import check_target, whole_files
+from tracker.files import check_target, sha256, whole_files
 from tracker.session.export.options import (
     BOTH_HANDS,
+    DATASETS,
     FOLDERS,
     FORMATS,
     TRAJECTORY,
@@ -24,6 +24,7 @@ from tracker.session.export.options import (
 )
 from tracker.session.export.series import EstimateSeries
 from tracker.session.reader import SessionReader
+from tracker.workers import ALL_CORES, WorkersAsked
 
 _WRITERS = {
     "csv": "tables:export_csv",
@@ -73,6 +74,8 @@ def export(
         raise ConfigError(f"{format} holds the whole hand; it cannot leave out joints.")
     options = options or ExportOptions()
     path_in, path_out = Path(path_in), Path(path_out)
+    if format in DATASETS:
+        return export_dataset([path_in], format, path_out, options, watch)
     sides = sides_of(path_in)
     if not sides or format in BOTH_HANDS:
         return _export_one(path_in, format, path_out, options, watch, force)
@@ -84,6 +87,25 @@ def export(
         for side, path in paths.items()
     }
     return {"format": format, "file": path_out.name, "hands": found}
+
+
+def export_dataset(
+    sources: Sequence[Path],
+    format: str,
+    path_out: Path,
+    options: ExportOptions,
+    watch: Callable[[float], None] = lambda share: None,
+    asked: WorkersAsked = ALL_CORES,
+) -> dict[str, Any]:
+    """Several sessions, and all of folders, as one data set: ``format`` of `DATASETS`.
+
+    Raises GlovetrackError in words; a folder that is there already is never added to.
+    """
+    from tracker.session.export.lerobot.export import export_lerobot
+
+    if format not in DATASETS:
+        raise ConfigError(f"{format} holds one session; of several make {' or '.join(DATASETS)}.")
+    return export_lerobot(sources, path_out, options, watch, asked)
 
 
 def sides_of(path: Path) -> tuple[str, ...]:
@@ -179,9 +201,3 @@ def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, An
         inside |= {"wall_clock_ns", "monotonic_ns"}
     kept = {k: v for k, v in report.items() if k not in top}
     return kept | {"metadata": {k: v for k, v in report["metadata"].items() if k not in inside}}
-
-
-def sha256(path: Path) -> str:
-    """Hex digest of a file, read in pieces."""
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()

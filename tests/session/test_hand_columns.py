@@ -1,0 +1,66 @@
+"""Columns that are read fast say what estimates read one by one say."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tracker.errors import FileError
+from tracker.session.export.series import recorded_series
+from tracker.session.hand_columns import NumberRows, read_hand
+from tracker.session.reader import SessionReader
+from tracker.session.ros import motion
+
+
+def test_columns_are_those_of_estimates_to_the_last_bit(
+    tmp_path: Path, record: Callable[..., Path], maker
+) -> None:
+    found = [maker.estimate(10.0 * k, lost=k % 10 > 6) for k in range(60)]
+    for k in (20, 21, 40):
+        state, angle_state = found[k].keypoint_state.copy(), found[k].angle_state.copy()
+        state[5], angle_state[1] = 1, 2
+        found[k] = replace(found[k], keypoint_state=state, angle_state=angle_state)
+    found[30], found[31] = found[31], found[30]  # written out of order
+    path = record(tmp_path / "in.mcap", found)
+    with SessionReader(path) as reader:
+        columns, series = read_hand(reader), recorded_series(reader)
+    assert np.array_equal(columns.stamp_ns, series.stamp_ns)
+    for ours, theirs in (
+        (columns.keypoints, series.keypoints),
+        (columns.q, series.q),
+        (columns.angles, series.angles),
+        (columns.state, series.state),
+        (columns.angle_state, series.angle_state),
+    ):
+        assert np.array_equal(ours, theirs, equal_nan=True)
+    assert (columns.state == 1).sum() == 3 and np.isnan(columns.angles).any()
+
+
+def test_joints_are_found_among_zeros_and_under_changing_names() -> None:
+    """Eight bytes of zero stand in a message in more places than one."""
+    told = [
+        (("a",), [0.0]),
+        (("a",), [1.5]),
+        (("a", "longer"), [2.5, 0.0]),
+        (("longer", "a"), [3.5, 4.5]),
+        ((), []),
+        (("a",), [-1.0]),
+    ]
+    rows = NumberRows(8)
+    for k, (names, values) in enumerate(told):
+        rows.feed_joints(motion.pack_joints(motion.JointState(k, names, np.array(values))))
+    stamps, values = rows.by_name(("a", "longer"))
+    assert stamps.tolist() == [0, 1, 2, 3, 4, 5]
+    nan = np.nan
+    wanted = [[0.0, nan], [1.5, nan], [2.5, 0.0], [4.5, 3.5], [nan, nan], [-1.0, nan]]
+    assert np.array_equal(values, wanted, equal_nan=True)
+
+
+def test_a_session_without_estimates_says_so(
+    tmp_path: Path, record: Callable[..., Path], maker
+) -> None:
+    path = record(tmp_path / "in.mcap", [maker.imu(0.0)])
+    with SessionReader(path) as reader, pytest.raises(FileError, match="track it first"):
+        read_hand(reader)
