@@ -8,7 +8,7 @@ import pytest
 from tests.robot.hands import shadow, worn, worn_model
 from tracker.robot.retarget import Retargeter, bounded_step
 from tracker.robot.targets import TOUCH, TargetMap
-from tracker.robot.teleop import _target_map
+from tracker.robot.teleop import target_map
 from tracker.simulation.gestures import pinch
 
 ALL = np.ones(5, bool)
@@ -81,7 +81,7 @@ def test_a_bounded_step_is_no_worse_than_any_other_within_its_bounds() -> None:
 
 
 def test_the_wearers_straight_hand_is_the_robots_straight_hand() -> None:
-    targets, known = _target_map(shadow(), 1.0).targets(worn())
+    targets, known = target_map(shadow(), 1.0).targets(worn())
     assert known.all()
     for finger, target in list(zip(shadow().anatomy.fingers, targets, strict=True))[1:]:
         reach = target - finger.knuckle
@@ -97,7 +97,7 @@ def test_a_pinch_of_the_wearers_is_one_of_the_robots() -> None:
         apart = np.linalg.norm(shown.tip[row] - shown.tip[0])
         assert apart < TOUCH + 0.002
         fingers = Retargeter(shadow(), 100.0)
-        targets, known = _target_map(shadow(), 1.0).targets(shown)
+        targets, known = target_map(shadow(), 1.0).targets(shown)
         for _ in range(40):
             q = fingers.step(targets, known, DT)
         tips = fingers.tips(q)

@@ -8,11 +8,12 @@ from tracker.evaluation.faults.command import add_evaluate_faults
 from tracker.evaluation.gestures.command import add_evaluate_gestures
 from tracker.evaluation.hands.command import add_evaluate_hands
 from tracker.evaluation.inertial.commands import add_evaluate_inertial
+from tracker.evaluation.robot.command import add_evaluate_robot
 from tracker.evaluation.vist.command import add_evaluate_vist
 
 
 def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Adds ``evaluate`` with ``vist``, ``inertial``, ``faults``, ``gestures`` and ``hands``."""
+    """Adds ``evaluate`` with a sub-command for each protocol."""
     evaluate = subparsers.add_parser("evaluate", help="the papers' protocols, and device faults")
     protocols = evaluate.add_subparsers(title="protocols", metavar="PROTOCOL", required=True)
     add_evaluate_vist(protocols)
@@ -20,3 +21,4 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
     add_evaluate_faults(protocols)
     add_evaluate_gestures(protocols)
     add_evaluate_hands(protocols)
+    add_evaluate_robot(protocols)

@@ -1,4 +1,4 @@
-"""The commands ``simulate``, ``track``, ``crop`` and ``light``."""
+"""The commands ``simulate``, ``track``, ``crop``, ``light`` and ``teleop``."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tracker.errors import GlovetrackError
+from tracker.offline.teleop_command import add_teleop
 from tracker.terminal import add_force, add_json, check_json, finish, progress_line
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ def add_commands(commands: Any) -> None:
     _add_track(commands.add_parser("track", help="track a recording again"))
     _add_light(commands.add_parser("light", help="what the light of a recording costs markers"))
     _add_crop(commands.add_parser("crop", help="a part of a session as a session of its own"))
+    add_teleop(commands.add_parser("teleop", help="a robot hand that follows the wearer's"))
 
 
 def _add_simulate(parser: argparse.ArgumentParser) -> None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 
-from tracker.errors import ConfigError
+from tracker.config import from_dict
+from tracker.errors import ConfigError, FileError
 from tracker.robot.library import SHADOW
 
 OBJECTS = ("cube", "cylinder", "ball")
@@ -23,7 +25,7 @@ class RobotSettings:
 
     model: str = SHADOW
     side: str = "right"
-    objects: tuple[str, ...] = OBJECTS
+    objects: str = ",".join(OBJECTS)  # those that are on the table
     motion_scale: float = 1.0
     reach_scale: float = 1.0
     clutch: str = "none"
@@ -36,10 +38,24 @@ class RobotSettings:
             raise ConfigError(f"A hand is right or left, not {self.side!r}.")
         if self.clutch not in CLUTCHES:
             raise ConfigError(f"The clutch is {', '.join(CLUTCHES)}, not {self.clutch!r}.")
-        strange = [name for name in self.objects if name not in OBJECTS]
+        strange = [name for name in self.things if name not in OBJECTS]
         if strange:
             raise ConfigError(f"Objects are {', '.join(OBJECTS)}, not {strange[0]!r}.")
         if not 0.1 <= self.motion_scale <= 10 or not 0.5 <= self.reach_scale <= 2:
             raise ConfigError("The motion is scaled by 0.1 to 10, the reach by 0.5 to 2.")
         if min(self.joint_speed, self.palm_speed, self.turn_speed) <= 0:
             raise ConfigError("A robot's speeds are greater than zero.")
+
+    @property
+    def things(self) -> tuple[str, ...]:
+        """Names of ``objects``."""
+        return tuple(dict.fromkeys(word for word in self.objects.split(",") if word))
+
+
+def settings_of(text: str) -> RobotSettings:
+    """Settings from a recording's JSON. Raises FileError where it is none."""
+    try:
+        said = json.loads(text)
+    except ValueError as error:
+        raise FileError("What the session says of its robot is damaged.") from error
+    return from_dict(RobotSettings, said if isinstance(said, dict) else {}, lambda key, why: None)

@@ -7,7 +7,7 @@ Fed with the same hands and commands from the same memory it does the same to th
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from typing import NamedTuple
 
 import numpy as np
@@ -35,6 +35,13 @@ class RobotCommand(NamedTuple):
     word: str
     value: float = 1.0
 
+    def check(self) -> None:
+        """Raises ConfigError for what is not known."""
+        if self.word not in COMMANDS:
+            raise ConfigError(f"A robot is asked {', '.join(COMMANDS)}, not {self.word!r}.")
+        if self.word == SCALE:
+            RobotSettings(motion_scale=self.value)
+
 
 class Teleop:
     """One robot hand in its scene."""
@@ -46,7 +53,7 @@ class Teleop:
         self.world = RobotWorld(self.hand, settings)
         self.fingers = Retargeter(self.hand, settings.joint_speed)
         self.carrier = PalmCarrier(settings)
-        self._map = _target_map(self.hand, settings.reach_scale)
+        self._map = target_map(self.hand, settings.reach_scale)
         self._scale = settings.motion_scale
         self._engaged = True
         self._stamp = -1  # ns, of the last hand: what recordings keep of a time
@@ -67,20 +74,19 @@ class Teleop:
 
     def command(self, command: RobotCommand) -> None:
         """Do what is asked, before the next hand. Raises ConfigError for what is not known."""
+        command.check()
         if command.word == ENGAGE:
             self._engaged = True
             self.carrier.let_go()
         elif command.word == RELEASE:
             self._engaged = False
         elif command.word == SCALE:
-            self._scale = replace(self.settings, motion_scale=command.value).motion_scale
+            self._scale = command.value
             self.carrier.let_go()
-        elif command.word == RESET:
+        else:
             self.carrier.reset()
             self.fingers.reset()
             self.world.reset(self.carrier.R, self.carrier.p)
-        else:
-            raise ConfigError(f"A robot is asked {', '.join(COMMANDS)}, not {command.word!r}.")
 
     @property
     def engaged(self) -> bool:
@@ -136,7 +142,8 @@ class Teleop:
         self._engaged = bool(values[3])
 
 
-def _target_map(hand: RobotHand, scale: float) -> TargetMap:
+def target_map(hand: RobotHand, scale: float) -> TargetMap:
+    """Onto the fingers of a robot hand."""
     knuckle = np.full((len(FINGERS), 3), np.nan)
     length, radius = np.full(len(FINGERS), np.nan), np.full(len(FINGERS), np.nan)
     for finger in hand.anatomy.fingers:

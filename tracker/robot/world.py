@@ -19,7 +19,7 @@ class RobotWorld:
     """Steps of `TIMESTEP` s. The hand begins where `reset` puts it."""
 
     def __init__(self, hand: RobotHand, settings: RobotSettings) -> None:
-        self.scene = build_scene(hand, settings.objects)
+        self.scene = build_scene(hand, settings.things)
         self.model, self.data = self.scene.model, mujoco.MjData(self.scene.model)
         self._rest = np.clip(0.0, *hand.limits.T)
         self._force = np.zeros(6)

@@ -58,6 +58,11 @@ def copy_part(
         out.finish()
 
 
+def copy_extras(reader: SessionReader, out: McapOutput) -> None:
+    """What a session says of itself, and all its attachments."""
+    _write_extras(reader, out, ExportOptions(), 0)
+
+
 def _check(options: ExportOptions) -> None:
     asked = {
         "rate": options.rate,

@@ -17,7 +17,7 @@ from tracker.robot.worn import WornHand
 from tracker.simulation.gestures import FIST
 from tracker.simulation.postures import posture
 
-SETTINGS = RobotSettings(objects=("cube",))
+SETTINGS = RobotSettings(objects="cube")
 
 
 def robot(settings: RobotSettings = SETTINGS) -> Teleop:
@@ -117,7 +117,7 @@ def _same(a: RobotState, b: RobotState) -> bool:
 
 
 def test_a_memory_of_another_robot_is_refused() -> None:
-    other = Teleop(replace(SETTINGS, objects=()), shadow())
+    other = Teleop(replace(SETTINGS, objects=""), shadow())
     with pytest.raises(ConfigError, match="another one"):
         robot().remember(other.memory)
 
@@ -128,7 +128,7 @@ def test_commands_and_settings_that_there_are_not_are_told_in_words() -> None:
     with pytest.raises(ConfigError, match="scaled"):
         robot().command(RobotCommand("scale", 1000.0))
     with pytest.raises(ConfigError, match="Objects are"):
-        RobotSettings(objects=("teapot",))
+        RobotSettings(objects="teapot")
 
 
 def test_a_fingertip_on_the_table_feels_it_and_one_in_the_air_does_not() -> None:
