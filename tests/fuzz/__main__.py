@@ -20,7 +20,7 @@ import tracker
 SECONDS, MEGABYTES = 2, 1000  # of the processor's time and of memory, for one input
 NAMES = (
     *("container", "records", "messages", "state", "decoder", "link"),
-    *("hand", "glove", "colours", "settings", "zed", "opencv"),
+    *("hand", "glove", "colours", "settings", "zed", "opencv", "table"),
 )
 HANGS = 120  # s by the clock on the wall, which on a busy computer tell little
 

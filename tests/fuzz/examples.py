@@ -40,6 +40,10 @@ Baseline=62.8
 TY=-0.08
 CV_HD=0.0099
 """
+TABLE = """Timestamp (us),Gyroscope X (deg/s),Accelerometer Z (g),packet,sampled [ns],arrived [ns]
+1000,1.5,0.9,1,2000000000000000000,2000000000000000100
+11000,,1.0,,3,4
+"""
 STAMP = 1_760_000_000 * 10**9  # ns, of messages
 MAGIC, DATA_END = b"\x89MCAP0\r\n", 0x0F
 MATRIX = """{0}: !!opencv-matrix
@@ -179,5 +183,6 @@ def examples(name: str, info: SessionInfo, topics: list[tuple[str, str, bytes]])
         "settings": to_toml(Settings()),
         "zed": ZED,
         "opencv": _opencv(),
+        "table": TABLE,
     }
     return [texts[name].encode()]

@@ -25,6 +25,7 @@ from tracker.fusion.chain.engine import ChainEngine  # registers what it keeps  
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.messages import ImuSample
+from tracker.offline.imports.table import read_table
 from tracker.sensors import cobs
 from tracker.sensors.decoder import FrameDecoder
 from tracker.sensors.glove_link import GloveLink
@@ -210,5 +211,6 @@ TARGETS: dict[str, Callable[[bytes], None]] = {
     "colours": _text(parse_profile),
     "settings": _text(lambda text: from_toml(Settings, text)),
     "zed": _path(load_zed, "SN1.conf"),
+    "table": _path(lambda path: read_table(path, "a"), "imu.csv"),
     "opencv": _path(lambda path: load_opencv_stereo([path], 640, 480), "stereo.yaml"),
 }

@@ -1,0 +1,204 @@
+"""Raw IMUs of other programs become sessions that hold what the files said, and can be tracked."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.io import loadmat, savemat
+from scipy.spatial.transform import Rotation
+
+from tracker.cli import main
+from tracker.errors import ConfigError, FileError
+from tracker.messages import Estimate
+from tracker.offline.imports.run import ImportOptions, import_imus
+from tracker.offline.imports.together import at_instants
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
+from tracker.session.export.run import export
+from tracker.session.raw_imu import RawImu, read_raw_imu
+from tracker.session.reader import SessionReader
+from tracker.session.verify import is_ok, verify
+
+XIMU3 = (
+    "Gyroscope X (deg/s),Gyroscope Y (deg/s),Gyroscope Z (deg/s),"
+    "Accelerometer X (g),Accelerometer Y (g),Accelerometer Z (g)"
+)
+START_S = 37  # three seconds before the trial's movement begins
+G, DEG = 9.80665, np.pi / 180
+
+
+def raw(path: Path) -> RawImu:
+    with SessionReader(path) as reader:
+        return read_raw_imu(reader)
+
+
+def x_imu3(folder: Path, name: str, t_us: np.ndarray, rows: np.ndarray) -> Path:
+    """A device's folder as x-IMU3's program writes it."""
+    path = folder / name / "Inertial.csv"
+    path.parent.mkdir(parents=True)
+    lines = [f"{t}," + ",".join(f"{v:.6f}" for v in row) for t, row in zip(t_us, rows, strict=True)]
+    path.write_text(f"Timestamp (us),{XIMU3}\n" + "\n".join(lines) + "\n")
+    return path
+
+
+def test_folders_of_x_imu3_become_one_session(tmp_path: Path) -> None:
+    """Two devices on one clock, out of step; units and time of day as the files tell."""
+    began = 1_700_000_000_000_000
+    t = np.arange(0, 2_000_000, 10_000)
+    wave = np.sin(t / 3e5)[:, None]
+    one = np.hstack([90 * wave, 0 * wave, 0 * wave, 0 * wave, 0 * wave, 1 + 0 * wave])
+    other = np.hstack([0 * wave, 45 * wave, 0 * wave, 0 * wave, 1 + 0 * wave, 0 * wave])
+    folder = tmp_path / "log"
+    x_imu3(folder, "hand", began + t, one)
+    x_imu3(folder, "finger", began + 4_000 + t, other)
+    imus = {"dorsum": "hand", "index_proximal": "finger"}
+    report = import_imus([folder], tmp_path / "a.mcap", ImportOptions(imus=imus))
+    found = raw(tmp_path / "a.mcap")
+    assert is_ok(verify(tmp_path / "a.mcap"))
+    assert report["doubts"] == [] and report["rate_hz"] == pytest.approx(100)
+    elapsed = (found.stamp_ns - began * 1000) / 1e3  # us
+    assert 3_999 < elapsed[0] < 10_001 and len(found) >= 198
+    rows = [found.names.index(n) for n in imus]
+    assert np.allclose(found.gyro[:, rows[0], 0], 90 * DEG * np.sin(elapsed / 3e5), atol=1e-3)
+    late = np.sin((elapsed - 4_000) / 3e5)
+    assert np.allclose(found.gyro[:, rows[1], 1], 45 * DEG * late, atol=1e-3)
+    assert np.allclose(found.accel[:, rows], [[0, 0, G], [0, G, 0]], atol=1e-5)
+    assert found.valid.sum(axis=0).tolist() == [len(found) if n in imus else 0 for n in found.names]
+
+
+def test_seconds_of_newer_files_and_a_file_for_the_only_imu(tmp_path: Path) -> None:
+    path = tmp_path / "wrist.csv"
+    lines = [f"{k / 50:.3f},0,0,180,0,0,1" for k in range(60)]
+    path.write_text(f"Time (s),{XIMU3}\n" + "\n".join(lines) + "\n")
+    os.utime(path, ns=(0, 1_700_000_059 * 10**9))
+    report = import_imus([path], tmp_path / "a.mcap")
+    found = raw(tmp_path / "a.mcap")
+    assert report["imus"] == {"dorsum": "wrist"} and len(found) == 60
+    assert np.allclose(found.gyro[:, 0, 2], np.pi)
+    # no time of day is told: the file's last change was its end
+    assert found.stamp_ns[-1] == pytest.approx(1_700_000_059 * 10**9, abs=10**6)
+
+
+def test_what_we_export_comes_back_to_the_last_digit(tmp_path: Path) -> None:
+    """All sensors and all three clocks."""
+    simulate(tmp_path / "in.mcap", SimulateOptions(images=False, duration=2.0))
+    export(tmp_path / "in.mcap", "imu.csv", tmp_path / "a.csv")
+    import_imus([tmp_path / "a.csv"], tmp_path / "back.mcap")
+    export(tmp_path / "back.mcap", "imu.csv", tmp_path / "b.csv")
+    assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
+
+
+def test_a_hole_is_not_filled(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    lines = [f"{k * 10},{k},0,0,0,0,1" for k in range(200) if not 50 < k < 80]
+    path.write_text(f"Time (ms),{XIMU3}\n" + "\n".join(lines) + "\n")
+    import_imus([path], tmp_path / "a.mcap")
+    assert len(raw(tmp_path / "a.mcap")) == 171
+    old, values = np.array([0.0, 0.01, 0.2, 0.21]), np.arange(12.0).reshape(4, 3)
+    found = at_instants(old, values, np.array([0.005, 0.1, 0.205]))
+    assert np.allclose(found[[0, 2], 0], [1.5, 7.5]) and np.isnan(found[1]).all()
+
+
+BROKEN = {
+    "a cell that is no number": f"Time (s),{XIMU3}\n0,1,2,3,4,5,6\n1,x,2,3,4,5,6\n",
+    "a short line": f"Time (s),{XIMU3}\n0,1,2,3,4,5,6\n1,2\n",
+    "no time": f"Packet number,{XIMU3}\n0,1,2,3,4,5,6\n1,1,2,3,4,5,6\n",
+    "no IMU": "Time (s),Heart (bpm)\n0,1\n1,2\n",
+    "an unknown unit": "Time (s),Gyroscope X (rpm)\n0,1\n1,2\n",
+    "one sample": f"Time (s),{XIMU3}\n0,1,2,3,4,5,6\n",
+    "one instant": f"Time (s),{XIMU3}\n1,1,2,3,4,5,6\n1,1,2,3,4,5,6\n",
+    "nothing": "",
+    "no text": "\x00\x01\x02",
+    "not a number of time": f"Time (s),{XIMU3}\nnan,1,2,3,4,5,6\ninf,1,2,3,4,5,6\n",
+    "an endless line": "a" * 300_000,
+}
+
+
+@pytest.mark.parametrize("case", BROKEN)
+def test_what_is_no_recording_is_refused_in_words(tmp_path: Path, case: str) -> None:
+    path = tmp_path / "a.csv"
+    path.write_text(BROKEN[case])
+    with pytest.raises((FileError, ConfigError), match=r"\.$"):
+        import_imus([path], tmp_path / "out.mcap")
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.csv"]
+
+
+def test_a_damaged_matlab_file_is_refused_in_words(tmp_path: Path) -> None:
+    path, rng = tmp_path / "a.mat", np.random.default_rng(2)
+    one = {"imu_acc": np.ones((50, 3)), "imu_gyr": np.ones((50, 3)), "sampling_rate": 100.0}
+    savemat(path, one, do_compression=True)
+    good = path.read_bytes()
+    for _ in range(150):
+        data = bytearray(good)
+        at = int(rng.integers(len(data)))
+        data[at : at + 4] = rng.bytes(4)
+        path.write_bytes(bytes(data[: int(rng.integers(20, len(data)))]))
+        try:
+            import_imus([path], tmp_path / "out.mcap", force=True)
+        except (FileError, ConfigError):
+            continue
+
+
+def test_numbers_of_another_unit_are_doubted(tmp_path: Path) -> None:
+    path = tmp_path / "a.csv"
+    header = XIMU3.replace("(g)", "(m/s^2)")  # a lie: they are g
+    path.write_text(f"Time (s),{header}\n" + "".join(f"{k},0,0,0,0,0,1\n" for k in range(9)))
+    report = import_imus([path], tmp_path / "out.mcap")
+    assert report["doubts"][0].startswith("a feels 1 m/s²")
+
+
+def test_which_imu_is_which_has_to_be_told(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    for name in ("left", "right"):
+        x_imu3(tmp_path, name, np.arange(0, 50) * 10_000, np.ones((50, 6)))
+    words = ["import", str(tmp_path), "-o", str(tmp_path / "a.mcap")]
+    assert main(words) == 1
+    assert "--imu GLOVE=FILE. There are left, right in the files" in capsys.readouterr().err
+    assert main([*words, "--imu", "wrist=left"]) == 1
+    assert main([*words, "--imu", "dorsum=left"]) == 0
+
+
+@pytest.fixture
+def data() -> Path:
+    folder = Path(os.environ.get("GLOVETRACK_DATA", "/nonexistent"))
+    if not (folder / "broad_imu").is_dir():
+        pytest.skip("no recorded data")
+    return folder
+
+
+def test_a_recording_of_a_real_imu_is_tracked_as_its_cameras_saw_it(
+    data: Path, tmp_path: Path
+) -> None:
+    """BROAD's 286 Hz, averaged to 100: inclination within 2° of the optical reference."""
+    whole = loadmat(data / "broad_imu" / "02_undisturbed_slow_rotation_B.mat", squeeze_me=True)
+    rate, first = float(whole["sampling_rate"]), 285 * START_S
+    chosen = slice(first, first + 285 * 20)
+    part = {k: whole[k][chosen] for k in ("imu_acc", "imu_gyr")} | {"sampling_rate": rate}
+    savemat(tmp_path / "broad.mat", part)
+    report = import_imus([tmp_path / "broad.mat"], tmp_path / "in.mcap")
+    assert report["rate_hz"] == pytest.approx(100) and report["recorded_hz"][0] > 280
+    track(tmp_path / "in.mcap", tmp_path / "out.mcap")
+    with SessionReader(tmp_path / "out.mcap") as reader:
+        found = [m for m in reader.messages((Estimate,)) if isinstance(m, Estimate)]
+        up = np.array([m.segment_R[0][2] for m in found])  # G's z in the IMU's axes
+        t = np.array([m.t for m in found])
+    rows = first + np.round(t * rate).astype(int)
+    true = whole["opt_quat"][rows][:, [1, 2, 3, 0]]
+    seen = np.isfinite(true).all(axis=1) & (whole["movement"][rows] == 1)
+    assert seen.sum() > 1000
+    true_up = Rotation.from_quat(true[seen]).inv().apply([0, 0, 1])
+    off = np.arccos(np.clip(np.sum(up[seen] * true_up, axis=1), -1, 1))
+    assert np.degrees(np.sqrt(np.mean(off**2))) < 2.0
+
+
+def test_imus_of_a_whole_body_are_chosen_by_name(data: Path, tmp_path: Path) -> None:
+    path = data / "qmt_fullbody_imu" / "full_body_example_data.mat"
+    with pytest.raises(ConfigError, match="hand_right"):
+        import_imus([path], tmp_path / "a.mcap")
+    imus = {"dorsum": "hand_right"}
+    report = import_imus([path], tmp_path / "a.mcap", ImportOptions(imus=imus))
+    whole = loadmat(path, squeeze_me=True, struct_as_record=False)
+    found = raw(tmp_path / "a.mcap")
+    assert report["packets"] == 10_000
+    assert np.allclose(found.accel[:, 0], whole["hand_right"].acc, atol=1e-12)
+    assert np.allclose(found.gyro[:, 0], whole["hand_right"].gyr, atol=1e-12)

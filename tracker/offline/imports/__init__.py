@@ -1,0 +1,1 @@
+"""What other programs recorded with IMUs becomes a session: `glovetrack import`."""

@@ -1,0 +1,43 @@
+"""The command ``import``."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from tracker.terminal import add_json, check_json, finish
+
+
+def add_import(parser: argparse.ArgumentParser) -> None:
+    """Its arguments."""
+    parser.add_argument(
+        "sources", type=Path, nargs="+", metavar="IN", help="CSV, .mat, or folders of x-IMU3"
+    )
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the new session, .mcap")
+    parser.add_argument("--glove", default="", help="name or file")
+    parser.add_argument("--hand", default="", help="name or file; the glove's own if not given")
+    parser.add_argument(
+        "--imu",
+        action="append",
+        default=[],
+        metavar="GLOVE=FILE",
+        help="the glove's IMU that one of the files is, as dorsum=hand_right; more than once",
+    )
+    add_json(parser)
+    parser.set_defaults(func=_import)
+
+
+def _import(args: argparse.Namespace) -> int:
+    from tracker.offline.imports.run import ImportOptions, import_imus
+
+    check_json(args, args.sources)
+    pairs = [word.partition("=") for word in args.imu]
+    options = ImportOptions(args.glove, args.hand, {imu: name for imu, _, name in pairs})
+    report = import_imus(args.sources, args.out, options, args.force)
+    lines = [
+        f"{args.out}: {report['packets']} packets at {report['rate_hz']:.0f} Hz, "
+        f"{report['duration_s']:.1f} s, of {', '.join(report['imus'].values())}.",
+        *report["doubts"],
+    ]
+    finish(args, report, lines, [*args.sources, args.out])
+    return 0

@@ -1,0 +1,84 @@
+"""MATLAB files (version 5): variables of one IMU, or a struct for each.
+
+One IMU: ``acc`` or ``imu_acc`` (N, 3) m/s², ``gyr`` or ``imu_gyr`` (N, 3) rad/s, and ``t`` s or a
+rate (``sampling_rate``, ``rate``, ``fs``) Hz. Several: structs with ``acc`` and ``gyr``, and ``t``.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tracker.errors import FileError
+from tracker.messages import Array
+from tracker.offline.imports.samples import MOST, Samples
+
+_ACC, _GYR = ("acc", "imu_acc"), ("gyr", "imu_gyr")
+_RATES = ("sampling_rate", "rate", "fs")
+
+
+def read_matlab(path: Path, imu: str) -> Samples:
+    """``imu``: the name of one that has none. Raises FileError for what is no such file."""
+    found = _loaded(path)
+    parts = {imu: found} | {n: vars(v) for n, v in found.items() if hasattr(v, "_fieldnames")}
+    pairs = {name: _pair(name, part, path) for name, part in parts.items() if _has_both(part)}
+    if not pairs:
+        raise FileError(f"{path} holds no 'acc' and 'gyr' of an IMU.")
+    lengths = {len(acc) for acc, _ in pairs.values()}
+    if len(lengths) > 1 or lengths == {0} or max(lengths) > MOST:
+        raise FileError(f"The IMUs in {path} have no samples, too many, or not the same number.")
+    t = _time(found, lengths.pop(), path)
+    acc, gyr = (np.stack([pair[k] for pair in pairs.values()], axis=1) for k in (0, 1))
+    return Samples(tuple(pairs), t, acc, gyr)
+
+
+def _loaded(path: Path) -> dict[str, Any]:
+    from scipy.io import loadmat
+
+    try:
+        loaded = loadmat(path, squeeze_me=True, struct_as_record=False)
+    except OSError as error:
+        raise FileError(f"{path} cannot be read: {error.strerror or error}.") from error
+    except NotImplementedError as error:  # version 7.3
+        raise FileError(f"{path} is a MATLAB file of version 7.3; save it with -v7.") from error
+    except Exception as error:  # scipy raises whatever a damaged file leads it to
+        raise FileError(f"{path} is no MATLAB file that can be read: {error}.") from error
+    return {name: value for name, value in loaded.items() if not name.startswith("__")}
+
+
+def _has_both(part: dict[str, Any]) -> bool:
+    return any(n in part for n in _ACC) and any(n in part for n in _GYR)
+
+
+def _pair(name: str, part: dict[str, Any], path: Path) -> tuple[Array, Array]:
+    acc, gyr = (
+        _numbers(next(part[n] for n in names if n in part), (-1, 3), f"{name} in {path}")
+        for names in (_ACC, _GYR)
+    )
+    if len(acc) != len(gyr):
+        raise FileError(f"{name} in {path}: acc and gyr have not the same number of rows.")
+    return acc, gyr
+
+
+def _time(found: dict[str, Any], n: int, path: Path) -> Array:
+    if "t" in found:
+        t = _numbers(found["t"], (-1,), f"t in {path}")
+        if len(t) != n:
+            raise FileError(f"{path}: t has {len(t)} rows, the IMUs {n}.")
+        return t
+    for name in _RATES:
+        if name in found:
+            rate = float(np.append(_numbers(found[name], (-1,), f"{name} in {path}"), 0.0)[0])
+            if 1.0 <= rate <= 1e5:
+                return np.asarray(np.arange(n) / rate)
+            raise FileError(f"{path}: {name} is {rate:g} Hz, not between 1 and 100 000.")
+    raise FileError(f"{path} tells neither t nor a rate ({', '.join(_RATES)}).")
+
+
+def _numbers(value: Any, shape: tuple[int, ...], what: str) -> Array:
+    try:
+        return np.asarray(value, float).reshape(shape)
+    except (TypeError, ValueError) as error:
+        raise FileError(f"{what} is no table of numbers of that shape.") from error
