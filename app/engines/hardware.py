@@ -18,8 +18,9 @@ from app.storage.bound_gloves import as_bound
 from app.storage.settings import AppSettings
 from app.words import tr
 from tracker import library
+from tracker.applications.motors import MotorSink
 from tracker.calibration.stereo.files import ImportForm, load_rig
-from tracker.clock import ClockAnchor
+from tracker.clock import ClockAnchor, monotonic
 from tracker.config import to_toml
 from tracker.errors import DeviceError, GlovetrackError
 from tracker.live.runner import LiveTracker
@@ -84,6 +85,8 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     chosen = found.camera
     camera: CameraSource = StereoCamera(chosen.source, found.rig) if chosen else NoCamera()
     tracker = LiveTracker(pipeline, profile, make_detector, link or NoGlove(), camera)
+    if link is not None:
+        tracker.stage.sinks.append(MotorSink(link.vibrate, monotonic, tracker.stage.tell))
     recorders = RecorderProcesses()
     recorders.warm()
     return EngineSetup(

@@ -28,6 +28,7 @@ class MotorCommand(NamedTuple):
     tip: str
     strength: float
     direction: Vector3 = (0.0, 0.0, 1.0)
+    axes: int = 1  # of the motors that are to make it felt: 1, or 3
 
 
 class JointCommand(NamedTuple):

@@ -17,7 +17,9 @@ from tracker.config import from_dict
 from tracker.errors import ConfigError
 
 GROUP = "glovetrack.applications"
-BUILT_IN: dict[str, tuple[str, str]] = {}
+BUILT_IN: dict[str, tuple[str, str]] = {
+    "touch": ("touch.touch", "Touch"),
+}
 """Module and class by name; imported when asked for."""
 _log = logging.getLogger(__name__)
 Maker = Callable[[Any], Application]

@@ -29,10 +29,11 @@ class ApplicationStage:
     def __init__(
         self, hand: HandModel, glove: GloveModel, tell: Callable[[Event], None] = lambda _: None
     ) -> None:
-        self._hand, self._glove, self._tell = hand, glove, tell
+        self._hand, self._glove = hand, glove
         self._runner: ApplicationRunner | None = None
         self._ending: ApplicationRunner | None = None
         self._anew = False
+        self.tell = tell
         self.sinks: list[Sink] = []
         self.outcome: Outcome | None = None
         self.counts: Counter[str] = Counter()
@@ -99,7 +100,7 @@ class ApplicationStage:
     def _hear(self, event: Event) -> None:
         self.counts[str(event.data["what"])] += 1
         self.last = event
-        self._tell(event)
+        self.tell(event)
 
     def _fail(self, runner: ApplicationRunner, t: float, error: Exception) -> None:
         """It rests until it is chosen again."""
