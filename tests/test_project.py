@@ -159,6 +159,7 @@ THREADS = {
     "tracker/session/recording/compression.py": "images, beside the writer",
     "tracker/session/recording/process.py": "the recorder is a process of its own",
     "tracker/simulation/camera_device.py": "the simulated camera is a process of its own",
+    "tracker/simulation/vehicles.py": "the simulated vehicles fly beside who steers them",
     "tracker/simulation/glove_device.py": "the simulated glove has a chip of its own",
     "tracker/streaming/attach.py": "looks at the latest estimate",
     "tracker/streaming/remote/doors.py": "stamps requests as they arrive",

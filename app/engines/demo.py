@@ -14,6 +14,7 @@ from app.platform.tasks import JobProgress
 from app.words import tr
 from tracker import library
 from tracker.applications.motors import MotorSink
+from tracker.applications.swarm.vehicles import VehicleSink
 from tracker.clock import ClockAnchor, monotonic
 from tracker.config import to_toml
 from tracker.errors import DeviceError
@@ -74,6 +75,7 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
     device.begin(t_0)
     tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
     tracker.stage.sinks.append(MotorSink(link.vibrate, monotonic, tracker.stage.tell))
+    tracker.stage.sinks.append(VehicleSink())
     info = _info(spec, simulation, pipeline, colours_text)
     recorders = RecorderProcesses(Prepare(spec))
     recorders.warm()

@@ -19,6 +19,7 @@ from app.storage.settings import AppSettings
 from app.words import tr
 from tracker import library
 from tracker.applications.motors import MotorSink
+from tracker.applications.swarm.vehicles import VehicleSink
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.clock import ClockAnchor, monotonic
 from tracker.config import to_toml
@@ -85,6 +86,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     chosen = found.camera
     camera: CameraSource = StereoCamera(chosen.source, found.rig) if chosen else NoCamera()
     tracker = LiveTracker(pipeline, profile, make_detector, link or NoGlove(), camera)
+    tracker.stage.sinks.append(VehicleSink())
     if link is not None:
         tracker.stage.sinks.append(MotorSink(link.vibrate, monotonic, tracker.stage.tell))
     recorders = RecorderProcesses()

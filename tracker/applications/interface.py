@@ -53,10 +53,12 @@ class PoseCommand(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class VehicleCommand:
-    """N vehicles are to be at ``p`` (N, 3) m in G and to move with ``v`` (N, 3) m/s."""
+    """N vehicles at ``to`` (host:port) are to be at ``p`` (N, 3) m in G, moving with ``v`` (N, 3)
+    m/s."""
 
     p: Array
     v: Array
+    to: str
 
 
 Command = MotorCommand | JointCommand | PoseCommand | VehicleCommand

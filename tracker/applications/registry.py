@@ -19,6 +19,7 @@ from tracker.errors import ConfigError
 GROUP = "glovetrack.applications"
 BUILT_IN: dict[str, tuple[str, str]] = {
     "touch": ("touch.touch", "Touch"),
+    "swarm": ("swarm.swarm", "Swarm"),
 }
 """Module and class by name; imported when asked for."""
 _log = logging.getLogger(__name__)

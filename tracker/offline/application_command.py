@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
 from tracker.errors import ConfigError
 from tracker.terminal import add_json, check_json, finish
+
+MOST_VEHICLES = 5000
 
 
 def add_apps(parser: argparse.ArgumentParser) -> None:
@@ -51,13 +54,16 @@ def _apps(args: argparse.Namespace) -> int:
 
 
 def _run(args: argparse.Namespace, files: list[Path]) -> int:
+    from tracker.applications.swarm.vehicles import VehicleSink
     from tracker.offline.applications import run_into
 
     settings = dict(_setting(text) for text in args.set)
     with ExitStack() as stack:
         source = _source(args, stack)
         inputs = [args.source] if args.source is not None else []
-        report = run_into(args.name, source, args.out, inputs, settings, force=args.force)
+        vehicles = VehicleSink()
+        stack.callback(vehicles.close)
+        report = run_into(args.name, source, args.out, inputs, settings, [vehicles], args.force)
     finish(args, report.to_json(), report.lines(), files)
     return 0
 
@@ -96,6 +102,19 @@ def _source(args: argparse.Namespace, stack: ExitStack) -> Any:
     return simulated(options, args.on_truth)
 
 
+def _vehicles(args: argparse.Namespace) -> int:
+    from tracker.simulation.vehicles import VehicleSimulator
+
+    if not 1 <= args.count <= MOST_VEHICLES:
+        raise ConfigError(f"There can be 1 to {MOST_VEHICLES} vehicles, not {args.count}.")
+    simulator = VehicleSimulator(args.count, args.port)
+    print(f"{args.count} vehicles wait at 127.0.0.1:{simulator.port} for MAVLink.", flush=True)
+    simulator.wait(args.seconds)
+    simulator.close()
+    print(f"{simulator.fleet.asked} of them were told where to be.")
+    return 0
+
+
 def _setting(text: str) -> tuple[str, Any]:
     key, equals, value = text.partition("=")
     if not equals:
@@ -110,3 +129,8 @@ def add_commands(commands: Any) -> None:
     """Add ``apps`` to the sub-parsers of ``glovetrack``."""
     parser = commands.add_parser("apps", help="what a hand can do: touch, swarm, arm, place")
     add_apps(parser)
+    vehicles = commands.add_parser("vehicles", help="simulated vehicles that take MAVLink by UDP")
+    vehicles.add_argument("--count", type=int, default=200, metavar="N")
+    vehicles.add_argument("--port", type=int, default=14550, help="of the first 250; then the next")
+    vehicles.add_argument("--seconds", type=float, default=math.inf, help="then it ends")
+    vehicles.set_defaults(func=_vehicles)

@@ -1,0 +1,168 @@
+"""Three messages of MAVLink 2 (mavlink.io, common.xml), many at once: no package is needed.
+
+SET_POSITION_TARGET_LOCAL_NED tells a vehicle where to be, HEARTBEAT and LOCAL_POSITION_NED are what
+it answers. Local frames are north, east, down: of G's x, y, z (z up) that is x, -y, -z.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracker.messages import Array
+
+MAGIC = 0xFD
+HEAD, TAIL = 10, 2  # bytes around a payload
+HEARTBEAT, POSITION, TARGET = 0, 32, 84  # message ids
+EXTRA = {HEARTBEAT: 50, POSITION: 185, TARGET: 143}
+"""CRC_EXTRA of each, which tells other definitions apart."""
+LENGTH = {HEARTBEAT: 9, POSITION: 28, TARGET: 53}
+LOCAL_NED = 1  # MAV_FRAME
+POSITION_AND_VELOCITY = 0b110111000000  # POSITION_TARGET_TYPEMASK: ignore the rest
+QUADROTOR, NO_AUTOPILOT, ACTIVE, VERSION = 2, 8, 4, 3
+STATION, ANY = 255, 1  # our system and component; the vehicle's component
+Bytes = NDArray[np.uint8]
+
+TARGET_ROW = np.dtype(
+    [("ms", "<u4"), ("p", "<f4", 3), ("v", "<f4", 3), ("a", "<f4", 3), ("yaw", "<f4"),
+     ("yaw_rate", "<f4"), ("mask", "<u2"), ("system", "u1"), ("component", "u1"), ("frame", "u1")]
+)  # fmt: skip
+POSITION_ROW = np.dtype([("ms", "<u4"), ("p", "<f4", 3), ("v", "<f4", 3)])
+
+
+class Heard(NamedTuple):
+    """A whole message: its id, who sent it, its payload with the zeros that were left out."""
+
+    message: int
+    system: int
+    payload: bytes
+
+
+def to_ned(p_G: Array) -> Array:
+    """(..., 3) of G in north, east, down; its own inverse."""
+    return np.asarray(p_G * np.array([1.0, -1.0, -1.0]))
+
+
+def _crc_table() -> NDArray[np.uint16]:
+    out = np.zeros(256, np.uint16)
+    for i in range(256):
+        crc = i
+        for _ in range(8):
+            crc = crc >> 1 ^ (0x8408 if crc & 1 else 0)
+        out[i] = crc
+    return out
+
+
+_TABLE = _crc_table()
+
+
+def crc(rows: Bytes) -> NDArray[np.uint16]:
+    """(n,) CRC-16/MCRF4XX of n rows of bytes at once."""
+    out = np.full(len(rows), 0xFFFF, np.uint16)
+    for column in rows.T:
+        out = (out >> 8) ^ _TABLE[(out ^ column) & 0xFF]
+    return out
+
+
+def targets(p: Array, v: Array, systems: NDArray[np.uint8], t: float, sequence: int) -> list[bytes]:
+    """Packets that tell n vehicles where to be, p (n, 3) m, and how fast, v (n, 3) m/s, in G."""
+    rows = np.zeros(len(p), TARGET_ROW)
+    rows["ms"] = int(1e3 * t) % 2**32
+    rows["p"], rows["v"] = to_ned(p), to_ned(v)
+    rows["mask"], rows["system"], rows["component"] = POSITION_AND_VELOCITY, systems, ANY
+    rows["frame"] = LOCAL_NED
+    return packets(TARGET, _bytes(rows), np.full(len(p), STATION, np.uint8), sequence)
+
+
+def positions(
+    p: Array, v: Array, systems: NDArray[np.uint8], t: float, sequence: int
+) -> list[bytes]:
+    """What n vehicles answer: where they are and how fast, in G."""
+    rows = np.zeros(len(p), POSITION_ROW)
+    rows["ms"] = int(1e3 * t) % 2**32
+    rows["p"], rows["v"] = to_ned(p), to_ned(v)
+    return packets(POSITION, _bytes(rows), systems, sequence)
+
+
+def heartbeats(systems: NDArray[np.uint8], sequence: int) -> list[bytes]:
+    """That n vehicles are there."""
+    payload = struct.pack("<IBBBBB", 0, QUADROTOR, NO_AUTOPILOT, 0, ACTIVE, VERSION)
+    rows = np.tile(np.frombuffer(payload, np.uint8), (len(systems), 1))
+    return packets(HEARTBEAT, rows, systems, sequence)
+
+
+def _bytes(rows: NDArray[np.void]) -> Bytes:
+    return np.frombuffer(rows.tobytes(), np.uint8).reshape(len(rows), rows.dtype.itemsize)
+
+
+def packets(message: int, payload: Bytes, systems: NDArray[np.uint8], sequence: int) -> list[bytes]:
+    """Whole packets of n payloads (n, LENGTH), without the zeros that they end in."""
+    n, width = payload.shape
+    size = width - np.argmax(payload[:, ::-1] != 0, axis=1)
+    size[~payload.any(axis=1)] = 1
+    out: list[bytes] = [b""] * n
+    for length in np.unique(size):
+        rows = np.flatnonzero(size == length)
+        body = np.zeros((len(rows), HEAD - 1 + length), np.uint8)
+        body[:, 0] = length
+        body[:, 3] = sequence % 256
+        body[:, 4], body[:, 5] = systems[rows], ANY
+        body[:, 6:9] = message & 0xFF, message >> 8 & 0xFF, message >> 16
+        body[:, 9:] = payload[rows, :length]
+        extra = np.full((len(rows), 1), EXTRA[message], np.uint8)
+        sums = crc(np.concatenate([body, extra], axis=1))
+        for row, head, checked in zip(rows, body, sums, strict=True):
+            out[row] = bytes([MAGIC]) + head.tobytes() + int(checked).to_bytes(2, "little")
+    return out
+
+
+def heard(datagrams: Sequence[bytes]) -> list[Heard]:
+    """The whole messages, of those known here, in datagrams; damaged ones are passed over.
+
+    Checked together, by their length: a swarm says hundreds of messages at a time.
+    """
+    found = [piece for data in datagrams for piece in _pieces(data)]
+    out: list[Heard] = []
+    for size in sorted({len(piece) for piece in found}):
+        same = [piece for piece in found if len(piece) == size]
+        rows = np.frombuffer(b"".join(same), np.uint8).reshape(-1, size)
+        extra = np.array([EXTRA[_message(piece)] for piece in same], np.uint8)
+        sums = crc(np.concatenate([rows[:, 1:-TAIL], extra[:, None]], axis=1))
+        right = sums == rows[:, -2] + (rows[:, -1].astype(np.uint16) << 8)
+        for piece in (piece for piece, good in zip(same, right, strict=True) if good):
+            message = _message(piece)
+            payload = piece[HEAD:-TAIL].ljust(LENGTH[message], b"\0")
+            out.append(Heard(message, piece[5], payload))
+    return out
+
+
+def _pieces(data: bytes) -> Iterator[bytes]:
+    """What looks like a packet of a message that is known here."""
+    at = 0
+    while at + HEAD + TAIL <= len(data):
+        end = at + HEAD + data[at + 1] + TAIL
+        if data[at] == MAGIC and end <= len(data) and _message(data[at:end]) in EXTRA:
+            yield data[at:end]
+            at = end
+        else:
+            at += 1
+
+
+def _message(packet: bytes) -> int:
+    return int.from_bytes(packet[7:10], "little")
+
+
+def position_of(message: Heard) -> tuple[Array, Array]:
+    """p and v (3,) m and m/s in G of a LOCAL_POSITION_NED."""
+    row = np.frombuffer(message.payload, POSITION_ROW, 1)[0]
+    return to_ned(row["p"].astype(float)), to_ned(row["v"].astype(float))
+
+
+def target_of(message: Heard) -> tuple[int, Array, Array]:
+    """The system asked, and p and v (3,) in G, of a SET_POSITION_TARGET_LOCAL_NED."""
+    row = np.frombuffer(message.payload, TARGET_ROW, 1)[0]
+    return int(row["system"]), to_ned(row["p"].astype(float)), to_ned(row["v"].astype(float))
