@@ -3,16 +3,26 @@
 import numpy as np
 import pytest
 
-from tracker.fusion.chain.kinematics import jacobians, tip_sd
+from tracker.fusion.chain.distal import OFFSET, DistalSegments, Synergies
+from tracker.fusion.chain.driven_ends import ONE_WAY, EndsSureness
+from tracker.fusion.chain.kinematics import jacobians
 from tracker.fusion.chain.layout import ChainLayout
-from tracker.fusion.chain.params import PixelNoise
+from tracker.fusion.chain.params import PixelNoise, SynergyParams
 from tracker.fusion.chain.pixel_rows import stack_rows
 from tracker.fusion.chain.pixels import SeenBlobs
 from tracker.fusion.chain.prediction import PosedRig, Prediction, pixel_jacobians
 from tracker.fusion.chain.reports import _details
 from tracker.fusion.chain.state import initial_state
 from tracker.fusion.kalman import joined, products, times, update
-from tracker.fusion.output.output import INFERRED_DEG, REACH, HandOutput, Sensed, sensed_lately
+from tracker.fusion.output.output import (
+    BASE_SD,
+    INFERRED_DEG,
+    REACH,
+    HandOutput,
+    Sensed,
+    sensed_lately,
+)
+from tracker.geometry.kernels import rotate_all
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Tracking, Validity
@@ -105,14 +115,16 @@ def test_validity_and_sd_follow_the_tree(
             expected = Validity.LOST
         assert e.keypoint_state[k] == expected
         end = hand.parent[i] if base else i
-        assert e.keypoint_sd[k] == pytest.approx(_sd(layout, sd, end))
+        assert e.keypoint_sd[k] == pytest.approx(_sd(layout, sd, end, i))
 
 
-def _sd(layout: ChainLayout, sd: Array, segment: int) -> float:
-    if segment in layout.row_of:
-        return float(sd[layout.row_of[segment]])
-    reach, variance, row = 0.0, 0.0, segment
+def _sd(layout: ChainLayout, sd: Array, segment: int, moves_with: int) -> float:
+    """Of the end of ``segment``, at a joint of the segment that the keypoint moves with."""
+    reach, row = 0.0, segment
+    knuckle = row == 0 and moves_with not in layout.row_of
+    variance = BASE_SD**2 if knuckle else 0.0
     while row not in layout.row_of:
+        variance += BASE_SD**2 if layout.hand.parent[row] == 0 else 0.0
         bone = layout.hand.segments[row]
         kind = bone.name if bone.name in INFERRED_DEG else bone.name.split("_")[1]
         reach += REACH * bone.length
@@ -162,15 +174,32 @@ def test_pixel_jacobians_are_the_projections_own() -> None:
             assert np.allclose(A[c, :, :, i], (ahead - behind) / (2 * step), atol=1e-3)
 
 
-def test_sd_of_the_tips_is_the_trace(hand: HandModel, glove: GloveModel) -> None:
+def test_sd_of_the_ends_is_the_trace(hand: HandModel, glove: GloveModel) -> None:
+    """Of the estimated segments by their Jacobians; of those that follow a joint by the Jacobians
+    that guided poses are learned with, what is not known of the bend counting `ONE_WAY` times."""
     layout, rng = ChainLayout(hand, glove), np.random.default_rng(12)
-    state = initial_state(layout)
-    root = rng.normal(size=state.P.shape)
-    state.P = root @ root.T
+    distal = DistalSegments(layout, SynergyParams())
+    state, sure = initial_state(layout), EndsSureness(layout, distal)
+    state.R_GB = rotate_all(state.R_GB, rng.normal(0, 0.3, (len(layout.active), 3)))
+    root, root_own = rng.normal(size=state.P.shape), rng.normal(size=2 * (3 * len(distal.digits),))
+    state.P, prior = root @ root.T, distal.prior()
+    own = Synergies(prior.value + rng.normal(0, 0.1, prior.value.shape), root_own @ root_own.T)
+    sure.trust(own)
+    sd = sure(state)
     none = np.full(len(layout.active), -1, np.int64)
     H = jacobians(layout.skeleton, layout.blocks, state.body, layout.tips, none)
     plain = [np.sqrt(np.trace(h @ state.P @ h.T) / 3) for h in H]
-    assert np.allclose(tip_sd(state, layout), plain)
+    assert np.allclose(sd[: len(H)], plain)
+    assert [distal.digits[k].segment for k in range(3)] == list(sure.driven)
+    for k, digit in enumerate(distal.digits):
+        end = np.array([hand.segments[digit.segment].length, 0, 0])
+        row = distal.point(state, own, digit.name, end)
+        bend = row.H_own[:, 3 * k + OFFSET]
+        posture = np.outer(bend, bend) * distal.posture_sd[k] ** 2
+        known = np.trace(row.H @ state.P @ row.H.T)
+        unknown = np.trace(row.H_own @ own.P @ row.H_own.T + posture)
+        # The Jacobian of the bend is made of differences: 1e-5 rad apart, to some 1e-7.
+        assert sd[len(H) + k] == pytest.approx(np.sqrt((known + ONE_WAY * unknown) / 3), rel=1e-5)
 
 
 def test_joined_measurements_stand_side_by_side() -> None:

@@ -13,8 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve
 
+from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.layout import ChainLayout, P, V
-from tracker.fusion.chain.params import ChainParams, NoiseParams
+from tracker.fusion.chain.params import ChainParams, NoiseParams, SynergyParams
 from tracker.fusion.chain.propagate import transition
 from tracker.fusion.chain.shown import ShownHand
 from tracker.fusion.chain.state import ChainState, inject
@@ -112,7 +113,7 @@ class ChainTape:
 
     def __init__(self, layout: ChainLayout) -> None:
         self._layout = layout
-        self._shown_hand = ShownHand(layout, NoiseParams())
+        self._shown_hand = ShownHand(layout, NoiseParams(), DistalSegments(layout, SynergyParams()))
         self._rows = shown_rows(layout)
         self._entries: list[Step | Update | Forgotten | _Shown] = []
         self.recording = False

@@ -56,11 +56,6 @@ def marker_jacobians(state: ChainState, layout: ChainLayout, rows: IntArray) -> 
     )
 
 
-def tip_sd(state: ChainState, layout: ChainLayout) -> Array:
-    """(A,) m: root of the mean variance of each active segment's end."""
-    return sd_of_ends(layout.skeleton, layout.blocks, state.body, layout.tips, state.P)
-
-
 @kernel
 def rotated(R: Stack, segment: IntVector, v: Matrix) -> Matrix:
     """(n, 3) v in G, of v (n, 3) given in the B of ``segment`` (n,), with R_GB (A, 3, 3)."""
@@ -218,20 +213,3 @@ def jacobians(
             for i in range(n):
                 H[k, r, own_column[i]] = own[r, i]
     return H
-
-
-@kernel
-def sd_of_ends(skeleton: ChainSkeleton, at: Blocks, body: Body, ends: Points, P: Matrix) -> Vector:
-    """(A,) m: root of a third of the trace of H P H^T of the ``ends`` of all segments (eq. 55)."""
-    used, column, value = origin_jacobians(skeleton, at, body)
-    out = np.empty(len(used))
-    for a in range(len(used)):
-        k, h, own = used[a], value[a], column[a]
-        k += put_own(h[:, k:], own[k:], skeleton, at, body, ends, a, -1)
-        total = 0.0
-        for i in range(k):
-            for j in range(i + 1):
-                product = h[0, i] * h[0, j] + h[1, i] * h[1, j] + h[2, i] * h[2, j]
-                total += (1.0 if i == j else 2.0) * product * P[own[i], own[j]]
-        out[a] = np.sqrt(max(total / 3.0, 0.0))
-    return out

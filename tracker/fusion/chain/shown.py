@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker import GRAVITY
-from tracker.fusion.chain.kinematics import marker_positions, segment_positions, tip_sd
+from tracker.fusion.chain.distal import DistalSegments, Synergies
+from tracker.fusion.chain.driven_ends import EndsSureness
+from tracker.fusion.chain.kinematics import marker_positions, segment_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_unsure_distance
@@ -39,7 +41,7 @@ class ShownKept:
 
     seen: Array  # (M,) s when each marker was seen last
     felt: Array  # (n,) s when each IMU answered last
-    tip_sd: Array  # (A,) m of each active segment's end
+    tip_sd: Array  # (A + d,) m of each active segment's end, then of each that these drive
     one_camera: bool = False  # started with one camera, and no marker was seen by both since
     doubted: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, bool))
     """(A,) markers do not speak for where each segment is; none in what older versions kept"""
@@ -50,20 +52,32 @@ class ShownKept:
 class ShownHand:
     """Makes estimates for one hand with one glove."""
 
-    def __init__(self, layout: ChainLayout, noise: NoiseParams) -> None:
+    def __init__(self, layout: ChainLayout, noise: NoiseParams, distal: DistalSegments) -> None:
         self._layout, self._noise = layout, noise
-        self._output = HandOutput(layout)
+        self._ends = EndsSureness(layout, distal)
+        self._output = HandOutput(layout, self._ends.driven)
         self._digit = digit_of(layout)
         markers, imus = len(layout.glove.markers), len(layout.glove.imus)
         self.kept = ShownKept(
             seen=np.full(markers, -np.inf),
             felt=np.full(imus, -np.inf),
-            tip_sd=np.zeros(len(layout.active)),
+            tip_sd=np.zeros(len(layout.active) + len(self._ends.driven)),
         )
 
     def wear(self, gains: Array, aside: Array) -> None:
         """From now on with a wearer's own synergies, as `Completion.wear`."""
         self._output.complete.wear(gains, aside)
+
+    def trust(self, own: Synergies) -> None:
+        """From now on as sure of end joints as of these synergies."""
+        self._ends.trust(own)
+
+    def restore(self, kept: ShownKept, state: ChainState) -> None:
+        """Go on from what was kept of ``state``, which is taken over; older versions kept less."""
+        short = len(kept.tip_sd) < len(self.kept.tip_sd)
+        self.kept = kept
+        if short:
+            self.kept.tip_sd = self._ends(state)
 
     # ---- what was sensed
 
@@ -126,7 +140,7 @@ class ShownHand:
 
     def unsure(self, state: ChainState, pose: CameraPose, size_is_known: bool) -> None:
         """Take how sure each segment's end is; one camera alone does not know the distance."""
-        self.kept.tip_sd = tip_sd(state, self._layout)
+        self.kept.tip_sd = self._ends(state)
         if self.kept.one_camera:
             size_sd = KNOWN_SIZE_SD if size_is_known else SIZE_SD
             self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
@@ -134,7 +148,7 @@ class ShownHand:
     def aged(self, state: ChainState) -> None:
         """The filter has moved on without an image: take how sure it is now."""
         if not self.kept.one_camera:
-            self.kept.tip_sd = tip_sd(state, self._layout)
+            self.kept.tip_sd = self._ends(state)
 
     # ---- messages
 

@@ -64,11 +64,11 @@ class ChainTracker:
         self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
         self.filter = ChainFilter(layout, params, buffer, tape)
         self.wearer = WearerCalibration(layout, rig, params)
-        self.shown = ShownHand(layout, params.noise)
         self._judge = TrackingJudge(params.match)
         self._recognition = Recognition(layout, rig, params)
         self._starter = Starter(layout, rig, params)
         self._distal = DistalSegments(layout, params.synergy)
+        self.shown = ShownHand(layout, params.noise, self._distal)
         self.holds: list[Hold] = []
         self._guided = GuidedLearning(layout, self._distal, params.guided, self.holds)
         self._second = SecondLook(
@@ -171,6 +171,7 @@ class ChainTracker:
     def _wear(self) -> None:
         """Show the hand with the wearer's own synergies."""
         self.shown.wear(*self.synergies)
+        self.shown.trust(self._guided.synergies)
         self._recognition.wear(*self.synergies)
 
     @property
@@ -294,5 +295,6 @@ class ChainTracker:
         """Go on from what was `kept`, which is taken over."""
         self.filter.kept, self._judge.kept = kept.filter, kept.tracking
         self._recognition.kept, self.wearer.kept = kept.recognition, kept.wearer
-        self.shown.kept, self._guided.kept = kept.shown, kept.guided
+        self._guided.kept = kept.guided
         self._wear()
+        self.shown.restore(kept.shown, self.state)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -17,21 +18,22 @@ from tracker.messages import Array, Estimate, IntArray, Tracking, Validity
 INFERRED_DEG = {
     "thumb_metacarpal": 20.0,
     "thumb_distal": 24.0,
-    "proximal": 17.0,
-    "intermediate": 20.0,
-    "distal": 28.0,
+    "proximal": 20.0,
+    "intermediate": 22.0,
+    "distal": 22.0,
 }
 """Standard deviation of a joint that nothing senses about what its synergy says, flexion and
 abduction together: of a segment, else of a finger's segments of that kind."""
+BASE_SD = 0.0022  # m an axis, of a knuckle that nothing senses
 REACH = 0.85  # of a bent finger, as a share of its bones'
 LOST, INFERRED, MEASURED = int(Validity.LOST), int(Validity.INFERRED), int(Validity.MEASURED)
 
 
 class Keypoints(NamedTuple):
     """K keypoints of a hand with S segments: segment (K,) the row each moves with, offset (K, 3) m
-    in its nominal B, end_of (K,) the segment that it is the far end of, -1 for none. Per segment
-    (S,): the active row of itself or of its nearest active ancestor, and the variance (m², an axis)
-    that the far end has beyond that one's."""
+    in its nominal B, end_of (K,) the segment that it is the far end of, -1 for none; ancestor (K,)
+    the row of the nearest segment whose end's standard deviation is given, beyond (K,) the variance
+    (m², an axis) that the keypoint has beyond that one's."""
 
     segment: IntVector
     offset: Matrix
@@ -59,18 +61,19 @@ class Sensed:
 class HandOutput:
     """Builds estimates for one hand with one glove."""
 
-    def __init__(self, segments: EstimatedSegments) -> None:
+    def __init__(self, segments: EstimatedSegments, driven: Sequence[int] = ()) -> None:
+        """``driven`` are segments of the hand that are not estimated, but whose ends' standard
+        deviations are known too."""
         self._segments = segments
+        rows = {s: len(segments.active) + k for k, s in enumerate(driven)}
+        self._sd_row = segments.row_of | rows
         hand = segments.hand
         self.complete = Completion(segments)
         self._keypoint_count = len(segments.glove.keypoint_names(hand))
+        moves_with, end_of = segments.glove.keypoint_segments(hand), self._far_ends()
+        offset = [hand.keypoint_offset, *(k.position[None] for k in segments.glove.keypoints)]
         self._keypoints = Keypoints(
-            segments.glove.keypoint_segments(hand),
-            np.concatenate(
-                [hand.keypoint_offset, *(k.position[None] for k in segments.glove.keypoints)]
-            ),
-            self._far_ends(),
-            *self._ancestors(),
+            moves_with, np.concatenate(offset), end_of, *self._ancestors(moves_with, end_of)
         )
         columns, parent = np.array(hand.axis_columns), np.array(hand.parent, np.int64)
         child, axis = np.nonzero(columns >= 0)
@@ -82,7 +85,8 @@ class HandOutput:
     ) -> Estimate:
         """The whole hand from active segments R_GB (A, 3, 3), p_GB (A, 3), scale3 (A, 3).
 
-        active_sd (A,) m is the standard deviation of each active segment's tip.
+        active_sd (A + d,) m is the standard deviation of each active segment's end, then of each
+        driven one's.
         """
         if sensed.tracking == Tracking.SEARCHING:
             return self._nothing(t)
@@ -103,18 +107,21 @@ class HandOutput:
                 out[k] = hand.parent[s]
         return out
 
-    def _ancestors(self) -> tuple[IntArray, Array]:
-        """Per segment: active row of itself or its nearest active ancestor, and the variance of
-        its far end beyond that one's end (m², eq. 55)."""
-        hand, row_of = self._segments.hand, self._segments.row_of
-        row, beyond = np.zeros(len(hand.segments), np.int64), np.zeros(len(hand.segments))
-        for i in range(len(row)):
-            reach, a = 0.0, i
+    def _ancestors(self, moves_with: IntArray, end_of: IntArray) -> tuple[IntArray, Array]:
+        """Per keypoint: row in ``active_sd`` of the nearest segment there, and the variance beyond
+        that one's end (m², eq. 55)."""
+        hand, row_of = self._segments.hand, self._sd_row
+        row, beyond = np.zeros(len(end_of), np.int64), np.zeros(len(end_of))
+        for k, s in enumerate(moves_with):
+            reach, a = 0.0, int(end_of[k] if end_of[k] >= 0 else s)
+            if a == 0 and s not in row_of:
+                beyond[k] = BASE_SD**2
             while a not in row_of:
+                beyond[k] += BASE_SD**2 if hand.parent[a] == 0 else 0.0
                 reach += REACH * hand.segments[a].length
-                beyond[i] += (reach * np.deg2rad(_inferred_deg(hand.segments[a].name))) ** 2 / 3
+                beyond[k] += (reach * np.deg2rad(_inferred_deg(hand.segments[a].name))) ** 2 / 3
                 a = hand.parent[a]
-            row[i] = row_of[a]
+            row[k] = row_of[a]
         return row, beyond
 
     def _nothing(self, t: float) -> Estimate:
@@ -152,8 +159,8 @@ def whole_hand(
 ) -> tuple[Matrix, Matrix, IntVector, Vector, Vector, IntVector, Stack, Matrix]:
     """The fields of an `Estimate` but for its time and tracking, in their order.
 
-    sensed (A,) as in `sensed_lately`, active_sd (A,) m. While the hand is ``lost`` no keypoint has
-    a position.
+    sensed (A,) as in `sensed_lately`, active_sd (A + d,) m. While the hand is ``lost``
+    no keypoint has a position.
     """
     R, p, scale, angles, known = complete(hand, active)
     points, q = keypoint_positions(keypoints, R, p, scale)
@@ -246,11 +253,10 @@ def keypoint_states(segment_state: IntVector, keypoints: Keypoints, coasting: bo
 
 @kernel
 def keypoint_sds(keypoints: Keypoints, active_sd: Vector) -> Vector:
-    """(K,) m: by the sd (A,) of the nearest estimated ancestor, and by what lies beyond it
-    (docs/chain.md, eq. 55). The base of a segment is the end of the one before."""
-    segment, ancestor, beyond = keypoints.segment, keypoints.ancestor, keypoints.beyond
-    out = np.empty(len(segment))
-    for k in range(len(segment)):
-        s = keypoints.end_of[k] if keypoints.end_of[k] >= 0 else segment[k]
-        out[k] = np.sqrt(active_sd[ancestor[s]] ** 2 + beyond[s])
+    """(K,) m: by the sd (A + d,) of the nearest ancestor that has one, and by what lies beyond it
+    (docs/chain.md, eq. 55)."""
+    ancestor, beyond = keypoints.ancestor, keypoints.beyond
+    out = np.empty(len(ancestor))
+    for k in range(len(ancestor)):
+        out[k] = np.sqrt(active_sd[ancestor[k]] ** 2 + beyond[k])
     return out

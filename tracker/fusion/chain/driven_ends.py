@@ -1,0 +1,229 @@
+"""How sure the far ends are of segments that nothing senses (docs/chain.md, eq. 55)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.fusion.chain.distal import ASIDE, OFFSET, OWN, RATIO, DistalSegments, Synergies
+from tracker.fusion.chain.kinematics import (
+    MOST_COLUMNS,
+    OriginJacobians,
+    origin_jacobians,
+    put_own,
+)
+from tracker.fusion.chain.layout import Blocks, ChainLayout, ChainSkeleton, Points
+from tracker.fusion.chain.state import Body, ChainState
+from tracker.geometry import so3
+from tracker.geometry.kernels import joint_angles3, mul3, rotate, rotate_all, tmul3
+from tracker.kernels import kernel
+from tracker.kernels.arrays import BoolMatrix, IntVector, Matrix, Stack, Vector, Written
+from tracker.messages import Array
+
+ONE_WAY = 2.2
+"""A joint that nothing senses moves its tip along one line, not three: three standard deviations
+of a third of its variance hold 92 % of such errors, of this many times that 99 %."""
+
+STEP = 1e-5  # rad, of central differences
+BEYOND = MOST_COLUMNS + 6  # columns that an end adds to its segment's origin
+
+
+class DrivenEnds(NamedTuple):
+    """d distal segments that an estimated joint bends (`Digit`).
+
+    parent (d,) active segment that it hangs on; source (d,) active segment whose joint drives it,
+    free (d, 2) whether that joint abducts and twists; origin (d, 3) m and before (d, 3, 3) where it
+    stands in its parent's B, aside included; length (d,) m.
+    """
+
+    parent: IntVector
+    source: IntVector
+    free: BoolMatrix
+    origin: Matrix
+    before: Stack
+    length: Vector
+
+
+class OwnBends(NamedTuple):
+    """What is known of how they bend: value (d, 3) and covariance P (3 d, 3 d) of `Synergies`,
+    posture (d,) rad of what each does by itself from posture to posture."""
+
+    value: Matrix
+    P: Matrix
+    posture: Vector
+
+
+def driven_ends(layout: ChainLayout, distal: DistalSegments, own: Synergies) -> DrivenEnds:
+    """The tables of a hand with a wearer's synergies."""
+    digits, hand = distal.digits, layout.hand
+    columns = hand.axis_columns
+    free = [[columns[layout.active[d.source]][k] >= 0 for k in (0, 2)] for d in digits]
+    aside = distal.aside(own)
+    before = [hand.segments[d.segment].R_rest @ so3.rz(aside[d.segment]) for d in digits]
+    return DrivenEnds(
+        np.array([d.parent for d in digits], np.int64),
+        np.array([d.source for d in digits], np.int64),
+        np.array(free, bool).reshape(-1, 2),
+        np.array([hand.segments[d.segment].origin for d in digits]).reshape(-1, 3),
+        np.array(before).reshape(-1, 3, 3),
+        np.array([hand.segments[d.segment].length for d in digits], float),
+    )
+
+
+class EndsSureness:
+    """Standard deviations of the ends of all estimated segments, and of those that they drive."""
+
+    def __init__(self, layout: ChainLayout, distal: DistalSegments) -> None:
+        self._layout, self._distal = layout, distal
+        self.trust(distal.prior())
+
+    @property
+    def driven(self) -> tuple[int, ...]:
+        """Rows of the hand's segments that follow the estimated ones."""
+        return tuple(d.segment for d in self._distal.digits)
+
+    def trust(self, own: Synergies) -> None:
+        """From now on with what is known of a wearer's synergies."""
+        self._ends = driven_ends(self._layout, self._distal, own)
+        self._own = OwnBends(np.array(own.value), np.array(own.P), self._distal.posture_sd)
+
+    def __call__(self, state: ChainState) -> Array:
+        """(A + d,) m: root of the mean variance over three axes."""
+        lay = self._layout
+        return sd_of_ends(
+            lay.skeleton, lay.R_rest, lay.blocks, state.body, lay.tips, self._ends, self._own,
+            state.P,
+        )  # fmt: skip
+
+
+@kernel
+def sd_of_ends(
+    skeleton: ChainSkeleton,
+    R_rest: Stack,
+    at: Blocks,
+    body: Body,
+    ends: Points,
+    driven: DrivenEnds,
+    own: OwnBends,
+    P: Matrix,
+) -> Vector:
+    """(A + d,) m of the ``ends`` of all A segments and of the d ``driven`` ones (eq. 55)."""
+    known = origin_jacobians(skeleton, at, body)
+    n, d, room = len(known.used), len(driven.parent), known.value.shape[2] + BEYOND
+    out = np.empty(n + d)
+    h, column = np.empty((3, room)), np.empty(room, np.int64)
+    for a in range(n):
+        k = _point_row(h, column, known, skeleton, at, body, ends, a)
+        out[a] = np.sqrt(max(_trace(h, column, k, P) / 3.0, 0.0))
+    for i in range(d):
+        bend, gradient = _bend(skeleton, R_rest, body, driven, own, i)
+        turned = _turned(skeleton, body, driven, bend, i)
+        x = rotate(driven.before[i], turned)
+        at_parent = driven.parent[i : i + 1], driven.origin[i : i + 1], x.reshape(1, 3)
+        k = _point_row(h, column, known, skeleton, at, body, Points(*at_parent), 0)
+        R = mul3(body.R_GB[driven.parent[i]], driven.before[i])
+        across = rotate(R, np.array([turned[2], 0.0, -turned[0]]))  # by flexion, about y
+        c = driven.source[i]
+        for r in range(3):
+            for j in range(3):
+                h[r, k + j] = across[r] * gradient[0, j]
+                h[r, k + 3 + j] = across[r] * gradient[1, j]
+        for j in range(3):
+            column[k + j] = at.theta + 3 * c + j
+            column[k + 3 + j] = at.theta + 3 * skeleton.parent[c] + j
+        total = _trace(h, column, k + 6, P) + ONE_WAY * _own_trace(own, i, bend, turned)
+        out[n + i] = np.sqrt(max(total / 3.0, 0.0))
+    return out
+
+
+@kernel
+def _point_row(
+    h: Written[Matrix],
+    column: Written[IntVector],
+    known: OriginJacobians,
+    skeleton: ChainSkeleton,
+    at: Blocks,
+    body: Body,
+    points: Points,
+    k: int,
+) -> int:
+    """Jacobian h (3, n) of the point ``k`` and which error states its columns are; returns n."""
+    a = points.segment[k]
+    n = known.used[a]
+    h[:, :n], column[:n] = known.value[a, :, :n], known.column[a, :n]
+    return n + put_own(h[:, n:], column[n:], skeleton, at, body, points, k, -1)
+
+
+@kernel
+def _trace(h: Matrix, column: IntVector, n: int, P: Matrix) -> float:
+    """Of h P h^T, h (3, n) by the error states ``column``, in which one may come twice."""
+    total = 0.0
+    for i in range(n):
+        for j in range(i + 1):
+            product = h[0, i] * h[0, j] + h[1, i] * h[1, j] + h[2, i] * h[2, j]
+            total += (1.0 if i == j else 2.0) * product * P[column[i], column[j]]
+    return total
+
+
+@kernel
+def _bend(
+    skeleton: ChainSkeleton,
+    R_rest: Stack,
+    body: Body,
+    driven: DrivenEnds,
+    own: OwnBends,
+    i: int,
+) -> tuple[Vector, Matrix]:
+    """(2,) rad: flexion of the digit's driving and of its driven joint (eq. 49); gradient (2, 3) of
+    the latter by the errors of the driving joint's child and parent."""
+    c = driven.source[i]
+    R_rel = tmul3(R_rest[c], tmul3(body.R_GB[skeleton.parent[c]], body.R_GB[c]))
+    by_child, e = np.empty(3), np.zeros((1, 3))
+    for k in range(3):
+        e[0, k] = STEP
+        ahead = _flexion(rotate_all(R_rel.reshape(1, 3, 3), e)[0], driven, i)
+        e[0, k] = -STEP
+        by_child[k] = (ahead - _flexion(rotate_all(R_rel.reshape(1, 3, 3), e)[0], driven, i)) / (
+            2 * STEP
+        )
+        e[0, k] = 0.0
+    ratio, q = own.value[i, RATIO], _flexion(R_rel, driven, i)
+    gradient = np.empty((2, 3))
+    gradient[0] = ratio * by_child
+    gradient[1] = -ratio * rotate(mul3(R_rest[c], R_rel), by_child)
+    return np.array([q, ratio * q + own.value[i, OFFSET]]), gradient
+
+
+@kernel
+def _flexion(R_rel: Matrix, driven: DrivenEnds, i: int) -> float:
+    return joint_angles3(R_rel, driven.free[i, 0], driven.free[i, 1])[1]
+
+
+@kernel
+def _turned(
+    skeleton: ChainSkeleton, body: Body, driven: DrivenEnds, bend: Vector, i: int
+) -> Vector:
+    """(3,) m from the joint to the end of the driven segment, before it stands in its parent."""
+    length, many, a = 0.0, 0, driven.parent[i]
+    while a > 0:
+        length += body.scale[a, 0]
+        many += 1
+        a = skeleton.parent[a]
+    length *= driven.length[i] / max(many, 1)
+    return np.array([length * np.cos(bend[1]), 0.0, -length * np.sin(bend[1])])
+
+
+@kernel
+def _own_trace(own: OwnBends, i: int, bend: Vector, turned: Vector) -> float:
+    """m² of the end, all axes, by what is not known of the digit's own bend (eq. 51).
+
+    Along the flexion ratio, offset and posture add up; aside turns about z.
+    """
+    first = OWN * i
+    P = own.P[first : first + OWN, first : first + OWN]
+    q = bend[0]
+    flexion = q * q * P[RATIO, RATIO] + 2 * q * P[RATIO, OFFSET] + P[OFFSET, OFFSET]
+    flexion += own.posture[i] ** 2
+    reach2 = turned[0] ** 2 + turned[2] ** 2
+    return reach2 * flexion + turned[0] ** 2 * P[ASIDE, ASIDE]
