@@ -7,6 +7,8 @@ serve.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from tracker.calibration.colours_fit import FoundHue, Image
@@ -46,7 +48,7 @@ def learn_image(
     hue = tuple(names[k] for k in best.hue[crowd])
     known = KnownMarkers(best.uv[crowd], best.size[crowd], hue, best.uv[crowd])
     samples = samples_of(image, known, names)
-    fitted = learn(profile, samples)
+    fitted = replace(learn(profile, samples), shape=profile.shape)  # too few pixels to ask for less
     _refuse_worse(image, (profile, fitted), (marker_size, fx), best.uv[crowd])
     found = [
         FoundHue(h, samples.patches[h.name], len(samples.pixels(h.name)))

@@ -38,7 +38,8 @@ WIDE_HUE, WIDE_SATURATION, WIDE_VALUE = 4, 60, 35  # a hue's margin and floors o
 LIGHTS = ((1.0, 1.0), (0.75, 1.2), (0.55, 1.4), (1.25, 0.85), (1.5, 0.7))  # of blue and red
 TYPICAL = (200.0, 170.0)  # saturation and value of a marker
 TAUGHT = 1  # cells of learned colours to each side of one that was picked
-CLOTH_SHARE = 0.15  # of what is around a marker; at a finger's edge it is half, between two less
+CLOTH_SHARE = 0.05  # of what is around a marker; at a finger's edge it is half, between two less
+CONTRAST = 0.15  # to be asked where the room's own colours are known: shade and noise take much
 
 
 @dataclass
@@ -84,7 +85,8 @@ def learn(profile: ColourProfile, samples: ColourSamples, cloth: bool = True) ->
         hues.append(fit_samples(old.name, hsv))
     classes = _classes(profile, samples, enough)
     learned = LearnedColours.of(classes, CLOTH_SHARE if cloth else 0.0)
-    return replace(profile, hues=parted(tuple(hues)), learned=learned)
+    shape = replace(profile.shape, contrast=min(profile.shape.contrast, CONTRAST))
+    return replace(profile, hues=parted(tuple(hues)), shape=shape, learned=learned)
 
 
 def _classes(

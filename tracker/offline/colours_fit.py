@@ -66,6 +66,7 @@ class ColourCheck:
     images: int
     tracked: int
     hues: tuple[HueCheck, ...]
+    sure: float  # markers found by each camera, per image, with a hand or without
 
     @property
     def found(self) -> float:
@@ -139,13 +140,22 @@ def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile)
         fitted, patches = learn(fitted, samples), samples.patches
         best = look(messages, worn, fitted)
     old, new = checked(before, worn, profile), checked(best, worn, fitted)
-    fewer, same = new.found < old.found - 0.25, new.found < old.found + 0.5
-    if fewer or (same and new.clashing > old.clashing + 1):
+    if _is_worse(new, old):
         raise GlovetrackError(
-            f"The colours stay as they are: fitted ones find {new.found:.1f} markers in an image "
-            f"and {new.clashing:.1f} other things, these {old.found:.1f} and {old.clashing:.1f}."
+            f"The colours stay as they are: fitted ones find {new.sure:.1f} markers in an image "
+            f"and {new.clashing:.1f} other things, these {old.sure:.1f} and {old.clashing:.1f}."
         )
     return SessionFit(fitted, old, new, patches)
+
+
+def _is_worse(new: ColourCheck, old: ColourCheck) -> bool:
+    """Whether colours explain fewer markers or more of the room than others of the same images.
+
+    Markers that one camera shows do not count: among many other things of their colour some are
+    found by chance, which would speak for the colours that find the most of everything.
+    """
+    fewer, same = new.sure < old.sure - 0.25, new.sure < old.sure + 0.5
+    return fewer or (same and new.clashing > old.clashing + 1)
 
 
 def check_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile) -> ColourCheck:
@@ -248,7 +258,16 @@ def checked(looked: Looked, worn: Worn, profile: ColourProfile) -> ColourCheck:
             HueCheck(name, expected[k] / n, found[k] / n, other[k] / n)
             for k, name in enumerate(names)
         ),
+        sum(_found_by_all(b, r) for b, r in zip(looked.blobs, looked.results, strict=True))
+        / max(looked.images, 1),
     )
+
+
+def _found_by_all(blobs: BlobFrame, result: FrameResult) -> int:
+    """Markers matched in each camera that gave an image."""
+    sides = ((blobs.left, result.match_left), (blobs.right, result.match_right))
+    matched = [match >= 0 for there, match in sides if there is not None]
+    return int(np.all(matched, axis=0).sum())
 
 
 def _unmatched(blobs: Blobs, match: IntArray, hues: int) -> IntArray:

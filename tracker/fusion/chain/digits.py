@@ -34,7 +34,7 @@ TILT_SD = 0.3  # rad: the grid's own coarseness, and motion in the accelerometer
 TILT_WEIGHT = 0.15  # markers that one sd² of tilt counts
 FACING_COS = 0.25
 ROTATION_SD = 0.25  # rad of a digit that was found so
-BETTER = 1.0  # markers by which another posture must be supported more
+BETTER = 0.3  # markers by which another posture must be supported more, to be tried
 MOST_TURN = 1.2  # rad by which a posture is turned to the tilt that is felt
 
 
@@ -57,6 +57,16 @@ class SeenPoints:
     hue: IntArray
     p_GC: Array
 
+    def within(self, p: Array, reach: float) -> SeenPoints:
+        """Those at most ``reach`` m from p (3,) m."""
+        near = np.linalg.norm(self.p_G - p, axis=1) <= reach
+        return SeenPoints(self.p_G[near], self.hue[near], self.p_GC)
+
+    def way(self, p: Array) -> Array:
+        """(3,) unit vector from p (3,) m to the camera."""
+        d = self.p_GC - p
+        return np.asarray(d / np.linalg.norm(d))
+
 
 class DigitSearch:
     """Postures of each digit of one hand, made when they are first needed."""
@@ -64,39 +74,43 @@ class DigitSearch:
     def __init__(self, layout: ChainLayout) -> None:
         self._layout = layout
         self._digit = digit_of(layout)
+        self.count = int(self._digit.max(initial=-1)) + 1
         self._postures: dict[int, DigitPostures] = {}
 
     def other(self, state: ChainState, digit: int, seen: SeenPoints) -> Array | None:
         """R_GB (A, 3, 3) with the digit in the posture that the points support best; None where
         that is the one it has."""
         grid = self._postures_of(digit)
-        if len(seen.p_G) == 0 or len(grid.markers) == 0:
-            return None
         root, base = state.R_GB[0], segment_positions(state, self._layout)[grid.segments[0]]
         length = float(state.scale[grid.segments, 0].mean())
+        reach = length * float(np.sqrt((grid.marker**2).sum(axis=2).max(initial=0.0))) + RADIUS
+        seen = seen.within(base, reach)
         hue = self._layout.glove.marker_hue[grid.markers]
-        way = seen.p_GC - base
-        way /= np.linalg.norm(way)
+        least = self.support(state, digit, seen) + BETTER
+        if _at_most(hue, seen.hue) <= least:
+            return None
         score = posture_scores(
-            grid.marker * length, grid.normal, root, base, way, hue, seen.p_G, seen.hue
+            grid.marker * length, grid.normal, root, base, seen.way(base), hue, seen.p_G, seen.hue
         )
         score -= TILT_WEIGHT * self._tilt_errors(state, grid, root)
         best = int(np.argmax(score))
-        if score[best] <= self._present(state, grid, way, hue, seen) + BETTER:
+        if score[best] <= least:
             return None
         R = state.R_GB.copy()
         for i, a in enumerate(grid.segments):
             R[a] = self._as_felt(root @ grid.R[best, i], state.R_GB[a], int(a))
         return R
 
-    def _present(
-        self, state: ChainState, grid: DigitPostures, way: Array, hue: IntArray, seen: SeenPoints
-    ) -> float:
-        """Score of the posture that the digit has."""
+    def support(self, state: ChainState, digit: int, seen: SeenPoints) -> float:
+        """Markers of the digit that the points support where ``state`` has it: each counts 1 at
+        its point and 0 from `RADIUS` on."""
+        grid = self._postures_of(digit)
+        base = segment_positions(state, self._layout)[grid.segments[0]]
         p_G = marker_positions(state, self._layout)[grid.markers][None]
         R = state.R_GB[self._layout.marker_segment[grid.markers]]
         normal = np.einsum("mij,mj->mi", R, self._layout.glove.marker_normal[grid.markers])[None]
-        origin = np.zeros(3)
+        hue, origin = self._layout.glove.marker_hue[grid.markers], np.zeros(3)
+        way = seen.way(base)
         return float(
             posture_scores(p_G, normal, np.eye(3), origin, way, hue, seen.p_G, seen.hue)[0]
         )
@@ -137,35 +151,61 @@ class DigitSearch:
         return self._postures[digit]
 
 
+def _at_most(markers: IntArray, points: IntArray) -> int:
+    """Markers of hues (m,) that points of hues (n,) can support, each by one of its own."""
+    hues = int(max(markers.max(initial=-1), points.max(initial=-1))) + 1
+    there = np.bincount(points, minlength=hues), np.bincount(markers, minlength=hues)
+    return int(np.minimum(*there).sum())
+
+
 def _made(layout: ChainLayout, segments: IntArray) -> DigitPostures:
-    """The grid over the joints of the active ``segments``, base first."""
+    """The grid over the joints of the active ``segments``, base first; other joints at 0 rad."""
     hand = layout.hand
-    columns, values = [], []
-    for a in segments:
-        joint = hand.joint_of[hand.segments[layout.active[a]].name]
-        spread = [np.ptp(joint.limits[x]) for x in joint.axes if x == "abduction"]
-        steps = MOST_STEPS if spread and spread[0] >= WIDE else STEPS
-        for axis in joint.axes:
-            column = hand.angle_index[f"{joint.name}_{axis}"]
-            low, high = hand.angle_limits[column]
-            middle = [min(max(0.0, low), high)]
-            grid = np.linspace(low, high, steps[axis] + 2)[1:-1] if steps[axis] > 1 else middle
-            columns.append(column)
-            values.append(np.unique(np.concatenate([grid, middle])))
+    rest_R, rest_p = hand.forward(np.zeros(len(hand.joint_names)), np.eye(3), np.zeros(3))
+    of = hand.parent[layout.active[segments[0]]]
+    R, p = [rest_R[of][None]], [np.zeros((1, 3))]
+    for i in layout.active[segments]:
+        parent = hand.parent[i]
+        to_parent = rest_R[of].T @ rest_R[parent] @ hand.segments[i].R_rest
+        joint = _joint_grid(layout, int(i))
+        turned = R[-1][:, None] @ (to_parent @ joint)[None]
+        origin = p[-1] + R[-1] @ (rest_R[of].T @ (rest_p[i] - rest_p[of]))
+        R = [np.repeat(x, len(joint), axis=0) for x in R] + [turned.reshape(-1, 3, 3)]
+        p = [np.repeat(x, len(joint), axis=0) for x in (*p, origin)]
+        of = i
+    rotation, place = np.stack(R[1:], axis=1), np.stack(p[1:], axis=1)
     markers = np.flatnonzero(np.isin(layout.marker_segment, segments))
-    shape = len(markers), 3
-    marker, normal, rotations = [], [], []
+    rows = np.searchsorted(segments, layout.marker_segment[markers])
+    glove = layout.glove
+    at = np.einsum("kmij,mj->kmi", rotation[:, rows], glove.marker_position[markers])
+    normal = np.einsum("kmij,mj->kmi", rotation[:, rows], glove.marker_normal[markers])
+    marker = place[:, rows] + at - place[:, :1]
+    return DigitPostures(marker, normal, rotation, markers, segments)
+
+
+def _joint_grid(layout: ChainLayout, segment: int) -> Array:
+    """(n, 3, 3) rotations of a segment's joint on the grid of its angles."""
+    hand = layout.hand
+    joint = hand.joint_of[hand.segments[segment].name]
+    wide = "abduction" in joint.axes and np.ptp(joint.limits["abduction"]) >= WIDE
+    steps = MOST_STEPS if wide else STEPS
+    columns = [hand.angle_index[f"{joint.name}_{axis}"] for axis in joint.axes]
+    values = [
+        _steps(*hand.angle_limits[c], steps[axis])
+        for c, axis in zip(columns, joint.axes, strict=True)
+    ]
+    out, angles = [], np.zeros(len(hand.joint_names))
     for combination in product(*values):
-        angles = np.zeros(len(hand.joint_names))
         angles[columns] = combination
-        R, p = hand.forward(angles, np.eye(3), np.zeros(3))
-        rows = layout.active[layout.marker_segment[markers]]
-        base = p[layout.active[segments[0]]]
-        at = np.einsum("mij,mj->mi", R[rows], layout.glove.marker_position[markers])
-        marker.append((p[rows] + at - base).reshape(shape))
-        normal.append(np.einsum("mij,mj->mi", R[rows], layout.glove.marker_normal[markers]))
-        rotations.append(R[layout.active[segments]])
-    return DigitPostures(np.array(marker), np.array(normal), np.array(rotations), markers, segments)
+        out.append(hand.joint_rotation(segment, angles))
+    return np.array(out)
+
+
+def _steps(low: float, high: float, steps: int) -> Array:
+    """Angles within the limits, and that nearest to 0 rad."""
+    middle = [min(max(0.0, low), high)]
+    inner = np.linspace(low, high, steps + 2)[1:-1] if steps > 1 else middle
+    return np.unique(np.concatenate([inner, middle]))
 
 
 @kernel

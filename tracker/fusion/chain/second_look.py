@@ -6,6 +6,8 @@ there, and believe it only if the image then supports it. Nothing moves before.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from tracker.fusion.chain.digits import DigitSearch
 from tracker.fusion.chain.filter import ChainFilter
 from tracker.fusion.chain.layout import ChainLayout
@@ -14,10 +16,22 @@ from tracker.fusion.chain.recognition import Recognised, Recognition, SeenImage
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence
-from tracker.messages import IntArray
 
 SHIFT_SD = 0.008  # m, of a shift that all markers have voted for
 FITTED = 2  # corrections of a copy before it is judged
+CLOSER = 0.8  # markers, of support by stereo points, for a posture that finds as many as before
+
+
+class Fit(NamedTuple):
+    """A state that an image has corrected, and what the image shows of it."""
+
+    state: ChainState
+    found: Recognised
+
+    @property
+    def matched(self) -> int:
+        """Markers."""
+        return self.found.tally.matched
 
 
 class SecondLook:
@@ -73,9 +87,13 @@ class SecondLook:
         still = there.tally.matched >= found.tally.matched - 1
         return still and self._recognition.misfit_px(image, there) <= self._params.misfit_px
 
-    def with_digits(self, image: SeenImage, found: Recognised, digits: IntArray) -> Recognised:
-        """Put digits (k,) whose markers are not where they should be where they are."""
-        for digit in digits.tolist():
+    def with_digits(self, image: SeenImage, found: Recognised) -> Recognised:
+        """Put digits whose markers are not where they should be where they are.
+
+        Each is asked: one that has taken its neighbour's markers for its own hides the rest from
+        itself, and lacks none.
+        """
+        for digit in range(self._digits.count):
             found = self._with_digit(image, found, digit)
         return found
 
@@ -89,17 +107,28 @@ class SecondLook:
         moved = state.copy()
         moved.R_GB = R
         self._digits.doubtful(moved.P, digit)
-        there, seen = self._fitted(image, moved)
-        if seen.matched <= found.tally.matched:
+        there, stays = self._fit(image, moved), self._fit(image, state)
+        most = max(stays.matched, found.tally.matched)
+        closer = self._support(image, there, digit) - self._support(image, stays, digit)
+        if there.matched < most or (there.matched == most and closer < CLOSER):
             return found
         self._filter.move(moved)
-        return Recognised(self._recognition.look(moved, image).prediction, there.match)
+        return Recognised(self._recognition.look(moved, image).prediction, there.found.match)
+
+    def _support(self, image: SeenImage, fit: Fit, digit: int) -> float:
+        """Markers of a digit that stereo points support."""
+        points = self._recognition.free_points(image, fit.found, digit)
+        return self._digits.support(fit.state, digit, points)
 
     def _fitted(self, image: SeenImage, state: ChainState) -> tuple[Recognised, Evidence]:
         """What the image shows of a state that it has corrected, and how far that speaks for it."""
+        there = self._fit(image, state).found
+        return there, self._recognition.evidence(image, there)
+
+    def _fit(self, image: SeenImage, state: ChainState) -> Fit:
+        """A copy of ``state`` that the image has corrected, and what it shows of it."""
         trial = state
         for _ in range(FITTED):
             there = self._recognition.look(trial, image)
             trial = self._filter.corrected(self._recognition.rows(trial, image, there), trial)
-        there = self._recognition.look(trial, image)
-        return there, self._recognition.evidence(image, there)
+        return Fit(trial, self._recognition.look(trial, image))

@@ -117,13 +117,6 @@ class ShownHand:
         else:
             now.doubted = np.full(len(self._layout.active), not sure)
 
-    def badly_seen(self, t: float, seen: Evidence) -> IntArray:
-        """(k,) digits that should be looked for elsewhere, as of an image at ``t``."""
-        poor = seen.poor
-        if not len(self.kept.poor_since):
-            return poor[:0]
-        return poor[self.kept.poor_since[poor] <= t - DOUBT_AFTER]
-
     # ---- what was sensed
 
     def sensed(self, t: float, tracking: Tracking) -> Sensed:

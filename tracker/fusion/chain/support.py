@@ -26,7 +26,6 @@ CROWDED = 2.0  # blobs in an image for each expected marker
 CROWDED_SHARE = 0.4  # of the expected markers, among many blobs
 START_SHARE, CROWDED_START_SHARE = 0.45, 0.62  # the same for a hand found from nothing
 DIGIT_SHARE = 0.34  # of a digit's expected markers
-POOR_SHARE = 0.6  # the same, below which it is looked for elsewhere
 LIKELY_SHARE = 0.25  # of the expected markers, for a hand that is called measured
 LEAST_DIGIT = 1.5  # expected markers of a digit, to judge it at all
 
@@ -72,12 +71,6 @@ class Evidence(NamedTuple):
     def is_likely(self) -> bool:
         """Whether a good part of the markers that should be seen are."""
         return self.share >= LIKELY_SHARE
-
-    @property
-    def poor(self) -> IntArray:
-        """Digits that should be seen and of which markers are missing."""
-        poor = self.digit_matched < POOR_SHARE * self.digit_expected
-        return np.flatnonzero(poor & (self.digit_expected >= LEAST_DIGIT))
 
     @property
     def unsupported(self) -> IntArray:

@@ -125,7 +125,7 @@ class ChainTracker:
         if not seen.is_credible or not self._is_back(image, found):
             found = found.nothing()
         elif not image.is_mono and self._judge.should_search_digits(frame.t):
-            found = self._second.with_digits(image, found, self.shown.badly_seen(frame.t, seen))
+            found = self._second.with_digits(image, found)
         # 3. What was seen corrects the state, together with anatomy.
         self._correct(image, found)
         self._learn_poses()
@@ -244,7 +244,7 @@ class ChainTracker:
         there = self._recognition.look(self.state, image)
         seen = self._recognition.evidence(image, there)
         if not image.is_mono:
-            self._second.with_digits(image, there, self.shown.badly_seen(frame.t, seen))
+            self._second.with_digits(image, there)
         self._judge.support(frame.t, seen.is_likely)
         self.shown.supported(frame.t, seen, sure=False)
         return self._finish(image, found)
