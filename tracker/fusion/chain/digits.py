@@ -191,7 +191,7 @@ def _joint_grid(layout: ChainLayout, segment: int) -> Array:
     steps = MOST_STEPS if wide else STEPS
     columns = [hand.angle_index[f"{joint.name}_{axis}"] for axis in joint.axes]
     values = [
-        _steps(*hand.angle_limits[c], steps[axis])
+        _steps(hand.angle_limits[c], steps[axis])
         for c, axis in zip(columns, joint.axes, strict=True)
     ]
     out, angles = [], np.zeros(len(hand.joint_names))
@@ -201,8 +201,9 @@ def _joint_grid(layout: ChainLayout, segment: int) -> Array:
     return np.array(out)
 
 
-def _steps(low: float, high: float, steps: int) -> Array:
-    """Angles within the limits, and that nearest to 0 rad."""
+def _steps(limits: Array, steps: int) -> Array:
+    """Angles within the limits (2,), and that nearest to 0 rad."""
+    low, high = limits.tolist()
     middle = [min(max(0.0, low), high)]
     inner = np.linspace(low, high, steps + 2)[1:-1] if steps > 1 else middle
     return np.unique(np.concatenate([inner, middle]))
