@@ -23,9 +23,9 @@ def report_job(sessions: Sequence[Path]) -> Job:
 
 
 def free_page(folder: Path) -> Path:
-    """Where neither a page nor its table is yet."""
+    """Where neither a page nor its table or figures are yet."""
     out, n = folder / "report.html", 1
-    while out.exists() or out.with_suffix(".csv").exists():
+    while any(folder.glob(f"{out.stem}.*")) or any(folder.glob(f"{out.stem}_ranges.*")):
         n += 1
-        out = folder / f"report_{n}.html"
+        out = folder / f"report-{n}.html"
     return out

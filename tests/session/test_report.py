@@ -6,7 +6,9 @@ import csv
 import html.parser
 from dataclasses import dataclass, replace
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
+import cv2
 import numpy as np
 import pytest
 
@@ -19,7 +21,7 @@ from tracker.offline.simulate import SimulateOptions, build, truth_message
 from tracker.offline.track import track
 from tracker.session.reader import SessionReader
 from tracker.session.report.angles import isb_angles
-from tracker.session.report.course import LEAST_RAD, arc_length, course, jerk, repetitions
+from tracker.session.report.course import LEAST_RAD, arc_length, course, jerk, repetitions, turns
 from tracker.session.report.measure import rows, tell
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.simulation.motion import Poses, pose_at
@@ -88,6 +90,38 @@ def test_a_simulated_take_is_told_as_it_was(sessions: tuple[Path, Path]) -> None
         fastest = np.abs(np.gradient(true, t)).max()
         assert np.rad2deg(row.course.fastest) == pytest.approx(fastest, rel=0.05), joint
         assert row.measure.measured > 0.95
+
+
+def test_the_range_of_one_repetition_holds_for_a_wearer_whose_cloth_slips(
+    tmp_path: Path,
+) -> None:
+    """Within 2° where the range of the whole take, which has the slip in it, is within 2 sd."""
+    first, info = build(SimulateOptions(seed=2, duration=2.0, images=False))
+    _, R_GB, p_GB = pose_at(first.motion, 0.0)
+    sim = Simulation(info.hand, info.glove, Fists(info.hand, R_GB, p_GB), 2, fps=30.0)
+    with SessionRecorder(tmp_path / "a.mcap", replace(info, rig=sim.rig)) as recorder:
+        for m in sim.messages(images=False):
+            recorder.write(m)
+    track(tmp_path / "a.mcap", tmp_path / "b.mcap", TrackOptions("chain", smooth=True))
+    told = tell(tmp_path / "b.mcap")
+    true = np.array([sim.truth(t).angles for t in np.arange(0.5, LEAD + FISTS * PERIOD, 0.05)])
+    for joint in ("index_mcp", "index_pip", "middle_mcp", "middle_pip", "thumb_mcp"):
+        row = told.row(f"{joint}_flexion")
+        span = np.ptp(true[:, info.hand.angle_index[f"{joint}_flexion"]])
+        assert row is not None and row.course.repetitions == FISTS
+        assert row.course.each == pytest.approx(span, abs=np.deg2rad(2.0)), joint
+        assert row.measure.range == pytest.approx(span, abs=2 * row.range_sd), joint
+
+
+def test_turns_are_from_one_end_to_the_other() -> None:
+    t = np.linspace(0, 3, 3001)
+    swing = np.cos(2 * np.pi * t) + 0.5 * t
+    found = turns(swing, swing.min(), swing.max())
+    assert len(found) == 5  # the first top is inside the band
+    # half a period of drift, 0.25, is added on the way up and taken off on the way down
+    assert found[::2] == pytest.approx(2.25, abs=0.02)
+    assert found[1::2] == pytest.approx(1.75, abs=0.02)
+    assert len(turns(np.zeros(5), -1, 1)) == 0
 
 
 def test_repetitions_are_crossings_of_the_middle_and_noise_is_none() -> None:
@@ -167,7 +201,7 @@ def test_the_page_is_whole_without_a_network_and_its_numbers_are_the_tables(
     assert main(["report", str(sessions[1]), str(sessions[1]), "-o", str(out)]) == 0
     page = Links()
     page.feed(out.read_text("utf-8"))
-    assert page.tags.count("svg") == 3 and "script" not in page.tags
+    assert page.tags.count("svg") == 5 and "script" not in page.tags
     assert all(v.startswith(("data:", "#")) for v in page.fetched)
     assert "Ann &amp; co" in out.read_text("utf-8")
     with (tmp_path / "r.csv").open() as file:
@@ -178,6 +212,12 @@ def test_the_page_is_whole_without_a_network_and_its_numbers_are_the_tables(
     assert float(row["range"]) == pytest.approx(np.rad2deg(told.measure.range), abs=1e-3)
     assert row["repetitions"] == str(FISTS) and row["unit"] == "deg"
     assert main(["report", str(sessions[1]), "-o", str(out)]) == 1, "nothing is written over"
+    kinds = [f"{n}_{what}" for n in (1, 2) for what in ("flexion", "aperture")]
+    for name in ("ranges", *kinds):
+        image = cv2.imread(str(tmp_path / f"r_{name}.png"))
+        assert image is not None and image.shape[1] > 1000 and image.min() < 100
+        root = ET.parse(tmp_path / f"r_{name}.svg").getroot()
+        assert root.tag == "{http://www.w3.org/2000/svg}svg" and len(list(root.iter())) > 50
 
 
 def test_an_anonymous_report_names_nobody(sessions: tuple[Path, Path], tmp_path: Path) -> None:

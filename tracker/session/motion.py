@@ -141,6 +141,12 @@ def pair_name(pair: Pair) -> str:
     return f"{pair[0]} - {pair[1]}"
 
 
+def pair_of(name: str) -> Pair:
+    """The inverse of `pair_name`."""
+    first, _, second = name.partition(" - ")
+    return first, second
+
+
 def _measure(
     name: str, is_angle: bool, t: Array, values: Array, state: IntArray, sd: Array
 ) -> Measure:

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.signal import butter, sosfiltfilt
 
-from tracker.messages import Array
+from tracker.messages import Array, IntArray
 from tracker.session.export.holes import runs
 
 CUTOFF = 6.0  # Hz, of a second-order Butterworth run both ways: hands do not move faster
@@ -22,13 +22,16 @@ LEAST_RAD, LEAST_M = np.deg2rad(10.0), 0.01  # a smaller range is no movement
 class Course(NamedTuple):
     """Of the longest stretch without a gap: ``arc`` spectral arc length, ``jerk`` logarithm of the
     dimensionless jerk (both negative, nearer to zero is smoother; NaN if it hardly moved);
-    ``repetitions`` over all of it; ``fastest`` change per s and ``at`` s when."""
+    ``repetitions`` over all of it, ``each`` the median range of one and ``each_sd`` how these
+    spread (NaN of fewer than two); ``fastest`` change per s and ``at`` s when."""
 
     arc: float
     jerk: float
     repetitions: int
     fastest: float
     at: float
+    each: float = float("nan")
+    each_sd: float = float("nan")
 
 
 def course(t: Array, values: Array, least: float) -> Course:
@@ -46,8 +49,17 @@ def course(t: Array, values: Array, least: float) -> Course:
         return Course(np.nan, np.nan, 0, float(abs(peak[k])), float(peak_at[k]))
     at, v = max(speeds, key=lambda s: len(s[0]))
     count = sum(repetitions(x, low, high) for _, x in smooth)
+    swings = np.concatenate([turns(x, low, high) for _, x in smooth])
     step = float(at[1] - at[0])
-    return Course(arc_length(v, step), jerk(v, step), count, float(abs(peak[k])), float(peak_at[k]))
+    return Course(
+        arc_length(v, step),
+        jerk(v, step),
+        count,
+        float(abs(peak[k])),
+        float(peak_at[k]),
+        float(np.median(swings)) if len(swings) else np.nan,
+        float(np.std(swings, ddof=1)) if len(swings) > 1 else np.nan,
+    )
 
 
 def even(t: Array, values: Array) -> tuple[Array, Array]:
@@ -102,8 +114,29 @@ def jerk(v: Array, step: float) -> float:
 def repetitions(values: Array, low: float, high: float) -> int:
     """How often values go from one side of the range to the other and the larger number of both
     ways; what does not cross a band about the middle is none."""
+    side, _ = _sides(values, low, high)
+    change = np.diff(side)
+    return int(max((change > 0).sum(), (change < 0).sum()))
+
+
+def turns(values: Array, low: float, high: float) -> Array:
+    """(n,) from each turning point to the next, where those are counted that `repetitions` counts.
+
+    One movement takes seconds, in which an estimate drifts little, where the range of a whole take
+    has the drift between its least and its greatest in it.
+    """
+    side, rows = _sides(values, low, high)
+    if len(side) == 0:
+        return np.zeros(0)
+    begins = np.r_[0, np.flatnonzero(np.diff(side)) + 1]
+    parts = np.split(values[rows], begins[1:])
+    ends = [p.max() if side[b] > 0 else p.min() for p, b in zip(parts, begins, strict=True)]
+    return np.abs(np.diff(ends))
+
+
+def _sides(values: Array, low: float, high: float) -> tuple[IntArray, IntArray]:
+    """On which side of the band about the middle values are, 1 or -1, and the rows of these."""
     middle, band = 0.5 * (low + high), BAND * (high - low)
     side = np.where(values > middle + band, 1, np.where(values < middle - band, -1, 0))
-    seen = side[side != 0]
-    change = np.diff(seen)
-    return int(max((change > 0).sum(), (change < 0).sum()))
+    rows = np.flatnonzero(side)
+    return side[rows], rows

@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 
+from tracker.hand.names import CHAINS
 from tracker.messages import Array, IntArray, Validity
-from tracker.session.motion import Take
+from tracker.session.motion import Take, distance, pair_of
 from tracker.session.report.measure import Told
 
 _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 _SHADES = {Validity.INFERRED: "#f4e3b2", Validity.LOST: "#e3c5c5"}
+DOTS = 150
+"""An inch, of a figure as PNG."""
 _MOST = 3000  # points of a curve; more are not to be seen
 
 
@@ -28,11 +32,38 @@ def svg(figure: Figure) -> str:
     return out.getvalue()[out.getvalue().index("<svg") :]
 
 
-def ranges(takes: Sequence[Told]) -> str:
+def png(figure: Figure) -> bytes:
+    """At 150 dots an inch; the same figure gives the same bytes."""
+    out = io.BytesIO()
+    FigureCanvasAgg(figure).print_png(out, metadata={"Software": None})
+    return out.getvalue()
+
+
+def flexion_names(told: Told) -> list[str]:
+    """Flexions of fingers and thumb."""
+    names = told.take.angle_names
+    return [n for n in names if n.endswith("_flexion") and n.split("_")[0] in CHAINS]
+
+
+def all_figures(takes: Sequence[Told]) -> Iterator[tuple[str, Figure]]:
+    """Each figure of a report with a name for its file."""
+    yield "ranges", ranges(takes)
+    for number, told in enumerate(takes, 1):
+        yield f"{number}_flexion", courses(told, flexion_names(told))
+        if aperture_names(told):
+            yield f"{number}_aperture", apertures(told)
+
+
+def aperture_names(told: Told) -> list[str]:
+    """Of the distances between the thumb's tip and the fingers'."""
+    return [r.measure.name for r in told.rows if not r.measure.is_angle]
+
+
+def ranges(takes: Sequence[Told]) -> Figure:
     """From least to greatest of every recorded angle, takes beside each other; twice the claimed
     standard deviation at both ends."""
     names = [r.measure.name for r in takes[0].rows if r.measure.is_angle and not r.isb]
-    figure = Figure(figsize=(9, 0.8 + 0.26 * len(names) * max(1, 0.6 * len(takes))))
+    figure = Figure(dpi=DOTS, figsize=(9, 0.8 + 0.26 * len(names) * max(1, 0.6 * len(takes))))
     axes = figure.add_subplot()
     for k, told in enumerate(takes):
         for i, name in enumerate(names):
@@ -53,13 +84,13 @@ def ranges(takes: Sequence[Told]) -> str:
     axes.set_xlabel("deg, flexion positive")
     axes.grid(axis="x", alpha=0.3)
     figure.tight_layout()
-    return svg(figure)
+    return figure
 
 
-def courses(told: Told, names: Sequence[str]) -> str:
+def courses(told: Told, names: Sequence[str]) -> Figure:
     """Angles (deg) over time, each in a row of its own, over what was inferred and lost."""
     take = told.take
-    figure = Figure(figsize=(9, 0.6 + 1.05 * len(names)))
+    figure = Figure(dpi=DOTS, figsize=(9, 0.6 + 1.05 * len(names)))
     for k, name in enumerate(names):
         axes = figure.add_subplot(len(names), 1, k + 1)
         j = take.angle_names.index(name)
@@ -72,12 +103,33 @@ def courses(told: Told, names: Sequence[str]) -> str:
             axes.set_xticklabels([])
     axes.set_xlabel("s")
     figure.tight_layout()
-    return svg(figure)
+    return figure
 
 
-def _curve(axes: Axes, t: Array, values: Array, colour: str) -> None:
+def apertures(told: Told) -> Figure:
+    """Distances (mm) between the thumb's tip and the fingers' over time, their greatest marked."""
+    figure = Figure(figsize=(9, 2.6), dpi=DOTS)
+    axes = figure.add_subplot()
+    for k, name in enumerate(aperture_names(told)):
+        away, _, state = distance(told.take, pair_of(name))
+        kept = 1e3 * np.where(state == Validity.LOST, np.nan, away)
+        colour = _COLOURS[k % len(_COLOURS)]
+        _curve(axes, told.take.t, kept, colour, name.split(" - ")[1].removesuffix("_tip"))
+        if np.isfinite(kept).any():
+            top = int(np.nanargmax(kept))
+            axes.plot(told.take.t[top], kept[top], "v", color=colour, ms=5)
+    axes.set_xlim(told.take.t[0], told.take.t[-1])
+    axes.set_xlabel("s")
+    axes.set_ylabel("mm")
+    axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
+    axes.grid(alpha=0.3)
+    figure.tight_layout()
+    return figure
+
+
+def _curve(axes: Axes, t: Array, values: Array, colour: str, label: str = "") -> None:
     every = max(1, len(t) // _MOST)
-    axes.plot(t[::every], values[::every], "-", color=colour, lw=1)
+    axes.plot(t[::every], values[::every], "-", color=colour, lw=1, label=label)
 
 
 def _shade(axes: Axes, take: Take, state: IntArray) -> None:

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import base64
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 
 import numpy as np
 
 from tracker import __version__
-from tracker.hand.names import CHAINS
 from tracker.session.report.angles import RECORDED, SEQUENCE
 from tracker.session.report.course import CUTOFF
-from tracker.session.report.figures import courses, ranges
 from tracker.session.report.measure import Row, Told
 from tracker.session.report.table import scaled, table, text
 
@@ -32,24 +30,24 @@ thead th { border-bottom: 2px solid #888; vertical-align: bottom }
 _HEAD = (
     "", "unit", "least", "greatest", "range", "± of range", "mean", "sd", "± of a value",
     "peak speed /s", "at s", "greatest at s", "arc length", "log jerk", "repetitions",
-    "measured %", "inferred %", "lost %",
+    "range of one", "sd of one", "measured %", "inferred %", "lost %",
 )  # fmt: skip
 
 
-def page(takes: Sequence[Told]) -> str:
-    """The report of one take or several, as HTML."""
+def page(takes: Sequence[Told], drawn: Mapping[str, str]) -> str:
+    """The report of one take or several, as HTML; ``drawn``: `figures.all_figures` as SVG."""
     csv = base64.b64encode(table(takes).encode()).decode()
     link = f'<a download="report.csv" href="data:text/csv;base64,{csv}">all numbers as CSV</a>'
     parts = [
         f"<h1>Movement of the hand</h1><p>{len(takes)} take{'s' * (len(takes) > 1)}; {link}.</p>",
         _takes(takes),
         "<h2>Ranges of motion</h2>",
-        ranges(takes),
+        drawn["ranges"],
     ]
     if len(takes) > 1:
         parts += [_compared(takes), _wearers(takes)]
     for number, told in enumerate(takes, 1):
-        parts += _one(told, number)
+        parts += _one(told, number, drawn)
     parts.append(_words())
     body = "\n".join(parts)
     return (
@@ -72,10 +70,7 @@ def _takes(takes: Sequence[Told]) -> str:
     return _table(("take", "wearer", "hand", "s", "tracked by", ""), rows)
 
 
-def _one(told: Told, number: int) -> list[str]:
-    flexions = [
-        n for n in told.take.angle_names if n.endswith("_flexion") and n.split("_")[0] in CHAINS
-    ]
+def _one(told: Told, number: int, drawn: Mapping[str, str]) -> list[str]:
     recorded = [r for r in told.rows if r.measure.is_angle and not r.isb]
     isb = [r for r in told.rows if r.isb]
     apart = [r for r in told.rows if not r.measure.is_angle]
@@ -87,13 +82,14 @@ def _one(told: Told, number: int) -> list[str]:
         f"<h2>{escape(name_of(told, number))}</h2>",
         "<h3>Flexion over time (deg)</h3>",
         legend,
-        courses(told, flexions),
+        drawn[f"{number}_flexion"],
         f'<h3>Angles as recorded</h3><p class="note">Sequence {escape(RECORDED)}.</p>',
         _numbers(recorded),
         f'<h3>Angles by ISB</h3><p class="note">Sequence {escape(SEQUENCE)}. Joints with one axis '
         "have the recorded angle.</p>",
         _numbers(isb),
         "<h3>Aperture between thumb and fingertips</h3>",
+        drawn.get(f"{number}_aperture", ""),
         _numbers(apart),
     ]
 
@@ -111,6 +107,7 @@ def _cells(row: Row) -> list[str]:
         *(text(scaled(row, v), 1) for v in sizes),
         *(text(v, 2) for v in (c.at, row.peak_at, c.arc, c.jerk)),
         str(c.repetitions),
+        *(text(scaled(row, v), 1) for v in (c.each, c.each_sd)),
         *(text(100 * v, 1) for v in (m.measured, m.inferred, m.lost)),
     ]
 
@@ -172,7 +169,10 @@ def _words() -> str:
         f"Peak speed, smoothness and repetitions are those of the curve below {CUTOFF:g} Hz "
         "(second-order Butterworth, both ways), over stretches without a gap. Spectral arc length "
         "and logarithm of the dimensionless jerk: Balasubramanian et al. 2015, of the longest "
-        "stretch; nearer to zero is smoother. A repetition goes through the middle of the range.",
+        "stretch; nearer to zero is smoother. A repetition goes through the middle of the range; "
+        "the range of one is the median from one turning point to the next. A take's range has in "
+        "it how the cloth slipped and the calibration went on between its ends; the range of one "
+        "hardly has.",
         "Measured: an IMU or a marker saw the part within the last half second. Inferred: by "
         "synergy or from what was known before. What is lost counts for nothing.",
     )

@@ -15,8 +15,8 @@ from tracker.session.report.measure import Row, Told
 COLUMNS = (
     "take", "wearer", "side", "name", "unit", "sequence", "min", "max", "range", "range_sd",
     "mean", "sd", "claimed_sd", "peak_speed_per_s", "peak_speed_at_s", "greatest_at_s",
-    "spectral_arc_length", "log_dimensionless_jerk", "repetitions", "measured_percent",
-    "inferred_percent", "lost_percent",
+    "spectral_arc_length", "log_dimensionless_jerk", "repetitions",
+    "range_of_one", "sd_of_one", "measured_percent", "inferred_percent", "lost_percent",
 )  # fmt: skip
 _UNITS = Units()
 
@@ -39,8 +39,9 @@ def _cells(row: Row) -> list[str]:
     numbers = [text(scaled(row, v)) for v in spread]
     plain = [text(v) for v in (c.at, row.peak_at, c.arc, c.jerk)]
     shares = [text(100 * v, 2) for v in (m.measured, m.inferred, m.lost)]
+    each = [text(scaled(row, v)) for v in (c.each, c.each_sd)]
     unit = _UNITS.name(m.is_angle)
-    return [m.name, unit, sequence, *numbers, *plain, str(c.repetitions), *shares]
+    return [m.name, unit, sequence, *numbers, *plain, str(c.repetitions), *each, *shares]
 
 
 def scaled(row: Row, value: float) -> float:

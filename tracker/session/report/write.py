@@ -1,4 +1,4 @@
-"""`write_report`: the page and, beside it, its numbers."""
+"""`write_report`: the page and, beside it, its numbers and its figures."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from tracker.errors import ConfigError
 from tracker.files import check_target, whole_files
 from tracker.session.report.measure import Told, tell
 
+SVG_HEAD = '<?xml version="1.0" encoding="utf-8"?>\n'
+
 
 def write_report(
     sessions: Sequence[Path],
@@ -17,24 +19,32 @@ def write_report(
     force: bool = False,
     watch: Callable[[float], None] = lambda share: None,
 ) -> list[Told]:
-    """``out`` (HTML) and a CSV of the same name, both whole or not at all.
+    """``out`` (HTML), a CSV of the same name and each figure as ``NAME_ranges.png`` and ``.svg``,
+    ``NAME_1_flexion.png``…; all whole or none.
 
     ``watch`` hears which share of the sessions is read, and may raise to end it. Raises
     ConfigError for a name that does not end in .html, FileError for a session without estimates.
     """
     if out.suffix.lower() not in (".html", ".htm"):
         raise ConfigError(f"A report is a page: {out.name} should end in .html.")
-    numbers = out.with_suffix(".csv")
-    for target in (numbers, out):
+    for target in (out, out.with_suffix(".csv")):
         check_target(target, force, sessions)
     takes = []
     for k, path in enumerate(sessions):
         watch(k / len(sessions))
         takes.append(tell(path, anonymous))
+    from tracker.session.report.figures import all_figures, png, svg
     from tracker.session.report.page import page
     from tracker.session.report.table import table
 
-    with whole_files(numbers, out, force=force, inputs=sessions) as (csv, html):
-        csv.write_text(table(takes), "utf-8")
-        html.write_text(page(takes), "utf-8")
+    made: dict[str, str | bytes] = {}
+    drawn = {}
+    for name, figure in all_figures(takes):
+        drawn[name] = svg(figure)
+        made |= {f"_{name}.png": png(figure), f"_{name}.svg": SVG_HEAD + drawn[name]}
+    made |= {".csv": table(takes), out.suffix: page(takes, drawn)}
+    files = {out.with_name(out.stem + ending): data for ending, data in made.items()}
+    with whole_files(*files, force=force, inputs=sessions) as parts:
+        for part, data in zip(parts, files.values(), strict=True):
+            part.write_bytes(data if isinstance(data, bytes) else data.encode())
     return takes
