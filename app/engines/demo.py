@@ -13,9 +13,8 @@ from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.words import tr
 from tracker import library
-from tracker.applications.motors import MotorSink
-from tracker.applications.swarm.vehicles import VehicleSink
-from tracker.clock import ClockAnchor, monotonic
+from tracker.applications.sinks import all_sinks
+from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError
 from tracker.live.runner import LiveTracker
@@ -74,8 +73,7 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
     camera.begin(t_0)
     device.begin(t_0)
     tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
-    tracker.stage.sinks.append(MotorSink(link.vibrate, monotonic, tracker.stage.tell))
-    tracker.stage.sinks.append(VehicleSink())
+    tracker.stage.sinks += all_sinks(link.vibrate, tracker.stage.tell)
     info = _info(spec, simulation, pipeline, colours_text)
     recorders = RecorderProcesses(Prepare(spec))
     recorders.warm()

@@ -18,10 +18,9 @@ from app.storage.bound_gloves import as_bound
 from app.storage.settings import AppSettings
 from app.words import tr
 from tracker import library
-from tracker.applications.motors import MotorSink
-from tracker.applications.swarm.vehicles import VehicleSink
+from tracker.applications.sinks import all_sinks
 from tracker.calibration.stereo.files import ImportForm, load_rig
-from tracker.clock import ClockAnchor, monotonic
+from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError, GlovetrackError
 from tracker.live.runner import LiveTracker
@@ -86,9 +85,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     chosen = found.camera
     camera: CameraSource = StereoCamera(chosen.source, found.rig) if chosen else NoCamera()
     tracker = LiveTracker(pipeline, profile, make_detector, link or NoGlove(), camera)
-    tracker.stage.sinks.append(VehicleSink())
-    if link is not None:
-        tracker.stage.sinks.append(MotorSink(link.vibrate, monotonic, tracker.stage.tell))
+    tracker.stage.sinks += all_sinks(link.vibrate if link else None, tracker.stage.tell)
     recorders = RecorderProcesses()
     recorders.warm()
     return EngineSetup(

@@ -50,6 +50,8 @@ def test_each_fingertip_touches_a_table_as_deep_as_it_is_below_its_top(table: st
         assert len(fingers.tips) == 5
         for i, contact in enumerate(contacts(fingers, thing)):
             pad = fingers.centre[i]
+            if pad[2] < top - 0.04:  # the table's underside would be nearer
+                continue
             assert contact.depth == pytest.approx(fingers.radius[i] - (pad[2] - top), abs=1e-7)
             if abs(pad[2] - top) > 1e-6:
                 assert contact.normal == pytest.approx([0.0, 0.0, 1.0])

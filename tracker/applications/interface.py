@@ -39,6 +39,7 @@ class JointCommand(NamedTuple):
     angles: tuple[float, ...]
     grip: float = 0.0
     stop: bool = False
+    to: str = ""  # host:port
 
 
 class PoseCommand(NamedTuple):
@@ -49,6 +50,7 @@ class PoseCommand(NamedTuple):
     q: tuple[float, float, float, float]
     grip: float = 0.0
     stop: bool = False
+    to: str = ""  # host:port
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,9 +19,11 @@ from tracker.errors import ConfigError
 GROUP = "glovetrack.applications"
 BUILT_IN: dict[str, tuple[str, str]] = {
     "touch": ("touch.touch", "Touch"),
+    "arm": ("arm.arm", "RobotArm"),
     "swarm": ("swarm.swarm", "Swarm"),
 }
 """Module and class by name; imported when asked for."""
+EXTRA = 'pip install "glovetrack[robot]"'
 _log = logging.getLogger(__name__)
 Maker = Callable[[Any], Application]
 
@@ -36,7 +38,13 @@ def kind(name: str) -> type[Application]:
     """The class. Raises ConfigError where there is none, or it cannot be loaded."""
     if name in BUILT_IN:
         module, attribute = BUILT_IN[name]
-        found: type[Application] = getattr(import_module(f"{__package__}.{module}"), attribute)
+        try:
+            found: type[Application] = getattr(import_module(f"{__package__}.{module}"), attribute)
+        except ImportError as error:
+            raise ConfigError(
+                f"The application {name} needs a package that is not installed ({error}). "
+                f"Run: {EXTRA}"
+            ) from error
         return found
     for entry in entry_points(group=GROUP, name=name):
         try:
@@ -53,7 +61,7 @@ def titles() -> dict[str, str]:
     for name in names():
         try:
             out[name] = kind(name).title
-        except (ConfigError, ImportError) as error:
+        except ConfigError as error:
             _log.warning("%s", error)
     return out
 

@@ -54,16 +54,17 @@ def _apps(args: argparse.Namespace) -> int:
 
 
 def _run(args: argparse.Namespace, files: list[Path]) -> int:
-    from tracker.applications.swarm.vehicles import VehicleSink
+    from tracker.applications.sinks import network_sinks
     from tracker.offline.applications import run_into
 
     settings = dict(_setting(text) for text in args.set)
     with ExitStack() as stack:
         source = _source(args, stack)
         inputs = [args.source] if args.source is not None else []
-        vehicles = VehicleSink()
-        stack.callback(vehicles.close)
-        report = run_into(args.name, source, args.out, inputs, settings, [vehicles], args.force)
+        sinks = network_sinks()
+        for sink in sinks:
+            stack.callback(sink.close)
+        report = run_into(args.name, source, args.out, inputs, settings, sinks, args.force)
     finish(args, report.to_json(), report.lines(), files)
     return 0
 
