@@ -12,11 +12,15 @@ class _Catalogue:
     """What turns words of the source into the user's; as they stand until one is in use."""
 
     look_up: Callable[[str], str | None] | None = None
+    sentences: Callable[[str], str] | None = None
 
 
-def use(look_up: Callable[[str], str | None] | None) -> None:
-    """Translate by ``look_up`` from now on; it gives None for what it does not hold."""
-    _Catalogue.look_up = look_up
+def use(
+    look_up: Callable[[str], str | None] | None, sentences: Callable[[str], str] | None = None
+) -> None:
+    """Translate by ``look_up`` from now on, which gives None for what it does not hold; and what
+    the engine says by ``sentences``."""
+    _Catalogue.look_up, _Catalogue.sentences = look_up, sentences
 
 
 def tr(text: str) -> str:
@@ -28,3 +32,9 @@ def tr(text: str) -> str:
 def mark(text: str) -> str:
     """``text`` as it is, listed for translation: for tables, whose words pass `tr` when shown."""
     return text
+
+
+def told(text: str) -> str:
+    """What the engine says, which knows no window, in the user's language. A text of the window,
+    that has passed `tr`, stays as it is."""
+    return _Catalogue.sentences(text) if _Catalogue.sentences is not None and text else text

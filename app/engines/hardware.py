@@ -16,7 +16,7 @@ from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
 from app.storage.bound_gloves import as_bound
 from app.storage.settings import AppSettings
-from app.words import tr
+from app.words import told, tr
 from tracker import library
 from tracker.applications.sinks import all_sinks
 from tracker.calibration.stereo.files import ImportForm, load_rig
@@ -138,7 +138,7 @@ def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
     try:
         return find()
     except GlovetrackError as error:
-        missing.append(str(error))
+        missing.append(told(str(error)))
         return None
 
 

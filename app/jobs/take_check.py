@@ -6,6 +6,7 @@ from pathlib import Path
 
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.takes import TakeReport
+from app.words import told
 
 PLACES = 200  # at which tracking is looked at
 
@@ -25,7 +26,7 @@ def check_job(path: Path) -> Job:
             with SessionReader(path) as reader:
                 q, duration = quality(reader, PLACES), reader.duration
         except GlovetrackError as error:
-            return TakeReport(path, str(error))
+            return TakeReport(path, told(str(error)))
         problem = errors[0] if errors else ""
         return TakeReport(path, problem, duration, q.packets_lost, q.tracked)
 

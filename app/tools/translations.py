@@ -15,10 +15,33 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from app.platform.engine_sentences import ENGINE, LEAST, own
 from app.platform.translation import CONTEXT, place
 from tracker.settings import ENGINES
 
 ROOT = Path(__file__).resolve().parents[1]
+ENGINE_ROOT = ROOT.parent / "tracker"
+NOT_SHOWN = (
+    "cli",
+    "conformance",
+    "evaluation",
+    "fusion/ablations",
+    "isaac",
+    "kernels",
+    "offline",
+    "session/commands",
+    "session/export/bids",
+    "session/report",
+    "simulation",
+    "streaming/foxglove",
+    "streaming/payload_read",
+    "streaming/remote/client",
+    "streaming/remote/osc",
+    "streaming/remote/reception",
+    "streaming/remote/request",
+    "workers",
+)
+"""What speaks to the command line, to other programs, or in a file: that stays English."""
 SAYS = ("tr", "mark", "translate")
 """Functions whose words are for the user; of ``translate`` the second argument."""
 
@@ -41,6 +64,46 @@ def words_in(code: str) -> Iterator[tuple[str, int]]:
             yield word.value, node.lineno
 
 
+def sentences_in(code: str) -> Iterator[str]:
+    """What the engine says: whole sentences of its code, ``{}`` for each value. Docstrings are
+    none."""
+    tree = ast.parse(code)
+    apart: set[int] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            apart.add(id(node.value))
+        elif isinstance(node, ast.JoinedStr):
+            apart.update(id(part) for part in node.values)
+    for node in ast.walk(tree):
+        if id(node) in apart:
+            continue
+        if isinstance(node, ast.JoinedStr):
+            yield from _sentence("".join(_plain(part) or "{}" for part in node.values))
+        else:
+            yield from _sentence(_plain(node))
+
+
+def _plain(node: ast.AST) -> str:
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else ""
+
+
+def _sentence(text: str) -> Iterator[str]:
+    whole = text[:1].isupper() or text.startswith("{}")
+    if whole and text.count(" ") >= 2 and text.rstrip().endswith((".", "?")) and own(text) >= LEAST:
+        yield text
+
+
+def engine_sentences(root: Path = ENGINE_ROOT) -> dict[str, str]:
+    """Each sentence that the window may show, and the file it stands in."""
+    found: dict[str, str] = {}
+    for path in sorted(root.rglob("*.py")):
+        inside = path.relative_to(root).as_posix()
+        if not inside.startswith(NOT_SHOWN):
+            for text in sentences_in(path.read_text("utf-8")):
+                found.setdefault(text, f"{ENGINE}{inside}")
+    return found
+
+
 def _from_table(word: ast.expr | None) -> bool:
     if isinstance(word, ast.Call):
         return isinstance(word.func, ast.Attribute) and word.func.attr == "get"
@@ -58,7 +121,8 @@ def _is_qt(function: ast.expr) -> bool:
 
 
 def all_words(root: Path = ROOT) -> dict[str, str]:
-    """Every text of the window and the file it stands in first, in the order of the files."""
+    """Every text of the window and the file it stands in first, in the order of the files; then the
+    sentences of the engine."""
     own = {"words.py", "translation.py", "translations.py"}
     found: dict[str, str] = {}
     for path in sorted(p for p in root.rglob("*.py") if p.name not in own):
@@ -66,6 +130,8 @@ def all_words(root: Path = ROOT) -> dict[str, str]:
             found.setdefault(text, path.relative_to(root.parent).as_posix())
     for title in ENGINES.values():  # the one table of the engine that menus show
         found.setdefault(title, "tracker/settings.py")
+    for text, inside in engine_sentences().items():
+        found.setdefault(text, inside)
     return found
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 from app.engines.engine import EngineSetup
-from app.words import tr
+from app.words import told, tr
 from tracker.applications.drawing import Drawing
 from tracker.applications.registry import titles
 from tracker.applications.runner import BEGINS, KIND
@@ -49,7 +49,7 @@ class ApplicationsModel:
         try:
             self.stage.show(name, settings)
         except (ConfigError, ImportError) as error:
-            return str(error)
+            return told(str(error))
         return ""
 
     @property
@@ -70,7 +70,7 @@ class ApplicationsModel:
             if self.stage is not None:
                 self.stage.set(key, value)
         except ConfigError as error:
-            return str(error)
+            return told(str(error))
         return ""
 
     @property

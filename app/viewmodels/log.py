@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from app.viewmodels.states import BAD, BLUE, GREY, ORANGE, PURPLE, SKY, StateLook
-from app.words import mark, tr
+from app.words import mark, told, tr
 from tracker.messages import Event
 from tracker.session.notes import wording_of
 
@@ -24,7 +24,7 @@ KINDS: dict[str, StateLook] = {
 def _words(event: Event) -> str:
     if event.kind == "note" and wording_of(event) > 0:
         return tr("changed to: {}").format(event.text) if event.text else tr("a note was deleted")
-    return event.text
+    return event.text if event.kind == "note" else told(event.text)
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from app.viewmodels.states import BAD, GOOD, IDLE, TRACKING, WARN, StateLook
-from app.words import mark, tr
+from app.words import mark, told, tr
 from tracker.live.load import BEGINS
 from tracker.messages import Shed, Status, Tracking
 
@@ -66,7 +66,7 @@ def _shed(values: dict[str, float]) -> Field:
     if level <= 0:
         return Field("shed", "", "", IDLE, "")
     names = ", ".join(tr(SHED[step]) for step in SHED if step <= level)
-    said = "\n".join(BEGINS[step] for step in SHED if step <= level)
+    said = "\n".join(told(BEGINS[step]) for step in SHED if step <= level)
     return Field("shed", tr("Left out:"), names, WARN, said)
 
 

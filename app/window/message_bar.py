@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QMainWindow, QTabBar, QVBoxLayout, QWidget
 
 from app.widgets.banner import Action, Banner
 from app.widgets.measures import NEAR
+from app.words import told
 
 
 class MessageBar(QWidget):
@@ -32,6 +33,7 @@ class MessageBar(QWidget):
 
         ``good``: there is nothing wrong. ``about`` names what it is about, for `no_longer`.
         """
+        text = told(text)
         again = self.isVisible() and text == self.banner.text()
         self._about = about
         self.banner.show_text(text, *actions, good=good)

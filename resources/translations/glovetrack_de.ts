@@ -78,6 +78,11 @@
       <translation>{} wird noch zu Ende geschrieben; dann kann eine neue Aufnahme beginnen.</translation>
     </message>
     <message>
+      <location filename="app/engines/recording.py" />
+      <source>The recording could not be finished: {}</source>
+      <translation>Die Aufnahme konnte nicht abgeschlossen werden: {}</translation>
+    </message>
+    <message>
       <location filename="app/jobs/calibration_commands.py" />
       <source>Only the engine chain keeps a wearer's calibration: choose it in the Tracking menu.</source>
       <translation>Nur das Verfahren chain behält die Kalibrierung einer Person: im Menü Tracking wählen.</translation>
@@ -165,12 +170,57 @@
     <message>
       <location filename="app/jobs/take_motion.py" />
       <source>{} cannot be written: {}.</source>
-      <translation>{} lässt sich nicht schreiben: {}.</translation>
+      <translation>{} kann nicht geschrieben werden: {}.</translation>
     </message>
     <message>
       <location filename="app/jobs/two_takes.py" />
       <source>{} is not tracked: track it again first.</source>
       <translation>{} ist ohne Tracking: erst das Tracking wiederholen.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>Applications</source>
+      <translation>Anwendungen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>Making the hand's skin</source>
+      <translation>Haut der Hand wird gemacht</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>Application</source>
+      <translation>Anwendung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>Begin anew</source>
+      <translation>Neu beginnen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>Show all</source>
+      <translation>Alles zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>Move the eye until all that is drawn is in sight</source>
+      <translation>Den Blick bewegen, bis alles Gezeichnete zu sehen ist</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>Settings</source>
+      <translation>Einstellungen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>No application</source>
+      <translation>Keine Anwendung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>No hand yet</source>
+      <translation>Noch keine Hand</translation>
     </message>
     <message>
       <location filename="app/panels/bug_report_dialog.py" />
@@ -899,8 +949,8 @@
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>A ball round each fingertip</source>
-      <translation>Eine Kugel um jede Fingerspitze</translation>
+      <source>A ring round each fingertip, of two standard deviations; broken: more than its 15 mm</source>
+      <translation>Ein Ring um jede Fingerspitze, zwei Standardabweichungen groß; unterbrochen: mehr als seine 15 mm</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -934,11 +984,6 @@
     </message>
     <message>
       <location filename="app/panels/hand/panel.py" />
-      <source>Making the hand's skin</source>
-      <translation>Haut der Hand wird gemacht</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/panel.py" />
       <source>measured</source>
       <translation>gemessen</translation>
     </message>
@@ -951,11 +996,6 @@
       <location filename="app/panels/hand/panel.py" />
       <source>lost</source>
       <translation>verloren</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/panel.py" />
-      <source>No hand yet</source>
-      <translation>Noch keine Hand</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
@@ -1294,11 +1334,6 @@
     </message>
     <message>
       <location filename="app/panels/library/session_page.py" />
-      <source>Refresh</source>
-      <translation>Aktualisieren</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/session_page.py" />
       <source>Two takes side by side</source>
       <translation>Zwei Aufnahmen nebeneinander</translation>
     </message>
@@ -1411,11 +1446,6 @@
       <location filename="app/panels/library/track_dialog.py" />
       <source>Track</source>
       <translation>Berechnen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/track_dialog.py" />
-      <source>Settings</source>
-      <translation>Einstellungen</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
@@ -2171,6 +2201,21 @@
       <location filename="app/storage/wearers.py" />
       <source>The profile {} was not removed: {}.</source>
       <translation>Das Profil {} wurde nicht entfernt: {}.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/applications.py" />
+      <source>Applications run on a tracked hand: open the demo, devices or a session.</source>
+      <translation>Anwendungen laufen mit einer verfolgten Hand: Demo, Geräte oder eine Sitzung öffnen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/applications.py" />
+      <source>Nothing has happened yet.</source>
+      <translation>Noch ist nichts geschehen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/applications.py" />
+      <source>It failed and rests: {}</source>
+      <translation>Sie ist ausgefallen und ruht: {}</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -5263,6 +5308,1221 @@ change {}: {}</source>
       <location filename="tracker/settings.py" />
       <source>inertial (IMUs alone, no place)</source>
       <translation>inertial (nur IMUs, ohne Ort)</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/registry.py" />
+      <source>There is no application {}; there are {}.</source>
+      <translation>Es gibt keine Anwendung {}; es gibt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/colours_fit.py" />
+      <source>No pixels were marked for the hue {}.</source>
+      <translation>Für den Farbton {} wurden keine Bildpunkte markiert.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/colours_fit.py" />
+      <source>The pixels marked for {} have every hue: mark one cloth only.</source>
+      <translation>Die für {} markierten Bildpunkte haben jeden Farbton: nur einen Stoff markieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/colours_image.py" />
+      <source>Nothing was fitted: no glove with its patches is seen for sure. Hold the hand flat before the camera, in more or whiter light.</source>
+      <translation>Nichts wurde angepasst: kein Handschuh mit seinen Flecken ist sicher zu sehen. Die Hand flach vor die Kamera halten, in mehr oder weißerem Licht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/colours_image.py" />
+      <source>The colours stay as they are: fitted ones show {} patches of the glove and {} other things, these {} and {}.</source>
+      <translation>Die Farben bleiben, wie sie sind: angepasste zeigen {} Flecken des Handschuhs und {} andere Dinge, diese {} und {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>The {} markers are too bright: shorten the exposure, or move the lamp away.</source>
+      <translation>Die Marker in {} sind zu hell: die Belichtung verkürzen oder die Lampe wegrücken.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>The markers are dark: more light on the hand, or a longer exposure.</source>
+      <translation>Die Marker sind dunkel: mehr Licht auf die Hand oder länger belichten.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>The image is noisy: more light, and less gain.</source>
+      <translation>Das Bild rauscht: mehr Licht und weniger Verstärkung.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>The light is too warm: take a daylight lamp or set the white balance, then fit the colours.</source>
+      <translation>Das Licht ist zu warm: eine Tageslichtlampe nehmen oder den Weißabgleich stellen, dann die Farben anpassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>The light is too cold: set the white balance, then fit the colours.</source>
+      <translation>Das Licht ist zu kalt: den Weißabgleich stellen, dann die Farben anpassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>The {} markers look alike in this light: another lamp, or other cloth.</source>
+      <translation>Die Marker in {} sehen in diesem Licht gleich aus: eine andere Lampe oder anderer Stoff.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>{} of {} markers are not found with these colours: fit them to the image.</source>
+      <translation>{} von {} Markern werden mit diesen Farben nicht gefunden: an das Bild anpassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>Hold the gloved hand before the camera, its back up.</source>
+      <translation>Die Hand im Handschuh vor die Kamera halten, den Handrücken nach oben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/light_meter.py" />
+      <source>{} % of the image is white: keep window and screen out of it, or shorten the exposure.</source>
+      <translation>{} % des Bildes sind weiß: Fenster und Bildschirm heraushalten oder kürzer belichten.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/board.py" />
+      <source>A board is one of {}, not {}.</source>
+      <translation>Eine Tafel ist eine von {}, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/board.py" />
+      <source>A board has {} to {} squares each way, not {} by {}.</source>
+      <translation>Eine Tafel hat {} bis {} Felder je Richtung, nicht {} mal {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/board.py" />
+      <source>A square of {} mm cannot be right: measure one on the paper.</source>
+      <translation>Ein Feld von {} mm kann nicht stimmen: eines auf dem Papier messen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/board.py" />
+      <source>A chessboard of {} by {} squares looks the same upside down: one number must be even and the other odd.</source>
+      <translation>Ein Schachbrett von {} mal {} Feldern sieht auf dem Kopf gleich aus: eine Zahl muss gerade sein, die andere ungerade.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The lenses would stand {} mm apart, but {} mm are known: measure a square of the board again.</source>
+      <translation>Die Objektive stünden {} mm auseinander, bekannt sind aber {} mm: ein Feld der Tafel noch einmal messen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The cameras would look {} degrees apart: they must look the same way.</source>
+      <translation>Die Kameras sähen {} Grad auseinander: sie müssen in dieselbe Richtung sehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The views do not fit one camera: corners are off by {} px. Check the numbers of squares, hold the board flat and still, and turn off autofocus.</source>
+      <translation>Die Ansichten passen zu keiner Kamera: Ecken weichen um {} px ab. Die Zahlen der Felder prüfen, die Tafel flach und still halten und den Autofokus abschalten.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The views cover only {} % of the images: show the board at the edges too.</source>
+      <translation>Die Ansichten decken nur {} % der Bilder ab: die Tafel auch am Rand zeigen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The views are too alike: only {} show the board tilted, and the focal length is uncertain by {} %.</source>
+      <translation>Die Ansichten sind zu ähnlich: nur {} zeigen die Tafel geneigt, und die Brennweite ist um {} % unsicher.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The calibration holds values that are no numbers.</source>
+      <translation>Die Kalibrierung enthält Werte, die keine Zahlen sind.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>One camera is mirrored against the other: turn off its mirror setting.</source>
+      <translation>Eine Kamera ist gegen die andere gespiegelt: ihre Spiegelung abschalten.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The cameras stand above or behind each other, not side by side: turn the rig, or the images, by 90 degrees.</source>
+      <translation>Die Kameras stehen über- oder hintereinander statt nebeneinander: das Gestell oder die Bilder um 90 Grad drehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>Left and right are exchanged: what is called the left camera stands on the right. Exchange the two images in the camera's set-up, or turn off mirroring, which looks the same.</source>
+      <translation>Links und rechts sind vertauscht: was linke Kamera heißt, steht rechts. Die beiden Bilder in der Einrichtung der Kamera vertauschen oder die Spiegelung abschalten, die gleich aussieht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The cameras would stand {} mm apart; between {} and {} mm is possible. Is the size of a square, or the unit of the file, right?</source>
+      <translation>Die Kameras stünden {} mm auseinander; möglich sind {} bis {} mm. Stimmt die Größe eines Feldes oder die Einheit der Datei?</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>One camera would stand {} mm above and {} mm before the other: they must be side by side.</source>
+      <translation>Eine Kamera stünde {} mm über und {} mm vor der anderen: sie müssen nebeneinander stehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The right lens would magnify {} times as much as the left one: are both cameras of one kind, with the same zoom?</source>
+      <translation>Das rechte Objektiv vergrößerte {}-mal so stark wie das linke: sind beide Kameras gleich, mit demselben Zoom?</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The {} lens would have a focal length of {} px for an image {} px wide, which no usual lens has.</source>
+      <translation>Das Objektiv {} hätte eine Brennweite von {} px bei einem {} px breiten Bild; kein übliches hat das.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The middle of the {} lens would lie {} px from the middle of the image: is the image cropped, or of another size?</source>
+      <translation>Die Mitte des Objektivs {} läge {} px von der Bildmitte: ist das Bild beschnitten oder von anderer Größe?</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The {} lens would bend the image's corners beyond recognition: show the board in the corners too, or use a lens that is no fisheye.</source>
+      <translation>Das Objektiv {} verböge die Bildecken bis zur Unkenntlichkeit: die Tafel auch in den Ecken zeigen oder ein Objektiv nehmen, das kein Fischauge ist.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/checks.py" />
+      <source>The {} lens would have pixels that are not square ({} by {}).</source>
+      <translation>Das Objektiv {} hätte Bildpunkte, die nicht quadratisch sind ({} mal {}).</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/coverage.py" />
+      <source>Hold the board where the images are empty: {}.</source>
+      <translation>Die Tafel dorthin halten, wo die Bilder leer sind: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/coverage.py" />
+      <source>Tilt the board: by 30 degrees to the left, right, towards you and away.</source>
+      <translation>Die Tafel neigen: um 30 Grad nach links, rechts, zu sich hin und von sich weg.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/coverage.py" />
+      <source>Hold the board nearer, then farther away.</source>
+      <translation>Die Tafel näher halten, dann weiter weg.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/coverage.py" />
+      <source>A few more views, each different from the others.</source>
+      <translation>Noch einige Ansichten, jede anders als die anderen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/files.py" />
+      <source>{} is no stereo calibration: a ZED's file ends in .conf, OpenCV's in .yml.</source>
+      <translation>{} ist keine Stereo-Kalibrierung: die Datei einer ZED endet auf .conf, die von OpenCV auf .yml.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/files.py" />
+      <source>{} is no calibration that OpenCV can read.</source>
+      <translation>{} ist keine Kalibrierung, die OpenCV lesen kann.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/solve.py" />
+      <source>{} usable views are too few: at least {} are needed.</source>
+      <translation>{} brauchbare Ansichten sind zu wenig: mindestens {} sind nötig.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/solve.py" />
+      <source>The views do not fit any camera: check the board's kind and its numbers of squares.</source>
+      <translation>Die Ansichten passen zu keiner Kamera: die Art der Tafel und die Zahlen ihrer Felder prüfen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/verify.py" />
+      <source>Rows agree to {} px and sizes to {} %.</source>
+      <translation>Zeilen stimmen auf {} px und Größen auf {} % überein.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/verify.py" />
+      <source>{} more fresh views are needed.</source>
+      <translation>{} weitere frische Ansichten sind nötig.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/verify.py" />
+      <source>Rows disagree by {} px and sizes by {} %: calibrate again with more, and more different, views.</source>
+      <translation>Zeilen weichen um {} px und Größen um {} % ab: mit mehr und verschiedeneren Ansichten neu kalibrieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/verify.py" />
+      <source>Rows disagree by {} px, sizes by {} %. It can be used; a new calibration would place the hand better.</source>
+      <translation>Zeilen weichen um {} px ab, Größen um {} %. Das ist brauchbar; eine neue Kalibrierung fände die Hand genauer.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/views.py" />
+      <source>The board is not seen{} in the {} image.</source>
+      <translation>Die Tafel ist im Bild {1} nicht{0} zu sehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/views.py" />
+      <source>Both images must show the same part of the board.</source>
+      <translation>Beide Bilder müssen denselben Teil der Tafel zeigen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/views.py" />
+      <source>The {} image is mirrored: turn off the camera's mirror setting.</source>
+      <translation>Das Bild {} ist gespiegelt: die Spiegelung der Kamera abschalten.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/still.py" />
+      <source>The hand moved ({}): lay it flat on the table, palm down, and wait.</source>
+      <translation>Die Hand hat sich bewegt ({}): flach auf den Tisch legen, Handfläche nach unten, und warten.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/still.py" />
+      <source>Only {} s of samples came; {} s are needed.</source>
+      <translation>Nur {} s an Messwerten kamen; {} s sind nötig.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>Rest the forearm and tip the whole hand up and down, fingers stretched.</source>
+      <translation>Den Unterarm auflegen und die ganze Hand auf und ab kippen, die Finger gestreckt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>Bend and stretch the thumb a few times; hold the rest still.</source>
+      <translation>Den Daumen einige Male beugen und strecken; alles andere still halten.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>Look at {}.</source>
+      <translation>{} ansehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>Every IMU is where the glove file says.</source>
+      <translation>Jede IMU ist dort, wo die Handschuhdatei sagt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>Bend and stretch the {} finger a few times, in all its joints.</source>
+      <translation>Den Finger ({}) einige Male in allen Gelenken beugen und strecken.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>It sits on the {}; the glove file says {}.</source>
+      <translation>Sie sitzt auf {}; die Handschuhdatei sagt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>It is in its place, but turned by about {}°: remount it.</source>
+      <translation>Sie ist an ihrem Platz, aber um etwa {}° verdreht: neu anbringen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>It is where the glove file says.</source>
+      <translation>Sie ist dort, wo die Handschuhdatei sagt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>Nothing moved. </source>
+      <translation>Nichts hat sich bewegt. </translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>It did not answer in any step.</source>
+      <translation>Sie hat in keinem Schritt geantwortet.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>It moved in several steps: do them again.</source>
+      <translation>Sie hat sich in mehreren Schritten bewegt: diese wiederholen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>It never moved: is it loose, or broken?</source>
+      <translation>Sie hat sich nie bewegt: ist sie lose oder defekt?</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/wiggle.py" />
+      <source>{} and {} are exchanged: exchange their plugs, or choose a glove file with that order.</source>
+      <translation>{} und {} sind vertauscht: die Stecker tauschen oder eine Handschuhdatei mit dieser Reihenfolge wählen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/files.py" />
+      <source>{} exists already and {}; choose another name.</source>
+      <translation>{} gibt es schon und {}; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/files.py" />
+      <source>{} exists already; choose another name, or --force to replace it.</source>
+      <translation>{} gibt es schon; einen anderen Namen wählen, oder --force ersetzt es.</translation>
+    </message>
+    <message>
+      <location filename="tracker/files.py" />
+      <source>{} exists already; choose another name.</source>
+      <translation>{} gibt es schon; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/files.py" />
+      <source>{} is what is read; choose another name.</source>
+      <translation>{} wird gerade gelesen; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/chain/calibration/control.py" />
+      <source>There is no segment {} whose calibration is estimated.</source>
+      <translation>Es gibt kein Glied {}, dessen Kalibrierung geschätzt wird.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/chain/calibration/profile_file.py" />
+      <source>{} is of hand {} with glove {}; this is hand {} with glove {}.</source>
+      <translation>{} gehört zur Hand {} mit dem Handschuh {}; dies ist die Hand {} mit dem Handschuh {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/chain/calibration/profile_file.py" />
+      <source>{} is no profile of a wearer, or it is damaged.</source>
+      <translation>{} ist kein Profil einer Person oder ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/chain/guided/events.py" />
+      <source>There is no guided pose {}: it is passed over.</source>
+      <translation>Es gibt keine angeleitete Haltung {}: sie wird übergangen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/chain/guided/events.py" />
+      <source>The guided pose {} neither begins nor ends: it is passed over.</source>
+      <translation>Die angeleitete Haltung {} beginnt weder noch endet sie: sie wird übergangen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/hybrid.py" />
+      <source>The engine {} needs an IMU and markers on the {}.</source>
+      <translation>Das Verfahren {} braucht eine IMU und Marker auf {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/vist/layout.py" />
+      <source>The engine vist needs an IMU on every segment of a chain; the glove {} has none on {}.</source>
+      <translation>Das Verfahren vist braucht eine IMU auf jedem Glied einer Kette; der Handschuh {} hat keine auf {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/fusion/vist/layout.py" />
+      <source>The engine vist takes one IMU per segment; the glove {} has more.</source>
+      <translation>Das Verfahren vist nimmt eine IMU je Glied; der Handschuh {} hat mehr.</translation>
+    </message>
+    <message>
+      <location filename="tracker/inertial/finger3d.py" />
+      <source>There is no finger estimator {}; there are {}.</source>
+      <translation>Es gibt keinen Fingerschätzer {}; es gibt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/inertial/finger3d.py" />
+      <source>The glove {} has no IMU on {}.</source>
+      <translation>Der Handschuh {} hat keine IMU auf {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/library.py" />
+      <source>There is no {} among the {}; there are {}, or give the path of a file.</source>
+      <translation>{1}: {0} gibt es nicht; es gibt {2}, oder den Pfad einer Datei angeben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/colour_watch.py" />
+      <source>The colours find {} patches, none fit the glove: fit the colours.</source>
+      <translation>Die Farben finden {} Flecken, keine passen zum Handschuh: die Farben anpassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/colour_watch.py" />
+      <source>The colours find no more patches than they should, or the hand.</source>
+      <translation>Die Farben finden nicht mehr Flecken, als sie sollen, oder die Hand.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/load.py" />
+      <source>The computer is too slow: the 3D view is drawn less often.</source>
+      <translation>Der Rechner ist zu langsam: die 3D-Ansicht wird seltener gezeichnet.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/load.py" />
+      <source>The computer is too slow: camera images are shown without overlays.</source>
+      <translation>Der Rechner ist zu langsam: Kamerabilder werden ohne Einblendungen gezeigt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/load.py" />
+      <source>The computer is too slow: images are searched only where markers are expected.</source>
+      <translation>Der Rechner ist zu langsam: Bilder werden nur dort durchsucht, wo Marker erwartet werden.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/load.py" />
+      <source>The computer is too slow: fewer images are searched. No packet of the glove is left out.</source>
+      <translation>Der Rechner ist zu langsam: weniger Bilder werden durchsucht. Kein Paket des Handschuhs wird ausgelassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/load.py" />
+      <source>The computer keeps up again: nothing is left out any more.</source>
+      <translation>Der Rechner kommt wieder mit: nichts wird mehr ausgelassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/load.py" />
+      <source>Camera images have their overlays again.</source>
+      <translation>Kamerabilder haben wieder ihre Einblendungen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/load.py" />
+      <source>Images are searched as a whole again.</source>
+      <translation>Bilder werden wieder ganz durchsucht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/load.py" />
+      <source>All images are searched again.</source>
+      <translation>Alle Bilder werden wieder durchsucht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/loop.py" />
+      <source>Looking for the hand.</source>
+      <translation>Die Hand wird gesucht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/loop.py" />
+      <source>The hand is tracked.</source>
+      <translation>Die Hand wird verfolgt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/loop.py" />
+      <source>The hand is out of sight; its place is extrapolated.</source>
+      <translation>Die Hand ist außer Sicht; ihr Ort wird fortgeschrieben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/loop.py" />
+      <source>The hand's place is lost; finger angles go on.</source>
+      <translation>Der Ort der Hand ist verloren; die Fingerwinkel laufen weiter.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/loop.py" />
+      <source>The engine is now {}.</source>
+      <translation>Das Verfahren ist jetzt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/recording.py" />
+      <source>The recording is finished.</source>
+      <translation>Die Aufnahme ist fertig.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/threads.py" />
+      <source>The {} thread failed: {}: {}.</source>
+      <translation>Der Strang {} ist ausgefallen: {}: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/online/rig_watch.py" />
+      <source>The images have moved against each other by {} pixels at once: a lens was knocked. Calibrate the camera again if this stays.</source>
+      <translation>Die Bilder haben sich auf einmal um {} Bildpunkte gegeneinander verschoben: ein Objektiv wurde angestoßen. Die Kamera neu kalibrieren, wenn das so bleibt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/online/rig_watch.py" />
+      <source>All markers have jumped by {} pixels at once: the camera was moved. Places are measured from where it stands now.</source>
+      <translation>Alle Marker sind auf einmal um {} Bildpunkte gesprungen: die Kamera wurde bewegt. Orte werden von dort gemessen, wo sie jetzt steht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/online/rig_watch.py" />
+      <source>The left and the right image are swapped; they are not used. Exchange the two cameras.</source>
+      <translation>Linkes und rechtes Bild sind vertauscht; sie werden nicht benutzt. Die beiden Kameras tauschen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/online/rig_watch.py" />
+      <source>The two images are {} pixels apart in height: a lens has moved since the stereo calibration. Calibrate the camera again.</source>
+      <translation>Die beiden Bilder liegen in der Höhe {} Bildpunkte auseinander: ein Objektiv hat sich seit der Stereo-Kalibrierung verschoben. Die Kamera neu kalibrieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/online/rig_watch.py" />
+      <source>The left and the right image are in order again.</source>
+      <translation>Linkes und rechtes Bild sind wieder in Ordnung.</translation>
+    </message>
+    <message>
+      <location filename="tracker/online/rig_watch.py" />
+      <source>The two images fit the stereo calibration again.</source>
+      <translation>Die beiden Bilder passen wieder zur Stereo-Kalibrierung.</translation>
+    </message>
+    <message>
+      <location filename="tracker/pipeline.py" />
+      <source>There is no engine {}; there are {}.</source>
+      <translation>Es gibt kein Verfahren {}; es gibt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/pipeline.py" />
+      <source>The engine {} needs a camera with a stereo calibration; without one the engine 'inertial' shows the hand by its IMUs.</source>
+      <translation>Das Verfahren {} braucht eine Kamera mit Stereo-Kalibrierung; ohne eine zeigt das Verfahren „inertial“ die Hand nach ihren IMUs.</translation>
+    </message>
+    <message>
+      <location filename="tracker/pipeline.py" />
+      <source>The engine {} learns nothing from guided poses.</source>
+      <translation>Das Verfahren {} lernt nichts aus angeleiteten Haltungen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/anatomy.py" />
+      <source>The robot hand's fingers are not found: their bodies are to be named thumb (or th), index (ff), middle (mf), ring (rf) and little (lf).</source>
+      <translation>Die Finger der Roboterhand wurden nicht gefunden: ihre Körper sollen thumb (oder th), index (ff), middle (mf), ring (rf) und little (lf) heißen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/anatomy.py" />
+      <source>The robot hand's fingers have no palm in common.</source>
+      <translation>Die Finger der Roboterhand haben keine gemeinsame Handfläche.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/anatomy.py" />
+      <source>The robot hand's {} has no tip: a site named tip, or a geom.</source>
+      <translation>{} der Roboterhand hat keine Spitze: eine site namens tip oder ein geom.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/library.py" />
+      <source>There is no robot hand {}: it is {} or a file of MJCF.</source>
+      <translation>Es gibt keine Roboterhand {}: es ist {} oder eine MJCF-Datei.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/mirror.py" />
+      <source>The robot hand cannot be mirrored: it has {}.</source>
+      <translation>Die Roboterhand lässt sich nicht spiegeln: sie hat {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/settings.py" />
+      <source>A hand is right or left, not {}.</source>
+      <translation>Eine Hand ist rechts oder links, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/settings.py" />
+      <source>The clutch is {}, not {}.</source>
+      <translation>Die Kupplung ist {}, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/settings.py" />
+      <source>Objects are {}, not {}.</source>
+      <translation>Gegenstände sind {}, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/settings.py" />
+      <source>The motion is scaled by 0.1 to 10, the reach by 0.5 to 2.</source>
+      <translation>Die Bewegung wird mit 0.1 bis 10 skaliert, die Reichweite mit 0.5 bis 2.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/settings.py" />
+      <source>A robot's speeds are greater than zero.</source>
+      <translation>Die Geschwindigkeiten eines Roboters sind größer als null.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/teleop.py" />
+      <source>The recorded robot is another one: {}.</source>
+      <translation>Der aufgenommene Roboter ist ein anderer: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/teleop.py" />
+      <source>A robot is asked {}, not {}.</source>
+      <translation>Ein Roboter wird um {} gebeten, nicht um {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The camera {} is connected.</source>
+      <translation>Die Kamera {} ist verbunden.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The camera {} gives no images; waiting for it.</source>
+      <translation>Die Kamera {} gibt keine Bilder; es wird auf sie gewartet.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The end of {} is reached.</source>
+      <translation>Das Ende von {} ist erreicht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The {} camera's image is black: is the lens covered?</source>
+      <translation>Das Bild der Kamera {} ist schwarz: ist das Objektiv verdeckt?</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The camera gives {} images a second instead of {}: a long exposure in poor light, or a slow USB port.</source>
+      <translation>Die Kamera gibt {} Bilder je Sekunde statt {}: lange Belichtung in schwachem Licht oder ein langsamer USB-Anschluss.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The {} camera gives images of {} by {} pixels, but the calibration is for {} by {}.</source>
+      <translation>Die Kamera {} gibt Bilder von {} mal {} Bildpunkten, die Kalibrierung gilt aber für {} mal {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The {} camera's image is frozen; it is not used.</source>
+      <translation>Das Bild der Kamera {} steht still; es wird nicht benutzt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The {} camera's image is torn: a part of it did not arrive.</source>
+      <translation>Das Bild der Kamera {} ist zerrissen: ein Teil kam nicht an.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The {} camera's image is back.</source>
+      <translation>Das Bild der Kamera {} ist wieder da.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera_plugins.py" />
+      <source>There is no camera plug-in {}: install its package.</source>
+      <translation>Es gibt keine Kamera-Erweiterung {}: ihr Paket installieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera_systems.py" />
+      <source>This system's cameras cannot be listed by name ({}). Enter the camera's number under Set-up, Camera: 0 is the first one.</source>
+      <translation>Die Kameras dieses Systems lassen sich nicht mit Namen auflisten ({}). Die Nummer der Kamera unter Einrichten, Kamera eingeben: 0 ist die erste.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/discovery.py" />
+      <source>Nothing answers at {}.</source>
+      <translation>An {} antwortet nichts.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/discovery.py" />
+      <source>The USB adapter at {} may hold bytes back for up to 16 ms. For quicker tracking set 1 ms in the Device Manager: Ports, {}, Port Settings, Advanced, Latency Timer.</source>
+      <translation>Der USB-Adapter an {} hält Bytes bis zu 16 ms zurück. Für schnelleres Tracking im Geräte-Manager 1 ms einstellen: Anschlüsse, {}, Anschlusseinstellungen, Erweitert, Wartezeit.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/discovery.py" />
+      <source>{} sends {} bytes that are no glove's: another device, or one that does not speak at {} baud.</source>
+      <translation>{} sendet {} Bytes, die von keinem Handschuh sind: ein anderes Gerät oder eines, das nicht mit {} Baud spricht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/discovery.py" />
+      <source>{} cannot be opened: {}.</source>
+      <translation>{} lässt sich nicht öffnen: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/discovery.py" />
+      <source>{} went away: {}.</source>
+      <translation>{} ist verschwunden: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove was unplugged ({}); it is taken up when it returns.</source>
+      <translation>Der Handschuh wurde abgezogen ({}); er wird wieder aufgenommen, wenn er zurück ist.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>At {} is {}: glove {} is looked for. To use another one, choose it under Set-up, Glove.</source>
+      <translation>An {} ist {}: Handschuh {} wird gesucht. Um einen anderen zu benutzen, ihn unter Einrichten, Handschuh wählen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove has restarted; it is told to go on.</source>
+      <translation>Der Handschuh hat neu gestartet; er wird angewiesen weiterzumachen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove has not said its ranges, so its values are not used yet: hold the hand still for a second, then gravity tells them.</source>
+      <translation>Der Handschuh hat seine Messbereiche nicht genannt, seine Werte werden daher noch nicht benutzt: die Hand eine Sekunde still halten, dann sagt sie die Schwerkraft.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>This glove has {} IMUs but the glove file says {}: choose the right glove file.</source>
+      <translation>Dieser Handschuh hat {} IMUs, die Handschuhdatei sagt aber {}: die richtige Handschuhdatei wählen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>Packets hold {} IMUs but the glove file says {}.</source>
+      <translation>Pakete enthalten {} IMUs, die Handschuhdatei sagt aber {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove sends again.</source>
+      <translation>Der Handschuh sendet wieder.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove's clock jumped by {} s; its packets are timed anew.</source>
+      <translation>Die Uhr des Handschuhs ist um {} s gesprungen; seine Pakete werden neu datiert.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove sends {} packets a second, not the {} it was asked for; their times are right all the same.</source>
+      <translation>Der Handschuh sendet {} Pakete je Sekunde, nicht die verlangten {}; ihre Zeiten stimmen trotzdem.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>At rest the glove's acceleration fits a range of {} g, which is used now; for turning {} deg/s is assumed and may be wrong.</source>
+      <translation>In Ruhe passt die Beschleunigung des Handschuhs zu einem Messbereich von {} g, der jetzt benutzt wird; für Drehungen werden {} Grad/s angenommen, was falsch sein kann.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove is back, at {}.</source>
+      <translation>Der Handschuh ist wieder da, an {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>IMU {} of the glove {}.</source>
+      <translation>IMU {} des Handschuhs {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove has not said what it is; it is told to start anyway.</source>
+      <translation>Der Handschuh hat nicht gesagt, was er ist; er wird trotzdem gestartet.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/glove_link.py" />
+      <source>The glove has been silent for {} s.</source>
+      <translation>Der Handschuh schweigt seit {} s.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/image_input.py" />
+      <source>The stereo image is {} pixels wide and has no two halves.</source>
+      <translation>Das Stereobild ist {} Bildpunkte breit und hat keine zwei Hälften.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/image_input.py" />
+      <source>The camera {} cannot be opened: it is not there, or another program uses it.</source>
+      <translation>Die Kamera {} lässt sich nicht öffnen: sie ist nicht da, oder ein anderes Programm benutzt sie.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/image_input.py" />
+      <source>There are {} left and {} right images; a sequence needs as many of one as of the other.</source>
+      <translation>Es gibt {} linke und {} rechte Bilder; eine Folge braucht von beiden gleich viele.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/image_watch.py" />
+      <source>The {} gives images again.</source>
+      <translation>{} gibt wieder Bilder.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/image_watch.py" />
+      <source>The {} has given no usable image for {} s.</source>
+      <translation>{} hat seit {} s kein brauchbares Bild gegeben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/link_figures.py" />
+      <source>The glove's battery is low ({} V): charge it soon.</source>
+      <translation>Der Akku des Handschuhs ist schwach ({} V): bald laden.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/opencv_yaml.py" />
+      <source>{}: R is no rotation.</source>
+      <translation>{}: R ist keine Drehung.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/opencv_yaml.py" />
+      <source>{}: {} must be {} finite numbers.</source>
+      <translation>{}: {} muss aus {} endlichen Zahlen bestehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/opencv_yaml.py" />
+      <source>{}: the {} camera has {} distortion coefficients; only k1 k2 p1 p2 k3 are understood.</source>
+      <translation>{}: die Kamera {} hat {} Verzeichnungskoeffizienten; verstanden werden nur k1 k2 p1 p2 k3.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/opencv_yaml.py" />
+      <source>{} does not hold {} ({}).</source>
+      <translation>{} enthält {} nicht ({}).</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/opencv_yaml.py" />
+      <source>{} holds something that is no matrix.</source>
+      <translation>{} enthält etwas, das keine Matrix ist.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/zed_files.py" />
+      <source>A ZED has no images {} pixels high; there are {}.</source>
+      <translation>Eine ZED hat keine {} Bildpunkte hohen Bilder; es gibt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/zed_files.py" />
+      <source>{} does not say {} in [{}]: the file is cut short, or belongs to another camera.</source>
+      <translation>{} nennt {} in [{}] nicht: die Datei ist abgeschnitten oder gehört zu einer anderen Kamera.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/zed_files.py" />
+      <source>{}: {} in [{}] is {}, which is no number.</source>
+      <translation>{}: {} in [{}] ist {}, also keine Zahl.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/compare.py" />
+      <source>{} and {} have no instant in common.</source>
+      <translation>{} und {} haben keinen gemeinsamen Zeitpunkt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/decode_robot.py" />
+      <source>{} does not say what the robot {} is.</source>
+      <translation>{} sagt nicht, was der Roboter {} ist.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/decode_robot.py" />
+      <source>What the session says of its robot is no JSON object.</source>
+      <translation>Was die Sitzung über ihren Roboter sagt, ist kein JSON-Objekt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/engine_state.py" />
+      <source>The state of tracking in the recording is damaged.</source>
+      <translation>Der Zustand des Trackings in der Aufnahme ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/engine_state.py" />
+      <source>The state of tracking in the recording is of another version.</source>
+      <translation>Der Zustand des Trackings in der Aufnahme ist von einer anderen Version.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/engine_state.py" />
+      <source>The state of tracking in the recording is damaged: {}.</source>
+      <translation>Der Zustand des Trackings in der Aufnahme ist beschädigt: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/c3d.py" />
+      <source>{} could not be written as a whole: the disk may be full.</source>
+      <translation>{} konnte nicht ganz geschrieben werden: die Festplatte ist vielleicht voll.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/imu.py" />
+      <source>Raw samples stay as they are: leave out {}.</source>
+      <translation>Rohe Messwerte bleiben, wie sie sind: {} weglassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/isaac.py" />
+      <source>The Isaac record has its own {}: leave them out.</source>
+      <translation>Die Isaac-Aufzeichnung hat ihre eigenen {}: weglassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/mcap.py" />
+      <source>A session is copied as it is: leave out {}.</source>
+      <translation>Eine Sitzung wird kopiert, wie sie ist: {} weglassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/mcap.py" />
+      <source>A session cannot do without its {}; leave out participant and notes by name.</source>
+      <translation>Eine Sitzung kommt ohne ihre {} nicht aus; Person und Notizen mit Namen weglassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/options.py" />
+      <source>A rate of {} Hz is not between {} and {} Hz.</source>
+      <translation>Eine Rate von {} Hz liegt nicht zwischen {} und {} Hz.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/options.py" />
+      <source>Every image or every n-th, not every {}.</source>
+      <translation>Jedes Bild oder jedes n-te, nicht jedes {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/options.py" />
+      <source>Axes can be {}, not {}.</source>
+      <translation>Achsen können {} sein, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/options.py" />
+      <source>Joints are openxr or names of ours, not both.</source>
+      <translation>Gelenke sind openxr oder Namen von uns, nicht beides.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/options.py" />
+      <source>Units can be {}, not {}.</source>
+      <translation>Einheiten können {} sein, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/overlay.py" />
+      <source>OpenCV on this computer cannot write {}.</source>
+      <translation>OpenCV kann auf diesem Rechner {} nicht schreiben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/overlay.py" />
+      <source>{} holds no images of the tracked time.</source>
+      <translation>{} enthält keine Bilder der getrackten Zeit.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/resample.py" />
+      <source>{} estimates over {} s would be {} rows at {} Hz; export a part of them.</source>
+      <translation>{} Schätzungen über {} s wären {} Zeilen bei {} Hz; einen Teil davon exportieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/run.py" />
+      <source>There is no format {}; there are {}.</source>
+      <translation>Es gibt kein Format {}; es gibt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/run.py" />
+      <source>{} holds the whole hand; it cannot leave out joints.</source>
+      <translation>{} enthält die ganze Hand; Gelenke können nicht fehlen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/series.py" />
+      <source>{} holds no estimates; track it first.</source>
+      <translation>{} enthält keine Schätzungen; erst tracken.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/series.py" />
+      <source>There is no estimate between {} s and {} s.</source>
+      <translation>Zwischen {} s und {} s gibt es keine Schätzung.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/series.py" />
+      <source>There is no keypoint or joint {} in this session.</source>
+      <translation>In dieser Sitzung gibt es keinen Punkt und kein Gelenk {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/skeleton.py" />
+      <source>A bone was never seen with both its ends, so there is no skeleton.</source>
+      <translation>Ein Knochen wurde nie mit beiden Enden gesehen, also gibt es kein Skelett.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/skeleton.py" />
+      <source>A skeleton needs the wrist; export all joints.</source>
+      <translation>Ein Skelett braucht das Handgelenk; alle Gelenke exportieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/skeleton.py" />
+      <source>{} was never tracked, so there is no skeleton.</source>
+      <translation>{} wurde nie getrackt, also gibt es kein Skelett.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/tables.py" />
+      <source>Parquet needs Arrow: install glovetrack[parquet].</source>
+      <translation>Parquet braucht Arrow: glovetrack[parquet] installieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/urdf.py" />
+      <source>A URDF has right-handed axes; {} has left-handed ones.</source>
+      <translation>Eine URDF-Datei hat rechtshändige Achsen; {} hat linkshändige.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/glance.py" />
+      <source>There is no session in {}.</source>
+      <translation>In {} ist keine Sitzung.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/images.py" />
+      <source>An image of {} is neither JPEG nor PNG.</source>
+      <translation>Ein Bild von {} ist weder JPEG noch PNG.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/images.py" />
+      <source>An image of {} claims {} by {} pixels.</source>
+      <translation>Ein Bild von {} behauptet {} mal {} Bildpunkte.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/images.py" />
+      <source>An image of {} is damaged.</source>
+      <translation>Ein Bild von {} ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/disk.py" />
+      <source>{} exists already; a recording never overwrites.</source>
+      <translation>{} gibt es schon; eine Aufnahme überschreibt nie.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/index.py" />
+      <source>{} is not an MCAP file: its header is damaged.</source>
+      <translation>{} ist keine MCAP-Datei: ihr Kopf ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/ordering.py" />
+      <source>{} cannot be read in order: its chunks all overlap.</source>
+      <translation>{} lässt sich nicht der Reihe nach lesen: alle Stücke überlappen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/records.py" />
+      <source>{} is not an MCAP file.</source>
+      <translation>{} ist keine MCAP-Datei.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/records.py" />
+      <source>{} holds a record of {} bytes: it is damaged.</source>
+      <translation>{} enthält einen Eintrag von {} Bytes: sie ist beschädigt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/records.py" />
+      <source>There is no file {}.</source>
+      <translation>Es gibt keine Datei {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/records.py" />
+      <source>{} cannot be read: {}.</source>
+      <translation>{} kann nicht gelesen werden: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/mcap/recover.py" />
+      <source>{} holds nothing that can be recovered.</source>
+      <translation>{} enthält nichts, was sich retten lässt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/raw_imu.py" />
+      <source>{} holds no samples of IMUs.</source>
+      <translation>{} enthält keine Messwerte von IMUs.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/reader.py" />
+      <source>{} tells no stereo camera: {} missing.</source>
+      <translation>{} beschreibt keine Stereokamera: {} fehlt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/reader.py" />
+      <source>{} has no attachment {}{}.</source>
+      <translation>{} hat keinen Anhang {}{}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/reader.py" />
+      <source>{} says it began at an instant that no clock shows: its wall_clock_ns, its monotonic_ns or its first log time is out of range.</source>
+      <translation>{} will zu einem Zeitpunkt begonnen haben, den keine Uhr zeigt: wall_clock_ns, monotonic_ns oder die erste Zeit liegen außerhalb.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/reader.py" />
+      <source>{}: {} is a {} glove's.</source>
+      <translation>{}: {} gehört zu einem Handschuh für {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/recording/process.py" />
+      <source>The recorder's process {}.{} You can record again at once.</source>
+      <translation>Der Prozess des Aufnehmens {}.{} Es kann gleich wieder aufgenommen werden.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/ros/cdr.py" />
+      <source>A message on {} is damaged: {}.</source>
+      <translation>Eine Nachricht auf {} ist beschädigt: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/ros/cdr.py" />
+      <source>An instant lies outside the years 1901 to 2038, which ROS 2 can tell.</source>
+      <translation>Ein Zeitpunkt liegt außerhalb der Jahre 1901 bis 2038, die ROS 2 nennen kann.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/writer.py" />
+      <source>Only {} GB are left on the disk of {}.</source>
+      <translation>Auf der Festplatte von {1} sind nur noch {0} GB frei.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/writer.py" />
+      <source>The disk of {} is nearly full ({} are left), so nothing is recorded.</source>
+      <translation>Die Festplatte von {} ist fast voll ({} sind frei), daher wird nichts aufgenommen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/writer.py" />
+      <source>Images can be {}, not {}.</source>
+      <translation>Bilder können {} sein, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/writer.py" />
+      <source>Compression can be {}, not {}.</source>
+      <translation>Die Kompression kann {} sein, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/writer.py" />
+      <source>The JPEG quality is {}; it must lie in 1 to 100.</source>
+      <translation>Die JPEG-Qualität ist {}; sie muss in 1 bis 100 liegen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/writer.py" />
+      <source>The disk of {} is nearly full ({} are left), so nothing more is recorded; what was recorded is safe.</source>
+      <translation>Die Festplatte von {} ist fast voll ({} sind frei), daher wird nichts mehr aufgenommen; was aufgenommen wurde, ist sicher.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/writer.py" />
+      <source>The recording {} has ended already.</source>
+      <translation>Die Aufnahme {} ist schon zu Ende.</translation>
+    </message>
+    <message>
+      <location filename="tracker/shared_memory.py" />
+      <source>The system has no {} MB of shared memory left, in which images are handed from one process to the other.</source>
+      <translation>Das System hat keine {} MB gemeinsamen Speicher mehr, in dem Bilder von einem Prozess zum anderen gehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/datagram.py" />
+      <source>{}: ports are 1 to 65535.</source>
+      <translation>{}: Anschlüsse sind 1 bis 65535.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/isaac.py" />
+      <source>The Isaac record holds OpenXR's joints.</source>
+      <translation>Die Isaac-Aufzeichnung enthält die Gelenke von OpenXR.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/isaac.py" />
+      <source>{} cannot be made: {}.</source>
+      <translation>{} kann nicht angelegt werden: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/params.py" />
+      <source>The LSL stream has no port: clients find it by its name.</source>
+      <translation>Der LSL-Strom hat keinen Anschluss: Empfänger finden ihn an seinem Namen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/params.py" />
+      <source>{} is no port for the {} stream: ports are 1 to 65535.</source>
+      <translation>{} ist kein Anschluss für den Strom {}: Anschlüsse sind 1 bis 65535.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/params.py" />
+      <source>Joints can be {}, not {}.</source>
+      <translation>Gelenke können {} sein, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/params.py" />
+      <source>The Isaac record needs a file: isaac:take.mcap.</source>
+      <translation>Die Isaac-Aufzeichnung braucht eine Datei: isaac:take.mcap.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/params.py" />
+      <source>There is no stream {}; there are {}.</source>
+      <translation>Es gibt keinen Strom {}; es gibt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/remote/doors.py" />
+      <source>The window did not answer, so nothing was done.</source>
+      <translation>Das Fenster hat nicht geantwortet, es geschah also nichts.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/remote/doors.py" />
+      <source>No remote control by {} at {}:{}: {}.</source>
+      <translation>Keine Fernsteuerung über {} an {}:{}: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/remote/params.py" />
+      <source>Remote control goes by {}, not by {}.</source>
+      <translation>Fernsteuerung geht über {}, nicht über {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/remote/params.py" />
+      <source>{} is no port for {}: ports are 1 to 65535.</source>
+      <translation>{} ist kein Anschluss für {}: Anschlüsse sind 1 bis 65535.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/server_thread.py" />
+      <source>No {} server at {}:{}: {}.</source>
+      <translation>Kein {}-Server an {}:{}: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/streams.py" />
+      <source>The stream {} fails: {}.</source>
+      <translation>Der Strom {} fällt aus: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/streams.py" />
+      <source>The stream {} works again.</source>
+      <translation>Der Strom {} geht wieder.</translation>
+    </message>
+    <message>
+      <location filename="tracker/toml_reader.py" />
+      <source>{} is larger than {} bytes: not a configuration file.</source>
+      <translation>{} ist größer als {} Bytes: keine Konfigurationsdatei.</translation>
+    </message>
+    <message>
+      <location filename="tracker/toml_reader.py" />
+      <source>{} is not valid TOML: {}.</source>
+      <translation>{} ist kein gültiges TOML: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/toml_reader.py" />
+      <source>{} is not valid TOML: it is nested too deeply.</source>
+      <translation>{} ist kein gültiges TOML: zu tief verschachtelt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/toml_reader.py" />
+      <source>{} is not a UTF-8 text file.</source>
+      <translation>{} ist keine UTF-8-Textdatei.</translation>
+    </message>
+    <message>
+      <location filename="tracker/two_hands.py" />
+      <source>The glove {} is made for the {} hand and cannot track the {} one.</source>
+      <translation>Der Handschuh {} ist für die Hand {} gemacht und kann die Hand {} nicht tracken.</translation>
+    </message>
+    <message>
+      <location filename="tracker/vision/detector.py" />
+      <source>An image must be colour with 8 bits a channel; this one has shape {} and type {}.</source>
+      <translation>Ein Bild muss farbig sein, mit 8 Bit je Kanal; dieses hat die Form {} und den Typ {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/vision/hue_table.py" />
+      <source>The colour profile {} has {} hues; at most {} can be told apart.</source>
+      <translation>Das Farbprofil {} hat {} Farbtöne; höchstens {} lassen sich unterscheiden.</translation>
+    </message>
+    <message>
+      <location filename="tracker/vision/lenses.py" />
+      <source>The engine vist needs both lenses; with one, use the engine chain.</source>
+      <translation>Das Verfahren vist braucht beide Objektive; mit einem das Verfahren chain benutzen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/vision/rig.py" />
+      <source>The stereo calibration has a baseline of {} mm: left and right are swapped, or this is no stereo pair.</source>
+      <translation>Die Stereo-Kalibrierung hat eine Basis von {} mm: links und rechts sind vertauscht, oder dies ist kein Stereopaar.</translation>
+    </message>
+    <message>
+      <location filename="tracker/vision/rig.py" />
+      <source>The two rectified cameras must share one matrix P[:, :3].</source>
+      <translation>Die beiden rektifizierten Kameras müssen eine Matrix P[:, :3] teilen.</translation>
     </message>
   </context>
 </TS>

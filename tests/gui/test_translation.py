@@ -8,8 +8,18 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from app import words
+from app.platform.engine_sentences import EngineSentences, own, templates_in
 from app.platform.translation import CONTEXT, Catalogue, chosen, install, languages, place
-from app.tools.translations import SAYS, all_words, read, release, words_in, write
+from app.tools.translations import (
+    SAYS,
+    all_words,
+    engine_sentences,
+    read,
+    release,
+    sentences_in,
+    words_in,
+    write,
+)
 from app.window.main_window import MainWindow
 
 APP = Path(__file__).resolve().parents[2] / "app"
@@ -176,3 +186,64 @@ def test_a_catalogue_speaks_from_menus_subclasses_and_view_models(tmp_path, stor
 )
 def test_the_language_is_the_one_set_else_the_desktop_s_else_english(setting, system, code):
     assert chosen(setting, system, ["en", "de"]) == code
+
+
+def test_sentences_of_the_engine_are_found_with_their_values_and_docstrings_are_not():
+    code = """
+def f(x, y):
+    \"\"\"This is no sentence for anybody.\"\"\"
+    raise FileError(f"The glove {x} is at "
+                    f"{y:.1f} metres.", "key", "no sentence, no capital.", f"{x}: {y}.")
+"""
+    assert list(sentences_in(code)) == ["The glove {} is at {} metres."]
+    assert len(engine_sentences()) > 200  # of files, devices, colours, the fit, the export
+
+
+@pytest.fixture
+def german(tmp_path):
+    """A catalogue whose engine says three things."""
+    done = {
+        "The camera {} is connected.": "Die Kamera {} ist verbunden.",
+        "{} and {} are exchanged.": "{1} ist mit {0} vertauscht.",
+        "{} cannot be read: {}.": "{} ist nicht lesbar: {}.",
+        "Window": "Fenster",
+    }
+    path = tmp_path / "glovetrack_de.ts"
+    write(path, "de", {t: "tracker/a.py" for t in done} | {"Window": "app/a.py"}, done)
+    assert "Window" not in dict(templates_in(path))
+    return EngineSentences(path).translate
+
+
+@pytest.mark.parametrize(
+    ("said", "translated"),
+    [
+        ("The camera front is connected.", "Die Kamera front ist verbunden."),
+        ("a and b are exchanged.", "b ist mit a vertauscht."),
+        ("x.mcap cannot be read: no such. file.", "x.mcap ist nicht lesbar: no such. file."),
+        (
+            "a and b are exchanged. The camera c is connected. Who knows?",
+            "b ist mit a vertauscht. Die Kamera c ist verbunden. Who knows?",
+        ),
+        ("Die Kamera front ist verbunden.", "Die Kamera front ist verbunden."),
+        ("", ""),
+    ],
+)
+def test_what_the_engine_says_is_translated_with_its_values(german, said, translated):
+    assert german(said) == translated
+
+
+def test_every_translation_of_the_engine_takes_just_the_values_of_its_sentence():
+    for path in place().glob("*.ts"):
+        for source, target in templates_in(path):
+            values = [f"<{k}>" for k in range(source.count("{}"))]
+            if own(source) and values:
+                assert all(target.format(*values).count(v) == 1 for v in values), source
+
+
+def test_a_lost_camera_is_told_in_german_in_banner_and_log(window, monkeypatch):
+    sentences = EngineSentences(place() / "glovetrack_de.ts")
+    monkeypatch.setattr(words._Catalogue, "sentences", staticmethod(sentences.translate))
+    window.host.error.emit("The camera 0 gives no images; waiting for it.")
+    said = "Die Kamera 0 gibt keine Bilder; es wird auf sie gewartet."
+    assert window.messages.banner.text() == said
+    assert window.log.model.ends_with(said)

@@ -183,12 +183,17 @@ class SessionRecorder:
                 self._check_room()
 
     def _check_room(self) -> None:
-        if self._free < self.params.stop_free_gb * GB:
-            so_far = "; what was recorded is safe" if self._messages else ""
+        if self._free >= self.params.stop_free_gb * GB:
+            return
+        disk, left = self.path.parent, f"{self._free / 1e6:.0f} MB"
+        if self._messages:
             raise FileError(
-                f"The disk of {self.path.parent} is nearly full ({self._free / GB:.1f} GB are "
-                f"left), so nothing {'more ' if self._messages else ''}is recorded{so_far}."
+                f"The disk of {disk} is nearly full ({left} are left), so nothing more is "
+                "recorded; what was recorded is safe."
             )
+        raise FileError(
+            f"The disk of {disk} is nearly full ({left} are left), so nothing is recorded."
+        )
 
     def _guarded(self, work: Callable[[McapOutput], None]) -> None:
         """Do ``work``; if the disk gives out, close what there is and tell."""

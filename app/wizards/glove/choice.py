@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.storage.bound_gloves import BoundGlove, bound
 from app.storage.settings import AppSettings
-from app.words import tr
+from app.words import told, tr
 from tracker import library
 from tracker.errors import GlovetrackError
 from tracker.glove.model import GloveModel
@@ -115,7 +115,7 @@ class ChoicePage(QWidget):
         try:
             return library.load(self.gloves.currentText(), self.hands.currentText())
         except GlovetrackError as error:
-            self.words.setText(str(error))
+            self.words.setText(told(str(error)))
             return None
 
     def port(self) -> str:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from app.platform.tasks import TaskOwner
+from app.words import told
 from tracker.calibration.stereo.collect import Answer, Collector
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
 from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
@@ -79,13 +80,13 @@ class BoardWatcher:
             source = self._make_source()
             source.open()
         except GlovetrackError as error:
-            self.trouble, self.ended = str(error), True
+            self.trouble, self.ended = told(str(error)), True
             return
         self.live = source.live
         try:
             self._read(source)
         except GlovetrackError as error:
-            self.trouble = str(error)
+            self.trouble = told(str(error))
         finally:
             source.close()
             self.ended = True

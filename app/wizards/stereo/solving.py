@@ -9,6 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from app.platform.tasks import JobProgress, RunningJob, TaskOwner
+from app.words import told
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
 from tracker.calibration.stereo.solve import CalibrationError, Solution, solve
@@ -62,7 +63,7 @@ def _solving(
         try:
             return solve(views, width, height, progress=progress)
         except CalibrationError as error:
-            return str(error)
+            return told(str(error))
 
     return job
 
