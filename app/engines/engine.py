@@ -85,6 +85,10 @@ class Player(Protocol):
     def path(self) -> Path: ...
 
     @property
+    def tracked(self) -> bool:
+        """Whether the session holds a tracked hand."""
+
+    @property
     def duration(self) -> float: ...
 
     @property

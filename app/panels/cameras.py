@@ -47,9 +47,10 @@ class CamerasPanel(Panel):
         splitter = QSplitter(Qt.Orientation.Horizontal)
         splitter.setChildrenCollapsible(False)
         for image in (self.left, self.right):
-            image.handled.connect(self._stop_following)
             splitter.addWidget(image)
         column.addWidget(splitter, 1)
+        self.left.handled.connect(lambda: self._handled(self.left, self.right))
+        self.right.handled.connect(lambda: self._handled(self.right, self.left))
         host.opened.connect(self._open)
 
     def title(self) -> str:
@@ -144,8 +145,9 @@ class CamerasPanel(Panel):
             return None
         return tuple(name for name, box in self.hue_boxes.items() if box.isChecked())
 
-    def _stop_following(self) -> None:
-        """Who moves an image does not want it moved."""
+    def _handled(self, by_hand: ImageView, other: ImageView) -> None:
+        """Who moves an image does not want it moved; both show the same part."""
+        other.show_like(by_hand)
         with QSignalBlocker(self.follow):
             self.follow.setChecked(False)
 

@@ -19,6 +19,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
+from app.storage.settings import SettingsStore
 from app.viewmodels.sensors import (
     AngleHistory,
     Curves,
@@ -46,8 +47,11 @@ class SensorsPanel(Panel):
     name = "sensors"
     period = 1 / 20
 
-    def __init__(self, host: EngineHost, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
+    ) -> None:
         super().__init__(host, parent)
+        self._store = store
         self.chips: list[Chip] = []
         self.toggles: list[QCheckBox] = []
         self._history = AngleHistory(SPAN)
@@ -81,6 +85,7 @@ class SensorsPanel(Panel):
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Curves"))
         self.choice.currentIndexChanged.connect(self._choose)
+        self.choice.activated.connect(self._remember)
         self.hold = QCheckBox(self.tr("Pause"))
         self.hold.setToolTip(self.tr("Hold the curves; tracking goes on"))
         self._head = OneLine()
@@ -113,10 +118,11 @@ class SensorsPanel(Panel):
         self.choice.blockSignals(True)
         self.choice.clear()
         for name in setup.glove.imu_names:
-            self.choice.addItem(self.tr("IMU: {}").format(name.replace("_", " ")))
+            self.choice.addItem(self.tr("IMU: {}").format(name.replace("_", " ")), f"imu {name}")
         self.choice.insertSeparator(self.choice.count())
         for finger in self._fingers:
             self.choice.addItem(self.tr("Angles: {}").format(finger), finger)
+        self.choice.setCurrentIndex(max(0, self.choice.findData(self._store.value.curves)))
         self.choice.blockSignals(False)
         for chip in self.chips:
             chip.deleteLater()
@@ -126,6 +132,10 @@ class SensorsPanel(Panel):
         self._choose()
 
     # --- which curves
+
+    def _remember(self) -> None:
+        """The next glove, and the next start, show the same."""
+        self._store.update(curves=str(self.choice.currentData() or ""))
 
     def _choose(self) -> None:
         """Show the plots of the choice, and a box for each of its curves."""

@@ -26,6 +26,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import Outputs
 from app.jobs.remote import RemoteControl
+from app.panels.connection_table import ConnectionTable
 from app.panels.panel import Panel
 from app.panels.remote import RemoteBox
 from app.viewmodels.streams import (
@@ -44,7 +45,6 @@ from app.words import tr
 
 TEST_MS = 300
 MOST, USUAL = 255, 200  # amplitude
-COLUMNS = ("state", "clients", "sent", "dropped")
 
 
 class StreamsPanel(Panel):
@@ -123,28 +123,27 @@ class StreamsPanel(Panel):
         if host and host != self._outputs.params.host:
             self._outputs.move(host)
 
-    def _table(self) -> QGridLayout:
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(NEAR)
-        grid.setColumnStretch(2, 1)
-        headings = (
-            self.tr("Stream"),
-            self.tr("Port"),
-            self.tr("State"),
-            self.tr("Clients"),
-            self.tr("Sent"),
-            self.tr("Dropped"),
+    def _table(self) -> ConnectionTable:
+        table = ConnectionTable(
+            (
+                self.tr("Stream"),
+                self.tr("Port"),
+                self.tr("State"),
+                self.tr("Clients"),
+                self.tr("Sent"),
+                self.tr("Dropped"),
+            )
         )
-        for j, text in enumerate(headings):
-            heading = QLabel(text)
-            heading.setProperty("role", "faint")
-            grid.addWidget(heading, 0, j)
-        self.boxes: dict[str, QCheckBox] = {}
-        self.ports: dict[str, QSpinBox] = {}
-        self.cells: dict[str, dict[str, QLabel]] = {}
-        for i, name in enumerate(STREAMS, start=1):
-            self._add_row(grid, i, name)
-        return grid
+        outputs = self._outputs
+        for name in STREAMS:
+            port = None if name in WITHOUT_PORT else outputs.set_port
+            table.add(name, title(name), outputs.switch, port)
+            value = None if port is None else int(getattr(outputs.params, f"{name}_port"))
+            table.show_wanted(name, outputs.is_on(name), value)
+            table.boxes[name].setToolTip(tr(REACH.get(name, "")))
+        self.table = table
+        self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
+        return table
 
     def _reach(self) -> QLabel:
         """Who else hears what is switched on, of those that the address does not bound."""
@@ -153,26 +152,6 @@ class StreamsPanel(Panel):
         self.reach.setProperty("role", "faint")
         self.reach.setWordWrap(True)
         return self.reach
-
-    def _add_row(self, grid: QGridLayout, i: int, name: str) -> None:
-        box = self.boxes[name] = QCheckBox(title(name))
-        box.setChecked(self._outputs.is_on(name))
-        box.toggled.connect(partial(self._outputs.switch, name))
-        box.setToolTip(tr(REACH.get(name, "")))
-        grid.addWidget(box, i, 0)
-        if name not in WITHOUT_PORT:
-            port = self.ports[name] = QSpinBox()
-            port.setRange(1, 65535)
-            port.setValue(getattr(self._outputs.params, f"{name}_port"))
-            port.setAccessibleName(self.tr("Port of {}").format(title(name)))
-            port.setKeyboardTracking(False)
-            port.valueChanged.connect(partial(self._outputs.set_port, name))
-            grid.addWidget(port, i, 1)
-        self.cells[name] = {column: QLabel() for column in COLUMNS}
-        for j, label in enumerate(self.cells[name].values(), start=2):
-            if j > 2:
-                label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            grid.addWidget(label, i, j)
 
     # --- haptics
 
@@ -258,17 +237,9 @@ class StreamsPanel(Panel):
         self.contact.setText(self._contact_text())
 
     def _show_row(self, name: str, row: StreamRow) -> None:
-        cells = self.cells[name]
         sign = f'<span style="color:{row.look.colour}">{row.look.sign}</span>'
-        for column, text in (
-            ("state", f"{sign} {row.state}"),
-            ("clients", row.clients),
-            ("sent", row.sent),
-            ("dropped", row.dropped),
-        ):
-            if cells[column].text() != text:
-                cells[column].setText(text)
-            cells[column].setToolTip(row.tip)
+        texts = f"{sign} {row.state}", row.clients, row.sent, row.dropped
+        self.table.show_row(name, texts, row.tip)
 
     def _contact_text(self) -> str:
         rule = self._outputs.rule

@@ -52,6 +52,7 @@ class AppSettings:
     guided_sound: bool = True  # a beep when a guided pose has been held
     wearer: str = ""  # whose calibration is put on at the start
     engine: str = "chain"  # what tracks
+    curves: str = ""  # which of the sensors panel are shown
     angle_unit: str = "deg"  # or "rad": of the motion panel
     view_3d: str = "auto"  # "auto", "card" or "painted"
     card_trial: bool = False  # the graphics card's view has not yet drawn enough to be trusted

@@ -9,7 +9,7 @@ import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, WARN, StateLook
 from app.widgets.image_shapes import Cross, Line, Shape
-from app.words import mark, tr
+from app.words import mark, told, tr
 from tracker.calibration.stereo.checks import (
     Extrinsics,
     known_baseline_problems,
@@ -70,10 +70,13 @@ def meters(cover: Coverage, params: CoverageParams | None = None) -> list[Meter]
 
 def say(answer: Answer, trouble: str, cover: Coverage) -> str:
     """The sentence under the images."""
+    more = told(advice(cover))
+    if not more:
+        return tr("That is enough: press Calibrate.")
     if answer is Answer.ABSENT:
-        return trouble
+        return told(trouble)
     if answer is Answer.TAKEN:
-        return f"{tr(ANSWERS[answer])} {advice(cover) or tr('That is enough: go on.')}"
+        return f"{tr(ANSWERS[answer])} {more}"
     return tr(ANSWERS[answer])
 
 

@@ -91,6 +91,12 @@ class ImageView(QWidget):
         self.zoom.fit()
         self.update()
 
+    def show_like(self, other: ImageView) -> None:
+        """The same part of the image as ``other`` shows of its own, which is as large."""
+        self.zoom.zoom, self.zoom.centre = other.zoom.zoom, QPointF(other.zoom.centre)
+        self.zoom.clamp()
+        self.update()
+
     def follow(self, u: float, v: float, width: float, height: float) -> None:
         """Go some of the way to a view in which a box of image pixels fills the middle."""
         if self._image is None or self._drag is not None:

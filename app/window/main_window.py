@@ -103,7 +103,7 @@ class MainWindow(QMainWindow):
     def _make_panels(self) -> None:
         self.cameras = CamerasPanel(self.host)
         self.hand = HandPanel(self.host, self.store, self.tasks)
-        self.sensors = SensorsPanel(self.host)
+        self.sensors = SensorsPanel(self.host, self.store)
         self.motion = MotionPanel(self.host, self.store)
         self.library = LibraryPanel(self.host, self.store, self.tasks)
         self.log = LogPanel(self.host)

@@ -6,7 +6,7 @@ import argparse
 import os
 import signal
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import start_camera
 from app.platform.process_tuning import tune_process
+from app.platform.screens import PLATFORM, has_screen
 from resources import folder
 from tracker import __version__
 from tracker.errors import GlovetrackError
@@ -29,10 +30,10 @@ if TYPE_CHECKING:
     from app.platform.single_instance import Instance
 
 NO_SCREEN = (
-    "There is no screen to open the window on: neither DISPLAY nor WAYLAND_DISPLAY is set.\n"
+    "There is no screen to open the window on: neither DISPLAY nor WAYLAND_DISPLAY names one "
+    "that answers.\n"
     "Without one: `glovetrack demo --headless-report 20`, or any other command (see the README)."
 )
-PLATFORM = "QT_QPA_PLATFORM"
 
 
 def open_window(argv: Sequence[str]) -> int:
@@ -55,7 +56,6 @@ def open_window(argv: Sequence[str]) -> int:
     app = QApplication.instance() or QApplication(["glovetrack"])
     assert isinstance(app, QApplication)
     app.setApplicationName("glovetrack")
-    app.setApplicationDisplayName("Glovetrack")
     app.setApplicationVersion(__version__)
     app.setDesktopFileName("glovetrack")
     app.setWindowIcon(QIcon(str(folder("icons") / "glovetrack.svg")))
@@ -105,7 +105,7 @@ def _show(
     signal.signal(signal.SIGINT, lambda *_: window.close())
     window.outputs.use(args.streams)
     window.remote.use(args.remote, args.remote_host)
-    instance.answer = window.remote.answer_line
+    instance.answer = window.remote.answers.answer_line
     window.sources.baud = args.baud
     window.show()
     if args.demo:
@@ -160,16 +160,6 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--out", type=Path, default=Path("demo"), help="folder of the report")
     return parser
-
-
-def has_screen(environment: Mapping[str, str] = os.environ, system: str = sys.platform) -> bool:
-    """Whether Qt will find a screen, or has been told what to do without.
-
-    To be asked first: Qt ends the program where it finds none.
-    """
-    if not system.startswith("linux"):
-        return True
-    return any(environment.get(name) for name in (PLATFORM, "DISPLAY", "WAYLAND_DISPLAY"))
 
 
 def do_without() -> None:

@@ -62,7 +62,7 @@ def test_a_stop_of_tracking_takes_it_back(counting, qtbot):
 def test_who_asks_from_outside_does_not_wait(counting, qtbot):
     counting.run_command("record")
     assert counting.record_key.left == 3
-    assert json.loads(counting.remote.answer_line('{"do": "start"}'))["ok"]
+    assert json.loads(counting.remote.answers.answer_line('{"do": "start"}'))["ok"]
     assert counting.host.recording.request is not None and counting.record_key.left == 0
     qtbot.wait(5 * TICK_MS)
     assert counting.host.recording.request is not None, "the countdown must not end it"

@@ -1,5 +1,6 @@
 """A machine without a screen."""
 
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -7,16 +8,26 @@ from pathlib import Path
 import pytest
 from environments import without_screen
 
-from app.window.start import has_screen
+from app.platform.screens import answers, has_screen
 
 ROOT = Path(__file__).resolve().parents[2]
+
+
+LISTENING = {"/tmp/.X11-unix/X0", ("there", 6010), "/run/user/1/wayland-0"}
 
 
 @pytest.mark.parametrize(
     ("environment", "system", "there"),
     [
         ({"DISPLAY": ":0"}, "linux", True),
-        ({"WAYLAND_DISPLAY": "wayland-0"}, "linux", True),
+        ({"DISPLAY": "unix:0.1"}, "linux", True),
+        ({"DISPLAY": "there:10.0"}, "linux", True),
+        ({"DISPLAY": ":1"}, "linux", False),  # named, but dead
+        ({"DISPLAY": ":1", "QT_QPA_PLATFORM": "xcb"}, "linux", False),
+        ({"DISPLAY": "no display"}, "linux", False),
+        ({"WAYLAND_DISPLAY": "wayland-0", "XDG_RUNTIME_DIR": "/run/user/1"}, "linux", True),
+        ({"WAYLAND_DISPLAY": "/run/user/1/wayland-0"}, "linux", True),
+        ({"WAYLAND_DISPLAY": "wayland-1", "XDG_RUNTIME_DIR": "/run/user/1"}, "linux", False),
         ({"QT_QPA_PLATFORM": "vnc"}, "linux", True),
         ({"DISPLAY": ""}, "linux", False),
         ({}, "linux", False),
@@ -24,8 +35,19 @@ ROOT = Path(__file__).resolve().parents[2]
         ({}, "darwin", True),
     ],
 )
-def test_a_screen_is_what_the_environment_names(environment, system, there):
-    assert has_screen(environment, system) is there
+def test_a_screen_is_what_the_environment_names_and_answers(environment, system, there):
+    assert has_screen(environment, system, LISTENING.__contains__) is there
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="local sockets of X")
+def test_a_local_socket_answers_while_somebody_listens(tmp_path):
+    path = str(tmp_path / "X7")
+    assert not answers(path)
+    with socket.socket(socket.AF_UNIX) as server:
+        server.bind(path)
+        server.listen()
+        assert answers(path)
+    assert not answers(path)
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="others always have one")

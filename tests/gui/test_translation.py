@@ -209,7 +209,7 @@ def german(tmp_path):
         "Window": "Fenster",
     }
     path = tmp_path / "glovetrack_de.ts"
-    write(path, "de", {t: "tracker/a.py" for t in done} | {"Window": "app/a.py"}, done)
+    write(path, "de", dict.fromkeys(done, "tracker/a.py") | {"Window": "app/a.py"}, done)
     assert "Window" not in dict(templates_in(path))
     return EngineSentences(path).translate
 

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
 from app.panels.library.two_takes_dialog import TwoTakesDialog
+from app.viewmodels.take_images import TakeImages
 from app.viewmodels.two_takes import TwoTakes, between, figures_text, read_take
+from tracker.messages import StereoFrame
 from tracker.offline.crop import crop
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
+from tracker.session.reader import SessionReader
+from tracker.session.writer import RecorderParams, SessionRecorder
 
 LATER = 0.3  # s that the second part begins after the first
 JOINT = "index_mcp_flexion"
@@ -112,3 +117,29 @@ def test_curves_line_and_offset_go_together(beside, window, qtbot):
     beside.close()
     qtbot.wait(50)
     window.library.refresh(None)  # nothing follows a dialog that is gone
+
+
+def test_images_of_a_take_are_those_of_the_instant(parts, tmp_path):
+    path = tmp_path / "images.mcap"
+    with SessionReader(parts[0]) as reader:
+        info = replace(reader.info, rig=None)
+    begin = info.anchor.monotonic_ns * 1e-9
+    with SessionRecorder(path, info, RecorderParams(sync=False)) as recorder:
+        for k in range(5):
+            t, image = begin + 0.1 * k, np.full((48, 64, 3), 40 * k, np.uint8)
+            recorder.write(StereoFrame(t, t, image, image, index=k))
+    images = TakeImages(path)
+    grey = [images.at(p).mean() / 40 for p in (0.0, 0.19, 0.2, 0.25, 0.45)]
+    np.testing.assert_allclose(grey, [0, 1, 2, 2, 4], atol=0.1)  # JPEG keeps a plain image well
+    assert images.at(2.0) is None  # long after the last one
+    images.close()
+
+
+def test_images_of_both_takes_follow_position_and_offset(beside, window, monkeypatch, qtbot):
+    asked = []
+    for k, source in enumerate(beside.images._sources):
+        monkeypatch.setattr(source, "at", lambda p, k=k: asked.append((k, round(p, 3))))
+    window.host.setup.player.play(False)
+    beside.set_offset(0.25)
+    beside.show_position(0.9)
+    qtbot.waitUntil(lambda: asked[-2:] == [(0, 0.9), (1, 0.65)], timeout=10_000)

@@ -115,8 +115,11 @@ class SessionReader:
         """An attached text. Raises FileError if there is none of that name."""
         if name not in self.attachments:
             large = any(n > MOST_BYTES + _BESIDE_TEXT for _, n in self.source.contents.attachments)
-            limit = f" of at most {MOST_BYTES} bytes" if large else ""
-            raise FileError(f"{self.path} has no attachment {name}{limit}.")
+            if large:
+                raise FileError(f"{self.path} holds no {name} of at most {MOST_BYTES} bytes.")
+            raise FileError(
+                f"{self.path} holds no {name}: it was not recorded by Glovetrack, or only in part."
+            )
         return self.attachments[name]
 
     @cached_property

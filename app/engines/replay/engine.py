@@ -10,6 +10,7 @@ from app.engines.engine import EngineSetup, ReferenceHand
 from app.engines.replay.moment import ReplayMoment
 from app.engines.replay.references import References
 from app.engines.replay.sights import first_sight
+from app.engines.replay.tell_markers import MarkerTeller
 from app.engines.replay.thread import ReplayThread, holds
 from app.engines.replay.transport import ReplayPlayer
 from app.engines.warm_up import warm_up_view
@@ -44,8 +45,11 @@ class ReplayEngine:
         self.info = self._reader.info
         self._references = References(path, holds(self._reader, "/truth/"))
         has_images = any("/image" in name for name in self._reader.topic_names)
-        self._moment = ReplayMoment(len(self.info.glove.markers), has_images)
-        self.player = ReplayPlayer(path, self._reader.duration, self._references)
+        glove, rig = self.info.glove, self.info.rig
+        teller = MarkerTeller(self.info.hand, glove, rig) if rig is not None else None
+        self._moment = ReplayMoment(len(glove.markers), has_images, teller)
+        tracked = holds(self._reader, "/hand/")
+        self.player = ReplayPlayer(path, self._reader.duration, self._references, tracked)
         self.stage = ApplicationStage(self.info.hand, self.info.glove)
         self._thread = ReplayThread(
             self._reader, self.player, self._moment, self._references, self.stage

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
+from app.engines.replay.tell_markers import MarkerTeller
 from tracker.live.imu_history import HISTORY_S
 from tracker.messages import (
     BlobFrame,
@@ -20,6 +21,7 @@ from tracker.messages import (
 )
 
 IMAGES_WAITING = 30
+HANDS = 60  # estimates that are kept: an image is some 40 ms older than the newest
 LATE = 0.3  # s after which an image is shown without its blobs, and blobs without their image
 
 
@@ -28,11 +30,13 @@ class ReplayMoment:
 
     ``markers``: how many the glove has. ``has_images``: whether the file holds any, so that blobs
     wait for theirs. At one arrival time either may come first: images are packed by another process
-    than the one that writes.
+    than the one that writes. ``teller`` tells which blob is which marker; None where no camera is
+    known.
     """
 
-    def __init__(self, markers: int, has_images: bool) -> None:
-        self._markers, self._has_images = markers, has_images
+    def __init__(self, markers: int, has_images: bool, teller: MarkerTeller | None = None) -> None:
+        self._markers, self._has_images, self._teller = markers, has_images, teller
+        self._hands: deque[Estimate] = deque(maxlen=HANDS)
         self.estimate: Estimate | None = None
         self.frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
         self.calibration: Calibration | None = None
@@ -43,6 +47,7 @@ class ReplayMoment:
     def forget(self) -> None:
         """What belongs to the position that is left; the hand stands until another one comes."""
         self._images: dict[float, StereoFrame] = {}
+        self._hands.clear()
         self._imu: deque[ImuSample] = deque()
         self._searched: float | None = None  # t of the last blobs, or of the first image
         self._pictured: float | None = None  # t of the last image, or of the first blobs
@@ -56,6 +61,7 @@ class ReplayMoment:
                 self._imu.popleft()
         elif isinstance(message, Estimate):
             self.estimate = message
+            self._hands.append(message)
         elif isinstance(message, StereoFrame):
             self._take_image(message)
         elif isinstance(message, BlobFrame):
@@ -95,8 +101,12 @@ class ReplayMoment:
             self._show(empty, blobs)
 
     def _show(self, image: StereoFrame, blobs: BlobFrame) -> None:
-        tracking = self.estimate.tracking if self.estimate else Tracking.SEARCHING
-        self.frame = (image, blobs, FrameResult.nothing(blobs.t, tracking, self._markers))
+        if self._teller is not None:
+            result = self._teller.tell(blobs, self._hands)
+        else:
+            tracking = self.estimate.tracking if self.estimate else Tracking.SEARCHING
+            result = FrameResult.nothing(blobs.t, tracking, self._markers)
+        self.frame = (image, blobs, result)
 
     def imu(self) -> Sequence[ImuSample]:
         """The samples of the last seconds."""

@@ -75,9 +75,9 @@ class Transport:
 class ReplayPlayer(Transport):
     """The `Player` of a replay: its transport, what happened in the file, and the hand beside."""
 
-    def __init__(self, path: Path, duration: float, references: References) -> None:
+    def __init__(self, path: Path, duration: float, references: References, tracked: bool) -> None:
         super().__init__(duration)
-        self.path = path
+        self.path, self.tracked = path, tracked
         self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its position in s
         self._references = references
 

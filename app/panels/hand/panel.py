@@ -162,7 +162,11 @@ class HandPanel(Panel):
         if self._model is not None and view is not None:
             scene = self._model.scene(view, show.reference)
         if scene is None or self._bodies is None:
-            self.view.caption = self.tr("No hand yet")
+            player = self._setup.player if self._setup is not None else None
+            if player is not None and not player.tracked:
+                self.view.caption = self.tr("Not tracked yet: Replay, Track again")
+            else:
+                self.view.caption = self.tr("No hand yet")
             self.view.render_scene()
             return
         orbit = self.view.orbit

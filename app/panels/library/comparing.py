@@ -74,6 +74,11 @@ class Comparing(QObject):
     def _takes_closed(self) -> None:
         self._takes = None
 
+    def shut_down(self) -> None:
+        """Close the dialog: it reads files."""
+        if self._takes is not None:
+            self._takes.close()
+
     def _move(self, offset: float) -> None:
         if self._takes is not None:
             self._shift = self._takes.takes.shift(offset)

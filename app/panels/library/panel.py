@@ -215,6 +215,7 @@ class LibraryPanel(Panel):
     def shut_down(self) -> None:
         """Remember how wide the columns are; the folder is not watched any more."""
         self._scan.shut_down()
+        self._comparing.shut_down()
         widths = self.table.widths()
         if widths != self._store.value.library_columns:
             self._store.update(library_columns=widths)

@@ -1,4 +1,5 @@
-"""Two takes on one time axis: a joint angle of both, their difference, and the offset between."""
+"""Two takes on one time axis: what cameras saw, a joint angle of both, their difference, and the
+offset between."""
 
 from __future__ import annotations
 
@@ -16,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.panels.library.take_pair import TakePair
 from app.viewmodels.compare import words
 from app.viewmodels.states import GOOD, SKY, WARN
 from app.viewmodels.two_takes import TwoTakes, figures_text
@@ -36,11 +38,14 @@ class TwoTakesDialog(QDialog):
         names = takes.first.path.stem, takes.second.path.stem
         self.setWindowTitle(self.tr("{} beside {}").format(*names))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.resize(820, 480)
+        self.resize(820, 640)
         self.figures = QLabel()
         self._make_plot(*names)
         column = QVBoxLayout(self)
         column.addLayout(self._top())
+        self.images = TakePair(takes)
+        self._position = 0.0
+        column.addWidget(self.images, 1)
         column.addWidget(self.plot, 1)
         column.addWidget(self.figures)
         by_clock = takes.by_clock
@@ -108,13 +113,21 @@ class TwoTakesDialog(QDialog):
             self.offset.setValue(self._offset)
             self.begin.setValue(self._offset)
         self._show()
+        self.images.show_at(self._position, self._position - self._offset)
         self.moved.emit(self._offset)
 
     def show_position(self, position: float) -> None:
         """Where the replay of the first one stands, s."""
+        self._position = position
+        self.images.show_at(position, position - self._offset)
         with QSignalBlocker(self.cursor_line):
             if not self.cursor_line.moving:
                 self.cursor_line.setValue(position)
+
+    def done(self, result: int) -> None:
+        """Closed: the files are let go."""
+        self.images.shut_down()
+        super().done(result)
 
     def _show(self) -> None:
         name = self.joint.currentData()

@@ -1,0 +1,155 @@
+"""What other programs ask, done as if the user had pressed the key.
+
+Requests come in the threads of their doors. All but vibration, which is to be felt at once, are
+done in the window's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future
+from dataclasses import replace
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from app.engines.engine_host import EngineHost
+from app.viewmodels.recording import RecordingPlan, duration_text
+from tracker.clock import monotonic
+from tracker.hand.names import CHAINS
+from tracker.streaming.remote.reception import Allowance
+from tracker.streaming.remote.request import Reply, Request, RequestError, parse
+
+MOTOR_HZ = 50.0  # commands to one motor; more only fill the glove's line
+MOTORS = tuple(CHAINS)
+CLOSING = "The window is closing."
+
+
+class RemoteAnswers(QObject):
+    """Starts, stops, notes, tells the state and lets motors vibrate."""
+
+    _came = Signal(object, object)  # Request, and the Future of its Reply
+
+    def __init__(
+        self, host: EngineHost, plan: RecordingPlan, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._host, self._plan = host, plan
+        self._waiting: set[Future[Reply]] = set()
+        self._motors = {finger: Allowance(MOTOR_HZ, monotonic()) for finger in MOTORS}
+        self._ended = False
+        self._came.connect(self._act, Qt.ConnectionType.QueuedConnection)
+
+    def answer(self, request: Request) -> Future[Reply]:
+        """Do it soon, in the window's thread; from any thread."""
+        future: Future[Reply] = Future()
+        if self._ended:
+            future.set_result(Reply(False, request.do, CLOSING, id=request.id))
+        elif request.do == "vibrate":
+            future.set_result(replace(self._vibrate(request), id=request.id))
+        else:
+            self._waiting.add(future)
+            future.add_done_callback(self._waiting.discard)
+            self._came.emit(request, future)
+        return future
+
+    def answer_line(self, line: str) -> str:
+        """A request of this computer's user, by the window's own local socket."""
+        try:
+            request = parse(line, monotonic())
+        except RequestError as error:
+            return Reply(False, "", str(error)).as_json()
+        if request is None:
+            return Reply(False, "", "That is an answer, not a request.").as_json()
+        do = self._vibrate if request.do == "vibrate" else self._do
+        return replace(do(request), id=request.id).as_json(with_folder=True)
+
+    def _act(self, request: Request, future: Future[Reply]) -> None:
+        if future.set_running_or_notify_cancel():  # nobody waits any more: it is not done
+            future.set_result(replace(self._do(request), id=request.id))
+
+    def _do(self, request: Request) -> Reply:
+        actions: dict[str, Callable[[Request], Reply]] = {
+            "start": self._start,
+            "stop": self._stop,
+            "note": self._note,
+            "status": self._status,
+        }
+        return actions[request.do](request)
+
+    def _start(self, request: Request) -> Reply:
+        recording, setup = self._host.recording, self._host.setup
+        if recording.request is not None:
+            name = recording.request.path.name
+            return Reply(False, request.do, f"{name} is being recorded already.")
+        if setup is None or not self._host.running:
+            return Reply(False, request.do, "Nothing can be recorded: no device is running.")
+        if setup.make_recorder is None:
+            return Reply(False, request.do, "A session that is replayed cannot be recorded.")
+        problems: list[str] = []
+
+        def listen(text: str) -> None:
+            problems.append(text)
+
+        self._host.error.connect(listen)
+        try:
+            self._host.toggle_recording(self._plan.request)
+        finally:
+            self._host.error.disconnect(listen)
+        begun = recording.request
+        if begun is None:
+            return Reply(False, request.do, " ".join(problems) or "The recording did not begin.")
+        return Reply(True, request.do, f"Recording {begun.path.name}.", begun.path)
+
+    def _stop(self, request: Request) -> Reply:
+        recording = self._host.recording
+        if recording.request is None:
+            return Reply(False, request.do, "Nothing is being recorded.")
+        path, elapsed = recording.request.path, recording.elapsed
+        recording.end()
+        text = f"{path.name} has ended after {duration_text(elapsed)}."
+        if recording.closing:
+            text += " It is still being written to its end."
+        return Reply(True, request.do, text, path, {"duration_s": round(elapsed, 3)})
+
+    def _note(self, request: Request) -> Reply:
+        """Stamped with its arrival, however busy the window was."""
+        if self._host.setup is None:
+            return Reply(False, request.do, "There is nothing to note it in: nothing is open.")
+        self._host.notes.add(request.text, request.t)
+        taken = self._host.recording.request
+        if taken is None:
+            return Reply(True, request.do, "Noted in the log: nothing is being recorded.")
+        return Reply(True, request.do, f"Noted in {taken.path.name}.", taken.path)
+
+    def _status(self, request: Request) -> Reply:
+        recording = self._host.recording
+        more: dict[str, Any] = {
+            "running": self._host.running,
+            "recording": recording.request is not None,
+            "paused": recording.paused,
+            "duration_s": round(recording.elapsed, 3),
+        }
+        if recording.request is not None:
+            path = recording.request.path
+            return Reply(True, request.do, f"Recording {path.name}.", path, more)
+        text = "Devices are running." if self._host.running else "Nothing is running."
+        return Reply(True, request.do, text, None, more)
+
+    def _vibrate(self, request: Request) -> Reply:
+        """From any thread, as the glove's link takes it."""
+        setup = self._host.setup
+        if setup is None or setup.vibrate is None or not self._host.running:
+            return Reply(False, request.do, "No glove with motors is running.")
+        if not self._motors[request.finger].take(request.t):
+            limit = f"A motor takes at most {MOTOR_HZ:.0f} requests a second."
+            return Reply(False, request.do, limit)
+        setup.vibrate(MOTORS.index(request.finger), request.amplitude, request.duration_ms)
+        return Reply(True, request.do, f"The {request.finger} vibrates.")
+
+    def end(self) -> None:
+        """Nothing is done any more; who still waits is told."""
+        self._ended = True
+        for future in list(self._waiting):
+            if future.set_running_or_notify_cancel():
+                future.set_result(Reply(False, "", CLOSING))

@@ -1,0 +1,73 @@
+"""Connections as rows: a switch, a port, how it is, and three counts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+
+from PySide6.QtCore import QCoreApplication, QSignalBlocker, Qt
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSpinBox
+
+from app.widgets.measures import NEAR
+
+COLUMNS = ("state", "clients", "sent", "dropped")
+
+
+class ConnectionTable(QGridLayout):
+    """``boxes``, ``ports`` (of those that have one) and ``cells`` by the connection's name."""
+
+    def __init__(self, headings: Sequence[str]) -> None:
+        """``headings``: of the switch, the port, and each of `COLUMNS`."""
+        super().__init__()
+        self.boxes: dict[str, QCheckBox] = {}
+        self.ports: dict[str, QSpinBox] = {}
+        self.cells: dict[str, dict[str, QLabel]] = {}
+        self.setHorizontalSpacing(NEAR)
+        self.setColumnStretch(2, 1)
+        for j, text in enumerate(headings):
+            heading = QLabel(text)
+            heading.setProperty("role", "faint")
+            self.addWidget(heading, 0, j)
+
+    def add(
+        self,
+        name: str,
+        title: str,
+        switch: Callable[[str, bool], object],
+        set_port: Callable[[str, int], object] | None,
+    ) -> None:
+        """A row below the others; both callables get the connection's name first."""
+        i = self.rowCount()
+        box = self.boxes[name] = QCheckBox(title)
+        box.toggled.connect(partial(switch, name))
+        self.addWidget(box, i, 0)
+        if set_port is not None:
+            port = self.ports[name] = QSpinBox()
+            port.setRange(1, 65535)
+            words = QCoreApplication.translate("ConnectionTable", "Port of {}")
+            port.setAccessibleName(words.format(title))
+            port.setKeyboardTracking(False)
+            port.valueChanged.connect(partial(set_port, name))
+            self.addWidget(port, i, 1)
+        self.cells[name] = {column: QLabel() for column in COLUMNS}
+        for j, label in enumerate(self.cells[name].values(), start=2):
+            if j > 2:
+                label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            self.addWidget(label, i, j)
+
+    def show_wanted(self, name: str, on: bool, port: int | None) -> None:
+        """What is set, without setting it again; a port that is being typed stays."""
+        box = self.boxes[name]
+        with QSignalBlocker(box):
+            box.setChecked(on)
+        field = self.ports.get(name)
+        if field is not None and port is not None and not field.hasFocus():
+            with QSignalBlocker(field):
+                field.setValue(port)
+
+    def show_row(self, name: str, texts: Sequence[str], tip: str) -> None:
+        """A text for each of `COLUMNS`."""
+        for label, text in zip(self.cells[name].values(), texts, strict=True):
+            if label.text() != text:
+                label.setText(text)
+            label.setToolTip(tip)
