@@ -154,6 +154,7 @@ THREADS = {
     "tracker/live/reference.py": "a second engine, never in the way of the first",
     "tracker/live/threads.py": "devices, vision and engine",
     "tracker/offline/detection.py": "searches images ahead of the filter",
+    "tracker/robot/process.py": "a robot is a process of its own",
     "tracker/session/mcap/sync.py": "writing does not wait for the disk",
     "tracker/session/recording/child.py": "reads the pipe while it writes the file",
     "tracker/session/recording/compression.py": "images, beside the writer",

@@ -100,6 +100,7 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         make_recorder=recorder_maker(tracker, info, record),
         truth=truth,
         simulated=True,
+        followed=tracker,
         vibrate=link.vibrate,
         guide=WearersGuide(tracker),
         command=tracker.command,

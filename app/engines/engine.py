@@ -22,6 +22,7 @@ from tracker.messages import (
     Event,
     FrameResult,
     ImuSample,
+    Message,
     Status,
     StereoFrame,
 )
@@ -68,6 +69,14 @@ class ReferenceTracking(Protocol):
     def set_reference(self, name: str | None) -> None: ...
 
     def reference_estimate(self) -> Estimate | None: ...
+
+
+class FollowedHand(Protocol):
+    """Tells a robot of each estimate, and records what it does."""
+
+    def follow(self, follower: Callable[[Estimate, float], None] | None) -> None: ...
+
+    def record(self, message: Message) -> None: ...
 
 
 class CameraControls(Protocol):
@@ -167,6 +176,7 @@ class EngineSetup:
     image_rate: Callable[[], float] | None = None  # images a second that the camera should give
     stage: ApplicationStage | None = None  # where an application of the hand runs
     guide: PoseGuide | None = None  # tells the engine of guided poses
+    followed: FollowedHand | None = None  # of a live engine
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms
     has_glove: bool = True
     has_camera: bool = True

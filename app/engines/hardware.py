@@ -98,6 +98,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         anchor=info.anchor,
         close=recorders.close,
         make_recorder=recorder_maker(tracker, info, recorders.record),
+        followed=tracker,
         vibrate=link.vibrate if link else None,
         guide=WearersGuide(tracker),
         command=tracker.command,

@@ -68,6 +68,8 @@ class AppSettings:
     streams: dict[str, Any] = field(default_factory=dict)  # of `StreamParams`
     remote: dict[str, Any] = field(default_factory=dict)  # of `RemoteParams`
     haptics: dict[str, Any] = field(default_factory=dict)  # of `app.jobs.outputs.HapticRule`
+    robot: dict[str, Any] = field(default_factory=dict)  # of `tracker.robot.settings`
+    robot_port: int = 0  # of its states by UDP; 0: they are not sent
     board: str = ""  # of the stereo calibration: kind, squares across and down, side in m
 
 

@@ -69,7 +69,7 @@ JOBS = (
         (
             (("cameras",), ("sensors", "motion", "library", "log")),
             (
-                ("hand", "applications"),
+                ("hand", "applications", "robot"),
                 ("calibration", "checklist", "colours", "recording", "streams"),
             ),
         ),
@@ -78,6 +78,8 @@ JOBS = (
     ),
 )
 FIRST = "watch"
+BESIDE = {"robot": "hand"}
+"""Docks that come to stand beside another one when they are called, where that is in sight."""
 
 
 def title_of(job: Job) -> str:
@@ -107,14 +109,18 @@ def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
             _add(window, docks, area, group)
     if job.across:
         _add(window, docks, BELOW, job.across)
-    for name in docks.keys() - job.shown:  # where they come to when they are called
+    beside = {n: at for n, at in BESIDE.items() if n not in job.shown and at in job.shown}
+    for name, at in beside.items():
+        window.splitDockWidget(docks[at], docks[name], Qt.Orientation.Horizontal)
+        docks[name].hide()
+    for name in docks.keys() - job.shown - beside.keys():  # where they come to when called
         host = job.across[0] if job.across else job.columns[1][-1][0]
         if host in ("hand", "cameras"):
             window.addDockWidget(BELOW, docks[name])
         else:
             window.tabifyDockWidget(docks[host], docks[name])
         docks[name].hide()
-    hidden = [docks[n] for n in docks if n not in job.shown]
+    hidden = [docks[n] for n in docks if n not in job.shown and n not in beside]
     for first, second in itertools.pairwise(hidden):
         window.tabifyDockWidget(first, second)
     for name in docks:

@@ -13,6 +13,7 @@ from app.engines.engine_host import EngineHost
 from app.jobs.outputs import Outputs
 from app.jobs.record_key import RecordKey
 from app.jobs.remote import RemoteControl
+from app.jobs.robot import RobotLink
 from app.panels.applications.panel import ApplicationsPanel
 from app.panels.calibration.panel import CalibrationPanel
 from app.panels.cameras import CamerasPanel
@@ -24,6 +25,7 @@ from app.panels.log import LogPanel
 from app.panels.motion.panel import MotionPanel
 from app.panels.panel import Panel
 from app.panels.recording import RecordingPanel
+from app.panels.robot.panel import RobotPanel
 from app.panels.sensors import SensorsPanel
 from app.panels.start_page import StartPage
 from app.panels.streams import StreamsPanel
@@ -77,6 +79,7 @@ class MainWindow(QMainWindow):
         self.outputs = Outputs(self.host, self.store, self.tasks, self)
         self.record_key = RecordKey(self.host, self.plan, self)
         self.remote = RemoteControl(self.host, self.plan, self.store, self.tasks, self)
+        self.robot_link = RobotLink(self.host, self.store, self)
         self._make_panels()
         self._make_frame()
         self.docks = make_docks(self, self.panels)
@@ -113,6 +116,7 @@ class MainWindow(QMainWindow):
         self.recording = RecordingPanel(self.host, self.plan, self.record_key)
         self.streams = StreamsPanel(self.host, self.outputs, self.remote)
         self.applications = ApplicationsPanel(self.host, self.store)
+        self.robot = RobotPanel(self.host, self.robot_link)
         self.panels: list[Panel] = [
             self.cameras,
             self.hand,
@@ -126,6 +130,7 @@ class MainWindow(QMainWindow):
             self.recording,
             self.streams,
             self.applications,
+            self.robot,
         ]
 
     def _make_frame(self) -> None:
@@ -266,6 +271,7 @@ class MainWindow(QMainWindow):
         colours = theme.apply(app, name)
         self.hand.view.set_background(colours.scene)
         self.applications.set_background(colours.scene)
+        self.robot.set_background(colours.scene)
         self.sensors.set_colours(colours.base, colours.text)
         self.motion.plot.set_colours(colours.base, colours.text)
         if name != self.store.value.theme:
@@ -306,6 +312,7 @@ class MainWindow(QMainWindow):
         self.tasks.shut_down()  # last: a recording that ends has the library read again
         self.outputs.shut_down()
         self.remote.shut_down()
+        self.robot_link.shut_down()
         for panel in self.panels:
             panel.shut_down()
         event.accept()

@@ -19,9 +19,10 @@ from tracker.glove.files import load_glove
 from tracker.messages import Estimate, Tracking, Validity
 from tracker.offline.teleop import DriveFigures, drive_again
 from tracker.offline.teleop_live import follow_stream
+from tracker.robot.command import RobotCommand
 from tracker.robot.driver import RobotDriver
 from tracker.robot.settings import RobotSettings
-from tracker.robot.teleop import RobotCommand, Teleop
+from tracker.robot.teleop import Teleop
 from tracker.session.decode_robot import read_robot, robot_names
 from tracker.session.description import SessionInfo
 from tracker.session.reader import SessionReader

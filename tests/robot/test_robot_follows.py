@@ -11,8 +11,9 @@ from tests.robot.hands import shadow, worn, worn_model
 from tracker.errors import ConfigError
 from tracker.geometry import so3
 from tracker.messages import RobotState
+from tracker.robot.command import RobotCommand
 from tracker.robot.settings import RobotSettings
-from tracker.robot.teleop import RobotCommand, Teleop
+from tracker.robot.teleop import Teleop
 from tracker.robot.worn import WornHand
 from tracker.simulation.gestures import FIST
 from tracker.simulation.postures import posture

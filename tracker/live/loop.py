@@ -51,6 +51,10 @@ TRACKING_WORDS = {
 }
 
 
+Follower = Callable[[Estimate, float], None]
+"""Hears of each estimate of a packet, and when (s) that came; at once, so it must not wait."""
+
+
 class ArrivalOrder:
     """Makes stamps of arrival tell the order of feeding: IMU first where two are equal.
 
@@ -107,6 +111,7 @@ class LiveLoop:
         self.gestures = GestureRecogniser(pipeline.hand, names)
         self.stage = ApplicationStage(pipeline.hand, pipeline.glove, journal.record)
         self.applications = ApplicationThread(self.stage, telemetry, clock)
+        self.followers: tuple[Follower, ...] = ()
         self._reference: ReferenceEngine | None = None
         self._pipeline_lock = threading.RLock()
         self._finishing: list[RecordingThread] = []
@@ -138,6 +143,8 @@ class LiveLoop:
             self._show(self.pipeline.feed_imu(sample), record=True)
             assert self.estimate is not None
             self.applications.put(self.estimate, sample.t_arrival)
+            for follow in self.followers:
+                follow(self.estimate, sample.t_arrival)
         self._feed_reference(sample)
         now = self.clock()
         self.telemetry.took("imu", now - sample.t_arrival)

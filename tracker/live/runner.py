@@ -17,7 +17,7 @@ from tracker.fusion.engine import Engine
 from tracker.live.devices import CameraReader, GloveReader
 from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox
 from tracker.live.journal import Journal
-from tracker.live.loop import LiveLoop
+from tracker.live.loop import Follower, LiveLoop
 from tracker.live.recording import Recorder
 from tracker.live.telemetry import Telemetry
 from tracker.live.threads import ThreadGroup
@@ -29,6 +29,7 @@ from tracker.messages import (
     Event,
     FrameResult,
     ImuSample,
+    Message,
     Status,
     StereoFrame,
 )
@@ -169,6 +170,14 @@ class LiveTracker:
         ``data``: see `tracker.session.notes`.
         """
         self._journal.note(text, t, data or {})
+
+    def follow(self, follower: Follower | None) -> None:
+        """Have each estimate heard by ``follower`` from now on, or by nobody."""
+        self._loop.followers = (follower,) if follower is not None else ()
+
+    def record(self, message: Message) -> None:
+        """Record what another part has made of the hand; nothing where no recording runs."""
+        self._journal.record(message)
 
     def hold(self, pose: str) -> None:
         """The wearer is asked from now on to hold a pose of `tracker.hand.poses`."""

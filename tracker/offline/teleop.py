@@ -15,9 +15,10 @@ from tracker.clock import monotonic, nanoseconds
 from tracker.errors import FileError
 from tracker.files import whole_file
 from tracker.messages import Estimate, Event, RobotMemory, RobotState
+from tracker.robot.command import RobotCommand
 from tracker.robot.driver import RobotDriver, Said, command_of
 from tracker.robot.settings import RobotSettings, settings_of
-from tracker.robot.teleop import RobotCommand, Teleop
+from tracker.robot.teleop import Teleop
 from tracker.robot.worn import worn_hand
 from tracker.session.decode_robot import read_robot, robot_model, robot_names
 from tracker.session.encode import Encoder, ImageCoding, Out

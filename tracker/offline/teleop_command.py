@@ -173,7 +173,7 @@ class _Sender:
         """One datagram; nobody needs to listen."""
         import json
 
-        from tracker.robot.driver import state_payload
+        from tracker.robot.payload import state_payload
 
         if self._socket is not None:
             model = self._driver.model

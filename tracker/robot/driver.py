@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, Event, RobotMemory, RobotModel, RobotState
-from tracker.robot.teleop import ENGAGE, RELEASE, RobotCommand, Teleop
-from tracker.robot.worn import FINGERS, WornHand, worn_hand
+from tracker.robot.command import ENGAGE, RELEASE, RobotCommand
+from tracker.robot.teleop import Teleop
+from tracker.robot.worn import WornHand, worn_hand
 
 KIND = "robot"
 MEMORY_EVERY = 0.5  # s of the hand's time: so soon a recording knows what the robot is
@@ -84,24 +84,3 @@ def command_of(event: Event, name: str) -> RobotCommand | None:
     value = event.data.get("value", 1.0)
     known = isinstance(value, int | float)
     return RobotCommand(str(event.data.get("do")), float(value) if known else 1.0)  # type: ignore[arg-type]
-
-
-def state_payload(state: RobotState, joint_names: Sequence[str], objects: Sequence[str]) -> Any:
-    """A state for programs, ready for JSON: angles rad, places m, forces N, all in SI units."""
-    force: Mapping[str, float] = dict(zip(FINGERS, state.force.tolist(), strict=True))
-    return {
-        "schema": 1,
-        "robot": state.name,
-        "t": state.t,
-        "engaged": state.engaged,
-        "holding": state.holding,
-        "commands": dict(zip(joint_names, state.command.tolist(), strict=True)),
-        "joints": dict(zip(joint_names, state.joints.tolist(), strict=True)),
-        "palm": _pose(state.palm),
-        "objects": {n: _pose(p) for n, p in zip(objects, state.objects, strict=True)},
-        "force": force,
-    }
-
-
-def _pose(pose: Any) -> dict[str, list[float]]:
-    return {"position": pose[:3].tolist(), "orientation_xyzw": pose[3:].tolist()}

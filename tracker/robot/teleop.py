@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict
-from typing import NamedTuple
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from tracker.clock import nanoseconds, seconds
 from tracker.errors import ConfigError
 from tracker.messages import Array, RobotMemory, RobotModel, RobotState
 from tracker.robot.carrier import PalmCarrier
+from tracker.robot.command import ENGAGE, RELEASE, SCALE, RobotCommand
 from tracker.robot.hand import RobotHand, load_hand
 from tracker.robot.retarget import Retargeter
 from tracker.robot.scene import TIMESTEP
@@ -26,21 +26,6 @@ from tracker.robot.world import RobotWorld
 from tracker.robot.worn import FINGERS, WornHand
 
 LONGEST = 0.05  # s that the scene goes on at most for one hand: after a gap it does not leap
-ENGAGE, RELEASE, RESET, SCALE = COMMANDS = ("engage", "release", "reset", "scale")
-
-
-class RobotCommand(NamedTuple):
-    """What a user asks of a robot: one of `COMMANDS`; ``value`` is that of a scale."""
-
-    word: str
-    value: float = 1.0
-
-    def check(self) -> None:
-        """Raises ConfigError for what is not known."""
-        if self.word not in COMMANDS:
-            raise ConfigError(f"A robot is asked {', '.join(COMMANDS)}, not {self.word!r}.")
-        if self.word == SCALE:
-            RobotSettings(motion_scale=self.value)
 
 
 class Teleop:

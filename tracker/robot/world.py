@@ -104,6 +104,17 @@ class RobotWorld:
         self.data.qpos[row : row + 7] = [*p, np.cos(yaw / 2), 0.0, 0.0, np.sin(yaw / 2)]
         mujoco.mj_forward(self.model, self.data)
 
+    def show(self, angles: Array, palm: Array, objects: Array) -> None:
+        """As a recorded state has it, without a step: angles (n,), palm (7,), objects (m, 7).
+
+        Of another scene's things those are shown that there are.
+        """
+        data, mount = self.data, self.scene.mount
+        data.qpos[self.scene.joint_rows] = angles
+        for row, pose in zip((mount, *self.scene.object_rows), (palm, *objects), strict=False):
+            data.qpos[row : row + 7] = [*pose[:3], pose[6], *pose[3:6]]
+        mujoco.mj_kinematics(self.model, data)
+
     @property
     def memory(self) -> Array:
         """All that the next step depends on."""

@@ -13,8 +13,9 @@ from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
 from tracker.library import text
 from tracker.messages import Array, RobotState
+from tracker.robot.command import RESET, RobotCommand
 from tracker.robot.scene import CUBE
-from tracker.robot.teleop import RESET, RobotCommand, Teleop
+from tracker.robot.teleop import Teleop
 from tracker.simulation.picking import LIFT, Picking
 from tracker.simulation.smooth import rng_for
 

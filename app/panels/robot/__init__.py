@@ -1,0 +1,1 @@
+"""The robot hand beside the wearer's."""

@@ -1,0 +1,221 @@
+"""A robot in a process of its own, so that tracking and window never wait for it."""
+
+from __future__ import annotations
+
+import multiprocessing as mp
+import threading
+from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from typing import TYPE_CHECKING, NamedTuple
+
+from tracker.clock import monotonic
+from tracker.errors import GlovetrackError
+from tracker.hand.model import HandModel
+from tracker.messages import Estimate, RobotModel, RobotState
+from tracker.robot.command import RobotCommand
+from tracker.robot.settings import RobotSettings
+
+if TYPE_CHECKING:
+    from tracker.robot.driver import Said
+    from tracker.robot.look import Placed, RobotShape
+
+END_WAIT = 2.0  # s
+
+
+@dataclass(frozen=True)
+class RobotReady:
+    """The robot is there, and looks so."""
+
+    model: RobotModel
+    shape: RobotShape
+
+
+@dataclass(frozen=True)
+class RobotFailed:
+    """It is not, or no more; ``text`` says why."""
+
+    text: str
+
+
+class RobotMoved(NamedTuple):
+    """What one hand brought: all that was said, and where everything is; the farthest tip's way to
+    its target, m."""
+
+    said: list[Said]
+    placed: Placed
+    error: float
+
+
+class RobotShown(NamedTuple):
+    """Where everything is in a recorded state."""
+
+    state: RobotState
+    placed: Placed
+
+
+Answer = RobotReady | RobotFailed | RobotMoved | RobotShown
+Item = Estimate | RobotCommand | RobotState | None
+
+
+class RobotProcess:
+    """Methods may be called from any thread and never wait; ``heard`` is called in a thread of its
+    own with each `Answer`, and with the s from a hand's arrival to it (0 where there is none)."""
+
+    def __init__(
+        self,
+        settings: RobotSettings,
+        hand: HandModel,
+        keypoint_names: tuple[str, ...],
+        heard: Callable[[Answer, float], None],
+    ) -> None:
+        context = mp.get_context("spawn")
+        self._pipe, theirs = context.Pipe()
+        self._heard = heard
+        self._process = context.Process(
+            target=serve, args=(theirs, settings, hand, keypoint_names), name="glovetrack-robot",
+            daemon=True,
+        )  # fmt: skip
+        self._process.start()
+        theirs.close()
+        self._wake = threading.Condition()
+        self._commands: deque[RobotCommand] = deque()
+        self._latest: tuple[Estimate | RobotState, float] | None = None
+        self._arrival: float | None = 0.0  # of what was sent and not answered; first: itself
+        self._ending = False
+        self.missed = 0
+        """Hands that were overtaken by a newer one."""
+        self._threads = [
+            threading.Thread(target=run, name=f"glovetrack-robot-{name}", daemon=True)
+            for name, run in (("out", self._send_all), ("in", self._receive))
+        ]
+        for thread in self._threads:
+            thread.start()
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid or 0
+
+    def feed(self, hand: Estimate | RobotState, t_arrival: float) -> None:
+        """The newest hand, or a recorded state to be shown; it came at ``t_arrival`` s."""
+        with self._wake:
+            self.missed += self._latest is not None
+            self._latest = hand, t_arrival
+            self._wake.notify()
+
+    def ask(self, command: RobotCommand) -> None:
+        """Have a command done before the next hand."""
+        with self._wake:
+            self._commands.append(command)
+            self._wake.notify()
+
+    def close(self) -> None:
+        """End the process; waits until it has ended. May be called again."""
+        with self._wake:
+            self._ending = True
+            self._wake.notify()
+        for thread in self._threads:
+            if thread is not threading.current_thread():
+                thread.join(END_WAIT)
+        self._process.join(END_WAIT)
+        if self._process.is_alive():
+            self._process.kill()
+            self._process.join()
+        self._pipe.close()
+
+    def _send_all(self) -> None:
+        with suppress(OSError):  # it has gone: the other thread tells
+            while True:
+                with self._wake:
+                    self._wake.wait_for(self._something)
+                    if self._ending:
+                        break
+                    commands, hand = list(self._commands), None
+                    self._commands.clear()
+                    if self._latest is not None and self._arrival is None:
+                        (hand, self._arrival), self._latest = self._latest, None
+                for command in commands:
+                    self._pipe.send(command)
+                if hand is not None:
+                    self._pipe.send(hand)
+            self._pipe.send(None)
+
+    def _something(self) -> bool:
+        """A hand waits, while another is under way, where a newer one may take its place."""
+        ready = self._latest is not None and self._arrival is None
+        return self._ending or bool(self._commands) or ready
+
+    def _receive(self) -> None:
+        while True:
+            try:
+                answer = self._pipe.recv()
+            except (EOFError, OSError):
+                if not self._ending:
+                    self._heard(RobotFailed("The robot's process has ended."), 0.0)
+                return
+            self._heard(answer, self._answered(answer))
+
+    def _answered(self, answer: Answer) -> float:
+        """s since the hand came that is answered; the next one may go."""
+        if isinstance(answer, RobotFailed):
+            return 0.0
+        with self._wake:
+            arrival, self._arrival = self._arrival, None
+            self._wake.notify()
+        return monotonic() - arrival if arrival else 0.0
+
+
+def serve(
+    pipe: Connection, settings: RobotSettings, hand: HandModel, keypoint_names: tuple[str, ...]
+) -> None:
+    """Runs in the process until it is told to end, or who began it has gone."""
+    try:
+        server = _Server(settings, hand, keypoint_names)
+    except GlovetrackError as error:
+        pipe.send(RobotFailed(str(error)))
+        return
+    with suppress(EOFError, OSError, KeyboardInterrupt):
+        pipe.send(server.ready)
+        while True:
+            item: Item = pipe.recv()
+            if item is None:
+                return
+            answer = server.do(item)
+            if answer is not None:
+                pipe.send(answer)
+
+
+class _Server:
+    """The robot itself."""
+
+    def __init__(
+        self, settings: RobotSettings, hand: HandModel, keypoint_names: tuple[str, ...]
+    ) -> None:
+        from tracker.robot.driver import RobotDriver
+        from tracker.robot.shape import shape_of
+        from tracker.robot.teleop import Teleop
+
+        self._driver = RobotDriver(Teleop(settings), hand, keypoint_names)
+        self._world = self._driver.teleop.world
+        self.ready = RobotReady(self._driver.model, shape_of(self._world))
+
+    def do(self, item: Estimate | RobotCommand | RobotState) -> Answer | None:
+        import numpy as np
+
+        from tracker.robot.shape import poses
+
+        if isinstance(item, RobotCommand):
+            try:
+                self._driver.ask(item)
+            except GlovetrackError as error:
+                return RobotFailed(str(error))
+            return None
+        if isinstance(item, RobotState):
+            self._world.show(item.joints, item.palm, item.objects)
+            return RobotShown(item, poses(self._world))
+        said = self._driver.feed(item)
+        errors = self._driver.teleop.fingers.error
+        farthest = float(np.nanmax(errors)) if np.isfinite(errors).any() else float("nan")
+        return RobotMoved(said, poses(self._world), farthest)
