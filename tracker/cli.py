@@ -38,6 +38,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     from tracker.conformance.command import add_commands as add_conformance
     from tracker.evaluation.commands import add_commands as add_evaluation
+    from tracker.firmware.command import add_commands as add_firmware
     from tracker.offline.application_command import add_commands as add_apps
     from tracker.offline.commands import add_commands as add_offline
     from tracker.session.commands import add_commands as add_session
@@ -55,6 +56,7 @@ def _parser() -> argparse.ArgumentParser:
     add_evaluation(commands)
     add_conformance(commands)
     add_apps(commands)
+    add_firmware(commands)
     return parser
 
 

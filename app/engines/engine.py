@@ -181,6 +181,7 @@ class EngineSetup:
     has_glove: bool = True
     has_camera: bool = True
     camera_calibrated: bool = True  # False: ``rig`` is an ideal one that stands for it
+    firmware_advice: str = ""  # what to say of the glove's firmware, if anything
     missing: str = ""  # sentences that say what of the rig is not there, and why
 
     @property

@@ -23,6 +23,7 @@ from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError, GlovetrackError
+from tracker.firmware.versions import advice
 from tracker.live.runner import LiveTracker
 from tracker.pipeline import Pipeline
 from tracker.sensors.camera import StereoCamera
@@ -96,6 +97,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         rig=pipeline.rig,
         profile=profile,
         anchor=info.anchor,
+        firmware_advice=advice(hello.firmware) if hello else "",
         close=recorders.close,
         make_recorder=recorder_maker(tracker, info, recorders.record),
         followed=tracker,

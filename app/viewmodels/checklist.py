@@ -84,7 +84,10 @@ def images_arrive(view: Snapshot | None) -> bool:
 def _glove(view: Snapshot | None) -> SetUpStep:
     name = tr("Glove found")
     if view is not None and packets_arrive(view):
-        return SetUpStep(name, True, view.setup.glove.name)
+        told = view.setup.glove.name
+        if view.setup.firmware_advice:
+            told = f"{told}. {view.setup.firmware_advice} {tr('Set-up, Glove firmware writes it.')}"
+        return SetUpStep(name, True, told)
     if view is not None and len(view.imu) > 0:
         reason = tr("The glove was here and is silent. Is it plugged in?")
         return SetUpStep(name, False, reason, "hardware", tr("Look again"))

@@ -109,6 +109,13 @@ class SetUpDialogs(QObject):
         dialog.measured.connect(self.take_bias)
         self.show_dialog("glove", dialog)
 
+    def open_firmware(self) -> None:
+        """Versions, and writing the glove's firmware."""
+        if not self._raise("firmware"):
+            from app.wizards.firmware import FirmwareSetup
+
+            self.show_dialog("firmware", FirmwareSetup(self._host, self._tasks, self._window))
+
     def take_bias(self, pose: StillPose) -> None:
         """The engine knows the gyros from now on, where it keeps what it knows of a wearer."""
         bias = np.array([i.gyro_bias for i in pose.imus])

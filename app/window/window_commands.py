@@ -109,6 +109,7 @@ def _set_up(on: Targets) -> list[Command]:
     menu = w.tr("&Set-up")
     return [
         Command("glove_setup", menu, w.tr("&Glove…"), on.set_up.open_glove, "Ctrl+Shift+G"),
+        Command("firmware", menu, w.tr("Glove &firmware…"), on.set_up.open_firmware),
         Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
         Command("stereo", menu, w.tr("&Stereo calibration…"), on.set_up.open_stereo),
         Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),

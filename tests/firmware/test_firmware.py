@@ -52,7 +52,7 @@ def test_says_hello_each_second_and_nothing_else_until_start(build: Path) -> Non
         first = glove.wait_for(HELLO, 4)[0]
         report = glove.stop()
     assert {f.kind for f in glove.frames} == {HELLO}
-    assert first.numbers == (1, 1, 0, 0, 7, IMUS, 2000, 16, 100, 3)
+    assert first.numbers == (1, 1, 1, 0, 7, IMUS, 2000, 16, 100, 3)
     # Start-up and self-test take half a second, then one a second; a busy machine stops late.
     assert 3 < report["simulated_s"] < 7
 

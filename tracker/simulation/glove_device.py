@@ -58,6 +58,7 @@ class GloveDeviceParams:
     start_us: int = 4_000_000  # on the glove's clock at its start
     seed: int = 0
     says_hello: bool = True
+    firmware: tuple[int, int, int] = (1, 1, 0)
     rate_hz: int = 100  # as HELLO says; the samples come as their source gives them
     accel_range_g: int = ACCEL_RANGE_G
 
@@ -183,7 +184,14 @@ class SimulatedGlove:
 
     def _greet(self) -> None:
         p = self.params
-        hello = Hello(p.glove_id, self._imu_count, GYRO_RANGE_DPS, p.accel_range_g, p.rate_hz)
+        hello = Hello(
+            p.glove_id,
+            self._imu_count,
+            GYRO_RANGE_DPS,
+            p.accel_range_g,
+            p.rate_hz,
+            firmware=p.firmware,
+        )
         if p.says_hello:
             self._write(encode(hello))
 

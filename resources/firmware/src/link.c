@@ -11,12 +11,26 @@
 
 #define PROTOCOL 1
 #define FIRMWARE_MAJOR 1
-#define FIRMWARE_MINOR 0
+#define FIRMWARE_MINOR 1
 #define FIRMWARE_PATCH 0
 
 #ifndef GLOVE_ID
 #define GLOVE_ID 1
 #endif
+
+/* What this image is. A host that writes it finds the place by the eight letters, tells the version
+   and says which glove the number belongs to. */
+static const struct {
+    char magic[8];
+    uint8_t version[3];
+    uint8_t protocol;
+    uint32_t glove_id;
+} about PROGMEM __attribute__((used)) = {
+    {'G', 'L', 'O', 'V', 'E', 'I', 'M', 'G'},
+    {FIRMWARE_MAJOR, FIRMWARE_MINOR, FIRMWARE_PATCH},
+    PROTOCOL,
+    GLOVE_ID,
+};
 
 enum { HELLO = 0x01, SAMPLES = 0x02, STATUS = 0x03, ERROR = 0x04 };
 enum { ASK_HELLO = 0x81, START = 0x82, STOP = 0x83, RATE = 0x84, HAPTIC = 0x85 };
@@ -37,7 +51,7 @@ void link_send_hello(void)
     frame_u8(FIRMWARE_MAJOR);
     frame_u8(FIRMWARE_MINOR);
     frame_u8(FIRMWARE_PATCH);
-    frame_u32(GLOVE_ID);
+    frame_u32(pgm_read_dword(&about.glove_id));
     frame_u8(IMU_COUNT);
     frame_u16(GYRO_RANGE_DPS);
     frame_u8(ACCEL_RANGE_G);

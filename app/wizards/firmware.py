@@ -1,0 +1,193 @@
+"""The glove's firmware: which version it has, and writing the one that comes with the program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.engines.engine_host import EngineHost
+from app.platform.tasks import TaskOwner
+from app.widgets.measures import APART, WIDE
+from app.wizards.sizing import fit_to_screen
+from tracker.errors import GlovetrackError
+from tracker.firmware.flash import BOOTLOADERS, FlashJob, flash
+from tracker.firmware.image import BAUDS, shipped_image, version_text
+from tracker.firmware.versions import advice, greeting
+from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
+from tracker.sensors.protocol import Hello
+
+LARGEST_NUMBER = 65535
+
+
+class FirmwareSetup(QDialog):
+    """Not modal. Tracking on the real glove is stopped before its firmware is written."""
+
+    def __init__(
+        self,
+        host: EngineHost,
+        tasks: TaskOwner,
+        parent: QWidget | None = None,
+        find: Callable[[], list[PortReport]] = find_gloves,
+        write: Callable[[FlashJob], None] = flash,
+        greet: Callable[[str], Hello | None] = greeting,
+    ) -> None:
+        super().__init__(parent)
+        self._host, self._tasks = host, tasks
+        self._find, self._write_with, self._greet = find, write, greet
+        self._found: dict[str, PortReport] = {}
+        self.setWindowTitle(self.tr("Glove firmware"))
+        self.setObjectName("firmware")
+        fit_to_screen(self, 520, 340)
+        self.ports, self.speeds, self.boards = QComboBox(), QComboBox(), QComboBox()
+        self.ports.setEditable(True)
+        self.number = QSpinBox()
+        self.number.setRange(1, LARGEST_NUMBER)
+        self.number.setToolTip(self.tr("Tells this glove from others: give each its own"))
+        for baud in BAUDS:
+            self.speeds.addItem(self.tr("{} baud").format(baud), baud)
+        self.speeds.setToolTip(self.tr("115200 for USB adapters that know no better"))
+        self.boards.addItem(self.tr("Arduino, Optiboot"), BOOTLOADERS["Optiboot"])
+        self.boards.addItem(self.tr("early Nano, old bootloader"), BOOTLOADERS["old Nano"])
+        self.versions, self.words = QLabel(), QLabel()
+        for label in (self.versions, self.words):
+            label.setWordWrap(True)
+        self.busy = QProgressBar()
+        self.busy.setRange(0, 0)
+        self.busy.hide()
+        self._lay_out()
+        self.ports.currentTextChanged.connect(lambda _path: self._show_versions())
+        self.look()
+
+    def _lay_out(self) -> None:
+        self.again = QPushButton(self.tr("&Look again"))
+        self.again.clicked.connect(self.look)
+        row = QHBoxLayout()
+        row.addWidget(self.ports, 1)
+        row.addWidget(self.again)
+        form = QFormLayout()
+        form.addRow(self.tr("Port"), row)
+        form.addRow(self.tr("&Number of the glove"), self.number)
+        form.addRow(self.tr("&Speed"), self.speeds)
+        form.addRow(self.tr("&Board"), self.boards)
+        self.write = QPushButton(self.tr("&Write and verify"))
+        self.write.setProperty("role", "primary")
+        self.write.setDefault(True)
+        self.write.clicked.connect(self._write)
+        close = QPushButton(self.tr("Close"))
+        close.clicked.connect(self.close)
+        buttons = QHBoxLayout()
+        buttons.addStretch(1)
+        buttons.addWidget(close)
+        buttons.addWidget(self.write)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(WIDE, APART, WIDE, APART)
+        column.setSpacing(APART)
+        column.addWidget(self.versions)
+        column.addLayout(form)
+        column.addWidget(self.busy)
+        column.addWidget(self.words)
+        column.addStretch(1)
+        column.addLayout(buttons)
+
+    # --- what is there
+
+    @property
+    def _in_use(self) -> bool:
+        """Whether tracking holds a real glove's port."""
+        setup = self._host.setup
+        live = setup is not None and not setup.simulated and setup.player is None
+        return live and setup is not None and setup.has_glove
+
+    def look(self) -> None:
+        """Ask the ports who is there; those in use are left alone."""
+        if self._in_use:
+            self._show_ports([PortReport(path, None) for path in serial_ports()])
+            self.words.setText(self.tr("The glove is in use. Writing stops tracking first."))
+            return
+        self._set_busy(True)
+        self.words.setText(self.tr("Looking for gloves…"))
+        self._tasks.run(
+            self.tr("Looking for gloves"),
+            lambda _progress: self._find(),
+            self._show_ports,
+            ended=lambda: self._set_busy(False),
+        )
+
+    def _show_ports(self, reports: list[PortReport]) -> None:
+        self._found = {r.path: r for r in reports}
+        self.ports.clear()
+        self.ports.addItems([r.path for r in sorted(reports, key=lambda r: not r.is_glove)])
+        self.words.setText("" if reports else self.tr("No serial port is there. Plug it in."))
+        self._show_versions()
+
+    def _show_versions(self) -> None:
+        ours = version_text(shipped_image().version)
+        told = [self.tr("With this program comes firmware {}.").format(ours)]
+        report = self._found.get(self.ports.currentText())
+        if report is not None and report.hello is not None:
+            theirs, number = version_text(report.hello.firmware), report.hello.glove_id
+            told.append(
+                self.tr("The glove at this port is number {}, its firmware {}.").format(
+                    number, theirs
+                )
+            )
+            self.number.setValue(min(max(number, 1), LARGEST_NUMBER))
+            if not advice(report.hello.firmware):
+                told.append(self.tr("It needs no newer one."))
+        self.versions.setText(" ".join(told))
+        self.write.setEnabled(bool(self.ports.currentText().strip()))
+
+    # --- writing
+
+    def _write(self) -> None:
+        try:
+            image = shipped_image(int(self.speeds.currentData())).for_glove(self.number.value())
+        except GlovetrackError as error:
+            self.words.setText(str(error))
+            return
+        port = self.ports.currentText().strip()
+        job = FlashJob(image, port, int(self.boards.currentData()))
+        if self._in_use:
+            self._host.shut_down()
+        self._set_busy(True)
+        self.words.setText(self.tr("Writing. Leave the cable plugged in, for about ten seconds."))
+
+        def work(_progress: object) -> Hello | None:
+            self._write_with(job)
+            return self._greet(port)
+
+        self._tasks.run(
+            self.tr("Writing the glove's firmware"),
+            work,
+            lambda hello: self._written(port, hello),
+            ended=lambda: self._set_busy(False),
+            failed=self.words.setText,
+        )
+
+    def _written(self, port: str, hello: Hello | None) -> None:
+        self._found[port] = PortReport(port, hello)
+        self._show_versions()
+        if hello is None:
+            words = self.tr("Written and read back. It does not answer yet: plug it in again.")
+        else:
+            words = self.tr("Written and read back; glove {} answers with firmware {}.").format(
+                hello.glove_id, version_text(hello.firmware)
+            )
+        self.words.setText(words)
+
+    def _set_busy(self, busy: bool) -> None:
+        self.busy.setVisible(busy)
+        self.again.setEnabled(not busy)
+        self.write.setEnabled(not busy and bool(self.ports.currentText().strip()))

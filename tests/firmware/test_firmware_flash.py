@@ -1,0 +1,125 @@
+"""Firmware images, and a real avrdude that writes them into a simulated bootloader."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from bootloader import Bootloader
+
+from tracker.cli import main
+from tracker.errors import ConfigError
+from tracker.firmware.flash import FlashError, FlashJob, flash
+from tracker.firmware.image import BAUDS, FirmwareImage, read_image, shipped_image
+from tracker.firmware.versions import advice, is_old
+
+has_avrdude = pytest.mark.skipif(shutil.which("avrdude") is None, reason="needs avrdude")
+
+
+@pytest.fixture
+def bootloader() -> Iterator[Bootloader]:
+    board = Bootloader()
+    yield board
+    board.close()
+
+
+@pytest.mark.parametrize("baud", BAUDS)
+def test_the_image_says_what_it_is_and_takes_a_number(baud: int) -> None:
+    image = shipped_image(baud)
+    other = image.for_glove(0x01020304)
+    assert image.version == (1, 1, 0)
+    assert (image.glove_id, other.glove_id) == (1, 0x01020304)
+    differs = [i for i, (a, b) in enumerate(zip(image.data, other.data, strict=True)) if a != b]
+    assert len(differs) == 4 and differs[-1] - differs[0] == 3
+
+
+def test_images_for_two_speeds_differ() -> None:
+    assert shipped_image(BAUDS[0]).data != shipped_image(BAUDS[1]).data
+    with pytest.raises(ConfigError, match="9600"):
+        shipped_image(9600)
+
+
+@pytest.mark.parametrize("number", [0, -1, 2**32])
+def test_a_number_that_fits_nowhere_is_refused(number: int) -> None:
+    with pytest.raises(ConfigError, match="number"):
+        shipped_image().for_glove(number)
+
+
+def test_a_written_file_is_read_as_it_was(tmp_path: Path) -> None:
+    path, image = tmp_path / "glove.hex", shipped_image().for_glove(77)
+    path.write_text(image.to_hex())
+    assert read_image(path) == image
+
+
+@pytest.mark.skipif(shutil.which("avr-objcopy") is None, reason="needs avr-objcopy")
+def test_objcopy_reads_the_same_bytes(tmp_path: Path) -> None:
+    path, out, image = tmp_path / "glove.hex", tmp_path / "glove.bin", shipped_image()
+    path.write_text(image.to_hex())
+    subprocess.run(["avr-objcopy", "-I", "ihex", "-O", "binary", path, out], check=True)
+    assert out.read_bytes() == image.data
+
+
+def test_what_is_shipped_is_what_is_built(build: Path) -> None:
+    """`make -C resources/firmware images` makes it anew."""
+    assert read_image(build / "glove.hex") == shipped_image().for_glove(7)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "words"),
+    [
+        (lambda text: text.replace(":10", ":11", 1), "line 1 is damaged"),
+        (lambda text: text[: len(text) // 2], "damaged|cut off"),
+        (lambda text: text.rsplit("\n", 2)[0], "cut off"),
+        (lambda text: text.split("\n", 1)[1], "gap"),
+        (lambda text: "hello", "line 1 is damaged"),
+        (lambda text: "", "cut off"),
+        (lambda text: FirmwareImage(b"x" * 64).to_hex(), "not firmware of a glove"),
+        (lambda text: FirmwareImage(shipped_image().data + b"x" * 33000).to_hex(), "32768"),
+    ],
+)
+def test_a_damaged_file_is_refused_in_words(tmp_path: Path, spoil, words: str) -> None:
+    path = tmp_path / "glove.hex"
+    path.write_text(spoil(shipped_image().to_hex()))
+    with pytest.raises(ConfigError, match=words):
+        read_image(path)
+
+
+@has_avrdude
+def test_the_chip_holds_the_image_afterwards(
+    bootloader: Bootloader, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tracker.firmware.versions.greeting", lambda _port: None)
+    assert main(["firmware", "write", bootloader.port, "--glove-id", "42"]) == 0
+    image = shipped_image().for_glove(42)
+    assert bootloader.flash[: len(image.data)] == image.data
+    assert "glove 42" in capsys.readouterr().out
+
+
+@has_avrdude
+def test_a_byte_that_is_not_kept_is_told() -> None:
+    board = Bootloader(spoils=4000)
+    try:
+        with pytest.raises(FlashError, match="read back is not what was written"):
+            flash(FlashJob(shipped_image(), board.port))
+    finally:
+        board.close()
+
+
+@has_avrdude
+def test_a_port_that_is_not_there_is_told(tmp_path: Path) -> None:
+    with pytest.raises(FlashError, match="Nothing is plugged in"):
+        flash(FlashJob(shipped_image(), str(tmp_path / "ttyUSB9")))
+
+
+def test_without_avrdude_it_is_said_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tracker.firmware.flash.avrdude_path", lambda: None)
+    with pytest.raises(FlashError, match="apt-get install avrdude"):
+        flash(FlashJob(shipped_image(), "/dev/null"))
+
+
+def test_an_old_version_is_said_and_a_newer_one_is_not() -> None:
+    assert "1.0.0" in advice((1, 0, 0)) and is_old((1, 0, 9))
+    assert advice((1, 1, 0)) == advice((2, 0, 0)) == ""

@@ -1,0 +1,118 @@
+"""The glove's firmware in the window: what it has, what comes with the program, writing it."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import replace
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+
+from app.wizards.firmware import FirmwareSetup
+from tracker.firmware.flash import FlashError, FlashJob
+from tracker.firmware.image import shipped_image
+from tracker.sensors.discovery import PortReport
+from tracker.sensors.protocol import Hello
+
+OLD = Hello(glove_id=7, imu_count=7, firmware=(1, 0, 0))
+PORT = "/dev/ttyUSB0"
+
+
+class Board:
+    """A glove at a port, which takes what is written or fails with words."""
+
+    def __init__(self) -> None:
+        self.hello, self.trouble = OLD, ""
+        self.jobs: list[FlashJob] = []
+        self.may_end = threading.Event()
+        self.may_end.set()
+
+    def find(self) -> list[PortReport]:
+        return [PortReport("/dev/ttyS0", None), PortReport(PORT, self.hello)]
+
+    def write(self, job: FlashJob) -> None:
+        self.may_end.wait(20)
+        if self.trouble:
+            raise FlashError(self.trouble)
+        self.jobs.append(job)
+        image = job.image
+        self.hello = replace(OLD, glove_id=image.glove_id, firmware=image.version)
+
+    def greet(self, port: str) -> Hello:
+        return self.hello
+
+
+@pytest.fixture
+def board() -> Board:
+    return Board()
+
+
+@pytest.fixture
+def dialog(window, board: Board, qtbot) -> FirmwareSetup:
+    made = FirmwareSetup(
+        window.host, window.tasks, window, find=board.find, write=board.write, greet=board.greet
+    )
+    made.show()
+    qtbot.waitUntil(lambda: made.ports.count() == 2 and made.write.isEnabled(), timeout=20_000)
+    return made
+
+
+def test_the_glove_comes_first_with_its_version_and_number(dialog: FirmwareSetup) -> None:
+    assert dialog.ports.currentText() == PORT
+    assert "1.0.0" in dialog.versions.text() and "1.1.0" in dialog.versions.text()
+    assert dialog.number.value() == 7
+
+
+def test_what_is_written_has_the_number_and_the_speed_that_were_chosen(
+    dialog: FirmwareSetup, board: Board, qtbot
+) -> None:
+    dialog.number.setValue(12)
+    dialog.speeds.setCurrentIndex(1)
+    dialog.boards.setCurrentIndex(1)
+    board.may_end.clear()
+    dialog.write.click()
+    assert not dialog.write.isEnabled() and dialog.busy.isVisible()
+    board.may_end.set()
+    qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
+    assert board.jobs == [FlashJob(shipped_image(115_200).for_glove(12), PORT, 57_600)]
+    assert "glove 12" in dialog.words.text()
+    assert "It needs no newer one" in dialog.versions.text()
+
+
+def test_what_went_wrong_is_said_and_it_can_be_tried_again(
+    dialog: FirmwareSetup, board: Board, qtbot
+) -> None:
+    board.trouble = "The board does not answer as a bootloader."
+    dialog.write.click()
+    qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
+    assert dialog.words.text() == board.trouble
+    board.trouble = ""
+    dialog.write.click()
+    qtbot.waitUntil(lambda: len(board.jobs) == 1, timeout=20_000)
+
+
+def test_tracking_on_the_glove_is_stopped_before_its_firmware_is_written(
+    window, board: Board, qtbot
+) -> None:
+    window.host.adopt(replace(scripted_setup(ScriptedEngine()), simulated=False))
+    asked: list[str] = []
+    dialog = FirmwareSetup(
+        window.host,
+        window.tasks,
+        window,
+        find=lambda: asked.append("") or [],
+        write=board.write,
+        greet=board.greet,
+    )
+    assert not asked and "in use" in dialog.words.text()
+    dialog.ports.setCurrentText(PORT)
+    dialog.write.click()
+    assert window.host.setup is None
+    qtbot.waitUntil(lambda: len(board.jobs) == 1, timeout=20_000)
+
+
+def test_the_menu_opens_it_once(window) -> None:
+    window.run_command("firmware")
+    first = window.set_up.dialogs["firmware"]
+    window.run_command("firmware")
+    assert window.set_up.dialogs["firmware"] is first

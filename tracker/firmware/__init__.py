@@ -1,0 +1,1 @@
+"""The glove's firmware as the program brings it, and how it gets into a glove."""
