@@ -35,6 +35,7 @@ def svg(figure: Figure) -> str:
 def png(figure: Figure) -> bytes:
     """At 150 dots an inch; the same figure gives the same bytes."""
     out = io.BytesIO()
+    figure.set_dpi(DOTS)  # drawing it as SVG leaves 72 behind
     FigureCanvasAgg(figure).print_png(out, metadata={"Software": None})
     return out.getvalue()
 
@@ -63,7 +64,7 @@ def ranges(takes: Sequence[Told]) -> Figure:
     """From least to greatest of every recorded angle, takes beside each other; twice the claimed
     standard deviation at both ends."""
     names = [r.measure.name for r in takes[0].rows if r.measure.is_angle and not r.isb]
-    figure = Figure(dpi=DOTS, figsize=(9, 0.8 + 0.26 * len(names) * max(1, 0.6 * len(takes))))
+    figure = Figure(figsize=(9, 0.8 + 0.26 * len(names) * max(1, 0.6 * len(takes))))
     axes = figure.add_subplot()
     for k, told in enumerate(takes):
         for i, name in enumerate(names):
@@ -90,7 +91,7 @@ def ranges(takes: Sequence[Told]) -> Figure:
 def courses(told: Told, names: Sequence[str]) -> Figure:
     """Angles (deg) over time, each in a row of its own, over what was inferred and lost."""
     take = told.take
-    figure = Figure(dpi=DOTS, figsize=(9, 0.6 + 1.05 * len(names)))
+    figure = Figure(figsize=(9, 0.6 + 1.05 * len(names)))
     for k, name in enumerate(names):
         axes = figure.add_subplot(len(names), 1, k + 1)
         j = take.angle_names.index(name)
@@ -108,7 +109,7 @@ def courses(told: Told, names: Sequence[str]) -> Figure:
 
 def apertures(told: Told) -> Figure:
     """Distances (mm) between the thumb's tip and the fingers' over time, their greatest marked."""
-    figure = Figure(figsize=(9, 2.6), dpi=DOTS)
+    figure = Figure(figsize=(9, 2.6))
     axes = figure.add_subplot()
     for k, name in enumerate(aperture_names(told)):
         away, _, state = distance(told.take, pair_of(name))
