@@ -40,7 +40,7 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
 
 
 def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    from tracker.session.export.options import AXES_NAMES, FORMATS, HIDEABLE, PERSONAL, UNITS
+    from tracker.session.export.options import AXES_NAMES, FORMATS, HIDEABLE, PERSONAL, UNITS, VIEWS
 
     command = subparsers.add_parser("export", help="write a session in another format")
     command.add_argument(
@@ -54,6 +54,12 @@ def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser])
     command.add_argument("--start", type=float, metavar="S", help="from the first estimate")
     command.add_argument("--stop", type=float, metavar="S", help="from the first estimate")
     command.add_argument("--every", type=int, default=1, metavar="N", help="draw every Nth image")
+    command.add_argument(
+        "--views",
+        default="left",
+        metavar="A,B",
+        help=f"of films, side by side: {', '.join(VIEWS)}",
+    )
     command.add_argument(
         "--joints", metavar="A,B", help="only these keypoints and angles, or openxr: its 26 joints"
     )
@@ -103,6 +109,7 @@ def _export(args: argparse.Namespace) -> int:
         joints=tuple(args.joints.split(",")) if args.joints else (),
         anonymous=anonymous,
         every=args.every,
+        views=tuple(dict.fromkeys(args.views.split(","))),
         dataset=DatasetOptions(args.task or _asked_task(args), args.split, args.images),
     )
     check_json(args, args.files)
@@ -113,7 +120,8 @@ def _export(args: argparse.Namespace) -> int:
     else:
         report = export(args.files[0], args.format, args.output, options, force=args.force)
     made = [path_of_side(args.output, side) for side in report.get("hands", ())] or [args.output]
-    finish(args, report, [str(path) for path in made], [*args.files, *made])
+    lines = [*map(str, made), *report.get("said", ())]
+    finish(args, report, lines, [*args.files, *made])
     return 0
 
 

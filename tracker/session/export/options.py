@@ -22,6 +22,8 @@ DATASETS = ("lerobot",)
 """Formats that hold many sessions."""
 IMAGES = ENCODED, VIDEO, NONE = ("encoded", "video", "none")
 """Of a data set: as recorded, as films by the system's ffmpeg, or left out."""
+VIEWS = ("left", "right", "3d", "curves")
+"""What films and drawn images show: the cameras, the hand in 3D, flexions over time."""
 AXES_NAMES = ("z-up", "y-up", "ros", "opengl", "opensim", "blender", "unity", "unreal")
 OPENXR = "openxr"
 """In place of names of joints: OpenXR's 26, in OpenXR's world unless axes are asked for."""
@@ -60,7 +62,7 @@ class ExportOptions:
 
     ``rate`` Hz; ``start``, ``stop`` s from the first estimate; ``joints`` keypoints and angles to
     keep, or ("openxr",); ``anonymous`` what is left out, of `HIDEABLE`; ``every`` n-th image is
-    drawn; ``dataset`` of formats that hold many sessions.
+    drawn, as ``views`` side by side; ``dataset`` of formats that hold many sessions.
     """
 
     rate: float | None = None
@@ -71,6 +73,7 @@ class ExportOptions:
     joints: tuple[str, ...] = ()
     anonymous: tuple[str, ...] = ()
     every: int = 1
+    views: tuple[str, ...] = VIEWS[:1]
     dataset: DatasetOptions = DatasetOptions()
 
     def __post_init__(self) -> None:
@@ -79,6 +82,8 @@ class ExportOptions:
             raise ConfigError(f"A rate of {self.rate:g} Hz is not between {low:g} and {high:g} Hz.")
         if self.every < 1:
             raise ConfigError(f"Every image or every n-th, not every {self.every}.")
+        if not self.views or not set(self.views) <= set(VIEWS):
+            raise ConfigError(f"Views can be {', '.join(VIEWS)}, not {', '.join(self.views)!r}.")
         if self.axes is not None and self.axes not in AXES_NAMES:
             raise ConfigError(f"Axes can be {', '.join(AXES_NAMES)}, not {self.axes!r}.")
         if OPENXR in self.joints and len(self.joints) > 1:

@@ -1,8 +1,8 @@
-"""The left images with the tracked hand drawn over them, as a film (MP4) or a folder of PNG."""
+"""Images with the tracked hand drawn in, and other views of it, as a film or a folder of PNG."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -13,17 +13,16 @@ from numpy.typing import NDArray
 from tracker.clock import NS
 from tracker.errors import FileError
 from tracker.files import DiskError
-from tracker.messages import Array, StereoFrame, Validity
+from tracker.messages import StereoFrame
+from tracker.session.export.film import NO_FFMPEG, PLAIN, Film, open_film
 from tracker.session.export.load import load_series
 from tracker.session.export.options import ExportOptions
 from tracker.session.export.series import EstimateSeries, seconds_text
-from tracker.session.export.skeleton import bone_tree
+from tracker.session.export.views import View, side_by_side, views_of
 from tracker.session.images import PackedFrame, encode_image
 from tracker.session.reader import SessionReader
-from tracker.vision.rig import StereoRig
 
 Image = NDArray[np.uint8]
-_COLOUR = {Validity.MEASURED: (80, 220, 80), Validity.INFERRED: (60, 180, 250)}  # BGR
 _NEAR_NS = 50_000_000
 TABLE = "pictures.csv"
 _LATE_S = 0.2  # s that an image may arrive after its exposure
@@ -45,6 +44,7 @@ class Overlay:
         """(stamp ns, (h, w, 3) BGR) of every chosen image of the tracked time, at ``rate`` with
         images left out or repeated. Raises FileError if there is none."""
         rig, first, before, given = self.reader.rig(), 0, None, 0
+        views = views_of(self.options.views, self.reader, self.motion, rig)
         for stamp, row, frame in self._chosen():
             if not given:
                 first = stamp
@@ -54,7 +54,7 @@ class Overlay:
                 times = int(due + 0.499) + 1 - given  # one half way belongs to the one before
             if times < 1:
                 continue
-            image = self._drawn(frame.unpack(), row, rig)
+            image = self._drawn(frame.unpack(), row, views)
             if image is None:
                 continue
             for _ in range(times - 1):  # where images are missing the last one stands still
@@ -92,47 +92,34 @@ class Overlay:
                 yield stamp, row, frame
             count += 1
 
-    def _drawn(self, frame: StereoFrame, row: int, rig: StereoRig) -> Image | None:
-        """A copy of the left image with bones and keypoints; what is lost is not drawn."""
-        if frame.left is None:
-            return None
-        m, pose = self.motion, frame.pose or rig.pose
-        uv: Array = rig.left.unrectify(rig.project((m.keypoints[row] - pose.p_GC) @ pose.R_GC))
-        image = frame.left.copy()
-        names, parent = bone_tree(m.keypoint_names)
-        columns = [m.keypoint_names.index(n) for n in names]
-        for i, a in enumerate(parent):
-            state = Validity(int(m.state[row, columns[i]]))
-            if not np.isfinite(uv[columns[i]]).all() or state not in _COLOUR:
-                continue
-            here = _pixel(uv[columns[i]])
-            if a >= 0 and np.isfinite(uv[columns[a]]).all():
-                cv2.line(image, _pixel(uv[columns[a]]), here, _COLOUR[state], 2, cv2.LINE_AA)
-            cv2.circle(image, here, 3, _COLOUR[state], -1, cv2.LINE_AA)
-        return image
-
-
-def _pixel(uv: Array) -> tuple[int, int]:
-    """Whole pixels, held to what OpenCV can draw."""
-    u, v = np.clip(np.round(uv), -30000, 30000).astype(int)
-    return int(u), int(v)
+    def _drawn(self, frame: StereoFrame, row: int, views: Sequence[View]) -> Image | None:
+        """All views of an instant; None without the first one's image."""
+        return side_by_side([view.draw(frame, row) for view in views])
 
 
 def export_mp4(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
     """Raises FileError if the session has no images, or this computer cannot write MP4."""
     overlay = Overlay(reader, options)
     rate, count = overlay.frame_rate(), 0
-    writer: cv2.VideoWriter | None = None
+    film: Film | None = None
     try:
         for _, image in overlay.images():
-            writer = writer or _open(path, rate, image)
-            writer.write(image)
+            film = film or open_film(path, rate, image)
+            film.write(image)
             count += 1
     finally:
-        if writer is not None:
-            writer.release()
+        if film is not None:
+            film.close()
     _check(path, count)
-    notes: dict[str, object] = {"pictures": count, "pictures_per_second": round(rate, 3)}
+    codec = PLAIN if film is None else film.codec
+    notes: dict[str, object] = {
+        "pictures": count,
+        "pictures_per_second": round(rate, 3),
+        "views": list(options.views),
+        "codec": codec,
+    }
+    if codec == PLAIN:
+        notes["said"] = [NO_FFMPEG]
     return replace(overlay.motion, notes=notes)
 
 
@@ -145,14 +132,6 @@ def _check(path: Path, count: int) -> None:
     film.release()
     if found != count or not whole:
         raise DiskError(f"{path.name} could not be written as a whole: the disk may be full.")
-
-
-def _open(path: Path, rate: float, image: Image) -> cv2.VideoWriter:
-    size = image.shape[1], image.shape[0]
-    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"mp4v"), rate, size)
-    if not writer.isOpened():
-        raise FileError(f"OpenCV on this computer cannot write {path.name}.")
-    return writer
 
 
 def export_png(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
