@@ -1,4 +1,4 @@
-"""The hand that shows what to do: guided poses as they are drawn, and the way from one to the next.
+"""The hand that shows what to do: poses as they are drawn, and the way from one to the next.
 
 Of the wearer's own hand file, so that a left hand is shown a left hand.
 """
@@ -12,7 +12,6 @@ import numpy as np
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
-from tracker.hand.poses import POSES
 from tracker.messages import Array
 from tracker.simulation.postures import posture
 from tracker.simulation.smooth import minimum_jerk
@@ -73,8 +72,13 @@ DRAWN: dict[str, Degrees] = {
     "pinch_middle": _pinch("middle", 11, 0, 75) | _thumb(40, -35, 32, -3),
     "pinch_ring": _pinch("ring", 59, -1, 104) | _thumb(22, -35, -22, 54),
     "pinch_little": _pinch("little", 18, 22, 82) | _thumb(40, -35, -30, 31),
+    "grip": _fingers(35, 45) | _thumb(12, -8, 0, 20),
+    "turn": _fingers(0, 0) | _thumb(-8, 0, 0, 0),
 }
 """Degrees of a right hand whose pads meet at the nominal size."""
+TURNING = 70.0
+"""Degrees of the forearm's turn to either side of the pose ``turn``, which goes on."""
+TURN_PERIOD = 3.0  # s
 
 BACK, THUMB_SIDE, PALM = (-0.55, 0.25, 0.8), (0.25, 0.9, 0.25), (0.45, 0.75, -0.35)
 """From where a right hand is looked at: x along the fingers, y to the thumb, z off the back."""
@@ -89,7 +93,7 @@ class DrawnHand:
     def __init__(self, hand: HandModel) -> None:
         self._hand = hand
         self._relaxed = posture(hand, RELAXED)
-        self._angles = {name: posture(hand, DRAWN[name]) for name in POSES}
+        self._angles = {name: posture(hand, degrees) for name, degrees in DRAWN.items()}
 
     def angles(self, pose: str) -> Array:
         """(J,) rad."""
@@ -106,6 +110,8 @@ class DrawnHand:
         share = float(minimum_jerk(np.array([since / MOVE]))[0])
         angles = start + share * (self._angles[pose] - start)
         roll += share * (self._roll(pose) - roll)
+        if pose == "turn":
+            roll += np.deg2rad(TURNING) * np.sin(2 * np.pi * max(since - MOVE, 0.0) / TURN_PERIOD)
         R, p = self._hand.forward(angles, so3.rx(roll), np.zeros(3))
         eye = eye_before + share * (self._eye(pose) - eye_before)
         middle = np.array([0.48 * self._hand.length, 0.0, -0.01])

@@ -62,6 +62,11 @@ class RecordingPlan:
         """A file of now that is not there yet. Raises FileError where the folder cannot be."""
         participant, task = self.participant.strip(), self.task.strip()
         self._store.update(participant=participant, task=task)
+        return self.request_for(task)
+
+    def request_for(self, task: str) -> RecordingRequest:
+        """`request` of another task than the user's, which stays as it is."""
+        participant = self.participant.strip()
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:

@@ -167,6 +167,23 @@ class SetUpDialogs(QObject):
         dialog.kept.connect(self.learned)
         self.show_dialog("guided", dialog)
 
+    def open_conformance(self) -> None:
+        """Scripted gestures, recorded and judged."""
+        setup = self._host.setup
+        if self._raise("conformance") or not self.can_conform or setup is None:
+            return
+        from app.wizards.conformance.dialog import ConformanceDialog
+
+        scene = theme.colours(self._store.value.theme).scene
+        dialog = ConformanceDialog(self._host, setup, self._store, self._tasks, scene, self._window)
+        self.show_dialog("conformance", dialog)
+
+    @property
+    def can_conform(self) -> bool:
+        """Whether there is a hand that is tracked and can be recorded."""
+        setup = self._host.setup
+        return self._host.running and setup is not None and setup.make_recorder is not None
+
     # --- all
 
     def _restart_devices(self) -> None:

@@ -113,6 +113,7 @@ def _set_up(on: Targets) -> list[Command]:
         Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
         Command("stereo", menu, w.tr("&Stereo calibration…"), on.set_up.open_stereo),
         Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
+        Command("conformance", menu, w.tr("Con&formance…"), on.set_up.open_conformance),
         Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), on.set_up.lock_camera),
     ]
 
@@ -260,6 +261,7 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("record", host.running and recordable),
         ("pause", recording),
         ("guided", host.running and guided),
+        ("conformance", on.set_up.can_conform),
         ("note", opened),
     ):
         commands.enable(key, able)
