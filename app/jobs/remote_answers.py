@@ -1,7 +1,7 @@
 """What other programs ask, done as if the user had pressed the key.
 
-Requests come in the threads of their doors. All but vibration, which is to be felt at once, are
-done in the window's own.
+Requests come in the threads of their doors. All but what is to be felt at once, vibration and
+contacts, are done in the window's own.
 """
 
 from __future__ import annotations
@@ -11,17 +11,20 @@ from concurrent.futures import Future
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from app.engines.engine_host import EngineHost
 from app.viewmodels.recording import RecordingPlan, duration_text
 from tracker.clock import monotonic
 from tracker.hand.names import CHAINS
+from tracker.messages import Event
+from tracker.streaming.remote.contacts import ContactBook, motor_of
 from tracker.streaming.remote.reception import Allowance
 from tracker.streaming.remote.request import Reply, Request, RequestError, parse
 
 MOTOR_HZ = 50.0  # commands to one motor; more only fill the glove's line
 MOTORS = tuple(CHAINS)
+LOOK_MS = 250  # at contacts that nobody tells of any more
 CLOSING = "The window is closing."
 
 
@@ -37,6 +40,12 @@ class RemoteAnswers(QObject):
         self._host, self._plan = host, plan
         self._waiting: set[Future[Reply]] = set()
         self._motors = {finger: Allowance(MOTOR_HZ, monotonic()) for finger in MOTORS}
+        self._felt = {"vibrate": self._vibrate, "contact": self._contact}
+        self._contacts = ContactBook()
+        self._look = QTimer(self)
+        self._look.setInterval(LOOK_MS)
+        self._look.timeout.connect(lambda: self._record(self._contacts.expired(monotonic())))
+        self._look.start()
         self._ended = False
         self._came.connect(self._act, Qt.ConnectionType.QueuedConnection)
 
@@ -45,8 +54,8 @@ class RemoteAnswers(QObject):
         future: Future[Reply] = Future()
         if self._ended:
             future.set_result(Reply(False, request.do, CLOSING, id=request.id))
-        elif request.do == "vibrate":
-            future.set_result(replace(self._vibrate(request), id=request.id))
+        elif request.do in self._felt:
+            future.set_result(replace(self._felt[request.do](request), id=request.id))
         else:
             self._waiting.add(future)
             future.add_done_callback(self._waiting.discard)
@@ -61,7 +70,7 @@ class RemoteAnswers(QObject):
             return Reply(False, "", str(error)).as_json()
         if request is None:
             return Reply(False, "", "That is an answer, not a request.").as_json()
-        do = self._vibrate if request.do == "vibrate" else self._do
+        do = self._felt.get(request.do, self._do)
         return replace(do(request), id=request.id).as_json(with_folder=True)
 
     def _act(self, request: Request, future: Future[Reply]) -> None:
@@ -147,8 +156,31 @@ class RemoteAnswers(QObject):
         setup.vibrate(MOTORS.index(request.finger), request.amplitude, request.duration_ms)
         return Reply(True, request.do, f"The {request.finger} vibrates.")
 
+    def _contact(self, request: Request) -> Reply:
+        """From any thread: felt while it lasts, and recorded where it begins and ends."""
+        setup = self._host.setup
+        if setup is None or not self._host.running:
+            return Reply(False, request.do, "Nothing is running that could be touched.")
+        if not self._motors[request.finger].take(request.t):
+            limit = f"A finger takes at most {MOTOR_HZ:.0f} contacts a second."
+            return Reply(False, request.do, limit)
+        self._record(self._contacts.tell(request))
+        if setup.vibrate is not None:
+            strongest = self._contacts.strength(request.finger)
+            setup.vibrate(MOTORS.index(request.finger), *motor_of(strongest))
+        word = "touches" if request.strength > 0 else "lets go of"
+        return Reply(True, request.do, f"The {request.finger} {word} {request.object or 'it'}.")
+
+    def _record(self, events: list[Event]) -> None:
+        """In the session that is recorded, if any."""
+        setup = self._host.setup
+        if setup is not None and setup.followed is not None:
+            for event in events:
+                setup.followed.record(event)
+
     def end(self) -> None:
         """Nothing is done any more; who still waits is told."""
+        self._look.stop()
         self._ended = True
         for future in list(self._waiting):
             if future.set_running_or_notify_cancel():

@@ -121,9 +121,8 @@ class RobotLink(QObject):
     def figures(self) -> RobotFigures:
         """How it does."""
         view, process = self.view, self._process
-        return RobotFigures.of(
-            self.on, view, list(self._took), process.missed if process is not None else 0
-        )
+        missed = process.missed if process is not None else 0
+        return RobotFigures.of(self.on, view, list(self._took), missed, self.replays)
 
     # --- its life
 

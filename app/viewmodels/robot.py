@@ -63,6 +63,12 @@ class RobotView:
         return now[0] if now is not None else None
 
     @property
+    def palm(self) -> Array | None:
+        """(3,) m in the robot's world; None before the first hand."""
+        state = self.state
+        return state.palm[:3] if state is not None else None
+
+    @property
     def error_mm(self) -> float:
         """Of the farthest tip; NaN where nothing is followed."""
         now = self._now
@@ -100,8 +106,11 @@ class RobotFigures(NamedTuple):
     tip: str
 
     @staticmethod
-    def of(on: bool, view: RobotView | None, took: list[float], missed: int) -> RobotFigures:
-        """``took``: s from a packet's arrival to the robot's command, lately."""
+    def of(
+        on: bool, view: RobotView | None, took: list[float], missed: int, recorded: bool = False
+    ) -> RobotFigures:
+        """``took``: s from a packet's arrival to the robot's command, lately; ``recorded``: it is
+        that of the session which is replayed."""
         if not on:
             return RobotFigures(IDLE, tr("No robot follows"), "")
         if view is None:
@@ -109,6 +118,8 @@ class RobotFigures(NamedTuple):
         state = view.state
         if state is None:
             return RobotFigures(IDLE, tr("The robot waits for a hand"), "")
+        if recorded:
+            return RobotFigures(GOOD, tr("The robot as it was recorded"), "")
         if not state.engaged:
             return RobotFigures(WARN, tr("Released: the robot holds"), "")
         if state.holding:

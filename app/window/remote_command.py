@@ -80,4 +80,10 @@ def _parser() -> argparse.ArgumentParser:
     vibrate.add_argument("finger", choices=tuple(CHAINS))
     vibrate.add_argument("--amplitude", type=int, default=USUAL_AMPLITUDE, metavar="0..255")
     vibrate.add_argument("--duration", dest="duration_ms", type=int, default=USUAL_MS, metavar="MS")
+    contact = asked.add_parser(
+        "contact", parents=[common], help="a finger touches something that another program knows"
+    )
+    contact.add_argument("finger", choices=tuple(CHAINS))
+    contact.add_argument("--strength", type=float, default=1.0, metavar="0..1")
+    contact.add_argument("--object", default="", metavar="NAME")
     return parser

@@ -12,6 +12,7 @@ import time
 import uuid
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from gui_fakes import scripted_setup
@@ -156,6 +157,31 @@ def test_a_finger_vibrates_and_not_too_often(window, engine, qtbot):
     assert len(buzzed) < 4 * MOTOR_HZ
     window.host.stop()
     assert "No glove with motors" in json.loads(window.remote.answers.answer_line(line))["error"]
+
+
+def test_a_contact_is_felt_while_it_lasts_and_stands_in_the_session(window, engine, qtbot):
+    buzzed, kept = [], []
+    followed = SimpleNamespace(follow=lambda follower: None, record=kept.append)
+    setup = replace(
+        scripted_setup(engine), vibrate=lambda *command: buzzed.append(command), followed=followed
+    )
+    window.host.adopt(setup)
+
+    def say(strength: float) -> dict:
+        said = {"do": "contact", "finger": "thumb", "strength": strength, "object": "cup"}
+        return json.loads(window.remote.answers.answer_line(json.dumps(said)))
+
+    assert say(1.0)["text"] == "The thumb touches cup."
+    assert say(0.25)["ok"] and say(0.0)["text"] == "The thumb lets go of cup."
+    assert [command[0] for command in buzzed] == [0, 0, 0]
+    assert buzzed[0][1] == 255 > buzzed[1][1] > buzzed[2][1] == 0
+    assert [(e.kind, e.data["phase"], e.data["object"]) for e in kept] == [
+        ("contact", "begin", "cup"),
+        ("contact", "end", "cup"),
+    ]
+    say(1.0)  # and nobody tells of its end
+    qtbot.waitUntil(lambda: len(kept) == 4, timeout=20_000)
+    assert kept[-1].data["phase"] == "end"
 
 
 def test_what_is_open_is_open_again_at_the_next_start_and_others_are_warned_of(

@@ -20,7 +20,9 @@ from tracker.messages import Shed
 
 FIRST_LOOK = np.array([-0.85, 0.5, 0.6])
 """From behind the robot and above it, as from its wearer's place."""
-TARGET, DISTANCE = np.array([0.03, 0.0, 0.09]), 0.95  # m
+TARGET, DISTANCE = np.array([0.03, 0.0, 0.09]), 0.85  # m
+FOLLOW = 0.2
+"""Share of its way that the view's centre goes at each image: to halfway between table and palm."""
 
 
 class RobotPanel(Panel):
@@ -78,6 +80,10 @@ class RobotPanel(Panel):
             shape = robot.shape
             along = np.zeros(len(shape.points))
             self._drawn = robot, scene.add_surface(Surface(shape.faces, shape.part, along))
+        palm = robot.palm
+        if palm is not None:
+            orbit = self.view.orbit
+            orbit.target = orbit.target + FOLLOW * (0.5 * (TARGET + palm) - orbit.target)
         surface = self._drawn[1]
         surface.drape(draped.points, draped.normals, draped.looks)
         surface.show(True)

@@ -19,7 +19,7 @@ PER_PEER_HZ, ALL_HZ = 100.0, 300.0  # five motors 20 times a second are the most
 ACTS_HZ = 10.0  # of what is not vibration: each makes a line in the log
 MOST_PEERS = 64
 MOST_WAITING = 64
-UNHURRIED = ("vibrate", "status")  # not counted as acts
+UNHURRIED = ("vibrate", "contact", "status")  # not counted as acts
 
 Answer = Callable[[Request], "Future[Reply]"]
 """Who acts: called in a door's thread; the future is fulfilled in any."""

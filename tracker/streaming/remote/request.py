@@ -22,6 +22,7 @@ from tracker.hand.names import CHAINS
 
 MOST_BYTES = 2048  # of a request
 MOST_TEXT = 500  # characters of a note
+MOST_NAME = 64  # characters of the name of a thing
 MOST_ID = 64  # characters of an id
 MOST_AMPLITUDE, USUAL_AMPLITUDE = 255, 200
 MOST_MS, USUAL_MS = 2000, 80  # of one vibration: who hangs up cannot leave a motor running
@@ -31,6 +32,7 @@ FIELDS: Mapping[str, tuple[str, ...]] = {
     "note": ("text",),
     "status": (),
     "vibrate": ("finger", "amplitude", "duration_ms"),
+    "contact": ("finger", "strength", "object"),
 }
 """The words, and what each may say besides ``do`` and ``id``."""
 
@@ -49,6 +51,8 @@ class Request:
     finger: str = ""
     amplitude: int = USUAL_AMPLITUDE
     duration_ms: int = USUAL_MS
+    strength: float = 1.0
+    object: str = ""
     id: str | int | None = None
 
 
@@ -116,8 +120,8 @@ def from_fields(said: Mapping[str, Any], t: float) -> Request:
     request = Request(do, t, **values)
     if do == "note" and not request.text:
         raise RequestError("A note needs a text.")
-    if do == "vibrate" and not request.finger:
-        raise RequestError(f"vibrate needs a finger: {', '.join(CHAINS)}.")
+    if do in ("vibrate", "contact") and not request.finger:
+        raise RequestError(f"{do} needs a finger: {', '.join(CHAINS)}.")
     return request
 
 
@@ -152,6 +156,20 @@ def _whole(name: str, low: int, high: int) -> Callable[[object], int]:
     return check
 
 
+def _share(value: object) -> float:
+    if isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value <= 1:
+        return float(value)
+    raise RequestError("strength is a number from 0, no contact, to 1.")
+
+
+def _object(value: object) -> str:
+    """Of a thing that is touched."""
+    name = _text(value)
+    if len(name) > MOST_NAME:
+        raise RequestError(f"object is a name of at most {MOST_NAME} characters.")
+    return name
+
+
 def _id(value: object) -> str | int | None:
     """Small, since it is sent back."""
     if value is None or (isinstance(value, str) and len(value) <= MOST_ID):
@@ -166,5 +184,7 @@ _CHECKS: Mapping[str, Callable[[object], Any]] = {
     "finger": _finger,
     "amplitude": _whole("amplitude", 0, MOST_AMPLITUDE),
     "duration_ms": _whole("duration_ms", 1, MOST_MS),
+    "strength": _share,
+    "object": _object,
     "id": _id,
 }
