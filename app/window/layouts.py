@@ -80,6 +80,8 @@ JOBS = (
 FIRST = "watch"
 BESIDE = {"robot": "hand"}
 """Docks that come to stand beside another one when they are called, where that is in sight."""
+OVER = {"applications": "hand"}
+"""Docks that come to the place of another when they are called: they need its room."""
 
 
 def title_of(job: Job) -> str:
@@ -115,12 +117,14 @@ def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
         docks[name].hide()
     for name in docks.keys() - job.shown - beside.keys():  # where they come to when called
         host = job.across[0] if job.across else job.columns[1][-1][0]
-        if host in ("hand", "cameras"):
+        if name in OVER and OVER[name] in job.shown:
+            window.tabifyDockWidget(docks[OVER[name]], docks[name])
+        elif host in ("hand", "cameras"):
             window.addDockWidget(BELOW, docks[name])
         else:
             window.tabifyDockWidget(docks[host], docks[name])
         docks[name].hide()
-    hidden = [docks[n] for n in docks if n not in job.shown and n not in beside]
+    hidden = [docks[n] for n in docks if n not in job.shown and n not in {*beside, *OVER}]
     for first, second in itertools.pairwise(hidden):
         window.tabifyDockWidget(first, second)
     for name in docks:

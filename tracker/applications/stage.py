@@ -82,6 +82,7 @@ class ApplicationStage:
             return
         if self._anew:
             self._anew = False
+            self.counts.clear()
             runner.begin_anew()
         try:
             for outcome in runner.feed(estimate):

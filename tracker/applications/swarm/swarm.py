@@ -14,7 +14,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from tracker.applications.drawing import Drawing, Mesh, Points, Text
+from tracker.applications.drawing import Drawing, Line, Points, Text
 from tracker.applications.hand import HandSample
 from tracker.applications.interface import Command, Happening, Step, VehicleCommand
 from tracker.applications.swarm.flight import Drones, FlightParams, ball, fly
@@ -91,6 +91,11 @@ class Swarm:
         self._held: _Held | None = None
         self._cut: _Group | None = None
         self._nudging = False
+
+    @property
+    def walls(self) -> Array:
+        """(W, 3, 3) m in G: triangles that no drone crosses."""
+        return self._walls.triangles
 
     # --- one sample
 
@@ -255,13 +260,11 @@ class Swarm:
             Text(f"count {i}", str(len(g.rows)), g.middle + [0.0, 0.0, g.radius])
             for i, g in enumerate(self._groups)
         ]
-        walls = []
-        if len(self._walls.triangles):
-            points = self._walls.triangles.reshape(-1, 3)
-            faces = np.arange(len(points)).reshape(-1, 3)
-            both = np.concatenate([points, points])
-            turned = faces[:, ::-1] + len(points)
-            walls = [Mesh("walls", both, np.concatenate([faces, turned]), WALL, opacity=0.45)]
+        walls = [
+            Line(f"wall {i}", _fence(strip), WALL, 1.5)
+            for i, strip in enumerate(self._walls.strips)
+            if len(strip) > 1
+        ]
         return (*flocks, *texts, *walls)
 
     def _commands(self) -> list[Command]:
@@ -288,3 +291,8 @@ def _let_go(held: _Held) -> Happening:
         volume = np.linalg.det(held.group.stretch) / np.linalg.det(held.stretch)
         return Happening("stretched", {"factor": float(volume)})
     return Happening("dragged", {"by": (held.group.middle - held.middle).tolist()})
+
+
+def _fence(strip: list[Array]) -> Array:
+    """(2N, 3): along one edge of a wall and back along the next, so that one sees through it."""
+    return np.concatenate([edge if i % 2 else edge[::-1] for i, edge in enumerate(strip)])
