@@ -20,6 +20,7 @@ GROUP = "glovetrack.applications"
 BUILT_IN: dict[str, tuple[str, str]] = {
     "touch": ("touch.touch", "Touch"),
     "arm": ("arm.arm", "RobotArm"),
+    "place": ("place.place", "Place"),
     "swarm": ("swarm.swarm", "Swarm"),
 }
 """Module and class by name; imported when asked for."""
