@@ -163,6 +163,7 @@ THREADS = {
     "tracker/simulation/vehicles.py": "the simulated vehicles fly beside who steers them",
     "tracker/simulation/glove_device.py": "the simulated glove has a chip of its own",
     "tracker/streaming/attach.py": "looks at the latest estimate",
+    "tracker/streaming/remote/lsl_markers.py": "reads markers of other programs",
     "tracker/streaming/remote/doors.py": "stamps requests as they arrive",
     "tracker/streaming/server_thread.py": "the event loop of a server",
     "tracker/streaming/streams.py": "one for each output, which may hang",

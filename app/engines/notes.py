@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from PySide6.QtCore import QObject, Signal
@@ -20,11 +20,12 @@ class Teller(Protocol):
 
 @dataclass(frozen=True)
 class Note:
-    """``t`` s of the monotonic clock: when the user began to write it."""
+    """``t`` s of the monotonic clock: when the user began to write it; ``data`` stays with it."""
 
     t: float
     text: str
     wording: int = 0
+    data: Mapping[str, object] = field(default_factory=dict)
 
 
 class Notes(QObject):
@@ -58,11 +59,13 @@ class Notes(QObject):
         self._keep, self.standing = False, {}
         self.changed.emit()
 
-    def add(self, text: str, t: float | None = None) -> None:
+    def add(
+        self, text: str, t: float | None = None, data: Mapping[str, object] | None = None
+    ) -> None:
         """``t``: of `now` when its key was pressed."""
-        note = Note(self.now() if t is None else t, text)
+        note = Note(self.now() if t is None else t, text, data=data or {})
         number, self._next = self._next, self._next + 1
-        self._tell(text, note.t, numbered(number, 0) if self._keep else {})
+        self._tell(text, note.t, {**note.data, **(numbered(number, 0) if self._keep else {})})
         if self._keep:
             self.standing[number] = note
             self.changed.emit()
@@ -73,7 +76,7 @@ class Notes(QObject):
         if note is None or note.text == text:
             return
         note = replace(note, text=text, wording=note.wording + 1)
-        self._tell(text, note.t, numbered(number, note.wording))
+        self._tell(text, note.t, {**note.data, **numbered(number, note.wording)})
         if text:
             self.standing[number] = note
         else:

@@ -125,7 +125,7 @@ class RemoteAnswers(QObject):
         """Stamped with its arrival, however busy the window was."""
         if self._host.setup is None:
             return Reply(False, request.do, "There is nothing to note it in: nothing is open.")
-        self._host.notes.add(request.text, request.t)
+        self._host.notes.add(request.text, request.t, request.data)
         taken = self._host.recording.request
         if taken is None:
             return Reply(True, request.do, "Noted in the log: nothing is being recorded.")

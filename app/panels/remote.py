@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 
 from app.jobs.remote import RemoteControl
 from app.panels.connection_table import ConnectionTable
-from app.viewmodels.remote import DOORS, door_row, is_loopback, title
+from app.viewmodels.remote import DOORS, WITHOUT_PORT, door_row, is_loopback, title
 
 
 class RemoteBox(QGroupBox):
@@ -68,7 +68,8 @@ class RemoteBox(QGroupBox):
             )
         )
         for name in DOORS:
-            table.add(name, title(name), self._remote.switch, self._remote.set_port)
+            port = None if name in WITHOUT_PORT else self._remote.set_port
+            table.add(name, title(name), self._remote.switch, port)
         self.table = table
         self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
         return table
@@ -81,7 +82,7 @@ class RemoteBox(QGroupBox):
         self.opened.setVisible(not is_loopback(params.host))
         for name in DOORS:
             on = self._remote.is_on(name)
-            self.table.show_wanted(name, on, int(getattr(params, f"{name}_port")))
+            self.table.show_wanted(name, on, getattr(params, f"{name}_port", None))
             row = door_row(on, self._remote.counts(name), self._remote.problems.get(name, ""))
             sign = f'<span style="color:{row.look.colour}">{row.look.sign}</span>'
             texts = f"{sign} {row.state}", row.clients, row.sent, row.dropped

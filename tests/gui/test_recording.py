@@ -325,3 +325,11 @@ def test_a_wrong_template_is_refused_in_words_and_the_last_one_kept(window, stor
     window.recording.participant.setText("P3")
     assert window.plan.request().path.name == "P3-01.mcap"
     assert SettingsStore(store.path).value.recording_name == "{participant}-{n:02}"
+
+
+def test_what_a_note_keeps_beside_its_text_stays_with_another_wording(recording, recorders):
+    recording.host.notes.add("go", 12.5, {"lsl": {"stamp": 3.25}})
+    recording.host.notes.change(0, "go left")
+    first, second = notes_in(recorders[0])
+    assert first.t == second.t == 12.5 and second.text == "go left"
+    assert first.data["lsl"] == second.data["lsl"] == {"stamp": 3.25}

@@ -7,11 +7,19 @@ from typing import Any
 
 from tracker.errors import ConfigError
 from tracker.streaming.publisher import LOOPBACK, StreamError
-from tracker.streaming.remote.doors import Door, WebSocketDoor, osc_door, udp_door
+from tracker.streaming.remote.doors import (
+    Door,
+    WebSocketDoor,
+    is_loopback,
+    osc_door,
+    udp_door,
+)
 from tracker.streaming.remote.reception import Answer
 
-DOORS = ("udp", "osc", "websocket")
-"""Names of the ways in, as fields of `RemoteParams` and as words of the command line."""
+DOORS = ("udp", "osc", "websocket", "lsl")
+"""Names of the ways in, as fields of `RemoteParams` and as words of the command line. By ``lsl``
+come markers, which are notes and nothing else."""
+WITHOUT_PORT = ("lsl",)
 
 
 @dataclass(frozen=True)
@@ -21,6 +29,7 @@ class RemoteParams:
     udp: bool = False
     osc: bool = False
     websocket: bool = False
+    lsl: bool = False
     host: str = LOOPBACK
     udp_port: int = 9760
     osc_port: int = 9761
@@ -37,6 +46,8 @@ def with_doors(params: RemoteParams, words: str, host: str = "") -> RemoteParams
         if name not in DOORS:
             raise ConfigError(f"Remote control goes by {', '.join(DOORS)}, not by {name!r}.")
         changes: dict[str, Any] = {name: True}
+        if colon and name in WITHOUT_PORT:
+            raise ConfigError(f"{name} has no port of its own.")
         if colon:
             if not port.isdecimal() or not 1 <= int(port) <= 65535:
                 raise ConfigError(f"{port!r} is no port for {name}: ports are 1 to 65535.")
@@ -47,6 +58,8 @@ def with_doors(params: RemoteParams, words: str, host: str = "") -> RemoteParams
 
 def open_door(name: str, params: RemoteParams, answer: Answer) -> Door:
     """One way in. Raises StreamError in words."""
+    if name in WITHOUT_PORT:
+        return _marker_door(answer, network=not is_loopback(params.host))
     port: int = getattr(params, f"{name}_port")
     if name == "udp":
         return udp_door(answer, params.host, port)
@@ -59,3 +72,14 @@ def open_door(name: str, params: RemoteParams, answer: Answer) -> Door:
             f"Remote control by WebSocket needs a package that is not installed ({error}). "
             'Run: pip install "glovetrack[streams]"'
         ) from error
+
+
+def _marker_door(answer: Answer, network: bool) -> Door:
+    try:
+        from tracker.streaming.remote.lsl_markers import MarkerDoor
+    except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside pylsl
+        raise StreamError(
+            f"Markers by LSL need a package that is not installed ({error}). "
+            'Run: pip install "glovetrack[streams]"'
+        ) from error
+    return MarkerDoor(answer, network)

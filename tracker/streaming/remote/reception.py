@@ -56,9 +56,11 @@ class DoorCounts:
 class Reception:
     """One door's; all calls of `take` come from its one thread."""
 
-    def __init__(self, answer: Answer, clock: Callable[[], float] = monotonic) -> None:
-        self._answer, self._clock = answer, clock
-        self._all, self._acts = Allowance(ALL_HZ, clock()), Allowance(ACTS_HZ, clock())
+    def __init__(
+        self, answer: Answer, clock: Callable[[], float] = monotonic, acts_hz: float = ACTS_HZ
+    ) -> None:
+        self._answer, self._clock, self._acts_hz = answer, clock, acts_hz
+        self._all, self._acts = Allowance(ALL_HZ, clock()), Allowance(acts_hz, clock())
         self._peers: OrderedDict[str, tuple[Allowance, float]] = OrderedDict()
         self._places = threading.BoundedSemaphore(MOST_WAITING)
         self.asked = self.refused = 0
@@ -85,7 +87,7 @@ class Reception:
         if request is None:
             return None
         if request.do not in UNHURRIED and not self._acts.take(request.t):
-            sentence = f"At most {ACTS_HZ:.0f} requests a second are taken."
+            sentence = f"At most {self._acts_hz:.0f} requests a second are taken."
             return self._refuse(Reply(False, request.do, sentence, id=request.id))
         if not self._places.acquire(blocking=False):
             sentence = "The window is busy: requests wait for their answers already."

@@ -43,7 +43,10 @@ class RequestError(GlovetrackError):
 
 @dataclass(frozen=True)
 class Request:
-    """``t``: when it arrived, s of the host's monotonic clock; ``id`` comes back in the answer."""
+    """``t``: when it arrived, s of the host's monotonic clock; ``id`` comes back in the answer.
+
+    ``data``: what a note keeps beside its text; nobody asks for it, a door gives it.
+    """
 
     do: str
     t: float
@@ -54,6 +57,7 @@ class Request:
     strength: float = 1.0
     object: str = ""
     id: str | int | None = None
+    data: Mapping[str, object] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,97 @@
+"""Markers of other programs by LSL become requests for notes at the instants that they tell."""
+
+from __future__ import annotations
+
+import threading
+from concurrent.futures import Future
+
+import pytest
+
+try:
+    import pylsl
+except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside it
+    pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
+
+from tracker.clock import monotonic
+from tracker.errors import ConfigError
+from tracker.streaming.remote.lsl_markers import MarkerDoor
+from tracker.streaming.remote.params import RemoteParams, open_door, with_doors
+from tracker.streaming.remote.request import Reply, Request
+
+
+class Taken:
+    """Who acts: keeps what was asked."""
+
+    def __init__(self) -> None:
+        self.requests: list[Request] = []
+
+    def answer(self, request: Request) -> Future[Reply]:
+        self.requests.append(request)
+        out: Future[Reply] = Future()
+        out.set_result(Reply(True, request.do, "Noted."))
+        return out
+
+
+@pytest.fixture
+def outlet() -> pylsl.StreamOutlet:
+    """Another program's markers: a word and a number."""
+    info = pylsl.StreamInfo("Stimuli", "Markers", 2, pylsl.IRREGULAR_RATE, "string", "lab-7")
+    return pylsl.StreamOutlet(info)
+
+
+def test_a_marker_is_a_note_at_its_own_instant(outlet: pylsl.StreamOutlet, wait_for) -> None:
+    taken = Taken()
+    door = open_door("lsl", with_doors(RemoteParams(), "lsl"), taken.answer)
+    try:
+        if not outlet.wait_for_consumers(10):
+            pytest.skip("LSL finds nothing here: this machine passes no multicast")
+        ago = 0.25  # s: it was pushed late, as programs do
+        stamp = pylsl.local_clock() - ago
+        t = monotonic() - ago
+        outlet.push_sample(["go\n", "7"], stamp)
+        deadline = monotonic() + 30
+        while not taken.requests and monotonic() < deadline:
+            threading.Event().wait(0.01)
+        (request,) = taken.requests
+        assert request.do == "note" and request.text == "go 7"
+        assert request.t == pytest.approx(t, abs=0.005)
+        told = request.data["lsl"]
+        assert isinstance(told, dict)
+        assert (told["stream"], told["source"]) == ("Stimuli", "lab-7")
+        assert told["stamp"] == stamp and abs(told["clock_offset_s"]) < 0.005
+        counts = door.counts()
+        assert (counts.asked, counts.refused, counts.clients) == (1, 0, 1)
+        for k in range(300):
+            outlet.push_sample(["flood", str(k)])
+        wait_for(lambda: door.counts().asked + door.counts().refused == 301)
+        assert door.counts().refused > 50, "what floods is bounded"
+    finally:
+        door.close()
+    assert not [t for t in threading.enumerate() if t.name == "glovetrack-remote-lsl"]
+
+
+def test_a_stream_that_ends_is_forgotten() -> None:
+    taken = Taken()
+    door = MarkerDoor(taken.answer)
+    try:
+        info = pylsl.StreamInfo("Short", "Markers", 1, pylsl.IRREGULAR_RATE, "int32", "lab-8")
+        short = pylsl.StreamOutlet(info)
+        if not short.wait_for_consumers(10):
+            pytest.skip("LSL finds nothing here: this machine passes no multicast")
+        short.push_sample([5])
+        deadline = monotonic() + 30
+        while not taken.requests and monotonic() < deadline:
+            threading.Event().wait(0.01)
+        assert [r.text for r in taken.requests] == ["5"]
+        del short
+        deadline = monotonic() + 30  # LSL goes on telling of it for a while
+        while door.counts().clients and monotonic() < deadline:
+            threading.Event().wait(0.05)
+        assert door.counts().clients == 0
+    finally:
+        door.close()
+
+
+def test_markers_have_no_port() -> None:
+    with pytest.raises(ConfigError, match="no port"):
+        with_doors(RemoteParams(), "lsl:9000")
