@@ -57,7 +57,7 @@ class Request:
     strength: float = 1.0
     object: str = ""
     id: str | int | None = None
-    data: Mapping[str, object] = field(default_factory=dict)
+    data: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
