@@ -36,7 +36,9 @@ def test_threads_change_nothing(session: Path) -> None:
             detect_frame(detector, m) if isinstance(m, StereoFrame) else m
             for m in reader.messages((ImuSample, StereoFrame))
         ]
-        ahead = list(detected(reader.packed_messages((ImuSample, StereoFrame)), detector, 3))
+        ahead = list(
+            detected(reader.packed_messages((ImuSample, StereoFrame)), lambda: detector, 3)
+        )
     assert [type(m) for m in ahead] == [type(m) for m in plain]
     assert [m.t for m in ahead] == [m.t for m in plain]  # type: ignore[union-attr]
     frames = [(a, b) for a, b in zip(ahead, plain, strict=True) if isinstance(a, BlobFrame)]
@@ -59,7 +61,7 @@ def test_no_more_than_a_few_images_wait(session: Path) -> None:
         detector = make_detector(profile_of(reader.info), reader.info)
         given = 0
         packed = reader.packed_messages((ImuSample, StereoFrame))
-        for m in detected(counted(packed), detector, 2):
+        for m in detected(counted(packed), lambda: detector, 2):
             given += isinstance(m, BlobFrame)
             assert read - given <= AHEAD + 1
 
@@ -76,4 +78,4 @@ def test_a_damaged_image_is_told_in_words(session: Path) -> None:
         detector = make_detector(profile_of(reader.info), reader.info)
         packed = reader.packed_messages((ImuSample, StereoFrame))
         with pytest.raises(FileError, match="neither JPEG nor PNG"):
-            list(detected(spoilt(packed), detector, 2))
+            list(detected(spoilt(packed), lambda: detector, 2))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -20,6 +21,7 @@ MOST_TURN = 20  # of hue, from the disc's middle one
 AWAY = 0.75  # the same, of the disc that may be
 RING = (0.85, 1.25)  # the same, of the ring that is the glove's cloth beside it
 HAND = 6.0  # the same, around each marker, of what is not the room
+DARKEST = 8.0  # added to channels before their logarithm: noise below says nothing
 ROOM_STEP = 7  # every so many-th pixel of the room is taken
 
 
@@ -61,6 +63,17 @@ def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> Col
         _disc(away, uv, reach)
     out.room.append(image[away == 0][::ROOM_STEP])
     return out
+
+
+def core_colours(sides: Sequence[tuple[Image, KnownMarkers]]) -> dict[str, Array]:
+    """ln BGR (3,) of each hue's markers: the median over their cores' means; of those seen."""
+    means: dict[str, list[Array]] = {}
+    for image, known in sides:
+        for uv, size, name in zip(known.uv, known.size, known.hue, strict=True):
+            core = _pixels(image, uv, 0.0, CORE * float(size.min()))
+            if len(core):
+                means.setdefault(name, []).append(np.log(core.mean(axis=0) + DARKEST))
+    return {name: np.asarray(np.median(seen, axis=0)) for name, seen in means.items()}
 
 
 def _cloth(pixels: Image) -> Image:

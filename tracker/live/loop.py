@@ -19,7 +19,6 @@ from tracker.errors import GlovetrackError
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.gestures.recogniser import GestureRecogniser, gesture_event
 from tracker.live.applications import ApplicationThread
-from tracker.live.colour_watch import ColourWatch
 from tracker.live.frame_results import FrameResults
 from tracker.live.imu_history import ImuHistory
 from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item
@@ -38,6 +37,7 @@ from tracker.messages import (
     Status,
     Tracking,
 )
+from tracker.online.colour_watch import ColourWatch
 from tracker.pipeline import Pipeline
 from tracker.vision.region_prediction import RegionPrediction
 

@@ -7,13 +7,14 @@ they were not learned from, and refused where they explain fewer markers or more
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker import library
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import known_sides, samples_of
 from tracker.errors import GlovetrackError
@@ -30,7 +31,7 @@ from tracker.messages import (
 )
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
-from tracker.vision.colours import ColourProfile
+from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams, detect_frame
 from tracker.vision.rig import StereoRig
 
@@ -124,10 +125,12 @@ def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile)
     before = look(messages, worn, profile)
     best = before
     if _is_poor(before):
-        for wide in wide_profiles(profile):
+        for wide in _starts(profile):
             tried = look(_beginning(messages), worn, wide)
             if tried.matched > best.matched:
                 best = tried
+            if not _is_poor(best):
+                break
     fitted = profile
     patches: dict[str, int] = {}
     for turn in range(ROUNDS):
@@ -146,6 +149,15 @@ def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile)
             f"and {new.clashing:.1f} other things, these {old.sure:.1f} and {old.clashing:.1f}."
         )
     return SessionFit(fitted, old, new, patches)
+
+
+def _starts(profile: ColourProfile) -> Iterator[ColourProfile]:
+    """Wide colours to begin with: around these, and around those that the program comes with, for
+    these may be those of another room."""
+    yield from wide_profiles(profile)
+    factory = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+    if factory.hue_names == profile.hue_names and factory.hues != profile.hues:
+        yield from wide_profiles(factory)
 
 
 def _is_worse(new: ColourCheck, old: ColourCheck) -> bool:

@@ -211,8 +211,9 @@ def _track(args: argparse.Namespace) -> int:
     (job,) = jobs
     check_json(args, [job.source])
     progress = progress_line("tracking")
-    report = track(job.source, job.out, options, progress, force=args.force).to_json()
-    finish(args, report, [_summary(report)], [job.source, job.out])
+    tracked = track(job.source, job.out, options, progress, force=args.force)
+    report, words = tracked.to_json(), tracked.words
+    finish(args, report, [_summary(report), *words], [job.source, job.out])
     return 0
 
 

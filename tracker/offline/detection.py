@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 
 from tracker.messages import BlobFrame, CameraImuSample, Event, ImuSample
@@ -16,14 +16,18 @@ AHEAD = 12  # pairs of images unpacked before the engine asks for them: 65 MB at
 
 
 def detected(
-    messages: Iterable[Decoded], detector: Detector, threads: int, keep: bool = False
+    messages: Iterable[Decoded],
+    detector: Callable[[], Detector],
+    threads: int,
+    keep: bool = False,
 ) -> Iterator[_Packet | PackedFrame | BlobFrame]:
     """Packets and events as they are and what is found in the images, in the order of ``messages``.
 
     With ``keep`` each pair of images comes too, before what is found in it.
 
-    Unpacking and detection hold no interpreter lock and depend on nothing but their image, so
-    the result is the same with any number of ``threads``.
+    ``detector`` is asked once for each pair, a fixed number of images ahead of those that are
+    handed over. Unpacking and detection hold no interpreter lock and depend on nothing else but
+    their image, so the result is the same with any number of ``threads``.
     """
     waiting: deque[_Packet | PackedFrame | Future[BlobFrame]] = deque()
     images = 0
@@ -33,7 +37,7 @@ def detected(
             if isinstance(message, PackedFrame):
                 if keep:
                     waiting.append(message)
-                waiting.append(pool.submit(_find, detector, message))
+                waiting.append(pool.submit(_find, detector(), message))
                 images += 1
             elif isinstance(message, ImuSample | CameraImuSample | Event):
                 waiting.append(message)

@@ -27,11 +27,14 @@ class TrackReport:
     lost_s: float = 0.0
     error_mm: dict[str, float] = field(default_factory=dict)
     hands: dict[str, TrackReport] = field(default_factory=dict)
+    words: list[str] = field(default_factory=list)  # what was said of the session on the way
 
     def to_json(self) -> dict[str, object]:
         out = dict(vars(self))
         if not self.error_mm:
             del out["error_mm"]
+        if not self.words:
+            del out["words"]
         del out["hands"]
         if self.hands:
             out["hands"] = {side: report.to_json() for side, report in self.hands.items()}

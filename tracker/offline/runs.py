@@ -20,12 +20,15 @@ from tracker.messages import (
     EngineState,
     Estimate,
     Event,
+    FrameResult,
     ImuSample,
     Tracking,
 )
+from tracker.offline.own_colours import OwnColours
 from tracker.offline.report import Counter, StatusClock, TrackReport, TruthCheck
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
+from tracker.online.colour_watch import ColourWatch
 from tracker.pipeline import Pipeline
 from tracker.session import engine_state
 from tracker.session.decode_sensors import Sensed
@@ -137,6 +140,11 @@ class Output:
     def calibration(self, calibration: Calibration) -> None:
         self._recorder.write(calibration, side=self._side)
 
+    def say(self, event: Event) -> None:
+        """A sentence about the session, for its log and the report."""
+        self._recorder.write(event)
+        self.report.words.append(event.text)
+
 
 class NoOutput(Output):
     """For what is tracked only to know where it stands afterwards."""
@@ -158,6 +166,8 @@ class NoOutput(Output):
 
     def calibration(self, calibration: Calibration) -> None: ...
 
+    def say(self, event: Event) -> None: ...
+
 
 class LiveRun:
     """The estimates of a live run, bit for bit.
@@ -173,12 +183,16 @@ class LiveRun:
         rig: StereoRig | None,
         output: Output,
         changes: Sequence[tuple[float, EngineState | StereoRig]] = (),
+        colours: OwnColours | None = None,
     ) -> None:
-        """``make_pipeline`` builds one with the engine of that name and that camera, if any."""
+        """``make_pipeline`` builds one with the engine of that name and that camera, if any;
+        ``colours`` are those that the images are searched with, where they are."""
         self._make_pipeline, self._pipeline = make_pipeline, make_pipeline(engine, rig)
         self._output, self._changes = output, deque(changes)
         self._next_calibration = -np.inf
         self._camera_tells = False  # of its rotation, by an IMU of its own
+        self._colours, self._tracking = colours, Tracking.SEARCHING
+        self._watch = ColourWatch(len(self._pipeline.glove.markers))
 
     @property
     def engine(self) -> Engine:
@@ -200,7 +214,21 @@ class LiveRun:
             self._pipeline.feed_event(message)
         else:
             self._feed_imu(message)
-        self._pipeline.take_results()
+        self._look(message, self._pipeline.take_results())
+
+    def _look(self, message: Fed, results: list[FrameResult]) -> None:
+        """What the images say of the colours."""
+        if self._colours is not None:
+            self._colours.used(results)
+        if not isinstance(message, BlobFrame):
+            return
+        self._watch.look(message, self._tracking)
+        events = [Event(message.t, "tracking", text) for text in self._watch.take_words()]
+        if self._colours is not None:
+            self._colours.looked(message, self._tracking)
+            events += self._colours.take_words()
+        for event in events:
+            self._output.say(event)
 
     def _posed(self, message: Fed) -> Fed:
         """A frame with the pose that the pipeline gives it."""
@@ -224,6 +252,7 @@ class LiveRun:
 
     def _feed_imu(self, sample: ImuSample) -> None:
         estimate = self._pipeline.feed_imu(sample)
+        self._tracking = estimate.tracking
         self._output.estimate(sample, estimate)
         if sample.t >= self._next_calibration:
             self._next_calibration = sample.t + CALIBRATION_PERIOD

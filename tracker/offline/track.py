@@ -29,6 +29,7 @@ from tracker.messages import (
 )
 from tracker.offline.detection import detected
 from tracker.offline.options import USUAL, TrackOptions
+from tracker.offline.own_colours import OwnColours
 from tracker.offline.report import TrackReport, TruthCheck
 from tracker.offline.runs import (
     Fed,
@@ -80,7 +81,8 @@ def track(
     with SessionReader(source, _replacements(options)) as reader:
         settings = _settings(reader, options)
         info = replace(reader.info, rig=_rig(reader, settings))
-        messages = _messages(reader, info, options, threads or usable_cores())
+        colours = _own_colours(reader, info, options)
+        messages = _messages(reader, info, options, threads or usable_cores(), colours)
         described = _output_info(info, settings, source, options)
         if topics.CAMERA_IMU in reader.topic_names and not options.with_sensors:
             described = replace(described, moving_camera=True)  # by what its IMU tells
@@ -90,7 +92,7 @@ def track(
                 side: Output(recorder, options.with_sensors, check, side)
                 for side, check in checks.items()
             }
-            run = _run(reader, info, settings, outputs, options)
+            run = _run(reader, info, settings, outputs, options, colours)
             forward = 0.5 if options.smooth else 1.0  # smoothing goes back over everything
             start, span = reader.anchor.monotonic(reader.span_ns[0]), max(reader.duration, 1e-9)
             for message in messages:
@@ -118,10 +120,11 @@ def state_at(
     settings = _settings(reader, options)
     info = replace(reader.info, rig=_rig(reader, settings))
     outputs: dict[str, Output] = {hand.side: NoOutput() for hand in info.hands}
-    run = _run(reader, info, settings, outputs, options)
+    colours = _own_colours(reader, info, options)
+    run = _run(reader, info, settings, outputs, options, colours)
     assert isinstance(run, LiveRun | TwoHandsRun)
     begin, fed = reader.anchor.monotonic(reader.span_ns[0]), False
-    for message in _messages(reader, info, options, usable_cores()):
+    for message in _messages(reader, info, options, usable_cores(), colours):
         if arrival(message) >= t:
             break
         run.feed(message)
@@ -136,6 +139,7 @@ def _run(
     settings: Settings,
     outputs: Mapping[str, Output],
     options: TrackOptions,
+    colours: OwnColours | None,
 ) -> SessionRun:
     changes: list[tuple[float, EngineState | StereoRig]] = []
     if info.rig is not None:
@@ -167,7 +171,7 @@ def _run(
     changes.sort(key=lambda change: change[0])
     if info.other:
         return TwoHandsRun(make_both, info.rig, settings.engine, outputs, info.side, changes)
-    return LiveRun(make, settings.engine, info.rig, output, changes)
+    return LiveRun(make, settings.engine, info.rig, output, changes, colours)
 
 
 def _check_for_both(info: SessionInfo, options: TrackOptions) -> None:
@@ -273,15 +277,23 @@ def _output_info(
 
 
 def _messages(
-    reader: SessionReader, info: SessionInfo, options: TrackOptions, threads: int
+    reader: SessionReader,
+    info: SessionInfo,
+    options: TrackOptions,
+    threads: int,
+    colours: OwnColours | None,
 ) -> Iterator[Fed | Sided]:
     """Packets, events and blobs in the order of the live run, of both hands if there are both."""
-    messages = _of_reader(reader, info, options, threads)
+    messages = _of_reader(reader, info, options, threads, colours)
     return with_other(reader, messages) if info.other else messages
 
 
 def _of_reader(
-    reader: SessionReader, info: SessionInfo, options: TrackOptions, threads: int
+    reader: SessionReader,
+    info: SessionInfo,
+    options: TrackOptions,
+    threads: int,
+    colours: OwnColours | None,
 ) -> Iterator[Fed]:
     """`_messages` of the hand that ``reader`` reads.
 
@@ -291,16 +303,36 @@ def _of_reader(
     events: tuple[type, ...] = (Event,) if options.guided else ()
     if info.rig is None:
         return reader.packed_messages((ImuSample, *events, BlobFrame))  # type: ignore[return-value]
-    has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
     keep = options.with_sensors
-    if has_blobs and not options.colours:
+    if not _is_searched(reader, options):
         kinds = (ImuSample, CameraImuSample, *events, BlobFrame, *((StereoFrame,) if keep else ()))
         return reader.packed_messages(kinds)  # type: ignore[return-value]
     if not any(topics.image(c) in reader.topic_names for c in topics.SIDES):
-        what = "no images to try other colours on" if has_blobs else "neither blobs nor images"
+        what = (
+            "no images to try other colours on" if options.colours else "neither blobs nor images"
+        )
         raise FileError(f"{reader.path} holds {what}.")
     packed = reader.packed_messages((ImuSample, CameraImuSample, *events, StereoFrame))
-    return detected(packed, make_detector(profile_of(info), info), threads, keep)
+    if colours is not None:
+        return colours.searched(packed, threads, keep)
+    detector = make_detector(profile_of(info), info)
+    return detected(packed, lambda: detector, threads, keep)
+
+
+def _is_searched(reader: SessionReader, options: TrackOptions) -> bool:
+    """Whether the images are searched: there are no blobs, or other colours are asked for."""
+    has_blobs = any(topics.blobs(c) in reader.topic_names for c in topics.SIDES)
+    return not has_blobs or bool(options.colours)
+
+
+def _own_colours(
+    reader: SessionReader, info: SessionInfo, options: TrackOptions
+) -> OwnColours | None:
+    """Colours that follow the session's light; None where its images are not searched for one hand
+    in the order of a live run."""
+    if info.rig is None or info.other or options.smooth or not _is_searched(reader, options):
+        return None
+    return OwnColours(info, profile_of(info))
 
 
 def profile_of(info: SessionInfo) -> ColourProfile:

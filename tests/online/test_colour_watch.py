@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from tracker.live.colour_watch import PATIENCE, ColourWatch
 from tracker.messages import BlobFrame, Blobs, Tracking
+from tracker.online.colour_watch import PATIENCE, ColourWatch
 
 MARKERS = 37
 

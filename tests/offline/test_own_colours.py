@@ -1,0 +1,79 @@
+"""Colours of a session that is tracked again: fitted where they show no hand, and told of."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+from tracker import library
+from tracker.clock import ClockAnchor
+from tracker.errors import GlovetrackError
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import BlobFrame, Blobs, StereoFrame, Tracking
+from tracker.offline import own_colours
+from tracker.offline.detection import AHEAD
+from tracker.offline.own_colours import APART, ATTEMPTS, IMAGES, OwnColours
+from tracker.session.description import SessionInfo
+from tracker.session.images import PackedFrame
+from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.rig import ideal_rig
+
+FACTORY = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+FITTED = ColourProfile("fitted", FACTORY.hues[::-1])
+
+
+def colours(hand: HandModel, glove: GloveModel) -> OwnColours:
+    info = SessionInfo(hand, glove, "", "", ClockAnchor(0, 0), rig=ideal_rig())
+    return OwnColours(info, FACTORY)
+
+
+def look(own: OwnColours, images: int, tracking: Tracking, start: float = 10.0) -> list[str]:
+    """What is said over so many images with this tracking."""
+    for k in range(images):
+        t = start + 1.01 * APART * k
+        own._packed.append(PackedFrame(t, t, {}, None, k))
+        own.looked(BlobFrame(t, t, FACTORY.hue_names, Blobs.empty(), Blobs.empty()), tracking)
+    return [event.text for event in own.take_words()]
+
+
+def test_images_without_a_hand_fit_the_colours_once(
+    hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What was searched ahead with the old colours is not held against the new ones."""
+    fits = []
+
+    def fit(messages: list[StereoFrame], *_: object) -> SimpleNamespace:
+        fits.append(len(messages))
+        return SimpleNamespace(profile=FITTED)
+
+    monkeypatch.setattr(own_colours, "fit_messages", fit)
+    own = colours(hand, glove)
+    assert look(own, IMAGES - 1, Tracking.SEARCHING) == []
+    words = look(own, AHEAD, Tracking.SEARCHING, 20.0)
+    assert fits == [IMAGES]
+    assert words == ["The colours showed no hand: they fitted themselves."]
+    assert own.detector.profile is FITTED
+
+
+def test_a_refused_fit_is_said_once_and_not_tried_forever(
+    hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tried = []
+
+    def refuse(*_: object) -> None:
+        tried.append(1)
+        raise GlovetrackError("The colours could not be fitted.")
+
+    monkeypatch.setattr(own_colours, "fit_messages", refuse)
+    own = colours(hand, glove)
+    words = look(own, 10 * IMAGES, Tracking.LOST)
+    assert words == ["No hand is seen. The colours could not be fitted."]
+    assert len(tried) == ATTEMPTS
+    assert own.detector.profile is FACTORY
+
+
+def test_a_tracked_hand_is_left_alone(hand: HandModel, glove: GloveModel) -> None:
+    own = colours(hand, glove)
+    assert look(own, 3 * IMAGES, Tracking.TRACKING) == []

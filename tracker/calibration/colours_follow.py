@@ -1,0 +1,153 @@
+"""Colours that follow the light: white balance and exposure drift while the hand is tracked.
+
+What tracked markers look like is compared with what they looked like when the colours were learned.
+Once that has moved, they are learned anew from the last images, tried on the newest one, and taken
+where they find as many of its markers and no more of the room. Nothing but images and what was made
+of them decides, so the same messages give the same colours.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.calibration.colours_fit import Image
+from tracker.calibration.colours_learn import ColourSamples, learn
+from tracker.calibration.colours_sample import KnownMarkers, core_colours, known_sides, samples_of
+from tracker.glove.model import GloveModel
+from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame, Tracking
+from tracker.vision.colours import ColourProfile
+from tracker.vision.detector import Detector
+
+APART = 0.2  # s between two images that are looked at
+KEPT, LEAST = 6, 3  # of them: a second, over which hands turn and shade evens out
+LEAST_MARKERS = 6  # matched in an image that counts
+TINT = 0.09  # ln of a channel against green: cloth in another light, more than shade does
+BRIGHT = 0.35  # ln of all channels and hues at once
+FOUND_PX = 10.0  # from where a marker was expected before the image was looked at
+LIKELY = 0.6  # of a marker, to be seen
+FEWER = 1  # markers an image that new colours may lack of the old ones
+MORE_OF_THE_ROOM = 4  # blobs in an image that new colours may find beyond the old ones
+
+
+class Expected(NamedTuple):
+    """An image, and the markers that it should show: uv (n, 2) px and the hue's name of each."""
+
+    image: Image
+    uv: Array
+    hue: tuple[str, ...]
+
+
+class Look(NamedTuple):
+    """Both sides of an image with the markers known in them, those that should be seen, and ln BGR
+    (3,) of each hue's cloth."""
+
+    sides: list[tuple[Image, KnownMarkers]]
+    expected: list[Expected]
+    tints: Mapping[str, Array]
+
+
+class ColourFollower:
+    """For one glove; ``marker_size`` (m) and ``fx`` (px) are the detector's."""
+
+    def __init__(
+        self, profile: ColourProfile, glove: GloveModel, marker_size: float, fx: float
+    ) -> None:
+        self.profile = profile
+        self._glove, self._camera = glove, (marker_size, fx)
+        self._looks: deque[Look] = deque(maxlen=KEPT)
+        self._reference: dict[str, Array] = {}
+        self._due = -np.inf
+
+    def is_due(self, t: float) -> bool:
+        """Whether an image at ``t`` (s) is to be looked at, so that others need not be unpacked."""
+        return t >= self._due or t < self._due - 10 * APART
+
+    def take(self, profile: ColourProfile) -> None:
+        """Someone else has changed the colours: follow these from now on."""
+        self.profile, self._reference = profile, {}
+        self._looks.clear()
+
+    def look(
+        self, frame: StereoFrame, blobs: BlobFrame, result: FrameResult
+    ) -> ColourProfile | None:
+        """One more image, and what was made of it; colours for the light as it is now, if the old
+        ones no longer are."""
+        matched = np.count_nonzero((result.match_left >= 0) | (result.match_right >= 0))
+        if result.tracking != Tracking.TRACKING or matched < LEAST_MARKERS:
+            return None
+        self._due = frame.t + APART
+        sides = known_sides(frame, blobs, result, self._glove)
+        expected = _expected(frame, result, self._glove)
+        self._looks.append(Look(sides, expected, core_colours(sides)))
+        if len(self._looks) < LEAST:
+            return None
+        now = self._typical()
+        if not self._reference:
+            self._reference = now
+        for name in now.keys() - self._reference.keys():
+            self._reference[name] = now[name]
+        if not self._has_moved(now):
+            return None
+        return self._learned(now)
+
+    def _typical(self) -> dict[str, Array]:
+        """Median over the images kept, of hues that half of them show."""
+        out = {}
+        for name in self.profile.hue_names:
+            seen = [look.tints[name] for look in self._looks if name in look.tints]
+            if 2 * len(seen) >= len(self._looks):
+                out[name] = np.median(seen, axis=0)
+        return out
+
+    def _has_moved(self, now: Mapping[str, Array]) -> bool:
+        """Whether the light that the cloths tell of is another than when they were learned."""
+        names = [name for name in now if name in self._reference]
+        if len(names) < 2:
+            return False
+        gain = np.array([now[name] - self._reference[name] for name in names])
+        tint = np.abs(np.median(gain - gain.mean(axis=1, keepdims=True), axis=0)).max()
+        return bool(tint > TINT or abs(np.median(gain)) > BRIGHT)
+
+    def _learned(self, now: dict[str, Array]) -> ColourProfile | None:
+        """New colours, where they serve the newest image as well as the old ones."""
+        if len(self._looks) < KEPT:
+            return None
+        samples, names = ColourSamples.of(self.profile.hue_names), self.profile.hue_names
+        for look in self._looks:
+            for image, known in look.sides:
+                samples.add(samples_of(image, known, names))
+        self._reference = now  # taken or not: it is asked again when the light has moved on
+        new = learn(self.profile, samples)
+        (was, room), (found, others) = (self._on_newest(p) for p in (self.profile, new))
+        if found < was - FEWER or others > room + MORE_OF_THE_ROOM:
+            return None
+        self.profile = new
+        return new
+
+    def _on_newest(self, profile: ColourProfile) -> tuple[float, float]:
+        """Markers that the newest image should show and a profile finds, and other blobs, both per
+        image."""
+        detector, found, others = Detector(profile, *self._camera), 0, 0
+        sides = self._looks[-1].expected
+        for image, uv, hue in sides:
+            blobs, _ = detector.detect(image)
+            names = np.array(profile.hue_names)[blobs.hue]
+            near = np.linalg.norm(uv[:, None] - blobs.uv[None], axis=2) < FOUND_PX
+            own = near & (np.array(hue)[:, None] == names[None])
+            found += int(own.any(axis=1).sum())
+            others += len(blobs) - int(own.any(axis=0).sum())
+        return found / max(len(sides), 1), others / max(len(sides), 1)
+
+
+def _expected(frame: StereoFrame, result: FrameResult, glove: GloveModel) -> list[Expected]:
+    """Of each side that there is."""
+    out = []
+    for image, uv in ((frame.left, result.predicted_left), (frame.right, result.predicted_right)):
+        if image is not None:
+            rows = np.flatnonzero(np.isfinite(uv).all(axis=1) & (result.visible >= LIKELY))
+            out.append(Expected(image, uv[rows], tuple(glove.markers[int(m)].hue for m in rows)))
+    return out

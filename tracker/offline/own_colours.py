@@ -1,0 +1,126 @@
+"""Colours of a session whose images are searched: they follow its light, and are fitted to it where
+they show no hand.
+
+What decides are the messages alone, in the order of feeding, and after how many of them: the same
+session gives the same colours, whatever the computer.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from tracker.calibration.colours_follow import ColourFollower
+from tracker.errors import GlovetrackError
+from tracker.messages import BlobFrame, Event, FrameResult, ImuSample, StereoFrame, Tracking
+from tracker.offline.colours_fit import Sensed, Worn, fit_messages
+from tracker.offline.detection import AHEAD, detected
+from tracker.session.decode import Decoded
+from tracker.session.description import SessionInfo
+from tracker.session.images import PackedFrame
+from tracker.vision.colours import ColourProfile, profile_to_toml
+from tracker.vision.detector import Detector, DetectorParams
+
+KIND = "colours"  # of the events that tell what was learned
+APART = 0.08  # s between two images that a fit looks at
+IMAGES = 12  # of them
+BEFORE = 0.5  # s of packets before the first of them
+ATTEMPTS = 3  # fits in a session; each takes as long as some seconds of it
+WAITING = 60  # images that the engine has not used yet
+
+Searched = ImuSample | PackedFrame | BlobFrame | Event
+
+
+class OwnColours:
+    """``words`` are events with what was learned, for the session that is written."""
+
+    def __init__(self, info: SessionInfo, profile: ColourProfile) -> None:
+        assert info.rig is not None
+        self._worn, self._profile = Worn(info.hand, info.glove, info.rig), profile
+        size = float(info.glove.marker_size.mean()) if info.glove.markers else 0.012
+        self._camera = size, info.rig.fx
+        self.detector = Detector(profile, *self._camera, DetectorParams())
+        self._follower = ColourFollower(profile, info.glove, *self._camera)
+        self._packed: deque[PackedFrame] = deque(maxlen=WAITING)
+        self._blobs: dict[float, BlobFrame] = {}
+        self._handless: list[PackedFrame] = []
+        self._packets: deque[ImuSample] = deque()
+        self._left, self._stale = ATTEMPTS, 0  # images that were searched with colours before
+        self.words: list[Event] = []
+
+    def searched(self, messages: Iterable[Decoded], threads: int, keep: bool) -> Iterator[Searched]:
+        """``messages`` with what is found in their images; those too with ``keep``."""
+        for message in detected(messages, lambda: self.detector, threads, keep=True):
+            if isinstance(message, PackedFrame):
+                self._packed.append(message)
+                if not keep:
+                    continue
+            elif isinstance(message, BlobFrame):
+                self._blobs[message.t] = message
+            elif isinstance(message, ImuSample):
+                self._packets.append(message)
+            yield message  # type: ignore[misc]
+
+    def used(self, results: Sequence[FrameResult]) -> None:
+        """What the engine has made of images."""
+        for result in results:
+            frame = next((p for p in self._packed if p.t == result.t), None)
+            blobs = self._blobs.pop(result.t, None)
+            if frame is None or blobs is None or not self._follower.is_due(frame.t):
+                continue
+            new = self._follower.look(frame.unpack(), blobs, result)
+            if new is not None:
+                self._take(new, frame.t, "The light has changed: the colours follow it.")
+
+    def looked(self, frame: BlobFrame, tracking: Tracking) -> None:
+        """An image was fed, and how tracking stands then."""
+        if tracking not in (Tracking.SEARCHING, Tracking.LOST):
+            self._handless.clear()
+            self._forget(frame.t - BEFORE)
+            return
+        self._stale = max(self._stale - 1, 0)
+        packed = self._packed[-1]
+        if self._stale:
+            return
+        if not self._handless or packed.t - self._handless[-1].t >= APART:
+            self._handless.append(packed)
+        self._forget(self._handless[0].t - BEFORE)
+        if len(self._handless) >= IMAGES and self._left:
+            self._left -= 1
+            self._fit()
+            self._handless.clear()
+
+    def _forget(self, before: float) -> None:
+        while self._packets and self._packets[0].t < before:
+            self._packets.popleft()
+        for t in [t for t in self._blobs if t < before]:
+            del self._blobs[t]
+
+    def _fit(self) -> None:
+        """Fit to the images that show no hand; a refusal changes nothing, and is said once."""
+        frames: list[StereoFrame] = [p.unpack() for p in self._handless]
+        last = max(f.t_arrival for f in frames)
+        messages: list[Sensed] = [p for p in self._packets if p.t_arrival <= last]
+        messages += frames
+        messages.sort(key=lambda m: m.t_arrival)
+        try:
+            fit = fit_messages(messages, self._worn, self._profile)
+        except GlovetrackError as error:
+            if self._left == ATTEMPTS - 1:
+                self.words.append(Event(frames[-1].t, "tracking", f"No hand is seen. {error}"))
+            return
+        self._follower.take(fit.profile)
+        self._stale = AHEAD + 2
+        self._take(fit.profile, frames[-1].t, "The colours showed no hand: they fitted themselves.")
+
+    def _take(self, profile: ColourProfile, t: float, words: str) -> None:
+        """From the next image that is searched."""
+        self.detector = Detector(profile, *self._camera, DetectorParams())
+        text = profile_to_toml(replace(profile, name="followed"))
+        self.words.append(Event(t, KIND, words, {"colours": text}))
+
+    def take_words(self) -> list[Event]:
+        """Since the last call."""
+        words, self.words = self.words, []
+        return words
