@@ -10,6 +10,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
@@ -18,8 +19,9 @@ from PySide6.QtCore import QObject, Signal
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import JobProgress, TaskOwner
-from app.storage.settings import SettingsStore
+from app.storage.settings import SettingsStore, sessions_folder
 from tracker.config import from_dict
+from tracker.files import free_path
 from tracker.messages import Event, Validity
 from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.haptics import HapticPublisher, Sphere
@@ -97,6 +99,16 @@ class Outputs(QObject):
     def set_port(self, name: str, port: int) -> None:
         changes: dict[str, Any] = {f"{name}_port": port}
         self._change(replace(self.params, **changes), [name] if self.is_on(name) else [])
+
+    def set_file(self, path: Path) -> None:
+        """Where the Isaac record goes; what is being written ends."""
+        self._change(replace(self.params, isaac_file=str(path)), ["isaac"])
+
+    @property
+    def isaac_file(self) -> Path:
+        """As chosen, or beside the recordings; where it is there already a number is added."""
+        usual = sessions_folder(self._store.value) / "hands.mcap"
+        return Path(self.params.isaac_file) if self.params.isaac_file else usual
 
     def _change(self, params: StreamParams, names: Sequence[str]) -> None:
         self.params = params
@@ -188,6 +200,9 @@ class Outputs(QObject):
             return HapticPublisher(Names.of(setup.hand, setup.glove), [sphere], setup.vibrate)
         switches: dict[str, Any] = {n: n == name for n in STREAMS}
         alone = replace(self.params, **switches)
+        if name == "isaac":
+            self.isaac_file.parent.mkdir(parents=True, exist_ok=True)
+            alone = replace(alone, isaac_file=str(free_path(self.isaac_file)))
         return open_publishers(alone, setup.hand, setup.glove)[0]
 
     def _opened(self, name: str, wish: int, setup: EngineSetup, publisher: Publisher) -> None:

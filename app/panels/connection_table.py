@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QCoreApplication, QSignalBlocker, Qt
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSpinBox
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSpinBox, QWidget
 
 from app.widgets.measures import NEAR
 
@@ -54,6 +54,11 @@ class ConnectionTable(QGridLayout):
             if j > 2:
                 label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.addWidget(label, i, j)
+
+    def put_at_port(self, name: str, widget: QWidget) -> None:
+        """In place of a port, of a connection that has none."""
+        row = 1 + list(self.boxes).index(name)  # below the headings
+        self.addWidget(widget, row, 1)
 
     def show_wanted(self, name: str, on: bool, port: int | None) -> None:
         """What is set, without setting it again; a port that is being typed stays."""

@@ -28,6 +28,7 @@ from app.jobs.outputs import Outputs
 from app.jobs.remote import RemoteControl
 from app.panels.connection_table import ConnectionTable
 from app.panels.panel import Panel
+from app.panels.record_file import RecordFile
 from app.panels.remote import RemoteBox
 from app.viewmodels.streams import (
     MOTORS,
@@ -141,6 +142,8 @@ class StreamsPanel(Panel):
             value = None if port is None else int(getattr(outputs.params, f"{name}_port"))
             table.show_wanted(name, outputs.is_on(name), value)
             table.boxes[name].setToolTip(tr(REACH.get(name, "")))
+        self.isaac_file = RecordFile(outputs)
+        table.put_at_port("isaac", self.isaac_file)
         self.table = table
         self.boxes, self.ports, self.cells = table.boxes, table.ports, table.cells
         return table

@@ -4,6 +4,7 @@ import contextlib
 import json
 import socket
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
@@ -12,6 +13,8 @@ from PySide6.QtCore import Qt
 from app.jobs.outputs import HapticRule, remembered
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
+from tracker.errors import FileError
+from tracker.isaac.reader import read_records
 from tracker.streaming.params import STREAMS, StreamParams
 
 
@@ -57,6 +60,35 @@ def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel
     assert set(panel.boxes) == set(STREAMS)
     assert panel.address.text() == "127.0.0.1"
     assert window.outputs._attached == {}
+
+
+def test_the_isaac_record_has_a_file_that_is_chosen_and_never_replaced(
+    panel, window, tmp_path, monkeypatch, qtbot
+):
+    assert panel.isaac_file.text() == "hands.mcap" and "isaac" not in panel.ports
+    chosen = tmp_path / "new" / "take"
+    monkeypatch.setattr(
+        "app.panels.record_file.QFileDialog.getSaveFileName",
+        staticmethod(lambda *_args, **_more: (str(chosen), "")),
+    )
+    panel.isaac_file.click()
+    assert panel.isaac_file.text() == "take.mcap"
+    assert str(chosen.with_suffix(".mcap")) in panel.isaac_file.toolTip()
+    for name in ("take.mcap", "take_2.mcap"):
+        panel.boxes["isaac"].click()
+        qtbot.waitUntil(lambda: "sending" in panel.cells["isaac"]["state"].text(), timeout=10_000)
+        panel.boxes["isaac"].click()
+        path = chosen.parent / name
+        qtbot.waitUntil(lambda path=path: _records(path) == ["right"], timeout=10_000)
+    assert SettingsStore(window.store.path).value.streams["isaac_file"].endswith("take.mcap")
+
+
+def _records(path: Path) -> list[str]:
+    """Sides in a record that is whole; nothing of another."""
+    try:
+        return sorted({side for side, record in read_records(path) if record.joints is not None})
+    except FileError:
+        return []
 
 
 def test_who_else_hears_lab_streaming_layer_is_said_beside_its_switch(panel):

@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 from tracker.cli import main
+from tracker.conformance.run import read_take
 from tracker.errors import ConfigError
+from tracker.isaac.reader import read_records
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build_both, simulate
@@ -68,6 +70,19 @@ def test_the_file_is_whole_and_misses_nothing(recorded: Path, tracked: Path) -> 
     for path in (recorded, tracked):
         findings = verify(path)
         assert is_ok(findings) and not findings
+
+
+def test_isaacs_record_and_the_verdict_have_both_hands(tracked: Path, tmp_path: Path) -> None:
+    out = tmp_path / "both.mcap"
+    assert main(["export", str(tracked), "--format", "isaac", "-o", str(out)]) == 0
+    records: dict[str, list[int]] = {"left": [], "right": []}
+    for side, record in read_records(out):
+        records[side].append(record.stamps.sample)
+    takes, _ = read_take(tracked)
+    assert {take.side: take.sample.tolist() for take in takes} == records
+    assert all(len(stamps) > 200 for stamps in records.values())
+    order = [r.stamps.available for _, r in read_records(out)]
+    assert order == sorted(order)
 
 
 def test_tracked_again_both_are_the_same_to_the_last_bit(tracked: Path, tmp_path: Path) -> None:

@@ -34,7 +34,7 @@ from tracker.messages import CameraPose, Event, Message
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build
 from tracker.offline.track import track
-from tracker.session.export.isaac import arrivals, hand_records
+from tracker.session.export.isaac import arrivals, hand_records, readers_of_hands
 from tracker.session.export.series import recorded_series
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, new_session
@@ -101,10 +101,14 @@ def read_take(path: Path, sides: Sequence[str] = ()) -> tuple[list[Take], list[S
 
 
 def session_records(reader: SessionReader) -> dict[str, list[HandRecord]]:
-    """The records that an export of the session writes."""
-    m = recorded_series(reader)
-    found = [record for _, _, record in hand_records(m.info.side, m, arrivals(reader, m))]
-    return {m.info.side: found}
+    """The records that an export of the session writes, of each of its hands."""
+    found = {}
+    for one in readers_of_hands(reader):
+        with one:
+            m = recorded_series(one)
+            told = hand_records(m.info.side, m, arrivals(one, m))
+            found[m.info.side] = [record for _, _, record in told]
+    return found
 
 
 def noted_steps(reader: SessionReader) -> list[Step]:

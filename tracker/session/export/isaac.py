@@ -31,15 +31,28 @@ class Arrivals(NamedTuple):
 
 
 def export_isaac(reader: SessionReader, path: Path, options: ExportOptions) -> EstimateSeries:
-    """Raises ConfigError for axes, units and joints: the format has its own."""
+    """Both hands in one file, where the session has them; returned is what is said of the main one.
+
+    Raises ConfigError for axes, units and joints: the format has its own.
+    """
     asked = {"axes": options.axes, "units": options.units, "joints": options.joints}
     wrong = [name for name, value in asked.items() if value]
     if wrong:
         raise ConfigError(f"The Isaac record has its own {' and '.join(wrong)}: leave them out.")
-    m = load_series(reader, options)
+    hands: dict[str, tuple[EstimateSeries, Arrivals]] = {}
+    for one in readers_of_hands(reader):
+        with one:
+            m = load_series(one, options)
+            hands[m.info.side] = (m, arrivals(one, m))
     with path.open("wb") as file:
-        write_hands(IsaacWriter(file), {m.info.side: (m, arrivals(reader, m))})
-    return m
+        write_hands(IsaacWriter(file), hands)
+    return hands[reader.info.side][0]
+
+
+def readers_of_hands(reader: SessionReader) -> Iterator[SessionReader]:
+    """The same session once for each hand, the left one first; the caller closes them."""
+    for side in reader.sides or ("",):
+        yield SessionReader(reader.path, side=side)
 
 
 def write_hands(writer: IsaacWriter, hands: Mapping[str, tuple[EstimateSeries, Arrivals]]) -> None:

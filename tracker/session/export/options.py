@@ -12,7 +12,7 @@ FORMATS = (
 )
 WHOLE_HAND = ("sto", "osim", "bvh", "glb", "urdf")
 """Formats of a skeleton, which cannot leave out joints."""
-BOTH_HANDS = ("mcap", "lerobot")
+BOTH_HANDS = ("mcap", "isaac", "lerobot")
 """Formats of which one file holds both hands."""
 FOLDERS = ("png", "bids", "lerobot")
 """Formats of many files."""
