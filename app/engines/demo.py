@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import time
-from functools import partial
+from pathlib import Path
 
 from app.engines.demo_camera import DURATION, demo_spec, start_camera
+from app.engines.demo_guide import DemoGuide
 from app.engines.engine import EngineSetup, ReferenceHand
-from app.engines.guide import WearersGuide
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -17,13 +17,14 @@ from tracker.applications.sinks import all_sinks
 from tracker.clock import ClockAnchor
 from tracker.config import to_toml
 from tracker.errors import DeviceError
+from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
 from tracker.pipeline import Pipeline
 from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo
 from tracker.session.recording.process import RecorderProcesses
 from tracker.simulation.camera_device import SimulatedCamera
-from tracker.simulation.demo import DemoSpec, build
+from tracker.simulation.demo import DemoSpec, asked_for, build
 from tracker.simulation.glove_device import SimulatedGlove
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.truth_recorder import Prepare, WithTruth
@@ -82,12 +83,17 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
         return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
 
+    def record(path: Path, about: SessionInfo) -> Recorder:
+        companion = WithTruth(spec, t_0, asked_for(simulation))
+        return recorders.record(path, about, companion=companion)
+
+    guide = DemoGuide(tracker, simulation, camera, lambda: time.monotonic() - t_0)
+
     def close() -> None:
+        guide.close()
         device.stop()
         recorders.close()
 
-    companion = WithTruth(spec, t_0)
-    record = partial(recorders.record, companion=companion)
     return EngineSetup(
         name="demo",
         engine=tracker,
@@ -102,7 +108,7 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         simulated=True,
         followed=tracker,
         vibrate=link.vibrate,
-        guide=WearersGuide(tracker),
+        guide=guide,
         command=tracker.command,
         stage=tracker.stage,
         reference_tracking=tracker,

@@ -2,6 +2,7 @@
 
 import csv
 import multiprocessing
+import time
 
 import numpy as np
 import pytest
@@ -9,8 +10,10 @@ from gui_fakes import models
 
 from app.engines.demo import demo_setup
 from app.jobs.export import ExportRequest
+from app.viewmodels.guided import Phase
 from app.window.headless_report import KEYPOINTS
-from tracker.messages import Estimate, StereoFrame
+from tracker.hand.poses import HELD
+from tracker.messages import Estimate, Event, StereoFrame
 from tracker.session.mcap.recover import needs_recovery
 from tracker.session.reader import SessionReader
 
@@ -67,6 +70,35 @@ def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     half = 0.5 * player.duration
     qtbot.waitUntil(lambda: half - 0.01 <= player.position <= player.duration, timeout=30_000)
     assert not demo.commands.actions["record"].isEnabled()
+
+
+@pytest.mark.timeout(180)
+def test_the_simulated_wearer_does_what_the_guidance_shows(demo, qtbot, tmp_path):
+    demo.recording.set_folder(tmp_path)
+    demo.commands.actions["record"].trigger()
+    path = demo.host.recording.request.path
+    demo.run_command("guided")
+    dialog = demo.set_up.dialogs["guided"]
+    dialog.run.poses = ("fist",)
+    dialog.start()
+    qtbot.waitUntil(lambda: dialog.run.phase == Phase.HOLDING, timeout=60_000)
+    asked = demo.host.setup.truth(time.monotonic())
+    qtbot.waitUntil(lambda: dialog.run.held == {"fist": True}, timeout=60_000)
+    assert reach(asked) < 0.08  # m; 0.18 of a flat hand
+    demo.commands.actions["record"].trigger()
+    qtbot.waitUntil(lambda: demo.library.selected() is not None, timeout=60_000)
+    with SessionReader(path) as reader:
+        begin = next(m for m in reader.messages() if isinstance(m, Event) and m.kind == "guided")
+        held = [true for true in reader.truth() if 0.0 < true.t - begin.t < HELD / 2]
+    assert len(held) > 20 and max(map(reach, held)) < 0.08
+
+
+def reach(hand) -> float:
+    """m from the wrist to the middle fingertip, of what has segments' rotations and origins."""
+    row = models()[0].index["middle_distal"]
+    p = getattr(hand, "segment_p", None)
+    p = hand.p_GB if p is None else p
+    return float(np.linalg.norm(p[row] - p[0]))
 
 
 @pytest.mark.timeout(180)

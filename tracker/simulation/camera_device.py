@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import multiprocessing as mp
 import time
+from collections import deque
 from collections.abc import Sequence
 from multiprocessing.connection import Connection
 from typing import NamedTuple
@@ -20,7 +21,8 @@ from numpy.typing import NDArray
 from tracker.clock import nanoseconds, seconds
 from tracker.messages import Event, StereoFrame
 from tracker.shared_memory import attached, forget_name, new_memory
-from tracker.simulation.demo import DemoSpec, build
+from tracker.simulation.asked import Asked, asked_event
+from tracker.simulation.demo import DemoSpec, ask, build
 
 SLOTS = 6
 READY = "ready"
@@ -46,6 +48,7 @@ class SimulatedCamera:
         self._t_0, self._shape = 0.0, (SLOTS, 2, height, width, 3)
         self._memory = new_memory(int(np.prod(self._shape)))
         self._events: list[Event] = []
+        self._asked: deque[Asked] = deque()  # of other threads, to be sent by the one that reads
         self._closed = False
         context = mp.get_context("spawn")
         self._pipe, theirs = context.Pipe()
@@ -71,12 +74,20 @@ class SimulatedCamera:
         with contextlib.suppress(OSError):
             self._pipe.send(t_0)
 
+    def ask(self, asked: Asked, pose: str) -> None:
+        """Let the wearer take a posture, that of ``pose`` or (empty) his own; an event tells of it,
+        by which a recording knows what he truly did."""
+        self._asked.append(asked)
+        self._events.append(asked_event(asked, pose, seconds(time.monotonic_ns())))
+
     def read(self, timeout: float) -> StereoFrame | None:
         """The next image pair at its time of arrival; None if none comes within ``timeout``."""
         if self._closed:
             time.sleep(timeout)  # whoever asks in a loop shall not spin
             return None
         try:
+            while self._asked:
+                self._pipe.send(self._asked.popleft())
             if not self._pipe.poll(timeout):
                 return None
             drawn: _Drawn = self._pipe.recv()
@@ -151,7 +162,11 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
         if time.monotonic() > t_0 + arrival + LATE:
             continue
         while not free or pipe.poll():
-            free.append(pipe.recv())
+            told = pipe.recv()
+            if isinstance(told, Asked):
+                ask(sim, told)
+            else:
+                free.append(told)
         slot = free.pop(0)
         left, right = sim.renderer.pair(t)
         images[slot, 0], images[slot, 1] = left, right

@@ -8,6 +8,7 @@ from pathlib import Path
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
+from tracker.simulation.asked import Asked, AskedMotion
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
@@ -36,10 +37,22 @@ def build(spec: DemoSpec) -> Simulation:
     if spec.motion:
         motion = _recorded(Path(spec.motion), hand)
     else:
-        motion = RandomPostures(hand, spec.seed, duration=spec.duration)
+        own = RandomPostures(hand, spec.seed, duration=spec.duration)
+        motion = AskedMotion(own, spec.seed)
     room = room_of("desk" if spec.light else "plain", spec.light, seed=spec.seed)
     params = SimulationParams(render=replace(room.render, exposures=spec.exposures))
     return Simulation(hand, glove, motion, spec.seed, params, fps=spec.fps, extras=room.extras)
+
+
+def ask(simulation: Simulation, asked: Asked) -> None:
+    """Ask the wearer for a posture. One who plays a recording does not hear it."""
+    if isinstance(simulation.motion, AskedMotion):
+        simulation.motion.ask(asked)
+
+
+def asked_for(simulation: Simulation) -> tuple[Asked, ...]:
+    """All that the wearer was asked for."""
+    return simulation.motion.asked if isinstance(simulation.motion, AskedMotion) else ()
 
 
 def _recorded(path: Path, hand: HandModel) -> Motion:

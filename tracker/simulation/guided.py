@@ -70,7 +70,7 @@ class GuidedPoses:
     ) -> None:
         self._params, self._then = params or HoldParams(), then
         self._rng = rng_for(seed, "guided poses")
-        self._hand = _HeldHand(wearer, self._params, self._rng)
+        self._hand = HeldHand(wearer, self._params, self._rng)
         self._held = self._lead()
         self.free_from = self._held[-1].end + BETWEEN
         self.duration = self.free_from + then.duration
@@ -135,7 +135,7 @@ class _Touch(NamedTuple):
     off_pad: Array
 
 
-class _HeldHand:
+class HeldHand:
     """Joint angles of one wearer in each pose."""
 
     def __init__(self, wearer: Wearer, params: HoldParams, rng: np.random.Generator) -> None:

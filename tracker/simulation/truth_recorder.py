@@ -8,9 +8,10 @@ from functools import lru_cache
 import numpy as np
 
 from tracker.geometry import so3
-from tracker.messages import Estimate, Message, Validity
+from tracker.messages import Estimate, Event, Message, Validity
 from tracker.session.writer import SessionRecorder
-from tracker.simulation.demo import DemoSpec, build
+from tracker.simulation.asked import Asked, asked_in
+from tracker.simulation.demo import DemoSpec, ask, build
 from tracker.simulation.scenario import Simulation, Truth
 
 AT_ONCE = 25
@@ -24,13 +25,18 @@ class WithTruth:
     """Puts the truth of a `DemoSpec` that began at ``t_0`` (s) into a recording of it.
 
     It travels to the process that writes, where `prepare` may build the simulation beforehand.
+    ``asked`` is what the wearer was asked for until then.
     """
 
     spec: DemoSpec
     t_0: float
+    asked: tuple[Asked, ...] = ()
 
     def __call__(self, recorder: SessionRecorder) -> TruthfulRecorder:
-        return TruthfulRecorder(recorder, built(self.spec), self.t_0, self.spec.duration)
+        simulation = built(self.spec)
+        for asked in self.asked:
+            ask(simulation, asked)
+        return TruthfulRecorder(recorder, simulation, self.t_0, self.spec.duration)
 
 
 @dataclass(frozen=True)
@@ -56,6 +62,8 @@ class TruthfulRecorder:
 
     def write(self, message: Message, overloaded: bool = False) -> bool:
         taken = self._inner.write(message, overloaded)
+        if isinstance(message, Event) and (asked := asked_in(message)) is not None:
+            ask(self._simulation, asked)
         if isinstance(message, Estimate):
             self._waiting.append(message)
             if len(self._waiting) >= AT_ONCE:
