@@ -48,14 +48,18 @@ def headless_report(
     fps: float,
     camera: SimulatedCamera,
     streams: StreamParams,
+    wearer: Path | None = None,
 ) -> int:
-    """Run the demo for ``duration`` s of tracking and leave its results in ``out``."""
+    """Run the demo for ``duration`` s of tracking and leave its results in ``out``; ``wearer``:
+    the profile to begin with."""
     out.mkdir(parents=True, exist_ok=True)
     store = SettingsStore(out / "window.json")
     window = MainWindow(store)
     window.resize(1440, 900)
     window.set_theme("dark")
     window.outputs.use(streams)
+    if wearer is not None:
+        window.calibration.begin_with(wearer)
     window.show()
     try:
         return _run(app, window, duration, out, demo_factory(fps=fps, camera=camera))

@@ -24,6 +24,7 @@ from tracker.shared_memory import NoSharedMemory
 from tracker.streaming.params import STREAMS, StreamParams, with_streams
 from tracker.streaming.publisher import JOINT_SETS
 from tracker.streaming.remote.params import DOORS, RemoteParams, with_doors
+from tracker.toml_reader import read_text
 
 if TYPE_CHECKING:
     from app.platform.crash import CrashWatch
@@ -45,6 +46,8 @@ def open_window(argv: Sequence[str]) -> int:
             StreamParams(), args.stream, args.stream_host, args.stream_joints
         )
         with_doors(RemoteParams(), args.remote, args.remote_host)
+        if args.wearer is not None:
+            read_text(args.wearer)
     except GlovetrackError as error:
         parser.error(str(error))
     if not has_screen():
@@ -70,7 +73,9 @@ def _report(app: QApplication, args: argparse.Namespace) -> int:
     camera = start_camera(fps=args.fps)  # before the window is even imported
     from app.window.headless_report import headless_report
 
-    return headless_report(app, args.headless_report, args.out, args.fps, camera, args.streams)
+    return headless_report(
+        app, args.headless_report, args.out, args.fps, camera, args.streams, args.wearer
+    )
 
 
 def _run(app: QApplication, args: argparse.Namespace) -> int:
@@ -107,6 +112,8 @@ def _show(
     window.remote.use(args.remote, args.remote_host)
     instance.answer = window.remote.answers.answer_line
     window.sources.baud = args.baud
+    if args.wearer is not None:
+        window.calibration.begin_with(args.wearer)
     window.show()
     if args.demo:
         window.sources.open_demo(args.fps, camera)
@@ -150,6 +157,12 @@ def _parser() -> argparse.ArgumentParser:
         help=f"let other programs start, stop and note in this run: {', '.join(DOORS)}",
     )
     parser.add_argument("--remote-host", default="", metavar="HOST", help="listen at which address")
+    parser.add_argument(
+        "--wearer",
+        type=Path,
+        metavar="FILE",
+        help="a wearer's profile: kept among the others, and worn from the start",
+    )
     parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
     parser.add_argument(
         "--headless-report",

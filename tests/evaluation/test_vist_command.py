@@ -8,10 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tracker.errors import ConfigError
+from tracker.errors import ConfigError, FileError
 from tracker.evaluation.commands import add_commands
 from tracker.evaluation.vist.cases import (
     ABLATIONS,
+    GUIDED,
     Case,
     in_outage,
     judged_in_outage,
@@ -22,9 +23,12 @@ from tracker.evaluation.vist.command import cases_of
 from tracker.evaluation.vist.metrics import Trial, summarise
 from tracker.evaluation.vist.report import write_report
 from tracker.evaluation.vist.run import Progress, run_cases
+from tracker.evaluation.vist.scenes import motion_of, simulation_of
 from tracker.evaluation.vist.table import line_of, row_of
-from tracker.evaluation.vist.trial import owners
+from tracker.evaluation.vist.trial import meet_again, models, owners
+from tracker.hand.poses import POSES
 from tracker.messages import BlobFrame, ImuSample
+from tracker.pipeline import Pipeline
 from tracker.settings import Settings
 
 ROW_KEYS = {
@@ -157,6 +161,36 @@ def test_the_defaults_are_the_papers():
 def test_what_does_not_exist_is_named(words, told):
     with pytest.raises(ConfigError, match=told):
         cases_of(parse(*words))
+
+
+def test_a_wearers_profile_is_for_the_engine_that_takes_it(tmp_path):
+    absent = str(tmp_path / "anna.toml")
+    with pytest.raises(ConfigError, match="--engines chain"):
+        cases_of(parse("--wearer", absent))
+    with pytest.raises(FileError, match=r"anna\.toml"):
+        cases_of(parse("--wearer", absent, "--engines", "chain"))
+
+
+def test_guided_rows_are_told_side_by_side():
+    cases = cases_of(parse("--guided", "--experiments", "free", "--engines", "chain"))
+    assert [c.guided for c in cases] == ["", *GUIDED, "untold"]
+    assert [c.is_led for c in cases] == [False, True, True, True, False, True]
+
+
+def test_who_is_known_begins_with_what_another_session_of_his_has_left(monkeypatch):
+    """The same free motion, with the glove put on as in it: known by the bones of his own hand."""
+    monkeypatch.setattr("tracker.evaluation.vist.trial.FIRST_SESSION", 0.02)
+    monkeypatch.setattr("tracker.simulation.guided.POSES", {"flat": POSES["flat"]})
+    case = Case("free", "chain", minutes=0.1, fps=20, seed=11)
+    hand, glove = models()
+    sim = simulation_of(case, hand, glove, motion_of(case, hand, 11_000, None), 11_000, None)
+    pipeline = Pipeline(hand, glove, sim.rig, Settings())
+    anybody = pipeline.engine.profile()
+    meet_again(pipeline, case, 11_000)
+    known = pipeline.engine.profile()
+    true = sim.wearer.scale[[hand.index[n] for n in pipeline.engine.layout.names], 0]
+    assert np.abs(known.scale[:, 0] - true).mean() < 0.5 * np.abs(anybody.scale[:, 0] - true).mean()
+    np.testing.assert_array_equal(known.R_IB, anybody.R_IB)
 
 
 @pytest.mark.parametrize("words", [["--participants", "0"], ["--minutes", "x"], ["--level", "3d"]])

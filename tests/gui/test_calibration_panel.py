@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QInputDialog
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
 from app.window.main_window import MainWindow
+from app.window.start import _parser
 from tracker.errors import GlovetrackError
 from tracker.files import kept_name
 from tracker.fusion.chain.engine import ChainEngine
@@ -126,6 +127,22 @@ def test_freezing_is_said_and_reaches_the_filter(panel, engine):
     panel.wearer.frozen.click()
     panel.refresh(panel.host.snapshot())
     assert calibration_covariance(engine.inner).any()
+
+
+def test_a_profile_told_on_the_command_line_is_worn_from_the_start(
+    panel, window, store, tmp_path, qtbot
+):
+    file = tmp_path / "anna.toml"
+    panel.export(file)
+    qtbot.waitUntil(file.exists, timeout=30_000)
+    args = _parser().parse_args(["--demo", "--wearer", str(file)])
+    window.close()
+    again, fresh = MainWindow(store), Commanded()
+    qtbot.addWidget(again)
+    again.calibration.begin_with(args.wearer)
+    again.host.adopt(setup_of(fresh))
+    assert again.calibration.wearer.name == "anna"
+    assert fresh.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))
 
 
 def test_a_wearer_comes_back_after_a_restart(panel, store, qtbot, monkeypatch):

@@ -127,3 +127,14 @@ def test_flexion_beyond_a_right_angle_is_read_back() -> None:
     root = np.tile(np.eye(3), (2, 1, 1))
     R, _ = forward_many(parent, origin, rest, column, np.zeros(2), angles, root, np.zeros((2, 3)))
     np.testing.assert_allclose(angles_from_many(parent, rest, column, R, 2), angles, atol=1e-12)
+
+
+def test_one_person_puts_the_glove_on_many_times(hand, glove):
+    """Bones and synergies stay; what belongs to one putting-on is drawn anew."""
+    first, again = (Wearer.random(hand, glove, 7, fitting=fitting) for fitting in (7, 8))
+    np.testing.assert_array_equal(first.scale, again.scale)
+    np.testing.assert_array_equal(first._synergy_offset, again._synergy_offset)
+    turned = np.linalg.norm(first.imu_R_BI - again.imu_R_BI, axis=(1, 2))
+    assert turned.min() > np.deg2rad(1.0)
+    assert np.abs(first.markers(1.0) - again.markers(1.0)).max() > 1e-3
+    np.testing.assert_array_equal(Wearer.random(hand, glove, 7).imu_R_BI, first.imu_R_BI)

@@ -32,6 +32,12 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", "--out", type=Path, required=True, help="the new session, .mcap")
     parser.add_argument("--motion", default="", help="recorded motion: Qualisys TSV, Leap, BVH")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument(
+        "--person",
+        type=int,
+        metavar="SEED",
+        help="whose hand it is: the person of another session's --seed, in a glove put on anew",
+    )
     parser.add_argument("--duration", type=float, default=60.0, help="seconds")
     parser.add_argument("--fps", type=float, default=60.0)
     parser.add_argument(
@@ -175,6 +181,7 @@ def _simulate(args: argparse.Namespace) -> int:
         hand=args.hand,
         motion=args.motion,
         seed=args.seed,
+        person=args.person,
         duration=args.duration,
         fps=args.fps,
         images=not args.blobs_only,

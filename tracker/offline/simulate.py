@@ -47,6 +47,7 @@ class SimulateOptions:
     photo: str = ""  # the image of the scene photo
     light: str = ""  # over the desk: window (if not said), lamp, led or dim
     hands: str = "right"  # or left, or both
+    person: int | None = None  # another seed for whose hand it is
     guided: str = ""  # "well" or "badly": guided poses are held first, and told of
     camera: str = "stand"  # or head, head-imu: on the wearer's head, telling its pose or its IMU
 
@@ -62,7 +63,8 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     glove = options.glove or GLOVES[options.hands]
     info = _info(options, library.texts(glove, options.hand or None))
     room = room_of(options.scene, options.light, options.photo, options.seed)
-    params = SimulationParams(head=_head(options.camera), render=room.render)
+    head = _head(options.camera)
+    params = SimulationParams(head=head, render=room.render, person=options.person)
     motion = _led(options, info, _motion(options, info))
     seed, extras = options.seed, room.extras
     sim = Simulation(info.hand, info.glove, motion, seed, params, options.fps, extras=extras)
@@ -111,7 +113,8 @@ def _led(options: SimulateOptions, info: SessionInfo, then: Motion) -> Motion:
     known = {"well": HoldParams(), "badly": HELD_BADLY}
     if options.guided not in known:
         raise ConfigError(f"Poses can be held {', '.join(known)}, not {options.guided!r}.")
-    wearer = Wearer.random(info.hand, info.glove, options.seed)
+    person = options.seed if options.person is None else options.person
+    wearer = Wearer.random(info.hand, info.glove, person)
     return GuidedPoses(wearer, then, options.seed, known[options.guided])
 
 

@@ -15,9 +15,9 @@ from tracker import __version__, library
 from tracker.config import from_toml, to_toml
 from tracker.errors import ConfigError, FileError
 from tracker.files import check_target, sha256
-from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
-from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.engine import Engine
+from tracker.fusion.worn import keep as keep_worn
+from tracker.fusion.worn import put_on
 from tracker.messages import (
     BlobFrame,
     CameraImuSample,
@@ -99,7 +99,8 @@ def track(
                 run.feed(message)
                 progress(forward * min(max((arrival(message) - start) / span, 0.0), 1.0))
             run.finish(lambda share: progress(forward + (1 - forward) * share))
-            _keep(run.engine, options.keep_wearer)
+            if options.keep_wearer:
+                keep_worn(run.engine, Path(options.keep_wearer))
         for side, check in checks.items():
             if check is not None:
                 outputs[side].report.error_mm = check.against(_truth(reader, side))
@@ -198,24 +199,9 @@ def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
 
 
 def _put_on(engine: Engine, wearer: str) -> None:
-    """Begin with a wearer's profile, if there is one. Raises ConfigError, FileError."""
+    """Begin with a wearer's profile, if there is one. Raises as `tracker.fusion.worn.put_on`."""
     if wearer:
-        chain = _chain(engine)
-        chain.put_on(read_wearer(Path(wearer), chain.layout).profile)
-
-
-def _keep(engine: Engine, path: str) -> None:
-    """Write what was learned of the wearer, if that was asked for. Raises as `_put_on`."""
-    if path:
-        chain = _chain(engine)
-        learned = WearerFile(chain.layout, chain.profile(), chain.calibration())
-        write_wearer(Path(path), learned)
-
-
-def _chain(engine: Engine) -> ChainEngine:
-    if not isinstance(engine, ChainEngine):
-        raise ConfigError("Only the engine chain takes and learns a wearer's profile.")
-    return engine
+        put_on(engine, Path(wearer))
 
 
 def _rig(reader: SessionReader, settings: Settings) -> StereoRig | None:

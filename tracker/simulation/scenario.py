@@ -32,9 +32,14 @@ MARGIN = 0.01
 
 @dataclass(frozen=True)
 class SimulationParams:
-    """The person, the sensors and the delays."""
+    """The person, the sensors and the delays.
+
+    ``person`` is a seed of its own that the person is drawn from, not how the glove sits: by it
+    one person has many sessions.
+    """
 
     wearer: WearerParams = field(default_factory=WearerParams)
+    person: int | None = None
     imu: ImuParams = field(default_factory=ImuParams)
     blobs: BlobParams = field(default_factory=BlobParams)
     render: RenderParams | DeskParams = field(default_factory=RenderParams)
@@ -70,7 +75,8 @@ class Simulation:
     ) -> None:
         self.hand, self.glove, self.motion, self.seed = hand, glove, motion, seed
         self.params, self.fps, self.rig = params or SimulationParams(), fps, rig or ideal_rig()
-        self.wearer = Wearer.random(hand, glove, seed, self.params.wearer)
+        person = seed if self.params.person is None else self.params.person
+        self.wearer = Wearer.random(hand, glove, person, self.params.wearer, fitting=seed)
         self.imus = ImuSimulator(self.wearer, motion, seed, self.params.imu)
         head = Head(self.rig.pose, seed, self.params.head)
         self.scene = SimulatedScene(

@@ -48,18 +48,28 @@ class TrueHand(NamedTuple):
 
 
 class Wearer:
-    """The true hand and fitting; every array in the order of the hand's segments or the glove's."""
+    """The true hand and fitting; every array in the order of the hand's segments or the glove's.
+
+    The hand is drawn from ``seed``, and so is how the glove sits on it, unless ``fitting`` is
+    another seed: the same person who has put the glove on anew.
+    """
 
     def __init__(
-        self, hand: HandModel, glove: GloveModel, seed: int, params: WearerParams | None = None
+        self,
+        hand: HandModel,
+        glove: GloveModel,
+        seed: int,
+        params: WearerParams | None = None,
+        fitting: int | None = None,
     ) -> None:
         self.hand, self.glove, self.params = hand, glove, params or WearerParams()
         self._column = np.array(hand.axis_columns, np.int64)
         self._parent = np.array(hand.parent, np.int64)
         self._draw_hand(rng_for(seed, "hand"))
         self._draw_synergies(rng_for(seed, "synergy"))
-        self._draw_imus(rng_for(seed, "imu"))
-        self._draw_markers(rng_for(seed, "markers"))
+        fitting = seed if fitting is None else fitting
+        self._draw_imus(rng_for(fitting, "imu"))
+        self._draw_markers(rng_for(fitting, "markers"))
 
     @classmethod
     def exact(cls, hand: HandModel, glove: GloveModel) -> Wearer:
@@ -69,10 +79,15 @@ class Wearer:
 
     @classmethod
     def random(
-        cls, hand: HandModel, glove: GloveModel, seed: int, params: WearerParams | None = None
+        cls,
+        hand: HandModel,
+        glove: GloveModel,
+        seed: int,
+        params: WearerParams | None = None,
+        fitting: int | None = None,
     ) -> Wearer:
-        """Somebody, drawn from ``seed``."""
-        return cls(hand, glove, seed, params)
+        """Somebody, drawn from ``seed``, in a glove that sits as drawn from ``fitting``."""
+        return cls(hand, glove, seed, params, fitting)
 
     def _draw_hand(self, rng: np.random.Generator) -> None:
         p, n = self.params, len(self.hand.segments)

@@ -41,6 +41,7 @@ class CalibrationPanel(Panel):
     ) -> None:
         super().__init__(host, parent)
         self._store = store
+        self._first: Path | None = None
         self._worn = WornCalibration(WearerStore(store.path.parent / "wearers"))
         self._link = CalibrationCommands(host, self)
         self._link.learned.connect(self._learned)
@@ -113,10 +114,18 @@ class CalibrationPanel(Panel):
         """Put on what was worn last, before the engine starts."""
         self._worn.open()
         self.wearer.frozen.setChecked(False)
+        first, self._first = self._first, None
+        if first is not None and setup.command is not None:
+            self.take_in(first)
+            return
         last = self._store.value.wearer
         self.wearer.set_names(self._worn.names(), last)
         if self.wearer.name and setup.command is not None:
             self._put_on(last)
+
+    def begin_with(self, profile: Path) -> None:
+        """A profile that is kept and put on by whoever is tracked next."""
+        self._first = profile
 
     def _put_on(self, name: str) -> None:
         layout = self._link.layout()

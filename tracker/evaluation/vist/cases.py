@@ -25,7 +25,10 @@ GUIDED = {
     "untold": "poses held, the tracker not told",
     "guided": "guided poses",
     "badly": "guided poses held badly",
+    "known": "known from another session",
 }
+"""What comes before free motion, and what the tracker knows of it. One who is ``known`` held the
+poses in another session, with the glove put on another time; he holds none in this one."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +47,12 @@ class Case:
     light: str = ""  # of images: over a desk with things on it; a plain wall if empty
     guided: str = ""  # one of `GUIDED`: poses are held first, and free motion after them judged
     glove: str = PAPERS_GLOVE
+    wearer: str = ""  # path of a profile that every participant begins with
+
+    @property
+    def is_led(self) -> bool:
+        """Whether poses are held before what is judged."""
+        return self.guided not in ("", "known")
 
 
 @dataclass(frozen=True)

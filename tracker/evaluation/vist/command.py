@@ -41,7 +41,11 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
     p.add_argument(
         "--guided",
         action="store_true",
-        help="rows of free motion after guided poses: untold, told, held badly; distal markers",
+        help="rows of free motion after guided poses: untold, told, held badly, in another "
+        "session; distal markers",
+    )
+    p.add_argument(
+        "--wearer", type=Path, metavar="FILE", help="a profile that every participant begins with"
     )
     p.add_argument("--fps", type=_positive, default=60.0)
     p.add_argument("--distractors", type=int, default=0, help="coloured balls in the room")
@@ -128,6 +132,8 @@ def cases_of(args: argparse.Namespace) -> list[Any]:
     missing = [str(f) for f in args.motion if not f.is_file()]
     if missing:
         raise ConfigError(f"There is no motion file {missing[0]}.")
+    if args.wearer is not None:
+        _check_wearer(args.wearer, args.engines)
     experiments = ("free",) if args.quick or args.motion else args.experiments
     out: list[Case] = []
     for experiment in experiments:
@@ -137,10 +143,22 @@ def cases_of(args: argparse.Namespace) -> list[Any]:
             if args.quick and not args.minutes:
                 case = replace(case, minutes=QUICK_MINUTES)
             files = tuple(map(str, args.motion))
+            case = replace(case, wearer=str(args.wearer or ""))
             out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
     first = out[: len(args.engines)]
     guided = _guided(first[0]) if args.guided else []
     return [*out, *_lit(args, out), *guided, *_ablations(args.ablations, first)]
+
+
+def _check_wearer(path: Path, engines: Sequence[str]) -> None:
+    """Raises ConfigError where an engine takes no profile, FileError where the file is none."""
+    from tracker.evaluation.vist.trial import models
+    from tracker.fusion.chain.calibration.profile_file import read_wearer
+    from tracker.fusion.chain.layout import ChainLayout
+
+    if tuple(engines) != ("chain",):
+        raise ConfigError("Only the engine chain takes a wearer's profile: add --engines chain.")
+    read_wearer(path, ChainLayout(*models()))
 
 
 def _lit(args: argparse.Namespace, cases: Sequence[Any]) -> list[Any]:
@@ -164,7 +182,7 @@ def _guided(case: Any) -> list[Any]:
 
     case = replace(case, experiment="free", engine="chain")
     rows = [replace(case, guided=how) for how in GUIDED]
-    return [*rows, replace(case, guided="untold", glove=DISTAL_GLOVE)]
+    return [*rows, replace(case, guided="untold", glove=DISTAL_GLOVE, wearer="")]
 
 
 def _ablations(names: Sequence[str], cases: Sequence[Any]) -> list[Any]:

@@ -72,15 +72,17 @@ def simulation_of(
     motion: Motion,
     seed: int,
     variant: Ablation | None,
+    person: int | None = None,
 ) -> Simulation:
-    """A person drawn from ``seed`` in the scene of the experiment."""
+    """A person drawn from ``seed`` in the scene of the experiment, or from ``person``: then only
+    how the glove sits, and all else, is drawn from ``seed``."""
     fps = case.fps if variant is None or variant.fps is None else variant.fps
     room = room_of("desk" if case.light else "plain", case.light, seed=seed)
     extras = (*extras_of(case, hand, seed), *room.extras)
     head = MOVING if case.experiment == "head" else HeadParams()
     if variant is not None:
         head = replace(head, tells=variant.camera)
-    params = SimulationParams(head=head, render=room.render)
+    params = SimulationParams(head=head, render=room.render, person=person)
     return Simulation(hand, glove, motion, seed, params, fps=fps, extras=extras)
 
 

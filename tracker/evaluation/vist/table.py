@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 from tracker.evaluation.vist.cases import GUIDED, PAPERS_GLOVE, Case
@@ -28,6 +29,7 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "light": case.light or None,
         "guided": case.guided,
         "glove": case.glove,
+        "wearer": case.wearer,
     }
     row.update(asdict(summary))
     row["paper"] = PAPER.get(case.experiment)
@@ -72,6 +74,8 @@ def _variant(case: Case) -> str:
     parts = [case.ablation] if case.ablation else []
     if case.guided:
         parts.append(GUIDED[case.guided])
+    if case.wearer:
+        parts.append(f"profile {Path(case.wearer).stem}")
     if case.glove != PAPERS_GLOVE:
         parts.append(case.glove)
     if case.level == "images":

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 from importlib.resources import as_file
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -15,6 +17,7 @@ from tracker.evaluation.vist.cases import PAPERS_GLOVE, Ablation, Case, ablation
 from tracker.evaluation.vist.judge import Judge, TrialRecord
 from tracker.evaluation.vist.metrics import JOINTS, KEYPOINTS, Trial
 from tracker.evaluation.vist.scenes import guided_motion, motion_of, simulation_of
+from tracker.fusion.worn import keep, put_on
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -36,6 +39,8 @@ from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector, detect_frame
 from tracker.vision.region_prediction import RegionPrediction, SearchPlan
 
+FIRST_SESSION = 0.5  # min of free motion of a session in which a wearer was met before
+ANOTHER_TIME = 500  # between the seeds of one person's sessions: more than there are participants
 CHECK_EVERY = 5  # frames between two whose matches are compared with the truth
 SAME_BLOB_PX = 6.0  # a blob farther than this from every true marker is something else
 
@@ -58,7 +63,7 @@ def run_trial(case: Case, participant: int) -> Trial:
     motion = motion_of(case, hand, seed, variant)
     events: list[Event] = []
     judged_from = 0.0
-    if case.guided:
+    if case.is_led:
         motion = led = guided_motion(case, hand, glove, motion, seed)
         events, judged_from = [] if case.guided == "untold" else led.events, led.free_from
     simulation = simulation_of(case, hand, glove, motion, seed, variant)
@@ -66,12 +71,31 @@ def run_trial(case: Case, participant: int) -> Trial:
     if variant is not None:
         settings = variant.settings(settings)
     pipeline = Pipeline(hand, glove, simulation.rig, settings)
+    if case.wearer:
+        put_on(pipeline.engine, Path(case.wearer))
+    if case.guided == "known":
+        meet_again(pipeline, case, seed)
     record = _track(case, simulation, pipeline, variant, events)
     outage = variant.outage if variant is not None else 0.0
     columns = [pipeline.keypoint_names.index(k) for k in (*KEYPOINTS, *JOINTS)]
     in_camera = case.experiment == "head"
     judge = Judge(simulation, pipeline, columns, in_camera, judged_from)
     return judge.trial(record, participant, outage)
+
+
+def meet_again(pipeline: Pipeline, case: Case, person: int) -> None:
+    """Put on the profile that an earlier session of the ``person`` (a seed) has left, in which he
+    held the guided poses with the glove put on another time."""
+    first, seed = replace(case, guided="guided", minutes=FIRST_SESSION), person + ANOTHER_TIME
+    hand, glove = models(case.glove)
+    motion = guided_motion(first, hand, glove, motion_of(first, hand, seed, None), person)
+    simulation = simulation_of(first, hand, glove, motion, seed, None, person)
+    before = Pipeline(hand, glove, simulation.rig, pipeline.settings)
+    _track(first, simulation, before, None, motion.events)
+    with TemporaryDirectory() as folder:
+        profile = Path(folder) / "wearer.toml"
+        keep(before.engine, profile)
+        put_on(pipeline.engine, profile)
 
 
 def _track(
