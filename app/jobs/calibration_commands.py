@@ -48,10 +48,10 @@ class CalibrationCommands(QObject):
 
     def reset(self, segments: Sequence[str] | None) -> bool:
         """Forget some segments, or (None) all."""
-        return self._command(lambda engine: engine.reset_calibration(segments))
+        return self._command(lambda engine: engine.wearer.reset(segments))
 
     def freeze(self, on: bool) -> bool:
-        return self._command(lambda engine: engine.freeze_calibration(on))
+        return self._command(lambda engine: engine.wearer.freeze(on))
 
     def put_on(self, profile: WearerProfile) -> bool:
         """A profile of an earlier session, and of an earlier fit of the glove."""

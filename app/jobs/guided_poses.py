@@ -28,10 +28,11 @@ class GuidedCommands(QObject):
 
     def _answer(self, engine: Engine) -> None:
         chain = chain_of(engine)
-        gains, aside = chain.synergies
-        remembered = chain.remembered()
+        gains, aside = chain.wearer.synergies
+        remembered = chain.wearer.remembered()
         self.known.emit(WearerNow(gains.copy(), aside.copy(), chain.calibration(), remembered))
 
     def take_back(self, before: WearerNow) -> bool:
         """The wearer is known as he was ``before``."""
-        return self._host.command(lambda engine: chain_of(engine).take_back(before.remembered))
+        known = before.remembered
+        return self._host.command(lambda engine: chain_of(engine).wearer.take_back(known))

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.words import mark, tr
-from tracker.fusion.chain.tracker import Remembered
+from tracker.fusion.chain.known import Remembered
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS
 from tracker.messages import Array, Calibration

@@ -40,7 +40,7 @@ def pipeline(hand, glove, tracked):
 def test_one_segment_is_forgotten_and_the_others_are_not(pipeline):
     before = pipeline.calibration()
     row = before.segments.index("index_proximal")
-    pipeline.engine.reset_calibration(["index_proximal"])
+    pipeline.engine.wearer.reset(["index_proximal"])
     after = pipeline.calibration()
     prior = ChainParams().prior
     assert after.scale[row] == pytest.approx(np.ones(3))
@@ -57,7 +57,7 @@ def test_one_segment_is_forgotten_and_the_others_are_not(pipeline):
 
 def test_a_full_reset_is_the_prior_and_the_covariance_stays_one(pipeline):
     engine = pipeline.engine
-    engine.reset_calibration()
+    engine.wearer.reset()
     layout, state = engine.layout, engine.get_state().tracker.filter.state
     n = layout.n_dynamic
     P = initial_covariance(layout, ChainParams().prior)
@@ -69,7 +69,7 @@ def test_a_full_reset_is_the_prior_and_the_covariance_stays_one(pipeline):
 def test_tracking_goes_on_after_a_reset_and_learns_again(hand, glove, tracked, pipeline):
     sim, _, rest = tracked
     learned = pipeline.calibration().scale_sd.mean()
-    pipeline.engine.reset_calibration()
+    pipeline.engine.wearer.reset()
     assert pipeline.calibration().scale_sd.mean() > 2 * learned
     error = errors(sim, feed(pipeline, rest))
     assert error.mean() < 0.012
@@ -79,7 +79,7 @@ def test_tracking_goes_on_after_a_reset_and_learns_again(hand, glove, tracked, p
 def test_frozen_nothing_is_learned_and_the_hand_is_still_tracked(tracked, pipeline):
     sim, _, rest = tracked
     before = pipeline.calibration()
-    pipeline.engine.freeze_calibration(True)
+    pipeline.engine.wearer.freeze(True)
     error = errors(sim, feed(pipeline, rest))
     after = pipeline.calibration()
     for name in FIELDS:
@@ -91,10 +91,10 @@ def test_frozen_nothing_is_learned_and_the_hand_is_still_tracked(tracked, pipeli
 def test_released_it_goes_on_learning_from_there(tracked, pipeline):
     _, _, rest = tracked
     before = pipeline.calibration()
-    pipeline.engine.freeze_calibration(True)
+    pipeline.engine.wearer.freeze(True)
     third = len(rest) // 3
     feed(pipeline, rest[:third])
-    pipeline.engine.freeze_calibration(False)
+    pipeline.engine.wearer.freeze(False)
     np.testing.assert_array_equal(pipeline.calibration().scale_sd, before.scale_sd)
     feed(pipeline, rest[third:])
     after = pipeline.calibration()
@@ -104,7 +104,7 @@ def test_released_it_goes_on_learning_from_there(tracked, pipeline):
 
 def test_a_frozen_state_goes_on_identically(hand, glove, tracked, pipeline):
     sim, _, rest = tracked
-    pipeline.engine.freeze_calibration(True)
+    pipeline.engine.wearer.freeze(True)
     twin = Pipeline(hand, glove, sim.rig)
     twin.set_state(pipeline.get_state())
     part = rest[: len(rest) // 4]
@@ -130,7 +130,7 @@ def test_a_profile_put_on_while_frozen_is_held(hand, glove, tracked, pipeline):
     sim, _, rest = tracked
     profile = pipeline.engine.profile()
     other = Pipeline(hand, glove, sim.rig)
-    other.engine.freeze_calibration(True)
+    other.engine.wearer.freeze(True)
     other.engine.put_on(profile)
     feed(other, rest[: len(rest) // 3])
     np.testing.assert_array_equal(other.engine.profile().scale, profile.scale)
@@ -161,4 +161,4 @@ def test_every_calibration_row_belongs_to_one_segment(hand, glove):
 
 def test_an_unknown_segment_is_said(pipeline):
     with pytest.raises(ConfigError, match="'tail'"):
-        pipeline.engine.reset_calibration(["tail"])
+        pipeline.engine.wearer.reset(["tail"])

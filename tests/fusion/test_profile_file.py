@@ -79,7 +79,7 @@ def test_an_engine_goes_on_with_it(wearer, engine, tmp_path):
     engine.put_on(read_wearer(tmp_path / "anna.toml", engine.layout).profile)
     np.testing.assert_array_equal(engine.profile().scale, wearer.profile.scale)
     np.testing.assert_array_equal(engine.profile().synergies.value, wearer.profile.synergies.value)
-    engine.reset_calibration()
+    engine.wearer.reset()
     assert engine.profile().synergies is None
 
 

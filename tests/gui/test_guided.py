@@ -246,9 +246,9 @@ def test_escape_after_poses_that_were_held_shows_what_they_taught(guided, clock,
 
 def teach(engine: ChainEngine, degrees: float) -> None:
     """As if a pose had shown that the index finger's end joint bends further."""
-    guided = engine._tracker._guided
+    guided = engine.wearer.guided
     own = guided.synergies
-    digit = next(k for k, d in enumerate(engine._tracker._distal.digits) if d.name == "index")
+    digit = next(k for k, d in enumerate(engine.wearer._distal.digits) if d.name == "index")
     value = own.value.copy()
     value[digit, 1] += np.deg2rad(degrees)
     guided.kept.synergies = dataclasses.replace(own, value=value)
@@ -276,19 +276,19 @@ def test_what_was_learned_is_said_in_words_and_in_figures(guided, clock, engine,
 
 
 def test_undo_takes_back_what_the_poses_have_taught(guided, clock, engine, qtbot):
-    before = engine.inner.synergies[0].copy()
+    before = engine.inner.wearer.synergies[0].copy()
     finished(guided, clock, engine, qtbot)
-    assert np.abs(engine.inner.synergies[0] - before).max() > np.deg2rad(5.0)
+    assert np.abs(engine.inner.wearer.synergies[0] - before).max() > np.deg2rad(5.0)
     guided.outcome.undo_button.click()
-    np.testing.assert_array_equal(engine.inner.synergies[0], before)
+    np.testing.assert_array_equal(engine.inner.wearer.synergies[0], before)
     assert not guided.isVisible()
 
 
 def test_what_is_kept_stays_with_the_engine(guided, clock, engine, qtbot):
     finished(guided, clock, engine, qtbot)
-    taught = engine.inner.synergies[0].copy()
+    taught = engine.inner.wearer.synergies[0].copy()
     qtbot.keyClick(guided.outcome.keep_button, Qt.Key.Key_Return)
-    np.testing.assert_array_equal(engine.inner.synergies[0], taught)
+    np.testing.assert_array_equal(engine.inner.wearer.synergies[0], taught)
 
 
 def test_what_is_kept_goes_into_the_chosen_wearers_profile(guided, window, clock, engine, qtbot):

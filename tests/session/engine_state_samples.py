@@ -90,7 +90,7 @@ def tracked(sim: Simulation, sample: str) -> tuple[Pipeline, float]:
     if sample == "chain_previous":
         assert isinstance(pipeline.engine, ChainEngine)
         pipeline.engine.put_on(pipeline.engine.profile())
-        pipeline.engine.freeze_calibration(True)
+        pipeline.engine.wearer.freeze(True)
     return pipeline, t
 
 

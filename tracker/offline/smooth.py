@@ -76,7 +76,7 @@ class Smoother:
         """All messages again, each packet with its smoothed estimate."""
         self._close_block()
         smoothed = _Shelf()
-        self._tape.wear(*self._engine.synergies)
+        self._tape.wear(*self._engine.wearer.synergies)
         adjoint = np.zeros(self._size)
         n = len(self._blocks)
         for i in reversed(range(n)):

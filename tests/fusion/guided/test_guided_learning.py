@@ -60,7 +60,7 @@ def feed(pipeline: Pipeline, messages) -> None:
 
 def thumb_offset(pipeline: Pipeline) -> float:
     """Of the learned synergy, rad beyond the file's."""
-    hand, (gains, _) = pipeline.hand, pipeline.engine.synergies
+    hand, (gains, _) = pipeline.hand, pipeline.engine.wearer.synergies
     k = next(k for k, s in enumerate(hand.synergies) if s.angle == "thumb_ip_flexion")
     return float(gains[k, 1] - hand.synergies[k].offset)
 
@@ -101,7 +101,8 @@ def test_what_poses_taught_is_saved_and_gone_on_with(scene, learned):
     state = unpack(pack("chain", learned.get_state()))[1]
     again = Pipeline(learned.hand, learned.glove, learned.rig, Settings())
     again.set_state(state)
-    np.testing.assert_array_equal(again.engine.synergies[0], learned.engine.synergies[0])
+    now, before = again.engine.wearer, learned.engine.wearer
+    np.testing.assert_array_equal(now.synergies[0], before.synergies[0])
     t = learned.engine.newest + 0.01
     np.testing.assert_array_equal(again.predict(t).keypoints, learned.predict(t).keypoints)
     assert "chain.guided" in RECORDS

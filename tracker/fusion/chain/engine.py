@@ -8,10 +8,7 @@ wearer's calibration (`calibration.wearer`) and what is shown (`shown`).
 from __future__ import annotations
 
 import copy
-from collections.abc import Sequence
 from dataclasses import dataclass, field
-
-import numpy as np
 
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.guided.events import GuidedSaid
@@ -21,7 +18,7 @@ from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
-from tracker.fusion.chain.tracker import ChainTracker, Remembered, TrackerKept
+from tracker.fusion.chain.tracker import ChainTracker, TrackerKept
 from tracker.fusion.engine import ExpectedHand
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.fusion.time.timeline import Timeline, TimelineKept
@@ -57,7 +54,8 @@ class ChainEngine:
     docs/chain.md derives it; numbers such as ``eq. 12`` in its parts are that page's. It goes on
     from Lee et al. 2021, doi:10.1126/scirobotics.abe1315, whose own filter is `VistEngine`.
 
-    ``tape``, if there is one, is told of all that the filter does.
+    ``tape``, if there is one, is told of all that the filter does. ``wearer`` is what is known of
+    the wearer, and takes a user's commands about it.
     """
 
     def __init__(
@@ -74,6 +72,8 @@ class ChainEngine:
         self._tracker = self._make_tracker(rig, params, buffer, tape)
         match = params.match
         self._timeline = Timeline(self._tracker, buffer, match.lost_after, match.max_frame_delay)
+        self.wearer = self._tracker.wearer
+        self.wearer.changed = self._timeline.rebuild_head
 
     def _make_tracker(
         self, rig: StereoRig, params: ChainParams, buffer: ImuBuffer, tape: Tape | None
@@ -92,17 +92,7 @@ class ChainEngine:
 
     def hear(self, said: GuidedSaid, t: float) -> None:
         """A guided pose begins or ends at ``t`` (s)."""
-        holds = self._tracker.holds
-        if holds and not np.isfinite(holds[-1].end):
-            holds[-1].end = t
-            holds[-1].held = said.held and not said.begins and said.pose == holds[-1].pose
-        if said.begins:
-            holds.append(Hold(said.pose, t))
-
-    @property
-    def synergies(self) -> tuple[Array, Array]:
-        """The wearer's: gains (k, 2) and aside (S,) rad, as `Completion.wear` takes them."""
-        return self._tracker.synergies
+        self.wearer.hear(said, t)
 
     def take_results(self) -> list[FrameResult]:
         """What was made of images since the last call, oldest first."""
@@ -154,47 +144,25 @@ class ChainEngine:
 
     def calibration(self) -> Calibration:
         """Estimated parameters with their uncertainty."""
-        return self._tracker.wearer.shown(self._tracker.state)
+        return self.wearer.shown()
 
     def profile(self) -> WearerProfile:
         """What has been learned of the wearer."""
-        return self._tracker.profile()
+        return self.wearer.profile()
 
     def put_on(self, profile: WearerProfile) -> None:
         """Take what is known of the wearer, now and at each new start."""
-        self._tracker.put_on(profile)
-        self._timeline.rebuild_head()
-
-    def remembered(self) -> Remembered:
-        """All that is known of the wearer now, for `take_back`."""
-        return self._tracker.remembered()
-
-    def take_back(self, before: Remembered) -> None:
-        """Know of the wearer what was known ``before``."""
-        self._tracker.take_back(before)
-        self._timeline.rebuild_head()
-
-    def reset_calibration(self, segments: Sequence[str] | None = None) -> None:
-        """Forget what was learned of some segments, or (None) of all of them."""
-        self._tracker.reset(segments)
-        self._timeline.rebuild_head()
-
-    def freeze_calibration(self, on: bool) -> None:
-        """Hold the calibration as it is now, or go on estimating it from there."""
-        self._tracker.wearer.freeze(self._tracker.state, on)
-        self._timeline.rebuild_head()
+        self.wearer.put_on(profile)
 
     # ---- saving
 
     def get_state(self) -> ChainKept:
         """A copy of everything that changes."""
-        return copy.deepcopy(
-            ChainKept(self._timeline.kept, self._tracker.kept, self._tracker.holds)
-        )
+        return copy.deepcopy(ChainKept(self._timeline.kept, self._tracker.kept, self.wearer.holds))
 
     def set_state(self, state: ChainKept) -> None:
         """Go on from `get_state`."""
         kept = copy.deepcopy(state)
         self._tracker.restore(kept.tracker)
-        self._tracker.holds[:] = kept.holds
+        self.wearer.holds[:] = kept.holds
         self._timeline.restore(kept.timeline)

@@ -34,11 +34,11 @@ class InertialTracker(ChainTracker):
     def begin(self) -> bool:
         """Start from the last packets, with what is known of the wearer; False where they do not
         suffice."""
-        started = self._starter.by_gravity(self._buffer, self.wearer.kept.known)
+        started = self._starter.by_gravity(self._buffer, self.wearer.calibration.kept.known)
         if started is None:
             return False
         self.filter.adopt(started)
-        self.wearer.begin(started)
+        self.wearer.calibration.begin(started)
         self._judge.started_anywhere()
         return True
 
@@ -47,7 +47,7 @@ class InertialTracker(ChainTracker):
         self._judge.forget()
 
     def step(self, way: Intervals, first: int) -> int:
-        return self.filter.step(way, first, ALWAYS, held=self.wearer.is_frozen)
+        return self.filter.step(way, first, ALWAYS, held=self.wearer.calibration.is_frozen)
 
     def carry(self, state: ChainState, t: float) -> None:
         self.filter.carry(state, t, coasting=False)

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import copy
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
-from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerKept
+from tracker.fusion.chain.calibration.wearer import WearerKept
 from tracker.fusion.chain.distal import DistalSegments
 from tracker.fusion.chain.filter import ChainFilter, FilterKept
-from tracker.fusion.chain.guided.holds import Hold
-from tracker.fusion.chain.guided.learning import GuidedKept, GuidedLearning
+from tracker.fusion.chain.guided.learning import GuidedKept
+from tracker.fusion.chain.known import KnownWearer, Shows
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.profile import WearerProfile, wear
+from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.chain.recognition import Recognised, Recognition, RecognitionKept, SeenImage
 from tracker.fusion.chain.second_look import SecondLook
 from tracker.fusion.chain.shown import ShownHand, ShownKept
@@ -23,7 +21,7 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracking import TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
-from tracker.messages import Array, BlobFrame, FrameResult, ImuSample, Tracking
+from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
 from tracker.records import record
 from tracker.vision.rig import StereoRig
 
@@ -41,15 +39,6 @@ class TrackerKept:
     guided: GuidedKept = field(default_factory=GuidedKept)
 
 
-@dataclass(frozen=True, eq=False)
-class Remembered:
-    """All that is known of the wearer at one instant, by which it can be taken back."""
-
-    profile: WearerProfile
-    wearer: WearerKept
-    guided: GuidedKept
-
-
 class ChainTracker:
     """The parts of the chain engine joined; a `Filter` that a `Timeline` drives."""
 
@@ -63,14 +52,13 @@ class ChainTracker:
     ) -> None:
         self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
         self.filter = ChainFilter(layout, params, buffer, tape)
-        self.wearer = WearerCalibration(layout, rig, params)
         self._judge = TrackingJudge(params.match)
         self._recognition = Recognition(layout, rig, params)
         self._starter = Starter(layout, rig, params)
-        self._distal = DistalSegments(layout, params.synergy)
-        self.shown = ShownHand(layout, params.noise, self._distal)
-        self.holds: list[Hold] = []
-        self._guided = GuidedLearning(layout, self._distal, params.guided, self.holds)
+        distal = DistalSegments(layout, params.synergy)
+        self.shown = ShownHand(layout, params.noise, distal)
+        shows = Shows(self.shown, self._recognition)
+        self.wearer = KnownWearer(layout, rig, params, self.filter, distal, shows)
         self._second = SecondLook(
             layout, self.filter, self._recognition, self._starter, params.match
         )
@@ -91,7 +79,7 @@ class ChainTracker:
 
     def step(self, way: Intervals, first: int) -> int:
         last_good = self._judge.kept.last_good
-        end = self.filter.step(way, first, last_good, held=self.wearer.is_frozen)
+        end = self.filter.step(way, first, last_good, held=self.wearer.calibration.is_frozen)
         if self._tape is not None and self._buffer.is_packet(self.state.t):
             sensed = self.shown.sensed(self.state.t, self.tracking)
             self._tape.shown(self.state, sensed, self.shown.kept.tip_sd)
@@ -104,7 +92,7 @@ class ChainTracker:
         """Held together by anatomy."""
         self._judge.judge(self.state.t, enough=False)
         self.filter.constrain(self.state.t)
-        learned = self._learn_poses()
+        learned = self.wearer.learn()
         self.shown.aged(self.state)
         return learned
 
@@ -128,7 +116,7 @@ class ChainTracker:
             found = self._second.with_digits(image, found)
         # 3. What was seen corrects the state, together with anatomy.
         self._correct(image, found)
-        self._learn_poses()
+        self.wearer.learn()
         enough = self._judge.is_enough(found.tally)
         self._judge.judge(frame.t, enough)
         sure = self._judge.support(frame.t, enough and seen.is_likely)
@@ -136,49 +124,8 @@ class ChainTracker:
         result = self._finish(image, found)
         self._judge.looked(frame.t, image.most_blobs)
         # 4. Now and then the calibration is solved for anew.
-        self.wearer.refine(self.state, image, found, self._buffer, self._guided)
+        self.wearer.calibration.refine(self.state, image, found, self._buffer, self.wearer.guided)
         return result
-
-    def _learn_poses(self) -> bool:
-        """What guided poses show of the wearer; whether it was something now."""
-        if self.wearer.is_frozen or not self._params.guided.enabled:
-            return False
-        learned = self._guided.step(self.filter)
-        if learned:
-            self._wear()
-        return learned
-
-    # ---- what is known of the wearer
-
-    def profile(self) -> WearerProfile:
-        """What has been learned, synergies too."""
-        known = self.wearer.profile(self.state)
-        return replace(known, synergies=self._guided.kept.synergies)
-
-    def put_on(self, profile: WearerProfile) -> None:
-        """Take what is known of the wearer, now and at each new start."""
-        self._guided.put_on(profile.synergies)
-        self.wearer.put_on(self.state, profile)
-        self._wear()
-
-    def reset(self, segments: Sequence[str] | None) -> None:
-        """Forget what was learned of some segments, or (None) of all of them."""
-        self.wearer.reset(self.state, segments)
-        if segments is None:
-            self._guided.put_on(None)
-            self._wear()
-
-    def _wear(self) -> None:
-        """Show the hand with the wearer's own synergies."""
-        self.shown.wear(*self.synergies)
-        self.shown.trust(self._guided.synergies)
-        self._recognition.wear(*self.synergies)
-
-    @property
-    def synergies(self) -> tuple[Array, Array]:
-        """The wearer's, as `Completion.wear` takes them."""
-        own = self._guided.synergies
-        return self._distal.gains(own), self._distal.aside(own)
 
     def _is_back(self, image: SeenImage, found: Recognised) -> bool:
         """Whether a hand that was out of sight is what is seen now; true where it was not."""
@@ -213,10 +160,10 @@ class ChainTracker:
         if not self._judge.is_in_vain(frame.t):
             return None
         lately = self._judge.was_lately(frame.t)
-        return self._start(frame, self.wearer.start_with(self.state, lately))
+        return self._start(frame, self.wearer.calibration.start_with(self.state, lately))
 
     def start(self, frame: BlobFrame) -> FrameResult | None:
-        return self._start(frame, self.wearer.kept.known)
+        return self._start(frame, self.wearer.calibration.kept.known)
 
     def _start(self, frame: BlobFrame, known: WearerProfile | None) -> FrameResult | None:
         # 1. Postures that gravity allows, voted for in the image.
@@ -230,9 +177,7 @@ class ChainTracker:
             return None
         # 2. Go on from there, with what is frozen.
         self.filter.adopt(started)
-        self.wearer.begin(started)
-        if not self.wearer.is_frozen and known is self.wearer.kept.known:
-            self._guided.again(self.filter)
+        self.wearer.begun(known)
         self._judge.started(frame.t)
         self.shown.started()
         self.shown.kept.one_camera = image.is_mono
@@ -255,27 +200,10 @@ class ChainTracker:
         second_camera = self.shown.kept.one_camera and found.in_both
         if second_camera:
             self.shown.kept.one_camera = False
-        self.shown.unsure(self.state, image.pose, self.wearer.is_known)
+        self.shown.unsure(self.state, image.pose, self.wearer.calibration.is_known)
         if second_camera:
             release_size(self.state.P, self._layout, self._params.prior)
         return self._recognition.finish(self.state, image, found, self.tracking)
-
-    # ---- what is known of the wearer
-
-    def remembered(self) -> Remembered:
-        """A copy of it."""
-        known = Remembered(self.wearer.profile(self.state), self.wearer.kept, self._guided.kept)
-        return copy.deepcopy(known)
-
-    def take_back(self, before: Remembered) -> None:
-        """Know of the wearer what was known ``before``; the pose stays. Poses held since count no
-        more, one that goes on neither."""
-        before = copy.deepcopy(before)
-        self.wearer.kept = before.wearer
-        wear(self.state, self._layout, before.profile)
-        self.wearer.begin(self.state)
-        self._guided.kept = replace(before.guided, over=len(self.holds), samples=[])
-        self._wear()
 
     # ---- saving
 
@@ -286,15 +214,15 @@ class ChainTracker:
             self.filter.kept,
             self._judge.kept,
             self._recognition.kept,
-            self.wearer.kept,
+            self.wearer.calibration.kept,
             self.shown.kept,
-            self._guided.kept,
+            self.wearer.guided.kept,
         )
 
     def restore(self, kept: TrackerKept) -> None:
         """Go on from what was `kept`, which is taken over."""
         self.filter.kept, self._judge.kept = kept.filter, kept.tracking
-        self._recognition.kept, self.wearer.kept = kept.recognition, kept.wearer
-        self._guided.kept = kept.guided
-        self._wear()
+        self._recognition.kept = kept.recognition
+        self.wearer.calibration.kept, self.wearer.guided.kept = kept.wearer, kept.guided
+        self.wearer.show()
         self.shown.restore(kept.shown, self.state)

@@ -1,0 +1,153 @@
+"""What a chain filter knows of the wearer: by images, by guided poses, by a profile."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.fusion.chain.calibration.wearer import WearerCalibration, WearerKept
+from tracker.fusion.chain.distal import DistalSegments
+from tracker.fusion.chain.filter import ChainFilter
+from tracker.fusion.chain.guided.events import GuidedSaid
+from tracker.fusion.chain.guided.holds import Hold
+from tracker.fusion.chain.guided.learning import GuidedKept, GuidedLearning
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams
+from tracker.fusion.chain.profile import WearerProfile, wear
+from tracker.fusion.chain.recognition import Recognition
+from tracker.fusion.chain.shown import ShownHand
+from tracker.messages import Array, Calibration
+from tracker.vision.rig import StereoRig
+
+@dataclass(frozen=True, eq=False)
+class Remembered:
+    """All that is known of the wearer at one instant, by which it can be taken back."""
+
+    profile: WearerProfile
+    wearer: WearerKept
+    guided: GuidedKept
+
+
+class Shows(NamedTuple):
+    """What goes by the wearer's own synergies."""
+
+    hand: ShownHand
+    recognition: Recognition
+
+
+class KnownWearer:
+    """``shows`` follows what is known; ``changed`` is called after each change that a user has
+    asked for.
+
+    ``calibration`` is of what the filter estimates, ``guided`` of what only poses tell.
+    """
+
+    def __init__(
+        self,
+        layout: ChainLayout,
+        rig: StereoRig,
+        params: ChainParams,
+        filter_: ChainFilter,
+        distal: DistalSegments,
+        shows: Shows,
+    ) -> None:
+        self._layout, self._filter, self._distal, self._shows = layout, filter_, distal, shows
+        self._listens = params.guided.enabled
+        self.holds: list[Hold] = []
+        self.calibration = WearerCalibration(layout, rig, params)
+        self.guided = GuidedLearning(layout, distal, params.guided, self.holds)
+        self.changed: Callable[[], None] = lambda: None
+
+    # ---- guided poses
+
+    def hear(self, said: GuidedSaid, t: float) -> None:
+        """A guided pose begins or ends at ``t`` (s)."""
+        holds = self.holds
+        if holds and not np.isfinite(holds[-1].end):
+            holds[-1].end = t
+            holds[-1].held = said.held and not said.begins and said.pose == holds[-1].pose
+        if said.begins:
+            holds.append(Hold(said.pose, t))
+
+    def learn(self) -> bool:
+        """What guided poses show of the wearer; whether it was something now."""
+        if self.calibration.is_frozen or not self._listens:
+            return False
+        learned = self.guided.step(self._filter)
+        if learned:
+            self.show()
+        return learned
+
+    def begun(self, known: WearerProfile | None) -> None:
+        """The filter has started from nothing but what was ``known`` of the wearer."""
+        self.calibration.begin(self._filter.state)
+        if not self.calibration.is_frozen and known is self.calibration.kept.known:
+            self.guided.again(self._filter)
+
+    # ---- what is known
+
+    @property
+    def synergies(self) -> tuple[Array, Array]:
+        """The wearer's: gains (k, 2) and aside (S,) rad, as `Completion.wear` takes them."""
+        own = self.guided.synergies
+        return self._distal.gains(own), self._distal.aside(own)
+
+    def show(self) -> None:
+        """Show the hand with the wearer's own synergies."""
+        gains, aside = self.synergies
+        self._shows.hand.wear(gains, aside)
+        self._shows.hand.trust(self.guided.synergies)
+        self._shows.recognition.wear(gains, aside)
+
+    def shown(self) -> Calibration:
+        """Estimated parameters with their uncertainty."""
+        return self.calibration.shown(self._filter.state)
+
+    def profile(self) -> WearerProfile:
+        """What has been learned, synergies too."""
+        known = self.calibration.profile(self._filter.state)
+        return replace(known, synergies=self.guided.kept.synergies)
+
+    # ---- a user's commands
+
+    def put_on(self, profile: WearerProfile) -> None:
+        """Take what is known of the wearer, now and at each new start."""
+        self.guided.put_on(profile.synergies)
+        self.calibration.put_on(self._filter.state, profile)
+        self.show()
+        self.changed()
+
+    def reset(self, segments: Sequence[str] | None = None) -> None:
+        """Forget what was learned of some segments, or (None) of all of them. Raises ConfigError
+        for a segment that is not estimated."""
+        self.calibration.reset(self._filter.state, segments)
+        if segments is None:
+            self.guided.put_on(None)
+            self.show()
+        self.changed()
+
+    def freeze(self, on: bool) -> None:
+        """Hold the calibration as it is now, or go on estimating it from there."""
+        self.calibration.freeze(self._filter.state, on)
+        self.changed()
+
+    def remembered(self) -> Remembered:
+        """A copy of all that is known now, for `take_back`."""
+        calibration = self.calibration
+        profile = calibration.profile(self._filter.state)
+        return copy.deepcopy(Remembered(profile, calibration.kept, self.guided.kept))
+
+    def take_back(self, before: Remembered) -> None:
+        """Know what was known ``before``; the pose stays. Poses held since count no more, one that
+        goes on neither."""
+        before = copy.deepcopy(before)
+        self.calibration.kept = before.wearer
+        wear(self._filter.state, self._layout, before.profile)
+        self.calibration.begin(self._filter.state)
+        self.guided.kept = replace(before.guided, over=len(self.holds), samples=[])
+        self.show()
+        self.changed()
