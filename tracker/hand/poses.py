@@ -46,9 +46,12 @@ class GuidedPose:
 def _each(
     mcp: tuple[float, float], pip: tuple[float, float], dip: tuple[float, float]
 ) -> tuple[HeldFlexion, ...]:
-    """Of all four fingers: value and sd in degrees."""
+    """Of all four fingers: value and sd in degrees. A table, or the other fingers, hold the end
+    joints as they are, whatever these do by themselves."""
     return tuple(
-        HeldFlexion(f"{finger}_{joint}", float(np.deg2rad(value)), float(np.deg2rad(sd)))
+        HeldFlexion(
+            f"{finger}_{joint}", float(np.deg2rad(value)), float(np.deg2rad(sd)), joint == "dip"
+        )
         for finger in FINGERS
         for joint, (value, sd) in (("mcp", mcp), ("pip", pip), ("dip", dip))
     )

@@ -129,8 +129,8 @@ class SynergyParams:
     ``posture`` is what a distal joint does by itself from posture to posture.
     """
 
-    ratio: float = 0.12
-    offset_deg: float = 6.0
+    ratio: float = 0.08
+    offset_deg: float = 4.0
     aside_deg: float = 3.0
     posture_deg: float = 4.0
     thumb_ratio: float = 0.20
@@ -147,7 +147,7 @@ class GuidedParams:
     """
 
     enabled: bool = True
-    gap: float = 0.0025  # between two pads that touch
+    gap: float = 0.005  # between two pads that touch: skin gives way, and some keep them apart
     pad: float = 0.005  # where on the pads, along and across
     table: float = 0.003  # fingertips and palm about one plane
     gate: float = 0.997  # share of poses rightly held that pass
