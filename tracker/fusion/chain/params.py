@@ -151,6 +151,7 @@ class GuidedParams:
     pad: float = 0.005  # where on the pads, along and across
     table: float = 0.003  # fingertips and palm about one plane
     gate: float = 0.997  # share of poses rightly held that pass
+    flexion: float = 2.0  # times the pose's own: free motion tells mountings better than that
     by_will: float = 0.2  # rad, of a joint that is held other than it would be by itself
     sample_period: float = 0.2  # s
     moving: float = 0.12  # rad, all joints together, from the posture held longest

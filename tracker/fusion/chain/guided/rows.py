@@ -65,8 +65,13 @@ class PoseRows:
             np.array([row.H for _, row in told]),
             np.array([row.H_own for _, row in told]),
             np.array([f.value - row.value for f, row in told]),
-            np.diag([f.sd**2 + (self._params.by_will * f.by_will) ** 2 for f, _ in told]),
+            np.diag([self._variance(f) for f, _ in told]),
         )
+
+    def _variance(self, held: HeldFlexion) -> float:
+        """rad². Few hold a pose as well as people can, and nothing says who does."""
+        p = self._params
+        return (p.flexion * held.sd) ** 2 + (p.by_will * held.by_will) ** 2
 
     # ---- the table
 
