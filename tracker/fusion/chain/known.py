@@ -23,6 +23,7 @@ from tracker.fusion.chain.shown import ShownHand
 from tracker.messages import Array, Calibration
 from tracker.vision.rig import StereoRig
 
+
 @dataclass(frozen=True, eq=False)
 class Remembered:
     """All that is known of the wearer at one instant, by which it can be taken back."""
