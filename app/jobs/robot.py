@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 from collections import deque
 from dataclasses import asdict, replace
-from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
 
@@ -139,7 +138,8 @@ class RobotLink(QObject):
     def _begin(self, setup: EngineSetup) -> None:
         try:
             need_mujoco()
-            self._playback = self._recorded(setup)
+            player = setup.player
+            self._playback = RobotPlayback.of(player.path) if player is not None else None
             settings = replace(self.settings, side=setup.hand.side)
             if self._playback is not None:
                 settings = settings_of(self._playback.model.settings)
@@ -149,12 +149,6 @@ class RobotLink(QObject):
             self._process = RobotProcess(settings, setup.hand, names, self._heard)
         except GlovetrackError as error:
             self._fail(str(error))
-
-    def _recorded(self, setup: EngineSetup) -> RobotPlayback | None:
-        """The robot of a session that is replayed, where it has one."""
-        if setup.player is None:
-            return None
-        return RobotPlayback.of(Path(setup.player.path))
 
     def _open_socket(self) -> None:
         before, self._socket = self._socket, None

@@ -24,6 +24,7 @@ _CLUTCHES = {
 MOST_FORCE = 5.0  # N: a tip that presses so is all in the colour of touch
 LATE_MS, FAR_MM = 15.0, 5.0
 AMBIENT = 0.12
+TABLE_HALF, TABLE_CELL, TABLE_STRENGTH = 0.4, 0.05, 0.35  # m, m, share of the ink
 
 
 def model_title(name: str) -> str:
@@ -34,6 +35,16 @@ def model_title(name: str) -> str:
 def clutch_title(name: str) -> str:
     """What couples and uncouples, on screen."""
     return tr(_CLUTCHES.get(name, name))
+
+
+def table_lines() -> tuple[Array, Array]:
+    """Lines (M, 6) m in the robot's world, on its table, and their strength (M,)."""
+    at = np.arange(-TABLE_HALF, TABLE_HALF + 1e-6, TABLE_CELL)
+    across, along = np.zeros((len(at), 6)), np.zeros((len(at), 6))
+    across[:, 0] = across[:, 3] = at
+    across[:, 1], across[:, 4] = -TABLE_HALF, TABLE_HALF
+    along[:, [1, 0, 2, 4, 3, 5]] = across
+    return np.concatenate([across, along]), np.full(2 * len(at), TABLE_STRENGTH)
 
 
 class Draped(NamedTuple):

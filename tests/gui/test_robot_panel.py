@@ -66,6 +66,8 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
     window.robot.refresh(window.host.snapshot())
     assert not controls.clutch.isChecked()
     assert felt == []  # it is in the air
+    link._act(_shown(3.0))
+    assert [command[0] for command in felt] == [1]  # the index finger's motor
     controls.connect_robot.click()
     assert followed.follower is None and link.view is None
 

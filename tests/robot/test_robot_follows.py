@@ -10,8 +10,9 @@ import pytest
 from tests.robot.hands import shadow, worn, worn_model
 from tracker.errors import ConfigError
 from tracker.geometry import so3
-from tracker.messages import RobotState
+from tracker.messages import Estimate, Event, RobotState, Tracking
 from tracker.robot.command import RobotCommand
+from tracker.robot.driver import RobotDriver
 from tracker.robot.settings import RobotSettings
 from tracker.robot.teleop import Teleop
 from tracker.robot.worn import WornHand
@@ -140,3 +141,21 @@ def test_a_fingertip_on_the_table_feels_it_and_one_in_the_air_does_not() -> None
         state = teleop.feed(worn(bent, (0.0, 0.0, 0.3 - 0.0008 * k), t=0.01 * k))
     assert state.force[1] > 0.5  # N, of the index finger
     assert state.force[0] == state.force[4] == 0.0
+
+
+def test_a_gesture_opens_and_closes_the_clutch_once_each_time_it_is_shown() -> None:
+    hand = worn_model()
+    names = hand.keypoint_names
+    driver = RobotDriver(Teleop(replace(SETTINGS, clutch="fist"), shadow()), hand, names)
+    fist = posture(hand, FIST)
+    told = []
+    for k in range(120):
+        angles = fist if (20 <= k < 40) or k >= 80 else 0.0 * fist
+        R, p = hand.forward(angles, np.eye(3), np.array([0.0, 0.0, 0.3]))
+        n = len(names)
+        one = Estimate(
+            0.01 * k, Tracking.TRACKING, hand.keypoints(R, p), np.tile([0.0, 0, 0, 1], (n, 1)),
+            np.full(n, 2), np.full(n, 0.002), angles, np.full(len(angles), 2), R, p,
+        )  # fmt: skip
+        told += [m.data["do"] for m in driver.feed(one) if isinstance(m, Event)]
+    assert told == ["release", "engage"]

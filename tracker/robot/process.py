@@ -213,7 +213,10 @@ class _Server:
                 return RobotFailed(str(error))
             return None
         if isinstance(item, RobotState):
-            self._world.show(item.joints, item.palm, item.objects)
+            try:
+                self._world.show(item.joints, item.palm, item.objects)
+            except ValueError:
+                return RobotFailed("The recorded robot is another one than its model says.")
             return RobotShown(item, poses(self._world))
         said = self._driver.feed(item)
         errors = self._driver.teleop.fingers.error

@@ -7,14 +7,14 @@ import numpy as np
 
 from tracker.messages import Array, IntArray
 from tracker.robot.look import NO_FINGER, Placed, RobotShape
-from tracker.robot.scene import COLOURS, PREFIX
+from tracker.robot.scene import COLOURS
 from tracker.robot.world import RobotWorld
 from tracker.robot.worn import FINGERS
 
 SHOWN_GROUPS = 3  # MuJoCo's viewer shows the groups below
 FINE, CELLS = 0.0025, 24  # m, and parts of a mesh's size: what is smaller is drawn as one point
 ROUND = 16  # sides of what is round
-HAND, TABLE = "#AEB6C2", "#6B7280"
+HAND = "#AEB6C2"
 Mesh = tuple[Array, IntArray]
 """Points (V, 3) m and triangles (F, 3), counter-clockwise from outside."""
 
@@ -27,9 +27,10 @@ def poses(world: RobotWorld) -> Placed:
 
 
 def shape_of(world: RobotWorld) -> RobotShape:
-    """Of all that is shown of a scene."""
+    """Of the hand and the things in a scene."""
     model = world.model
-    parts = [(g, _mesh(model, g)) for g in range(model.ngeom) if model.geom_group[g] < SHOWN_GROUPS]
+    shown = [g for g in range(model.ngeom) if _shown(model, g)]
+    parts = [(g, _mesh(model, g)) for g in shown]
     points, normals, body, faces, part, colour, finger = [], [], [], [], [], [], []
     start = 0
     for g, (vertices, triangles) in parts:
@@ -48,6 +49,11 @@ def shape_of(world: RobotWorld) -> RobotShape:
     )  # fmt: skip
 
 
+def _shown(model: mujoco.MjModel, geom: int) -> bool:
+    """Not the table: views have a ground of their own, which covers no pixels."""
+    return model.geom_group[geom] < SHOWN_GROUPS and model.geom_bodyid[geom] != 0
+
+
 def _finger(world: RobotWorld, geom: int) -> int:
     body = int(world.model.geom_bodyid[geom])
     for row in range(len(FINGERS)):
@@ -58,7 +64,7 @@ def _finger(world: RobotWorld, geom: int) -> int:
 
 def _colour(model: mujoco.MjModel, geom: int) -> Array:
     name = model.body(int(model.geom_bodyid[geom])).name
-    text = COLOURS.get(name, HAND if name.startswith(PREFIX) else TABLE)
+    text = COLOURS.get(name, HAND)
     return np.array([int(text[i : i + 2], 16) / 255 for i in (1, 3, 5)])
 
 

@@ -16,6 +16,7 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, topics
 from tracker.session.ros.cdr import in_words
 
+FELT = 7  # numbers of contact: engaged, holding, five forces
 RobotMessage = RobotModel | RobotState | RobotMemory
 
 
@@ -92,7 +93,7 @@ class _RobotDecoder:
     def _state(self, felt: np.ndarray) -> RobotState | None:
         """None where a part is missing: of a recording that begins within a state."""
         joints, commands, scene = self._joints, self._commands, self._scene
-        if joints is None or commands is None or scene is None or len(felt) < 2:
+        if joints is None or commands is None or scene is None or len(felt) != FELT:
             return None
         if not joints.stamp == commands.stamp == scene.stamp or len(scene.position) < 1:
             return None

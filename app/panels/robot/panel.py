@@ -10,10 +10,10 @@ from app.engines.snapshot import Snapshot
 from app.jobs.robot import RobotLink
 from app.panels.panel import Panel
 from app.panels.robot.controls import RobotControls
-from app.viewmodels.robot import RobotView
+from app.viewmodels.robot import RobotView, table_lines
 from app.widgets.chip import Chip
 from app.widgets.measures import NEAR
-from app.widgets.view3d.scene import DrawnSurface
+from app.widgets.view3d.scene import DrawnSurface, GroundLines
 from app.widgets.view3d.shapes import Surface
 from app.widgets.view3d.view_3d import View3D
 from tracker.messages import Shed
@@ -27,7 +27,7 @@ FOLLOW = 0.2
 
 class RobotPanel(Panel):
     name = "robot"
-    period = 1 / 25
+    period = 1 / 20
     spared_at = Shed.VIEW_RATE
 
     def __init__(self, host: EngineHost, link: RobotLink, parent: QWidget | None = None) -> None:
@@ -78,6 +78,7 @@ class RobotPanel(Panel):
             return
         if self._drawn is None:
             shape = robot.shape
+            scene.set_ground(GroundLines(*table_lines()))
             along = np.zeros(len(shape.points))
             self._drawn = robot, scene.add_surface(Surface(shape.faces, shape.part, along))
         palm = robot.palm
