@@ -15,6 +15,7 @@ try:
 except (ImportError, RuntimeError) as error:  # RuntimeError: no liblsl beside it
     pytest.skip(f"pylsl is not usable: {error}", allow_module_level=True)
 
+from tracker.gestures.values import GESTURES
 from tracker.streaming.lsl import LslPublisher, channels, sample
 from tracker.streaming.publisher import Names
 
@@ -35,6 +36,9 @@ def test_numbers_of_a_lost_row_are_not_sent(make_estimate, names: Names) -> None
     nothing = replace(e, keypoint_state=0 * e.keypoint_state, angle_state=0 * e.angle_state)
     read = dict(zip([label for label, _ in channels(names)], sample(nothing, names), strict=True))
     values = {k: v for k, v in read.items() if not k.endswith("_state") and k != "tracking"}
+    shown = [values.pop(f"gesture_{n}_shown") for n in GESTURES]
+    assert not any(shown)
+    assert np.isnan([values.pop(f"gesture_{n}") for n in GESTURES]).all()
     assert len(values) == 3 * len(names.keypoints) + len(names.angles)
     assert all(math.isnan(v) for v in values.values())
 

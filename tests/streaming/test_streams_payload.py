@@ -10,7 +10,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from tests.applications.hands import GLOVE, HAND, estimates
+from tracker.gestures.values import GESTURES
 from tracker.messages import Tracking
+from tracker.simulation.scripted import Key
+from tracker.streaming.osc import VmcPublisher
 from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import Names, StreamError
 from tracker.streaming.udp import UdpPublisher
@@ -83,3 +87,20 @@ def test_udp_without_a_listener_goes_on(make_estimate, names: Names) -> None:
 def test_udp_to_nowhere_is_said_in_words(names: Names, host: str, port: int) -> None:
     with pytest.raises(StreamError, match="cannot go to"):
         UdpPublisher(names, host, port)
+
+
+def test_gestures_are_told_with_their_values() -> None:
+    names = Names.of(HAND, GLOVE)
+    gestures, here = names.recogniser(), (0.17, 0.0, 0.1)
+    assert gestures is not None
+    for estimate in estimates([Key(0.0, "fist", here), Key(0.2, "fist", here)]):
+        said = json.loads(to_json(estimate, names, gestures))
+    assert said["gestures"]["shown"] == ["fist"]
+    assert said["gestures"]["values"]["fist"] == 1.0
+    assert set(said["gestures"]["values"]) == set(GESTURES)
+    (value,) = [m for m in VmcPublisher(HAND, names=names)._gesture_messages(estimate)
+                if b"fist" in m]  # fmt: skip
+    assert value.startswith(b"/Glovetrack/Gesture")
+    lost = replace(estimate, tracking=Tracking.SEARCHING, t=estimate.t + 1.0)
+    said = json.loads(to_json(lost, names, gestures))
+    assert said["gestures"] == {"shown": [], "values": dict.fromkeys(GESTURES)}

@@ -62,9 +62,9 @@ class FoxglovePublisher:
         """
         self._wall = time.time() - time.monotonic() if wall_offset is None else wall_offset
         self._greeting = _greeting(names, session_id=str(time.time_ns()))
-        scene = FoxgloveScene(names)
+        scene, gestures = FoxgloveScene(names), names.recogniser()
         self._encoders: dict[int, Callable[[Estimate, int], str]] = {
-            ESTIMATE: lambda e, _: to_json(e, names),
+            ESTIMATE: lambda e, _: to_json(e, names, gestures),
             SCENE: lambda e, stamp_ns: json.dumps(scene.update(e, stamp_ns), allow_nan=False),
         }
         self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, never changed

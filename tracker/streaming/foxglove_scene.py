@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from tracker.gestures.values import GESTURES
 from tracker.hand.names import bones
 from tracker.hand.openxr import JOINTS
 from tracker.messages import Array, Estimate, Validity
@@ -125,6 +126,7 @@ def estimate_schema(names: Names) -> Json:
         tracking=STRING,
         **points,
         angles=_object(**dict.fromkeys(names.angles, angle)),
+        gestures=_object(shown=_array(STRING), values=_object(**dict.fromkeys(GESTURES, NUMBER))),
     )
 
 

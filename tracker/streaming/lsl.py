@@ -2,7 +2,8 @@
 
 Channels, labelled in the stream's header: per keypoint ``_x _y _z`` (m, G) and ``_state``, or per
 OpenXR joint ``_x _y _z _qx _qy _qz _qw _radius`` (m, OpenXR's world) and ``_state``; per angle its
-value (rad) and ``_state``; last ``tracking``. States are the numbers of `tracker.messages`. Stamps
+value (rad) and ``_state``; per gesture ``gesture_`` and its name, 0 to 1, and ``_shown``; last
+``tracking``. States are the numbers of `tracker.messages`. Stamps
 are the estimates' own instants on LSL's clock.
 """
 
@@ -14,6 +15,8 @@ from collections.abc import Callable
 import numpy as np
 import pylsl
 
+from tracker.gestures.recogniser import GestureRecogniser
+from tracker.gestures.values import GESTURES
 from tracker.hand.openxr import JOINTS
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.payload import openxr_of
@@ -40,7 +43,7 @@ class LslPublisher:
         network: bool = False,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        self._names = names
+        self._names, self._gestures = names, names.recogniser()
         if not network:
             pylsl.set_config_content(LOCAL_ONLY)
         self.name = f"LSL outlet Glovetrack {names.side}"
@@ -51,7 +54,8 @@ class LslPublisher:
 
     def send(self, estimate: Estimate) -> None:
         if self._outlet is not None:
-            self._outlet.push_sample(sample(estimate, self._names), estimate.t + self._offset)
+            row = sample(estimate, self._names, self._gestures)
+            self._outlet.push_sample(row, estimate.t + self._offset)
 
     def close(self) -> None:
         self._outlet = None  # liblsl ends the outlet when its handle goes
@@ -67,17 +71,29 @@ def channels(names: Names) -> list[tuple[str, str]]:
         out.append((f"{n}_state", ""))
     for n in names.angles:
         out += [(n, "rad"), (f"{n}_state", "")]
+    for n in GESTURES if names.hand is not None else ():
+        out += [(f"gesture_{n}", ""), (f"gesture_{n}_shown", "")]
     return [*out, ("tracking", "")]
 
 
-def sample(e: Estimate, names: Names) -> list[float]:
-    """One sample in the order of `channels`; NaN where lost."""
+def sample(e: Estimate, names: Names, gestures: GestureRecogniser | None = None) -> list[float]:
+    """One sample in the order of `channels`; NaN where lost. ``gestures`` is fed with it."""
+    gestures = gestures or names.recogniser()
     angles = np.where(e.angle_state == Validity.LOST, np.nan, e.angles)
     return [
         *_points(e, names).ravel().tolist(),
         *np.column_stack([angles, e.angle_state]).ravel().tolist(),
+        *_told(e, gestures),
         float(e.tracking),
     ]
+
+
+def _told(e: Estimate, gestures: GestureRecogniser | None) -> list[float]:
+    """A value and whether it is shown, of each gesture."""
+    if gestures is None:
+        return []
+    gestures.feed(e)
+    return [x for n, v in gestures.values.items() for x in (v, float(n in gestures.active))]
 
 
 def _points(e: Estimate, names: Names) -> Array:

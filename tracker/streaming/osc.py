@@ -7,7 +7,8 @@ relative to a forearm that nothing measures; the hand's pose goes as a tracker o
 
 VMC knows no validity. A lost bone is not sent (the avatar keeps its last pose), and each bone's
 state goes with every bundle as ``/Glovetrack/Bone/State name state``, which receivers of plain VMC
-pass over. Where OpenXR's joints are asked for, a second bundle has them as
+pass over, as they do ``/Glovetrack/Gesture name value shown``. Where OpenXR's joints are asked for,
+a second bundle has them as
 ``/Glovetrack/OpenXR/Joint name x y z qx qy qz qw radius state``, without a pose where lost.
 """
 
@@ -15,6 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
 from tracker.hand.openxr import JOINTS
@@ -28,6 +30,7 @@ from tracker.streaming.vmc_pose import AvatarHand, unity_pose
 DEFAULT_PORT = 39540  # of a VMC "Marionette"
 CALIBRATED, NORMAL_MODE = 3, 0
 STATE = "/Glovetrack/Bone/State"
+GESTURE = "/Glovetrack/Gesture"
 OPENXR_JOINT = "/Glovetrack/OpenXR/Joint"
 PARTS = ("proximal", "intermediate", "distal")
 UNITY_BONES = {
@@ -51,6 +54,7 @@ class VmcPublisher:
         """``names``: of the estimates' rows, where OpenXR's joints are to go along."""
         self.name = f"VMC to {host}:{port}"
         self._hand, self._names = hand, names
+        self._gestures = GestureRecogniser(hand, names.keypoints) if names is not None else None
         self._avatar = AvatarHand(hand)
         self._bones = [
             (i, hand.side.title() + UNITY_BONES[s.name])
@@ -80,7 +84,17 @@ class VmcPublisher:
             if state != Validity.LOST:
                 pose = _pose(self._avatar.offsets[i], self._avatar.rotation(i, e.angles))
                 out.append(message("/VMC/Ext/Bone/Pos", bone, *pose))
-        return bundle(out)
+        return bundle([*out, *self._gesture_messages(e)])
+
+    def _gesture_messages(self, e: Estimate) -> list[bytes]:
+        """Each gesture's value, 0 where it is lost, and whether it is shown."""
+        if self._gestures is None:
+            return []
+        self._gestures.feed(e)
+        return [
+            message(GESTURE, name, float(np.nan_to_num(value)), int(name in self._gestures.active))
+            for name, value in self._gestures.values.items()
+        ]
 
     def _hand_messages(self, e: Estimate) -> list[bytes]:
         """The wrist as a tracker, where it is known."""

@@ -3,7 +3,8 @@
     {"schema": 1, "side": "right", "t": 12.34, "tracking": "tracking",
      "keypoints": {"wrist": {"state": "measured", "position": [x, y, z],
                              "orientation_xyzw": [x, y, z, w], "sd": 0.002}, ...},
-     "angles": {"index_mcp_flexion": {"state": "measured", "value": 0.5}, ...}}
+     "angles": {"index_mcp_flexion": {"state": "measured", "value": 0.5}, ...},
+     "gestures": {"shown": ["pinch_index"], "values": {"pinch_index": 0.93, ...}}}
 
 With OpenXR's joints there is "joints" in place of "keypoints", in OpenXR's world (y up, -z
 forward):
@@ -22,6 +23,7 @@ from typing import Any
 
 import numpy as np
 
+from tracker.gestures.recogniser import GestureRecogniser
 from tracker.hand.openxr import JOINTS, OpenXrHand, to_openxr
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.publisher import STATE_WORDS, Names
@@ -30,8 +32,10 @@ SCHEMA = 1
 DECIMALS = 6  # µm and µrad: below every error of a hand tracker, and half the bytes of a double
 
 
-def payload(estimate: Estimate, names: Names) -> dict[str, Any]:
-    """The message as JSON-ready objects."""
+def payload(
+    estimate: Estimate, names: Names, gestures: GestureRecogniser | None = None
+) -> dict[str, Any]:
+    """The message as JSON-ready objects; ``gestures`` has been fed with the estimate."""
     return {
         "schema": SCHEMA,
         "side": names.side,
@@ -39,12 +43,22 @@ def payload(estimate: Estimate, names: Names) -> dict[str, Any]:
         "tracking": estimate.tracking.name.lower(),
         **_points(estimate, names),
         "angles": {n: _angle(estimate, i) for i, n in enumerate(names.angles)},
+        **({} if gestures is None else {"gestures": _gestures(gestures)}),
     }
 
 
-def to_json(estimate: Estimate, names: Names) -> str:
-    """The message as strict JSON without spaces (no NaN)."""
-    return json.dumps(payload(estimate, names), separators=(",", ":"), allow_nan=False)
+def to_json(estimate: Estimate, names: Names, gestures: GestureRecogniser | None = None) -> str:
+    """The message as strict JSON without spaces (no NaN); ``gestures`` is fed with the estimate."""
+    if gestures is not None:
+        gestures.feed(estimate)
+    said = payload(estimate, names, gestures)
+    return json.dumps(said, separators=(",", ":"), allow_nan=False)
+
+
+def _gestures(found: GestureRecogniser) -> dict[str, Any]:
+    """Those that are shown, and how much of each there is; null where that is lost."""
+    values = {n: _number(v, False) for n, v in found.values.items()}
+    return {"shown": list(found.active), "values": values}
 
 
 def openxr_of(estimate: Estimate, names: Names) -> OpenXrHand:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Protocol
 
 from tracker.errors import GlovetrackError
+from tracker.gestures.recogniser import GestureRecogniser
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.hand.openxr import joint_radii
@@ -51,14 +52,19 @@ class Names:
     keypoints: tuple[str, ...]
     angles: tuple[str, ...]
     radii: tuple[float, ...] = ()  # of OpenXR's joints, m, where messages are to carry these
+    hand: HandModel | None = field(default=None, compare=False, repr=False)
 
     @property
     def openxr(self) -> bool:
         """Whether messages carry OpenXR's 26 joints in place of the keypoints."""
         return bool(self.radii)
 
+    def recogniser(self) -> GestureRecogniser | None:
+        """A new one, for one output; None for names without a hand."""
+        return GestureRecogniser(self.hand, self.keypoints) if self.hand is not None else None
+
     @staticmethod
     def of(hand: HandModel, glove: GloveModel, joints: str = OWN) -> Names:
         """The rows of estimates made for this hand and glove; ``joints`` of `JOINT_SETS`."""
         radii = joint_radii(hand).tolist() if joints == OPENXR else ()
-        return Names(hand.side, glove.keypoint_names(hand), hand.joint_names, tuple(radii))
+        return Names(hand.side, glove.keypoint_names(hand), hand.joint_names, tuple(radii), hand)

@@ -14,12 +14,12 @@ class UdpPublisher:
     """Sends to one address and never waits."""
 
     def __init__(self, names: Names, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
-        self._names = names
+        self._names, self._gestures = names, names.recogniser()
         self.name = f"UDP to {host}:{port}"
         self._socket = DatagramSocket("UDP", host, port)
 
     def send(self, estimate: Estimate) -> None:
-        self._socket.send(to_json(estimate, self._names).encode())
+        self._socket.send(to_json(estimate, self._names, self._gestures).encode())
 
     def close(self) -> None:
         self._socket.close()

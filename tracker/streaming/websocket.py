@@ -24,7 +24,7 @@ class WebSocketPublisher:
     """Serves ws://host:port/. Port 0 takes any free one; ``port`` says which."""
 
     def __init__(self, names: Names, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
-        self._names = names
+        self._names, self._gestures = names, names.recogniser()
         self._text: str | None = None
         self._fresh = asyncio.Event()
         self._closing = False
@@ -43,7 +43,7 @@ class WebSocketPublisher:
         if self._closing:
             raise StreamError("the WebSocket server is closed")
         if self.clients:
-            self._server.call(self._show, to_json(estimate, self._names))
+            self._server.call(self._show, to_json(estimate, self._names, self._gestures))
 
     def close(self) -> None:
         self._closing = True

@@ -16,6 +16,7 @@ from app.panels.panel import Panel
 from app.platform.tasks import LatestJob, TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.colours import hue_colours
+from app.viewmodels.gestures import ShownGestures
 from app.viewmodels.hand_scene import HandScene, HandSceneModel, followed, view_direction
 from app.viewmodels.hand_skin import HandSkin
 from app.viewmodels.states import VALIDITY
@@ -48,6 +49,7 @@ class HandPanel(Panel):
         self._setup: EngineSetup | None = None
         self._bodies: HandBodies | None = None
         self._model: HandSceneModel | None = None
+        self._gestures: ShownGestures | None = None
         self._scene: HandScene | None = None
         self._skin: HandSkin | None = None
         self._skins = LatestJob(self.tr("Making the hand's skin"), self)
@@ -80,6 +82,9 @@ class HandPanel(Panel):
             look = VALIDITY[state]
             row.addWidget(QLabel(f'<span style="color:{look.colour}">{look.sign}</span> {word}'))
         row.addStretch(1)
+        self.gesture = QLabel()
+        self.gesture.setToolTip(self.tr("What the hand shows now, and how much of it"))
+        row.addWidget(self.gesture)
         return row
 
     # --- what is wanted
@@ -122,6 +127,7 @@ class HandPanel(Panel):
         self._clear()
         self._setup = setup
         self._model = HandSceneModel(setup)
+        self._gestures = ShownGestures(setup)
         self.controls.offer(self._model.tip_names, setup.reference_tracking is not None)
         if self.controls.engine:
             self._choose_reference(self.controls.engine)
@@ -153,12 +159,16 @@ class HandPanel(Panel):
     def _clear(self) -> None:
         self._bodies = self._model = self._scene = self._setup = self._skin = None
         self._skins.forget()
+        self._gestures = None
+        self.gesture.setText("")
         self.view.set_labels(())
         if self.view.scene is not None:
             self.view.scene.clear()
 
     def refresh(self, view: Snapshot | None) -> None:
         show, scene = self.controls.shown(), None
+        if self._gestures is not None and view is not None:
+            self.gesture.setText(self._gestures.line(view.estimate))
         if self._model is not None and view is not None:
             scene = self._model.scene(view, show.reference)
         if scene is None or self._bodies is None:

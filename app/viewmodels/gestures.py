@@ -1,0 +1,46 @@
+"""Which gestures the hand shows, in words, and how much of each."""
+
+from __future__ import annotations
+
+from app.engines.engine import EngineSetup
+from app.words import mark, tr
+from tracker.gestures.recogniser import GestureRecogniser
+from tracker.messages import Estimate
+
+WORDS = {
+    "pinch_index": mark("pinch, index finger"),
+    "pinch_middle": mark("pinch, middle finger"),
+    "pinch_ring": mark("pinch, ring finger"),
+    "pinch_little": mark("pinch, little finger"),
+    "thumb_up": mark("thumb up"),
+    "fist": mark("fist"),
+    "point": mark("point"),
+    "open_palm": mark("open palm"),
+    "grasp": mark("grasp"),
+}
+LONGEST_GAP = 0.5  # s between two estimates after which what was shown is forgotten
+
+
+class ShownGestures:
+    """Of one open engine, as the window sees its hand."""
+
+    def __init__(self, setup: EngineSetup) -> None:
+        self._setup = setup
+        self._forget()
+
+    def _forget(self) -> None:
+        hand, glove = self._setup.hand, self._setup.glove
+        self._recogniser = GestureRecogniser(hand, glove.keypoint_names(hand))
+        self._t = float("-inf")
+
+    def line(self, estimate: Estimate | None) -> str:
+        """Those that are shown with the newest estimate, such as ``fist 100 %``."""
+        if estimate is None:
+            return ""
+        if not 0 <= estimate.t - self._t < LONGEST_GAP:
+            self._forget()  # a replay was sent elsewhere
+        if estimate.t > self._t:
+            self._recogniser.feed(estimate)
+            self._t = estimate.t
+        values = self._recogniser.values
+        return ", ".join(f"{tr(WORDS[n])} {100 * values[n]:.0f} %" for n in self._recogniser.active)

@@ -1,0 +1,36 @@
+"""Gestures in the window: told beside the hand, forgotten where a replay goes elsewhere."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from gui_fakes import ScriptedEngine, scripted_setup
+
+from app.viewmodels.gestures import WORDS, ShownGestures
+from tests.applications.hands import estimates
+from tracker.gestures.values import GESTURES
+from tracker.simulation.scripted import Key
+
+HERE = (0.17, 0.0, 0.1)
+
+
+def test_each_gesture_has_its_words():
+    assert set(WORDS) == set(GESTURES)
+
+
+def test_what_the_hand_shows_is_told_at_the_windows_rate():
+    shown = ShownGestures(scripted_setup(ScriptedEngine()))
+    fists = estimates([Key(0.0, "fist", HERE), Key(1.0, "fist", HERE)], rate=30.0)
+    said = [shown.line(e) for e in fists]
+    assert said[0] == ""
+    assert said[3:] == ["fist 100 %"] * (len(said) - 3)
+    later = replace(estimates([Key(0.0, "relaxed", HERE), Key(0.1, "relaxed", HERE)])[0], t=60.0)
+    assert shown.line(later) == ""
+    assert shown.line(None) == ""
+
+
+def test_the_hand_panel_tells_it(live):
+    live.ticker.stop()
+    live.hand._gestures.line = lambda estimate: "fist 97 %"
+    live.hand.refresh(live.host.snapshot())
+    assert live.hand.gesture.text() == "fist 97 %"
