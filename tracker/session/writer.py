@@ -18,6 +18,7 @@ from tracker.session.encode import Encoder, ImageCoding, Out, status_name
 from tracker.session.images import PackedFrame
 from tracker.session.mcap.container import COMPRESSION, McapOutput
 from tracker.session.mcap.disk import automatic_path
+from tracker.session.ros import motion, topics
 from tracker.vision.rig import StereoRig
 
 IMAGES = ("jpeg", "png", "none")
@@ -98,7 +99,17 @@ class SessionRecorder:
             out.attach(name, text, now)
         if self.info.rig is not None:
             self._put(out, self._encoder.rig(self.info.rig, self._start))
+        self._put(out, self._descriptions(now))
         out.close_chunk()
+
+    def _descriptions(self, now: int) -> Iterator[Out]:
+        """The hand as a robot's model, for programs that draw the joints of the session."""
+        from tracker.session.export.urdf import robot_description  # with scipy: late
+
+        for hand in self.info.hands:
+            topic = topics.description(hand.side, self.info.other is None)
+            data = motion.pack_string(robot_description(hand))
+            yield Out(topic, motion.STRING, now, now, data)
 
     @property
     def _start(self) -> float:

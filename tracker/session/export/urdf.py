@@ -61,6 +61,23 @@ def export_urdf(reader: SessionReader, path: Path, options: ExportOptions) -> Es
     return None if series is None else replace(m, notes=m.notes | _angles_alone(m, scale))
 
 
+def robot_description(info: SessionInfo) -> str:
+    """The hand at the size of its file, as ROS has it on the topic ``robot_description``.
+
+    Links have the names of the session's frames, joints those of its JointState.
+    """
+    robot = ET.Element("robot", name=info.hand.name)
+    _links(robot, series_of(info, []), np.ones((len(info.hand.segments), 3)))
+    for element, key in [
+        *((link, "name") for link in robot.iter("link")),
+        *((end, "link") for joint in robot.iter("joint") for end in joint if end.get("link")),
+    ]:
+        if element.get(key) != WORLD:
+            element.set(key, f"{info.side}_{element.get(key)}")
+    ET.indent(robot)
+    return ET.tostring(robot, "unicode", xml_declaration=True) + "\n"
+
+
 def _links(robot: ET.Element, m: EstimateSeries, scale: Array) -> list[Axis]:
     """All links and joints; returns the joints that move."""
     hand = m.info.hand

@@ -42,6 +42,11 @@ def hand(side: str, what: str) -> str:
     return f"/hand/{side}/{what}"
 
 
+def description(side: str, alone: bool) -> str:
+    """The URDF of a hand: where ROS looks for it, if it is ``alone`` in its session."""
+    return "/robot_description" if alone else hand(side, "robot_description")
+
+
 def truth(side: str, what: str) -> str:
     """keypoints or joint_states as they really were."""
     return f"/truth/{side}/{what}"
