@@ -245,7 +245,7 @@ class Event:
     """Something worth a line in the log and in the session: a device, a recording, a note."""
 
     t: float
-    kind: str  # "note", "device", "tracking", "recording", "error"
+    kind: str  # "note", "device", "tracking", "recording", "error", "pulse", "gesture"
     text: str
     data: dict[str, object] = field(default_factory=dict)
 

@@ -20,7 +20,7 @@ import numpy as np
 import serial
 from numpy.typing import NDArray
 
-HELLO, SAMPLES, STATUS, ERROR = 0x01, 0x02, 0x03, 0x04
+HELLO, SAMPLES, STATUS, ERROR, PULSE = 0x01, 0x02, 0x03, 0x04, 0x05
 ASK_HELLO, START, STOP, RATE, HAPTIC = 0x81, 0x82, 0x83, 0x84, 0x85
 IMUS = 7
 NO_READING = -32768
@@ -35,8 +35,8 @@ class Frame:
 
     @property
     def numbers(self) -> tuple[int, ...]:
-        """The fields of a HELLO, SAMPLES or STATUS, in the order of the wire."""
-        layout = {HELLO: "<BBBBIBHBHB", SAMPLES: "<HI42h", STATUS: "<HhHH"}[self.kind]
+        """The fields of a HELLO, SAMPLES, STATUS or PULSE, in the order of the wire."""
+        layout = {HELLO: "<BBBBIBHBHB", SAMPLES: "<HI42h", STATUS: "<HhHH", PULSE: "<HI"}[self.kind]
         return struct.unpack(layout, self.payload)
 
     @property

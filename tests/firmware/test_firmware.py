@@ -14,6 +14,7 @@ from glove_oracle import (
     HELLO,
     IMUS,
     NO_READING,
+    PULSE,
     RATE,
     SAMPLE_BYTES,
     SAMPLES,
@@ -52,7 +53,7 @@ def test_says_hello_each_second_and_nothing_else_until_start(build: Path) -> Non
         first = glove.wait_for(HELLO, 4)[0]
         report = glove.stop()
     assert {f.kind for f in glove.frames} == {HELLO}
-    assert first.numbers == (1, 1, 1, 0, 7, IMUS, 2000, 16, 100, 3)
+    assert first.numbers == (1, 1, 2, 0, 7, IMUS, 2000, 16, 100, 3)
     # Start-up and self-test take half a second, then one a second; a busy machine stops late.
     assert 3 < report["simulated_s"] < 7
 
@@ -279,3 +280,29 @@ def test_in_real_time_the_packets_come_at_their_rate(build: Path) -> None:
         report = glove.stop()
     assert np.array_equal(seq, np.arange(100))
     assert report["bytes_lost"] == 0
+
+
+def test_pulses_have_their_instants_within_microseconds(build: Path) -> None:
+    """On the clock of the samples, at any phase of it, though the chip is busy with the IMUs."""
+    times = [1.0 + 0.0373 * k for k in range(30)]
+    events = [f"{t:.4f}:pulse 50" for t in times]
+    with simulated_glove(build, *events) as glove:
+        glove.start()
+        pulses = [f.numbers for f in glove.wait_for(PULSE, len(times))]
+        _, t_us, _ = samples(glove.wait_for(SAMPLES, 5))
+        glove.stop()
+    assert [number for number, _ in pulses] == list(range(1, len(times) + 1))
+    at = [float(line.split()[1]) for line in glove.printed.splitlines() if line[:5] == "pulse"]
+    gone = np.diff([t for _, t in pulses])
+    assert gone == pytest.approx(1e6 * np.diff(at), abs=15.0)
+    assert 0 < t_us[-1] - pulses[-1][1] < 2_000_000
+
+
+def test_pulses_before_the_start_are_not_told(build: Path) -> None:
+    with simulated_glove(build, "0.8:pulse 50", "2.5:pulse 50") as glove:
+        glove.read_until(lambda: "pulse" in glove.printed or len(glove.of(HELLO)) > 2)
+        glove.send(START)
+        (pulse,) = glove.wait_for(PULSE)
+        glove.wait_for(SAMPLES, 20)
+        glove.stop()
+    assert pulse.numbers[0] == 2 and len(glove.of(PULSE)) == 1

@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+import pytest
 from glove_oracle import HELLO, IMUS, SAMPLES, STATUS, samples, simulated_glove
 
 from tracker.messages import Event, ImuSample
@@ -74,3 +75,26 @@ def test_the_ordinary_serial_code_reads_the_simulated_silicon(build: Path, tmp_p
         assert np.allclose(sample.gyro[answering], felt[answering, 3:], atol=0.00054)
     said = [m.text for m in got if isinstance(m, Event)]
     assert any("IMU 5" in text for text in said)
+
+
+def test_a_pulse_is_an_event_at_its_instant_on_the_hosts_clock(build: Path) -> None:
+    with simulated_glove(build, fast=False) as glove:
+        glove.port.close()
+        link = GloveLink(serial_port(glove.port.port), IMUS)
+        got: list[ImuSample | Event] = []
+        told = 0
+        end = time.monotonic() + 30
+        while sum(isinstance(m, Event) and m.kind == "pulse" for m in got) < 3:
+            assert time.monotonic() < end
+            if link.figures.packets > 100 * (told + 1):
+                glove.tell("pulse 50")
+                told += 1
+            got += link.poll(0.02)
+        link.close()
+    pulses = [m for m in got if isinstance(m, Event) and m.kind == "pulse"]
+    assert [p.data["number"] for p in pulses] == [1, 2, 3]
+    packets = [m for m in got if isinstance(m, ImuSample)]
+    device, t = np.array([m.t_device for m in packets]), np.array([m.t for m in packets])
+    for pulse in pulses:
+        assert isinstance(pulse.data["t_device"], float)
+        assert np.interp(pulse.data["t_device"], device, t) == pytest.approx(pulse.t, abs=0.01)

@@ -34,6 +34,7 @@ from tracker.sensors.protocol import (
     Haptic,
     Hello,
     HelloRequest,
+    Pulse,
     Rate,
     Samples,
     Start,
@@ -105,6 +106,10 @@ class Announcements:
         if topic not in self.topics:
             self.topics.add(topic)
             self.say(text)
+
+    def tell(self, event: Event) -> None:
+        """One that has a time of its own."""
+        self._events.append(event)
 
     def take(self) -> list[Event]:
         """All since the last call, oldest first."""
@@ -248,6 +253,8 @@ class GloveLink:
                 self._status(frame)
             case ErrorText():
                 self._words.say(f"The glove says: {frame.text}")
+            case Pulse():
+                self._words.tell(pulse_event(frame, self._packet_clock, now))
         return []
 
     def _greeted(self, hello: Hello, now: float) -> None:
@@ -385,6 +392,15 @@ class GloveLink:
         elif self.state == LinkState.STREAMING and waited > p.silent_after:
             self.state = LinkState.SILENT
             self._words.say(f"The glove has been silent for {p.silent_after:g} s.")
+
+
+def pulse_event(pulse: Pulse, clock: PacketClock, now: float) -> Event:
+    """Of the instant that the glove's clock tells; before its first packet that of arrival, ``now``
+    (s), without ``t_device``."""
+    known = clock.instant(pulse.t_us)
+    t_device, t = (None, now) if known is None else known
+    data: dict[str, object] = {"number": pulse.number, "t_device": t_device}
+    return Event(seconds(nanoseconds(t)), "pulse", f"Pulse {pulse.number} on the glove", data)
 
 
 def si_sample(

@@ -75,6 +75,16 @@ class PacketClock:
         self._map.add(t_device, now - self._wire_time)
         return PacketTime(seq, t_device, min(self._map.host(t_device), now), lost, jumped)
 
+    def instant(self, t_us: int) -> tuple[float, float] | None:
+        """s on the glove's clock, counting on as `PacketTime.t_device`, and on the host's, of a
+        ``t_us`` within 35 minutes of the last packet; None before the first."""
+        if self._last is None:
+            return None
+        last_us = round(self._last[1] * 1e6)
+        half = 2 ** (TIME_BITS - 1)
+        t_device = (last_us + (t_us - last_us + half) % (2 * half) - half) * 1e-6
+        return t_device, self._map.host(t_device)
+
     def _jump(self, packets: int, passed: float) -> float:
         """By how much (s) the glove's clock has left its packet numbers, 0 where it has not.
 

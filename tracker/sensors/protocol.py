@@ -27,6 +27,7 @@ NO_BATTERY_MV = 0xFFFF
 _HELLO = struct.Struct("<BBBBIBHBHB")
 _SAMPLES = struct.Struct("<HI")
 _STATUS = struct.Struct("<HhHH")
+_PULSE = struct.Struct("<HI")
 _HAPTIC = struct.Struct("<BBH")
 _IMU_BYTES = 12
 _ERROR_BYTES = 60
@@ -73,6 +74,14 @@ class ErrorText:
 
 
 @dataclass(frozen=True)
+class Pulse:
+    """A rising edge on the glove's synchrony pin, on the clock of its samples."""
+
+    number: int  # from 1, wraps at 2**16
+    t_us: int  # wraps at 2**32
+
+
+@dataclass(frozen=True)
 class HelloRequest:
     """Host: who are you?"""
 
@@ -103,7 +112,9 @@ class Haptic:
     duration_ms: int
 
 
-Frame = Hello | Samples | GloveStatus | ErrorText | HelloRequest | Start | Stop | Rate | Haptic
+Frame = (
+    Hello | Samples | GloveStatus | ErrorText | Pulse | HelloRequest | Start | Stop | Rate | Haptic
+)
 
 
 class LengthError(ValueError):
@@ -209,6 +220,11 @@ _CODECS: dict[type, tuple[int, Callable[..., bytes], Callable[[bytes], Frame]]] 
     Samples: (0x02, _pack_samples, _unpack_samples),
     GloveStatus: (0x03, _pack_status, _unpack_status),
     ErrorText: (0x04, _pack_error, _unpack_error),
+    Pulse: (
+        0x05,
+        lambda f: _PULSE.pack(f.number, f.t_us),
+        lambda payload: Pulse(*_PULSE.unpack(payload)),
+    ),
     HelloRequest: (0x81, lambda f: b"", _empty(HelloRequest)),
     Start: (0x82, lambda f: b"", _empty(Start)),
     Stop: (0x83, lambda f: b"", _empty(Stop)),

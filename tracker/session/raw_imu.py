@@ -12,6 +12,9 @@ from tracker.messages import Array, Event, ImuSample, IntArray
 from tracker.session.notes import standing
 from tracker.session.reader import SessionReader
 
+MARKS = ("note", "pulse")
+"""Kinds of events that other programs want to know the instants of."""
+
 
 @dataclass(frozen=True, eq=False)
 class RawImu:
@@ -84,7 +87,7 @@ def read_raw_imu(reader: SessionReader, need: bool = True) -> RawImu:
     )
 
 
-def read_notes(reader: SessionReader) -> list[tuple[int, str]]:
-    """(ns since 1970, text) of each note in its last wording."""
+def read_notes(reader: SessionReader, kinds: tuple[str, ...] = ("note",)) -> list[tuple[int, str]]:
+    """(ns since 1970, text) of each note in its last wording; of events of other ``kinds`` too."""
     events = [m for m in reader.messages([Event]) if isinstance(m, Event)]
-    return [(reader.anchor.wall(e.t), e.text) for e in standing(events) if e.kind == "note"]
+    return [(reader.anchor.wall(e.t), e.text) for e in standing(events) if e.kind in kinds]

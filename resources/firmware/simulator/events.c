@@ -2,6 +2,8 @@
 
 #include <poll.h>
 #include <simavr/avr_adc.h>
+#include <simavr/avr_ioport.h>
+#include <simavr/sim_cycle_timers.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,6 +51,24 @@ static void battery(spi_bus_t *bus, imu_model_t *imu, int number)
     avr_raise_irq(avr_io_getirq(bus->avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC7), number / DIVIDER);
 }
 
+static avr_cycle_count_t rise(avr_t *avr, avr_cycle_count_t when, void *pin)
+{
+    (void)when;
+    printf("pulse %.6f\n", bus_time(avr));
+    fflush(stdout);
+    avr_raise_irq(pin, 1);
+    return 0;
+}
+
+/* The synchrony pin, PD2, which is pulled up, is low for `number` microseconds: its end is told. */
+static void pulse(spi_bus_t *bus, imu_model_t *imu, int number)
+{
+    (void)imu;
+    avr_irq_t *pin = avr_io_getirq(bus->avr, AVR_IOCTL_IOPORT_GETIRQ('D'), 2);
+    avr_raise_irq(pin, 0);
+    avr_cycle_timer_register_usec(bus->avr, number, rise, pin);
+}
+
 static void reset(spi_bus_t *bus, imu_model_t *imu, int number)
 {
     (void)imu, (void)number;
@@ -66,6 +86,7 @@ static const struct {
     {"weak-accel", weak_accel, BUS_IMUS - 1},
     {"weak-gyro", weak_gyro, BUS_IMUS - 1},
     {"battery", battery, 20000},
+    {"pulse", pulse, 1000000},
     {"reset", reset, 0},
 };
 

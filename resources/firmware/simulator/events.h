@@ -23,6 +23,7 @@ typedef struct {
  *   brownout IMU           it loses its settings and goes on
  *   weak-accel IMU, weak-gyro IMU   it answers the self-test with a fifth of what it should
  *   battery MV             the battery's voltage
+ *   pulse US               the synchrony pin is low that long; when it rises is printed
  *   reset                  the reset button */
 bool events_add(events_t *events, const char *text);
 

@@ -17,6 +17,9 @@
 /* Motors: channel 0 on PD6 (OC0A), 1 on PD5 (OC0B), 2 on PD3 (OC2B). */
 #define HAPTIC_OUTPUTS (_BV(PD6) | _BV(PD5) | _BV(PD3))
 
+/* Pulses of other devices: PD2 (INT0). */
+#define SYNC_PIN _BV(PD2)
+
 /* Battery through 300 kΩ over 100 kΩ to ADC7, measured against the inner 1.1 V. */
 #define BATTERY_MUX 7
 #define BATTERY_FULL_SCALE_MV 4400UL

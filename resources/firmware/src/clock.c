@@ -4,11 +4,20 @@
 #include <avr/io.h>
 #include <util/atomic.h>
 
+#include "board.h"
+
 #define COUNTS_PER_US 2 /* 16 MHz / 8 */
 
 static volatile uint32_t tick_us; /* the last sampling instant */
 static volatile uint16_t period_us;
 static volatile uint8_t ticks; /* not yet taken */
+
+static volatile struct {
+    uint16_t number;
+    uint32_t t_us;
+} pulses[PULSES_KEPT];
+static volatile uint8_t first_pulse, pulses_waiting;
+static uint16_t pulse_number; /* of the last one, kept or not */
 
 ISR(TIMER1_COMPA_vect)
 {
@@ -29,6 +38,18 @@ static uint32_t now_us(void)
     return start + counts / COUNTS_PER_US;
 }
 
+/* The first of all interrupts: it waits for another one's end at most, some microseconds. */
+ISR(INT0_vect)
+{
+    uint32_t t_us = now_us();
+    pulse_number++;
+    if (pulses_waiting < PULSES_KEPT) {
+        uint8_t place = (first_pulse + pulses_waiting++) % PULSES_KEPT;
+        pulses[place].number = pulse_number;
+        pulses[place].t_us = t_us;
+    }
+}
+
 static void set_period(uint16_t rate_hz)
 {
     period_us = 1000000UL / rate_hz;
@@ -41,6 +62,10 @@ void clock_init(uint16_t rate_hz)
     set_period(rate_hz);
     TIMSK1 = _BV(OCIE1A);
     TCCR1B = _BV(WGM12) | _BV(CS11); /* clear on compare match, clk/8 */
+    PORTD |= SYNC_PIN;               /* pulled up: a pin that nothing is on has no edges */
+    EICRA = _BV(ISC01) | _BV(ISC00); /* rising edges */
+    EIFR = _BV(INTF0);
+    EIMSK = _BV(INT0);
 }
 
 void clock_set_rate(uint16_t rate_hz)
@@ -82,4 +107,24 @@ bool clock_take_tick(uint32_t *t_us, uint8_t *skipped)
 bool clock_tick_waits(void)
 {
     return ticks != 0;
+}
+
+bool clock_take_pulse(uint16_t *number, uint32_t *t_us)
+{
+    bool taken = false;
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
+        if (pulses_waiting) {
+            *number = pulses[first_pulse].number;
+            *t_us = pulses[first_pulse].t_us;
+            first_pulse = (first_pulse + 1) % PULSES_KEPT;
+            pulses_waiting--;
+            taken = true;
+        }
+    }
+    return taken;
+}
+
+bool clock_pulse_waits(void)
+{
+    return pulses_waiting != 0;
 }

@@ -1,4 +1,5 @@
-/* Timer1: the sampling instants and a microsecond clock that both come from one counter. */
+/* Timer1: the sampling instants, a microsecond clock and the instants of pulses on the synchrony pin,
+ * all from one counter. */
 #ifndef CLOCK_H
 #define CLOCK_H
 
@@ -20,5 +21,12 @@ bool clock_take_tick(uint32_t *t_us, uint8_t *skipped);
 
 /* Whether clock_take_tick would return true; for the sleep of the main loop. */
 bool clock_tick_waits(void);
+
+/* The oldest pulse (rising edge) that nobody took yet: its number, from 1, and the instant of its
+ * interrupt. Of more than PULSES_KEPT that wait the newest are lost;
+ * their numbers are missing. */
+#define PULSES_KEPT 8
+bool clock_take_pulse(uint16_t *number, uint32_t *t_us);
+bool clock_pulse_waits(void);
 
 #endif

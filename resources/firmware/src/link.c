@@ -11,7 +11,7 @@
 
 #define PROTOCOL 1
 #define FIRMWARE_MAJOR 1
-#define FIRMWARE_MINOR 1
+#define FIRMWARE_MINOR 2
 #define FIRMWARE_PATCH 0
 
 #ifndef GLOVE_ID
@@ -32,7 +32,7 @@ static const struct {
     GLOVE_ID,
 };
 
-enum { HELLO = 0x01, SAMPLES = 0x02, STATUS = 0x03, ERROR = 0x04 };
+enum { HELLO = 0x01, SAMPLES = 0x02, STATUS = 0x03, ERROR = 0x04, PULSE = 0x05 };
 enum { ASK_HELLO = 0x81, START = 0x82, STOP = 0x83, RATE = 0x84, HAPTIC = 0x85 };
 
 static bool streaming;
@@ -82,6 +82,14 @@ void link_send_samples(uint32_t t_us, uint8_t skipped, const imu_reading_t readi
             frame_u16(readings[i].axis[axis]);
     if (!frame_try_send())
         dropped++;
+}
+
+void link_send_pulse(uint16_t number, uint32_t t_us)
+{
+    frame_begin(PULSE);
+    frame_u16(number);
+    frame_u32(t_us);
+    frame_send();
 }
 
 static void append_text(const char *text)

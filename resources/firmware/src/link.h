@@ -20,6 +20,9 @@ void link_send_status(void);
  * instants before it, which nobody read, are missing numbers too. */
 void link_send_samples(uint32_t t_us, uint8_t skipped, const imu_reading_t readings[IMU_COUNT]);
 
+/* A pulse on the synchrony pin. */
+void link_send_pulse(uint16_t number, uint32_t t_us);
+
 /* An ERROR of text and the numbers of the IMUs in `imus`; text lies in flash. */
 void link_send_error(const char *text, uint16_t imus);
 

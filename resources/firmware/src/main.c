@@ -52,6 +52,16 @@ static void sample(uint32_t t_us, uint8_t skipped)
     link_send_samples(t_us, skipped, readings);
 }
 
+/* Pulses that came while nobody listened are of no use later. */
+static void tell_pulses(void)
+{
+    uint16_t number;
+    uint32_t t_us;
+    while (clock_take_pulse(&number, &t_us))
+        if (link_is_streaming())
+            link_send_pulse(number, t_us);
+}
+
 static void each_second(uint32_t now_us)
 {
     static uint32_t last_us;
@@ -68,7 +78,7 @@ static void each_second(uint32_t now_us)
 static void sleep_until_interrupt(void)
 {
     cli(); /* so that nothing comes between the question and the sleep */
-    if (!clock_tick_waits() && !uart_has_input()) {
+    if (!clock_tick_waits() && !clock_pulse_waits() && !uart_has_input()) {
         sleep_enable();
         sei();
         sleep_cpu();
@@ -109,6 +119,7 @@ int main(void)
                 sample(t_us, skipped);
             each_second(clock_us());
         }
+        tell_pulses();
         haptic_poll(clock_us());
         sleep_until_interrupt();
     }

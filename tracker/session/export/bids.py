@@ -17,7 +17,7 @@ from tracker.messages import Array
 from tracker.session.export.load import load_series
 from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries
-from tracker.session.raw_imu import RawImu, read_notes, read_raw_imu
+from tracker.session.raw_imu import MARKS, RawImu, read_notes, read_raw_imu
 from tracker.session.reader import SessionReader
 
 VERSION = "1.10.0"
@@ -164,7 +164,7 @@ def _events(stem: Path, reader: SessionReader, m: EstimateSeries) -> None:
     zero = int(m.stamp_ns[0]) + m.zero_ns
     rows = [
         (f"{(t - zero) * 1e-9:.6f}", "0", " ".join(text.split()) or "n/a")
-        for t, text in sorted(read_notes(reader))
+        for t, text in sorted(read_notes(reader, MARKS))
     ]
     if rows:
         _table(stem.with_suffix(".tsv"), ("onset", "duration", "trial_type"), rows)

@@ -17,7 +17,7 @@ from tracker.session.export.load import load_series
 from tracker.session.export.markers import carried_markers
 from tracker.session.export.options import UNITS, ExportOptions
 from tracker.session.export.series import EstimateSeries
-from tracker.session.raw_imu import read_notes, read_raw_imu
+from tracker.session.raw_imu import MARKS, read_notes, read_raw_imu
 from tracker.session.reader import SessionReader
 
 _BLOCK = 512  # bytes; a C3D file counts its parts in these
@@ -126,7 +126,7 @@ def _tell(file: ezc3d.c3d, m: EstimateSeries) -> None:
 
 def _put_events(file: ezc3d.c3d, reader: SessionReader, m: EstimateSeries) -> None:
     """Notes within the series, in its seconds."""
-    for stamp, text in read_notes(reader):
+    for stamp, text in read_notes(reader, MARKS):
         t = (stamp - m.zero_ns - int(m.stamp_ns[0])) * 1e-9
         if 0.0 <= t <= m.elapsed[-1]:
             minutes, seconds = divmod(t, 60.0)
