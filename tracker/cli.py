@@ -42,6 +42,7 @@ def _parser() -> argparse.ArgumentParser:
     from tracker.offline.application_command import add_commands as add_apps
     from tracker.offline.commands import add_commands as add_offline
     from tracker.session.commands import add_commands as add_session
+    from tracker.sheets.command import add_commands as add_sheets
 
     parser = argparse.ArgumentParser(
         prog="glovetrack",
@@ -57,6 +58,7 @@ def _parser() -> argparse.ArgumentParser:
     add_conformance(commands)
     add_apps(commands)
     add_firmware(commands)
+    add_sheets(commands)
     return parser
 
 

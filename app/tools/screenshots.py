@@ -21,6 +21,7 @@ from app.engines.engine import RecordingRequest
 from app.engines.snapshot import Snapshot
 from app.storage.settings import SettingsStore
 from app.tools.screenshots_set_up import take_set_up
+from app.tools.sheets import take_sheets
 from app.window.headless_report import START_TIMEOUT, wait_until
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
@@ -47,6 +48,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         store = SettingsStore(Path(folder) / "window.json")
         store.update(sessions_folder=folder, job="all")
         window = MainWindow(store)
+        take_sheets(out)
         try:
             return _take_all(window, out, Path(folder))
         finally:

@@ -1,0 +1,1 @@
+"""What a glove's builder prints: the markers in true size, the wiring, the camera's board."""

@@ -1,0 +1,47 @@
+"""``glovetrack print``."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+from tracker.terminal import add_force
+
+PAPERS = ("a4", "letter")
+
+
+def add_commands(commands: Any) -> None:
+    """Sub-command ``print``."""
+    parser = commands.add_parser("print", help="sheets to build a glove with, as PDF in true size")
+    parser.add_argument(
+        "what",
+        choices=("markers", "wiring", "board"),
+        help="patches and where they are sewn; the wiring; the camera's calibration board",
+    )
+    parser.add_argument("-o", "--out", type=Path, required=True, help="the PDF")
+    parser.add_argument("--glove", default="", help="name or file; without: the first shipped one")
+    parser.add_argument("--paper", choices=PAPERS, default=PAPERS[0])
+    add_force(parser)
+    parser.set_defaults(func=_print)
+
+
+def _print(args: argparse.Namespace) -> int:
+    from tracker import library
+    from tracker.files import check_target
+    from tracker.sheets.board import board_page
+    from tracker.sheets.markers import marker_pages
+    from tracker.sheets.page import save_pages
+    from tracker.sheets.wiring import wiring_page
+
+    check_target(args.out, args.force)
+    hand, glove = library.load(args.glove or library.DEFAULT_GLOVE)
+    if args.what == "markers":
+        pages, title = marker_pages(hand, glove, args.paper), f"Markers of the glove {glove.name}"
+    elif args.what == "wiring":
+        pages, title = [wiring_page(glove, args.paper)], f"Wiring of the glove {glove.name}"
+    else:
+        pages, title = [board_page(args.paper)], "Calibration board"
+    save_pages(pages, args.out, title)
+    print(f"{args.out}: {len(pages)} page{'s' if len(pages) > 1 else ''}; print at 100 %")
+    return 0
