@@ -25,6 +25,11 @@ class Panel(QWidget):
         """The dock's title, translated."""
         raise NotImplementedError
 
+    @property
+    def works_unseen(self) -> bool:
+        """Whether it is refreshed out of sight too, for work that it has to finish."""
+        return False
+
     def refresh(self, view: Snapshot | None) -> None:
         """Show ``view``; None while no engine is open. Panels fed by signals need none."""
 

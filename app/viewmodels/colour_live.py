@@ -9,7 +9,7 @@ from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_fits import Fit, FitWork
 from app.words import tr
 from tracker.calibration.colours_fit import FoundHue
-from tracker.errors import ConfigError
+from tracker.errors import ConfigError, GlovetrackError
 from tracker.messages import ImuSample, StereoFrame
 from tracker.vision.colours import ColourProfile
 
@@ -77,8 +77,9 @@ class LiveImages:
         self._packets.clear()
         self._frames.clear()
 
-    def fit(self, profile: ColourProfile) -> FitWork:
-        """The fit to what was gathered, for another thread."""
+    def fit(self, profile: ColourProfile, refuse: bool = True) -> FitWork:
+        """The fit to what was gathered, for another thread; raises GlovetrackError there where it
+        is refused, or finds nothing in silence unless told to ``refuse``."""
         self.wanted = False
         first = self._frames[0].t - GAP if self._frames else 0.0
         messages: list[ImuSample | StereoFrame] = [p for p in self._packets if p.t >= first]
@@ -89,7 +90,12 @@ class LiveImages:
         def work() -> Fit:
             from tracker.offline.colours_fit import Worn, fit_messages
 
-            fit = fit_messages(messages, Worn(setup.hand, setup.glove, setup.rig), profile)
+            try:
+                fit = fit_messages(messages, Worn(setup.hand, setup.glove, setup.rig), profile)
+            except GlovetrackError:
+                if refuse:
+                    raise
+                return profile, ()
             hues = [h for h in fit.profile.hues if fit.patches.get(h.name)]
             found = tuple(FoundHue(h, fit.patches[h.name], 0) for h in hues)
             return fit.profile, found

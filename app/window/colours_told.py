@@ -13,7 +13,7 @@ ABOUT = "colours"
 
 
 class ColoursTold(QObject):
-    """Says it while it is true, with the way to the panel and to the fit."""
+    """Says it while it is true, with the way to the panel; a fit is tried at once."""
 
     def __init__(
         self, messages: MessageBar, panel: ColoursPanel, show: Callable[[str], object]
@@ -26,10 +26,15 @@ class ColoursTold(QObject):
         if not unfit:
             self._messages.no_longer(ABOUT)
             return
+        self._panel.fit_by_itself()
         text = self.tr("The colours find many patches, none fit the glove: fit the colours.")
         fit = (self.tr("Fit them now"), self._fit)
         look = (self.tr("Show the colours"), lambda: self._show(self._panel.name))
         self._messages.say(text, fit, look, about=ABOUT)
+
+    def no_hand(self) -> None:
+        """The glove sends, images come, and no hand was found among them since the start."""
+        self._panel.fit_by_itself()
 
     def _fit(self) -> None:
         self._show(self._panel.name)  # it gathers images while it is in sight

@@ -99,6 +99,7 @@ class MainWindow(QMainWindow):
         self.ticker = Ticker(self.host, self.panels, self.bar, self)
         told = ColoursTold(self.messages, self.colours, self.show_panel)
         self.ticker.colours_unfit.connect(told.tell)
+        self.ticker.no_hand.connect(told.no_hand)
         self.ticker.start()
 
     # --- making

@@ -19,7 +19,10 @@ _log = logging.getLogger(__name__)
 
 
 class Refresher:
-    """Refreshes panels in sight, each at its own pace. ``failed`` gets a sentence, once a panel."""
+    """Refreshes panels in sight or at work, each at its own pace.
+
+    ``failed`` gets a sentence, once a panel.
+    """
 
     def __init__(
         self,
@@ -41,7 +44,8 @@ class Refresher:
         """Those that are due. ``tick`` is the s between two calls."""
         now = self._clock()
         for panel in self._panels:
-            if now < self._due.get(panel.name, 0.0) or panel.visibleRegion().isEmpty():
+            unseen = panel.visibleRegion().isEmpty() and not panel.works_unseen
+            if now < self._due.get(panel.name, 0.0) or unseen:
                 continue
             began = self._clock()
             fine = self._refresh(panel, view)

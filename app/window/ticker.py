@@ -14,19 +14,23 @@ from app.viewmodels.recording import duration_text
 from app.viewmodels.states import BAD, WARN
 from app.window.refresher import Refresher
 from app.window.status_bar import StatusBar
+from tracker.messages import Tracking
 
 TICK_MS = 16
 STATUS_PERIOD = 0.25  # s
 RATE_OVER_S = 1.0
+NO_HAND_AFTER = 3.0  # s
 
 
 class Ticker(QObject):
     """Runs from `start` to `stop`; ``ticks`` is counted for measuring the window's rate.
 
-    ``colours_unfit``: the colours find patches and no hand, or no longer so.
+    ``colours_unfit``: the colours find patches and no hand, or no longer so. ``no_hand``: for
+    `NO_HAND_AFTER` s after the start packets and images have come and no hand; once an engine.
     """
 
     colours_unfit = Signal(bool)
+    no_hand = Signal()
 
     def __init__(
         self,
@@ -41,6 +45,9 @@ class Ticker(QObject):
         self._status_due = 0.0
         self.ticks = 0
         self._unfit = False
+        self._handless_since: float | None = None
+        self._hand_missed = False
+        host.opened.connect(self._begin)
         host.closed.connect(self._clear)
         self._counted = (0.0, 0)  # when, and how many ticks there had been
         self._timer = QTimer(self)
@@ -52,6 +59,10 @@ class Ticker(QObject):
 
     def stop(self) -> None:
         self._timer.stop()
+
+    def _begin(self) -> None:
+        """Another engine."""
+        self._handless_since, self._hand_missed = None, False
 
     def _clear(self) -> None:
         """Show that there is no engine."""
@@ -67,7 +78,22 @@ class Ticker(QObject):
         if now >= self._status_due:
             self._status_due = now + STATUS_PERIOD
             self._refresh_status(view)
+            self._miss_hand(view, now)
             self._show_rate(now)
+
+    def _miss_hand(self, view: Snapshot | None, now: float) -> None:
+        """Tell of a start that finds no hand."""
+        if self._hand_missed or view is None or view.status is None or not view.setup.whole:
+            return
+        if view.status.tracking != Tracking.SEARCHING:
+            self._hand_missed = True  # it was found once: what is lost now comes back by itself
+        elif not (view.packets_arrive and view.images_arrive):
+            self._handless_since = None
+        elif self._handless_since is None:
+            self._handless_since = now
+        elif now - self._handless_since >= NO_HAND_AFTER:
+            self._hand_missed = True
+            self.no_hand.emit()
 
     def _show_rate(self, now: float) -> None:
         """Over a second and more: a quarter of one counts too roughly."""

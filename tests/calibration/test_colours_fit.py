@@ -1,6 +1,5 @@
 """Fitting a profile: ranges that hold their samples, images in other light, clashes."""
 
-import cv2
 import numpy as np
 import pytest
 from hypothesis import given
@@ -10,7 +9,6 @@ from tracker.calibration.colours_fit import (
     FitParams,
     add_pixel,
     clashes,
-    fit_image,
     fit_samples,
     hue_interval,
     parted,
@@ -19,7 +17,6 @@ from tracker.calibration.colours_fit import (
 )
 from tracker.errors import GlovetrackError
 from tracker.vision.colours import HUES, ColourProfile, HueRange
-from tracker.vision.detector import Detector
 
 CLOTH = {"red": 0, "yellow": 28, "green": 65, "blue": 110}
 PROFILE = ColourProfile(
@@ -30,21 +27,6 @@ LEVEL = st.tuples(st.integers(0, 255), st.integers(0, 255)).map(lambda p: (min(p
 RANGE = st.builds(
     HueRange, st.just("h"), st.tuples(st.integers(0, 179), st.integers(0, 179)), LEVEL, LEVEL
 )
-
-
-def glove_image(shift: int = 0, gain: float = 1.0, seed: int = 0) -> np.ndarray:
-    """24 discs of four cloths on grey, all hues turned by ``shift`` as under other light."""
-    rng = np.random.default_rng(seed)
-    hsv = np.zeros((360, 480, 3), np.uint8)
-    hsv[..., 2] = 110
-    for k in range(24):
-        centre = (50 + 75 * (k % 6), 50 + 85 * (k // 6))
-        hue = (list(CLOTH.values())[k % 4] + shift) % 180
-        value = int(min(210 * gain * rng.uniform(0.7, 1.0), 255))
-        cv2.circle(hsv, centre, 11, (hue, 210, value), -1)
-    bgr = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
-    noisy = cv2.GaussianBlur(bgr, (0, 0), 0.7) + rng.normal(0, 3, bgr.shape)
-    return np.clip(noisy, 0, 255).astype(np.uint8)
 
 
 def brute_arc(hues: set[int]) -> int:
@@ -109,40 +91,6 @@ def test_removed_pixel_is_left_out_and_nothing_is_gained(hue: HueRange, pixel) -
     assert not cut.contains(np.array(pixel))
     corners = [(h, s, v) for h in cut.hue for s in cut.saturation for v in cut.value]
     assert hue.contains(np.array(corners)).all()
-
-
-@pytest.mark.parametrize(("shift", "gain"), [(0, 1.0), (6, 1.0), (-7, 0.6)])
-def test_image_gives_ranges_that_find_the_patches(shift: int, gain: float) -> None:
-    fitted, found = fit_image(glove_image(shift, gain), PROFILE)
-    assert [f.range.name for f in found] == list(CLOTH)
-    assert [f.patches for f in found] == [6, 6, 6, 6]
-    for name, hue in CLOTH.items():
-        h = next(x for x in fitted.hues if x.name == name)
-        assert abs((h.centre - hue - shift + 90) % 180 - 90) <= 3
-    blobs, _ = Detector(fitted).detect(glove_image(shift, gain, seed=1))
-    assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
-    assert clashes(fitted) == ()
-
-
-def test_fit_helps_where_the_light_is_off() -> None:
-    """12 units of hue off, the old profile misses cloth that the fitted one finds."""
-    image = glove_image(12)
-    before, _ = Detector(PROFILE).detect(image)
-    after, _ = Detector(fit_image(image, PROFILE)[0]).detect(image)
-    assert len(before) < 24
-    assert len(after) == 24
-
-
-def test_grey_image_changes_nothing() -> None:
-    fitted, found = fit_image(np.full((60, 80, 3), 128, np.uint8), PROFILE)
-    assert fitted == PROFILE
-    assert found == ()
-
-
-def test_coloured_wall_is_no_patch() -> None:
-    image = np.full((240, 320, 3), 128, np.uint8)
-    image[:, 160:] = (40, 160, 40)
-    assert fit_image(image, PROFILE)[1] == ()
 
 
 def test_clashes_name_both_hues() -> None:

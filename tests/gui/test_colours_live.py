@@ -9,7 +9,7 @@ from gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_live import ENOUGH, GAP, MOST_IMAGES, LiveImages
 from tracker.errors import GlovetrackError
-from tracker.messages import ImuSample
+from tracker.messages import ImuSample, Tracking
 
 SETUP = scripted_setup(ScriptedEngine())
 
@@ -81,3 +81,26 @@ def test_the_banner_blames_the_colours_while_that_is_true_and_leads_to_a_fit(win
     window.banner.buttons[0].click()
     assert window.colours.tuning.live.wanted
     assert not window.messages.isVisible()
+
+
+def test_a_start_that_finds_no_hand_fits_by_itself_out_of_sight(window, qtbot):
+    """The panel is not shown; what is refused is not told, for nobody asked."""
+    searching = ScriptedEngine(tracking=Tracking.SEARCHING)
+    window.host.adopt(scripted_setup(searching))
+    tuning = window.colours.tuning
+    before = tuning.profile
+    qtbot.waitUntil(lambda: tuning.live.wanted, timeout=30_000)
+    assert window.colours.works_unseen
+    assert window.banner.text() == ""
+    assert tuning.profile is before
+
+
+def test_a_fit_that_nobody_asked_for_is_refused_in_silence() -> None:
+    live = gathered(ENOUGH)
+    live.ask()
+    for frame in live._frames:
+        object.__setattr__(frame, "left", np.full_like(frame.left, 128))
+        object.__setattr__(frame, "right", np.full_like(frame.right, 128))
+    profile, found = live.fit(SETUP.profile, refuse=False)()
+    assert profile is SETUP.profile
+    assert found == ()

@@ -1,4 +1,4 @@
-"""Fitting a colour profile to the light in a room: from one image, from samples, by eyedropper.
+"""Fitting a colour profile to the light in a room: from samples and by eyedropper; clashes.
 
 All in OpenCV's HSV: hue 0..179 on a circle, saturation and value 0..255.
 """
@@ -22,18 +22,10 @@ Image = NDArray[np.uint8]
 class FitParams:
     """How ranges are drawn around samples."""
 
-    least_saturation: int = 90  # for a pixel to count as cloth at all, where nothing is labelled
-    least_value: int = 45
     tail: float = 0.01  # share of samples left out at either end
     hue_margin: int = 6  # around the samples, for other light
     level_margin: int = 45  # below the least saturation and value
     dimmest: float = 0.45  # of the least value: how dark the same cloth is when it turns away
-    half_width: int = 11  # of a fitted hue, at most
-    least_area_px: float = 20.0
-    largest_share: float = 0.02  # of the image, for a patch
-    roundness: float = 0.5  # 4 pi area / perimeter²
-    nearest_hue: int = 14  # how far a cluster may be from the hue it replaces
-    least_patches: int = 1
 
 
 def fit_samples(name: str, hsv: NDArray[Any], params: FitParams | None = None) -> HueRange:
@@ -138,113 +130,6 @@ class FoundHue:
     range: HueRange
     patches: int
     pixels: int
-
-
-def fit_image(
-    image: Image, profile: ColourProfile, params: FitParams | None = None
-) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
-    """A profile fitted to a BGR image of the glove; hues that it does not show are kept.
-
-    Patches are looked for among all saturated pixels, whatever their hue, and given to the hue of
-    the profile that is nearest. The ranges never overlap in hue: neighbours share the gap.
-    """
-    params = params or FitParams()
-    hsv = np.asarray(cv2.cvtColor(image, cv2.COLOR_BGR2HSV), np.uint8)
-    patches = _patches(hsv, params)
-    hues, found = [], []
-    for k, old in enumerate(profile.hues):
-        mine = [p for p in patches if _nearest(profile, p, params) == k]
-        if len(mine) < params.least_patches:
-            hues.append(old)
-            continue
-        pixels = np.concatenate(mine)
-        new = _at_most(fit_samples(old.name, pixels, params), params.half_width)
-        hues.append(new)
-        found.append(FoundHue(new, len(mine), len(pixels)))
-    return replace(profile, hues=parted(tuple(hues))), tuple(found)
-
-
-def _patches(hsv: Image, params: FitParams) -> list[Image]:
-    """HSV pixels (n, 3) of each blob-like region of like hue.
-
-    Regions are cut where hue changes, so that two cloths side by side stay two.
-    """
-    floor = (0, params.least_saturation, params.least_value)
-    mask = np.asarray(cv2.inRange(hsv, floor, (HUES - 1, 255, 255)))
-    out: list[Image] = []
-    largest = params.largest_share * mask.size
-    for band in _bands(hsv[..., 0][mask > 0]):
-        part = HueRange("band", band, (0, 255), (0, 255)).contains(hsv) & (mask > 0)
-        count, labels, stats, _ = cv2.connectedComponentsWithStats(part.astype(np.uint8))
-        for k in range(1, count):
-            area = stats[k, cv2.CC_STAT_AREA]
-            if params.least_area_px <= area <= largest and _is_round(labels, stats[k], k, params):
-                out.append(_inner(hsv, labels, stats[k], k))
-    return out
-
-
-def _bands(hue: NDArray[np.uint8]) -> list[tuple[int, int]]:
-    """Arcs of hue between the valleys of the histogram; each holds one peak."""
-    counts = np.bincount(hue, minlength=HUES).astype(float)
-    if counts.sum() == 0:
-        return []
-    kernel = np.array([1, 3, 6, 7, 6, 3, 1]) / 27
-    wrapped = np.concatenate([counts[-3:], counts, counts[:3]])
-    smooth = np.convolve(wrapped, kernel, "valid")
-    low = smooth < 0.04 * smooth.max()
-    if low.all() or not low.any():
-        return [(0, HUES - 1)]
-    start = int(np.flatnonzero(low)[0])
-    order = (start + np.arange(HUES)) % HUES
-    edges = np.diff(np.concatenate([[1], low[order].astype(int), [1]]))
-    first, last = np.flatnonzero(edges == -1), np.flatnonzero(edges == 1) - 1
-    return [(int(order[a]), int(order[b])) for a, b in zip(first, last, strict=True)]
-
-
-def _box(stats: NDArray[np.int32]) -> tuple[slice, slice]:
-    x, y, w, h = (int(s) for s in stats[:4])
-    return slice(y, y + h), slice(x, x + w)
-
-
-def _is_round(
-    labels: NDArray[np.int32], stats: NDArray[np.int32], k: int, params: FitParams
-) -> bool:
-    mask = np.pad((labels[_box(stats)] == k).astype(np.uint8), 1)
-    contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    perimeter = max(cv2.arcLength(contours[0], True), 1.0)
-    return bool(4 * np.pi * cv2.contourArea(contours[0]) >= params.roundness * perimeter**2)
-
-
-def _inner(hsv: Image, labels: NDArray[np.int32], stats: NDArray[np.int32], k: int) -> Image:
-    """A region's pixels without its rim, which mixes with what is beside it."""
-    box = _box(stats)
-    mask = np.pad((labels[box] == k).astype(np.uint8), 1)
-    core = cv2.erode(mask, np.ones((3, 3), np.uint8))[1:-1, 1:-1] > 0
-    if not core.any():
-        core = mask[1:-1, 1:-1] > 0
-    return hsv[box][core]
-
-
-def _nearest(profile: ColourProfile, pixels: Image, params: FitParams) -> int:
-    """Row of the hue whose centre is nearest to a patch's middle, -1 if none is near."""
-    first, last = hue_interval(pixels[:, 0].astype(np.int64), 0.1)
-    middle = first + ((last - first) % HUES) / 2
-    gaps = [abs(_turn(middle - h.centre)) for h in profile.hues]
-    best = int(np.argmin(gaps))
-    return best if gaps[best] <= params.nearest_hue else -1
-
-
-def _turn(difference: float) -> float:
-    """A difference of hues brought to -90..90."""
-    return (difference + HUES / 2) % HUES - HUES / 2
-
-
-def _at_most(hue: HueRange, half_width: int) -> HueRange:
-    """Narrowed about its centre to ±half_width."""
-    if hue.width <= 2 * half_width:
-        return hue
-    middle = round(hue.centre)
-    return replace(hue, hue=((middle - half_width) % HUES, (middle + half_width) % HUES))
 
 
 def parted(hues: tuple[HueRange, ...]) -> tuple[HueRange, ...]:

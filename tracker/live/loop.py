@@ -35,12 +35,14 @@ from tracker.messages import (
     FrameResult,
     ImuSample,
     Status,
+    StereoFrame,
     Tracking,
 )
 from tracker.online.colour_watch import ColourWatch
 from tracker.pipeline import Pipeline
 from tracker.vision.region_prediction import RegionPrediction
 
+Used = tuple[StereoFrame, BlobFrame, FrameResult]
 SILENCE = 0.1  # s without packets after which the screen follows the images alone
 SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
 TRACKING_WORDS = {
@@ -106,6 +108,7 @@ class LiveLoop:
         self.load = LoadWatch()
         self.colours = ColourWatch(len(pipeline.glove.markers))
         self.predicted: RegionPrediction | None = None  # for the vision thread
+        self.on_used: Callable[[Used], object] = lambda used: None  # each image, once
         self._order = order or ArrivalOrder()
         names = pipeline.glove.keypoint_names(pipeline.hand)
         self.gestures = GestureRecogniser(pipeline.hand, names)
@@ -210,6 +213,7 @@ class LiveLoop:
         for result in pipeline.take_results():
             found = frames.match(result)
             if found is not None:
+                self.on_used((found.frame, found.blobs, result))
                 self.telemetry.set("stereo_points", result.stereo_points)
                 self.telemetry.took("total", self.clock() - found.frame.t_arrival)
                 self._predict_regions(result)

@@ -1,8 +1,8 @@
-"""The four threads of live tracking around one `LiveLoop`, and what the window may ask of them.
+"""The threads of live tracking around one `LiveLoop`, and what the window may ask of them.
 
     glove thread ──┐ inbox
                    ├──────────────> engine thread ──> latest estimate, recorder
-    camera thread ─┴> vision thread                    (disk thread behind a queue)
+    camera thread ─┴> vision thread <── colours thread (disk thread behind a queue)
 
 A recording and a reference engine bring a thread each (`recording`, `reference`).
 """
@@ -12,8 +12,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from tracker.applications.stage import ApplicationStage
+from tracker.calibration.colours_follow import ColourFollower
 from tracker.clock import monotonic
 from tracker.fusion.engine import Engine
+from tracker.live.colours import FollowedColours
 from tracker.live.devices import CameraReader, GloveReader
 from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox
 from tracker.live.journal import Journal
@@ -63,6 +65,8 @@ class LiveTracker:
         self._loop = LiveLoop(pipeline, self._journal, telemetry, clock)
         self._inbox = Inbox()
         self._vision = Vision(profile, make_detector, self._inbox, self._loop)
+        self._colours = FollowedColours(_follower(profile, pipeline), self._vision, self._journal)
+        self._loop.on_used = self._colours.used.put
         self._glove_reader = GloveReader(glove, self._inbox, self._journal)
         self._camera_reader = CameraReader(camera, self._vision.images, self._journal, telemetry)
         self._threads = ThreadGroup(self._journal.say, turn)
@@ -89,6 +93,7 @@ class LiveTracker:
         self._threads.start("camera", self._camera_reader.step)
         self._threads.start("vision", self._vision.step)
         self._threads.start("engine", self._feed)
+        self._threads.start("colours", self._colours.step)
 
     def stop(self, patience: float | None = None) -> None:
         """End all threads, free the devices, finish the recording. May be called again.
@@ -99,6 +104,7 @@ class LiveTracker:
         self._threads.tell_to_stop()
         self._inbox.close()
         self._vision.images.close()
+        self._colours.used.close()
         self._threads.join()
         self.set_reference(None)
         self._loop.applications.close()
@@ -216,3 +222,10 @@ class LiveTracker:
     def status(self) -> Status:
         """How tracking and the devices are, now."""
         return self._loop.status()
+
+
+def _follower(profile: ColourProfile, pipeline: Pipeline) -> ColourFollower:
+    """For the pipeline's glove and camera; a pipeline without a camera never asks it."""
+    glove, rig = pipeline.glove, pipeline.calibrated_rig
+    size = float(glove.marker_size.mean()) if glove.markers else 0.012
+    return ColourFollower(profile, glove, size, rig.fx if rig is not None else 640.0)

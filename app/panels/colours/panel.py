@@ -48,6 +48,7 @@ class ColoursPanel(Panel):
         self._tasks, self._folder = tasks, store.path.parent
         self.keeper = ColourAutosave(ColourStore(self._folder / "colours"), self)
         self.tuning: ColourTuning | None = None
+        self._unasked = False  # of the fit that waits for images
         self.ranges, self.image = ColoursRanges(), ColoursImage(tasks)
         self.files, self.tools, self.light = ColoursFiles(self), ColoursTools(), ColoursLight()
         column = QVBoxLayout(self)
@@ -174,6 +175,8 @@ class ColoursPanel(Panel):
     def _fitted(self, fit: Fit) -> None:
         """Nothing found changes nothing."""
         profile, hues = fit
+        if self.tuning is not None and profile is self.tuning.profile:
+            return  # a fit that nobody asked for, refused
         words = fit_words(hues, profile)
         if self.tuning is not None and hues:
             self.tuning.take(profile, words)
@@ -185,10 +188,24 @@ class ColoursPanel(Panel):
         """Fit to the images of the next or last seconds, with the packets around them."""
         if self.tuning is None:
             return
+        self._unasked = False
         try:
             self.tuning.live.ask()
         except GlovetrackError as error:
             self.host.error.emit(str(error))
+
+    def fit_by_itself(self) -> None:
+        """The same where nobody asked: what is refused then changes nothing and is not told."""
+        tuning = self.tuning
+        if tuning is None or tuning.setup.player is not None or not tuning.setup.whole:
+            return
+        if not tuning.live.wanted:
+            tuning.live.ask()
+            self._unasked = True
+
+    @property
+    def works_unseen(self) -> bool:
+        return self.tuning is not None and self.tuning.live.wanted
 
     def _gather(self, view: Snapshot) -> None:
         """Keep images for a fit, and begin one that waits for them."""
@@ -197,7 +214,8 @@ class ColoursPanel(Panel):
             return
         tuning.live.watch(view)
         if tuning.live.wanted and tuning.live.is_enough:
-            self._fit(lambda t: t.live.fit(t.profile))
+            unasked, self._unasked = self._unasked, False
+            self._fit(lambda t: t.live.fit(t.profile, refuse=not unasked))
 
     def check_room(self) -> None:
         """Take the image shown now for the room without the glove."""

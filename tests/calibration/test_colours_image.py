@@ -1,0 +1,53 @@
+"""Colours learned from one image of the glove alone, in other light than before."""
+
+import cv2
+import numpy as np
+import pytest
+
+from tracker.calibration.colours_fit import clashes
+from tracker.calibration.colours_image import learn_image
+from tracker.errors import GlovetrackError
+from tracker.vision.colours import ColourProfile, HueRange
+from tracker.vision.detector import Detector
+
+CLOTH = {"red": 0, "yellow": 28, "green": 65, "blue": 110}
+PROFILE = ColourProfile(
+    "start", tuple(HueRange(n, ((h - 11) % 180, h + 11)) for n, h in CLOTH.items())
+)
+SIZE, FX = 0.012, 640.0
+
+
+def glove_image(shift: int = 0, gain: float = 1.0, seed: int = 0) -> np.ndarray:
+    """24 discs of four cloths on grey, all hues turned by ``shift`` as under other light."""
+    rng = np.random.default_rng(seed)
+    hsv = np.zeros((360, 480, 3), np.uint8)
+    hsv[..., 2] = 110
+    for k in range(24):
+        centre = (110 + 50 * (k % 6), 100 + 50 * (k // 6))
+        hue = (list(CLOTH.values())[k % 4] + shift) % 180
+        value = int(min(210 * gain * rng.uniform(0.7, 1.0), 255))
+        cv2.circle(hsv, centre, 11, (hue, 210, value), -1)
+    bgr = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
+    noisy = cv2.GaussianBlur(bgr, (0, 0), 0.7) + rng.normal(0, 3, bgr.shape)
+    return np.clip(noisy, 0, 255).astype(np.uint8)
+
+
+@pytest.mark.parametrize(("shift", "gain"), [(0, 1.0), (6, 1.0), (-7, 0.6), (12, 1.0)])
+def test_an_image_gives_colours_that_find_the_patches(shift: int, gain: float) -> None:
+    """At 12 units of hue off, the colours before miss cloth."""
+    image = glove_image(shift, gain)
+    fitted, found = learn_image(image, PROFILE, SIZE, FX)
+    assert [f.patches for f in found] == [6, 6, 6, 6]
+    for name, hue in CLOTH.items():
+        h = next(x for x in fitted.hues if x.name == name)
+        assert abs((h.centre - hue - shift + 90) % 180 - 90) <= 3
+    blobs, _ = Detector(fitted).detect(glove_image(shift, gain, seed=1))
+    assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
+    assert clashes(fitted) == ()
+    before, _ = Detector(PROFILE).detect(image)
+    assert (len(before) < 24) == (shift == 12)
+
+
+def test_an_image_without_a_glove_is_refused() -> None:
+    with pytest.raises(GlovetrackError, match="no glove with its patches is seen"):
+        learn_image(np.full((60, 80, 3), 128, np.uint8), PROFILE, SIZE, FX)

@@ -1,0 +1,84 @@
+"""Colours learned beside live tracking: given to the search, told and recorded; the user wins."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from tracker import library
+from tracker.channels import Closed
+from tracker.live.colours import KIND, FollowedColours
+from tracker.live.journal import Journal
+from tracker.messages import BlobFrame, FrameResult, StereoFrame, Tracking
+from tracker.vision.colours import ColourProfile, parse_profile
+
+FACTORY = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+WARM = ColourProfile("warm", FACTORY.hues[:2])
+USERS = ColourProfile("the user's", FACTORY.hues[1:])
+USED = (
+    StereoFrame(10.0, 10.0, None, None),
+    BlobFrame(10.0, 10.0, FACTORY.hue_names, None, None),
+    FrameResult.nothing(10.0, Tracking.TRACKING, 1),
+)
+
+
+class Scripted:
+    """A follower that has learned ``answer`` when it is asked."""
+
+    def __init__(self, answer: ColourProfile | None) -> None:
+        self.profile, self.answer = FACTORY, answer
+        self.while_learning = lambda: None
+
+    def take(self, profile: ColourProfile) -> None:
+        self.profile = profile
+
+    def is_due(self, t: float) -> bool:
+        return True
+
+    def look(self, *_: object) -> ColourProfile | None:
+        self.while_learning()
+        if self.answer is not None:
+            self.profile = self.answer
+        return self.answer
+
+
+def made(answer: ColourProfile | None) -> tuple[FollowedColours, Any, Scripted, Journal]:
+    follower, vision = Scripted(answer), SimpleNamespace(profile=FACTORY)
+    journal = Journal(lambda: 0.0)
+    return FollowedColours(follower, vision, journal), vision, follower, journal  # type: ignore[arg-type]
+
+
+def test_what_was_learned_is_searched_with_and_recorded() -> None:
+    colours, vision, _, journal = made(WARM)
+    colours.used.put(USED)
+    colours.step()
+    assert vision.profile is WARM
+    (event,) = journal.take_events()
+    assert (event.kind, event.t) == (KIND, 10.0)
+    assert parse_profile(str(event.data["colours"])).hues == WARM.hues
+
+
+def test_the_user_has_the_last_word() -> None:
+    colours, vision, follower, journal = made(WARM)
+
+    def change() -> None:
+        vision.profile = USERS
+
+    follower.while_learning = change
+    colours.used.put(USED)
+    colours.step()
+    assert vision.profile is USERS
+    assert journal.take_events() == []
+    follower.answer = None
+    colours.used.put(USED)
+    colours.step()
+    assert follower.profile is USERS  # these are followed from now on
+
+
+def test_it_ends_when_images_do() -> None:
+    colours, *_ = made(None)
+    colours.used.close()
+    with pytest.raises(Closed):
+        colours.step()

@@ -1,0 +1,46 @@
+"""Colours that follow the light while the hand is tracked live, in a thread of their own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from tracker.calibration.colours_follow import ColourFollower
+from tracker.channels import Latest
+from tracker.live.journal import Journal
+from tracker.live.loop import Used
+from tracker.live.vision import Vision
+from tracker.messages import Event
+from tracker.vision.colours import profile_to_toml
+
+WAIT = 0.05  # s that a step waits for an image
+KIND = "colours"  # of the events that tell what was learned
+
+
+class FollowedColours:
+    """Gives ``vision`` colours for the light as it is; learning them takes a good part of a second.
+
+    Who sets other colours meanwhile has the last word: these are followed from then on.
+    """
+
+    def __init__(self, follower: ColourFollower, vision: Vision, journal: Journal) -> None:
+        self.used: Latest[Used] = Latest()  # images that the filter has used
+        self._follower, self._vision, self._journal = follower, vision, journal
+
+    def step(self) -> None:
+        """Look at the newest image, if one comes within `WAIT`. Raises Closed at the end."""
+        used = self.used.get(WAIT)
+        if used is None:
+            return
+        now = self._vision.profile
+        if now is not self._follower.profile:
+            self._follower.take(now)
+        frame = used[0]
+        if not self._follower.is_due(frame.t):
+            return
+        new = self._follower.look(*used)
+        if new is None or self._vision.profile is not now:
+            return
+        self._vision.profile = new
+        text = profile_to_toml(replace(new, name="followed"))
+        words = "The light has changed: the colours follow it."
+        self._journal.add(Event(frame.t, KIND, words, {"colours": text}))
