@@ -5,14 +5,20 @@ from __future__ import annotations
 import json
 import math
 import runpy
+import sys
+import threading
 from pathlib import Path
+from types import ModuleType, SimpleNamespace
 
+import pytest
 from numpy.testing import assert_allclose
 
 from tracker.hand.openxr import JOINTS, joint_radii, to_openxr
 from tracker.streaming.payload import to_json
 from tracker.streaming.publisher import OPENXR, Names
+from tracker.streaming.websocket import WebSocketPublisher
 
+ENOUGH = 3
 NODE = Path(__file__).parents[2] / "docs" / "examples" / "ros2" / "glovetrack_node.py"
 
 
@@ -34,3 +40,76 @@ def test_the_node_has_every_pose_in_order_and_nothing_for_what_is_lost(
             assert_allclose(turn, wanted.orientation[i], atol=1e-6)
     angles = dict(zip(*node["joint_states"](estimate), strict=True))
     assert "thumb_ip_flexion" not in angles and angles["index_pip_flexion"] == 0.7
+
+
+class Message:
+    """Any ROS message: its fields come to be as they are named."""
+
+    def __init__(self) -> None:
+        self.__dict__["poses"] = []
+
+    def __getattr__(self, name: str) -> Message:
+        made = self.__dict__[name] = Message()
+        return made
+
+
+class Node:
+    """Keeps what is published, and ends the stream when that is enough."""
+
+    def __init__(self, name: str) -> None:
+        self.name, self.heard, self.ending = name, {}, threading.Event()
+
+    def create_publisher(self, kind: type, topic: str, depth: int) -> SimpleNamespace:
+        def publish(message: Message) -> None:
+            self.heard.setdefault(topic, []).append(message)
+            if len(self.heard.get("/hand/right/openxr", [])) >= ENOUGH:
+                self.ending.set()
+
+        return SimpleNamespace(publish=publish)
+
+    def get_clock(self) -> SimpleNamespace:
+        return SimpleNamespace(now=lambda: SimpleNamespace(to_msg=lambda: "now"))
+
+
+def test_the_node_publishes_what_the_stream_tells(
+    make_estimate, hand, glove, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With stand-ins for rclpy and its messages, on a live stream until that ends."""
+    node, frames = Node("glovetrack"), []
+    broadcaster = SimpleNamespace(sendTransform=frames.append)
+    stand_ins = {
+        "rclpy": {"init": lambda: None, "create_node": lambda name: node},
+        "geometry_msgs.msg": dict.fromkeys(("Pose", "PoseArray", "TransformStamped"), Message),
+        "sensor_msgs.msg": {"JointState": Message},
+        "tf2_ros": {"TransformBroadcaster": lambda node: broadcaster},
+        "geometry_msgs": {},
+        "sensor_msgs": {},
+    }
+    for name, content in stand_ins.items():
+        module = ModuleType(name)
+        module.__dict__.update(content)
+        monkeypatch.setitem(sys.modules, name, module)
+    server = WebSocketPublisher(Names.of(hand, glove, OPENXR), port=0)
+    e = make_estimate(lost=("index_tip",), angles={"index_pip_flexion": 0.7})
+
+    def send() -> None:
+        while not node.ending.wait(0.02):
+            server.send(e)
+        server.close()
+
+    thread = threading.Thread(target=send)
+    thread.start()
+    runpy.run_path(str(NODE))["run"](f"ws://127.0.0.1:{server.port}/")
+    thread.join()
+    state = node.heard["/hand/right/joint_states"][0]
+    told = dict(zip(state.name, state.position, strict=True))
+    assert told["index_pip_flexion"] == pytest.approx(0.7) and len(told) == len(hand.joint_names)
+    array = node.heard["/hand/right/openxr"][0]
+    assert len(array.poses) == len(JOINTS) and array.header.frame_id == "openxr"
+    wanted = to_openxr(e, glove.keypoint_names(hand), joint_radii(hand))
+    tip = JOINTS.index("index_tip")
+    assert math.isnan(array.poses[tip].position.x)
+    assert array.poses[1].position.x == pytest.approx(wanted.position[1, 0], abs=1e-6)
+    assert array.poses[1].orientation.w == pytest.approx(wanted.orientation[1, 3], abs=1e-6)
+    names = {frame.child_frame_id for frame in frames}
+    assert "right_wrist" in names and "right_index_tip" not in names

@@ -6,7 +6,7 @@
 Topics, of the side that the stream tells: /hand/<side>/joint_states (JointState),
 /hand/<side>/openxr (PoseArray, 26 poses in the order of XrHandJointEXT, NaN where lost)
 and /tf, a frame `<side>_<joint>` under `openxr` for each joint that is not lost. It needs rclpy and
-`websockets`. Its messages are tested without ROS; it has not been run with rclpy.
+`websockets`. It is tested with stand-ins for rclpy, and has not been run with rclpy itself.
 """
 
 from __future__ import annotations

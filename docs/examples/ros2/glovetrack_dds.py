@@ -1,0 +1,167 @@
+"""What Glovetrack streams by WebSocket, on DDS as ROS 2 has it there: without ROS.
+
+    pip install cyclonedds websockets
+    glovetrack devices --stream websocket --stream-joints openxr
+    python glovetrack_dds.py ws://127.0.0.1:9751/
+
+The same topics as those of glovetrack_node.py, under ROS 2's names on DDS
+(``rt/hand/right/joint_states``, type ``sensor_msgs::msg::dds_::JointState_``), best effort. It
+keeps to this computer unless CYCLONEDDS_URI says otherwise; the domain is ROS_DOMAIN_ID's. A
+second process hears it in a test; ROS 2 itself was not at hand.
+"""
+
+import json
+import os
+import sys
+import time
+from dataclasses import dataclass, field
+from typing import Any
+
+from cyclonedds.core import Policy, Qos
+from cyclonedds.domain import DomainParticipant
+from cyclonedds.idl import IdlStruct
+from cyclonedds.idl.annotations import final
+from cyclonedds.idl.types import float64, int32, sequence, uint32
+from cyclonedds.pub import DataWriter
+from cyclonedds.topic import Topic
+from glovetrack_node import joint_states, poses
+
+LOOPBACK = (
+    "<CycloneDDS><Domain><General><Interfaces><NetworkInterface name='lo'/></Interfaces>"
+    "<AllowMulticast>false</AllowMulticast></General><Discovery>"
+    "<ParticipantIndex>auto</ParticipantIndex><Peers><Peer Address='localhost'/></Peers>"
+    "</Discovery></Domain></CycloneDDS>"
+)
+QOS = Qos(Policy.Reliability.BestEffort, Policy.History.KeepLast(10))
+
+
+@dataclass
+@final
+class Time_(IdlStruct, typename="builtin_interfaces::msg::dds_::Time_"):
+    sec: int32
+    nanosec: uint32
+
+
+@dataclass
+@final
+class Header_(IdlStruct, typename="std_msgs::msg::dds_::Header_"):
+    stamp: Time_
+    frame_id: str
+
+
+@dataclass
+@final
+class JointState_(IdlStruct, typename="sensor_msgs::msg::dds_::JointState_"):
+    header: Header_
+    name: sequence[str]
+    position: sequence[float64]
+    velocity: sequence[float64] = field(default_factory=list)
+    effort: sequence[float64] = field(default_factory=list)
+
+
+@dataclass
+@final
+class Point_(IdlStruct, typename="geometry_msgs::msg::dds_::Point_"):
+    x: float64
+    y: float64
+    z: float64
+
+
+@dataclass
+@final
+class Vector3_(IdlStruct, typename="geometry_msgs::msg::dds_::Vector3_"):
+    x: float64
+    y: float64
+    z: float64
+
+
+@dataclass
+@final
+class Quaternion_(IdlStruct, typename="geometry_msgs::msg::dds_::Quaternion_"):
+    x: float64
+    y: float64
+    z: float64
+    w: float64
+
+
+@dataclass
+@final
+class Pose_(IdlStruct, typename="geometry_msgs::msg::dds_::Pose_"):
+    position: Point_
+    orientation: Quaternion_
+
+
+@dataclass
+@final
+class PoseArray_(IdlStruct, typename="geometry_msgs::msg::dds_::PoseArray_"):
+    header: Header_
+    poses: sequence[Pose_]
+
+
+@dataclass
+@final
+class Transform_(IdlStruct, typename="geometry_msgs::msg::dds_::Transform_"):
+    translation: Vector3_
+    rotation: Quaternion_
+
+
+@dataclass
+@final
+class TransformStamped_(IdlStruct, typename="geometry_msgs::msg::dds_::TransformStamped_"):
+    header: Header_
+    child_frame_id: str
+    transform: Transform_
+
+
+@dataclass
+@final
+class TFMessage_(IdlStruct, typename="tf2_msgs::msg::dds_::TFMessage_"):
+    transforms: sequence[TransformStamped_]
+
+
+class Publisher:
+    """Writers for the topics of each side, made when the side is first heard of."""
+
+    def __init__(self, domain: int) -> None:
+        os.environ.setdefault("CYCLONEDDS_URI", LOOPBACK)
+        self._participant = DomainParticipant(domain)
+        self._writers: dict[str, DataWriter] = {}
+
+    def publish(self, estimate: dict[str, Any]) -> None:
+        side = estimate["side"]
+        now = Time_(*divmod(time.time_ns(), 10**9))
+        names, angles = joint_states(estimate)
+        state = JointState_(Header_(now, ""), names, angles)
+        self._write(f"hand/{side}/joint_states", state)
+        found = poses(estimate)
+        header = Header_(now, "openxr")
+        array = [Pose_(Point_(*place), Quaternion_(*turn)) for _, place, turn in found]
+        self._write(f"hand/{side}/openxr", PoseArray_(header, array))
+        frames = [
+            TransformStamped_(
+                header, f"{side}_{name}", Transform_(Vector3_(*place), Quaternion_(*turn))
+            )
+            for name, place, turn in found
+            if place[0] == place[0]  # not NaN: lost
+        ]
+        self._write("tf", TFMessage_(frames))
+
+    def _write(self, name: str, message: Any) -> None:
+        if name not in self._writers:
+            topic = Topic(self._participant, f"rt/{name}", type(message), qos=QOS)
+            self._writers[name] = DataWriter(self._participant, topic, qos=QOS)
+        self._writers[name].write(message)
+
+
+def run(url: str) -> None:
+    """Publish until the stream ends."""
+    from websockets.sync.client import connect
+
+    publisher = Publisher(int(os.environ.get("ROS_DOMAIN_ID", "0")))
+    with connect(url) as stream:
+        for text in stream:
+            publisher.publish(json.loads(text))
+
+
+if __name__ == "__main__":
+    run(sys.argv[1] if len(sys.argv) > 1 else "ws://127.0.0.1:9751/")
