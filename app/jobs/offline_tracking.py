@@ -54,7 +54,15 @@ def compared(first: Path, second: Path) -> Comparison:
     truth = _with_truth(first, second)
     for path in (first, second):
         errors.append(truth_error_mm(path, truth) if truth is not None else {})
-    return Comparison(first, second, figures, (errors[0], errors[1]))
+    engines = _engine_of(first), _engine_of(second)
+    return Comparison(first, second, figures, (errors[0], errors[1]), engines)
+
+
+def _engine_of(path: Path) -> str:
+    from tracker.session.reader import SessionReader
+
+    with SessionReader(path) as reader:
+        return reader.info.engine
 
 
 def _with_truth(*paths: Path) -> Path | None:

@@ -15,12 +15,24 @@ class Comparison:
     """``first`` and ``second`` tell one movement; figures as `tracker.session.compare` gives them.
 
     ``errors_mm``: mean distance of each keypoint from the truth, of both; empty without truth.
+    ``engines``: what tracked them.
     """
 
     first: Path
     second: Path
     figures: dict[str, Any]
     errors_mm: tuple[dict[str, float], dict[str, float]]
+    engines: tuple[str, str] = ("", "")
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """What tells them apart: their engines, or where that is one the files' names."""
+        first, second = self.engines
+        return self.engines if first and second and first != second else self.stems
+
+    @property
+    def stems(self) -> tuple[str, str]:
+        return self.first.stem, self.second.stem
 
 
 @dataclass(frozen=True)
@@ -61,7 +73,7 @@ def summary(c: Comparison) -> str:
     ).format(f["compared"], _mm(f["mean_mm"]), _deg(f["rms_deg"]))
     first, second = (_mean(e) for e in c.errors_mm)
     if math.isfinite(first) and math.isfinite(second):
-        better = c.second.stem if second < first else c.first.stem
+        better = c.names[second < first]
         nearer = tr("{} is nearer to the truth: {} on average.")
         text = f"{text} {nearer.format(better, _mm(min(first, second)))}"
     return text

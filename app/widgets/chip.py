@@ -9,11 +9,15 @@ from app.widgets.measures import NEAR, TIGHT
 
 
 class Chip(QWidget):
-    """``● Glove 100 Hz``: the sign carries the state by colour and by shape."""
+    """``● Glove 100 Hz``: the sign carries the state by colour and by shape.
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    ``firm``: its text is cut last where there is too little room.
+    """
+
+    def __init__(self, parent: QWidget | None = None, firm: bool = False) -> None:
         super().__init__(parent)
         self._sign, self._text = QLabel(), ElidedLabel()
+        self._text.firm = firm
         row = QHBoxLayout(self)
         row.setContentsMargins(NEAR, 0, NEAR, 0)
         row.setSpacing(TIGHT)

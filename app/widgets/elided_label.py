@@ -7,14 +7,17 @@ from PySide6.QtGui import QHelpEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QToolTip
 
 LEAST = 24  # px: a letter and the …
+MOST = 130  # px that one which is firm keeps
 
 
 class ElidedLabel(QLabel):
-    """Plain text on one line."""
+    """Plain text on one line. One that is ``firm`` is cut last."""
+
+    firm = False
 
     def minimumSizeHint(self) -> QSize:
         hint = super().minimumSizeHint()
-        return QSize(min(LEAST, hint.width()), hint.height())
+        return QSize(min(MOST if self.firm else LEAST, hint.width()), hint.height())
 
     @property
     def is_elided(self) -> bool:

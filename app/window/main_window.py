@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
 
@@ -33,17 +33,15 @@ from app.platform.crash import CrashWatch
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
-from app.widgets.command_palette import CommandPalette
 from app.widgets.scrolled import Scrolled
 from app.window import theme
-from app.window.about import AboutDialog
 from app.window.bug_reports import BugReports, ReportSources
 from app.window.colours_told import ColoursTold
 from app.window.commands import Commands
 from app.window.countdown import Countdown
+from app.window.dialogs import Dialogs
 from app.window.docks import geometry_of, list_docks, make_docks, restore_geometry
 from app.window.drops import Drops
-from app.window.help import GuideDialog, KeysDialog
 from app.window.keys import FocusKeys
 from app.window.layout_keeper import LayoutKeeper
 from app.window.message_bar import MessageBar
@@ -150,6 +148,7 @@ class MainWindow(QMainWindow):
         self.commands = Commands(self)
         self._targets = Targets(
             window=self,
+            dialogs=Dialogs(self, self.commands),
             takes=self.takes,
             host=self.host,
             sources=self.sources,
@@ -192,7 +191,7 @@ class MainWindow(QMainWindow):
         self.start_page.library_asked.connect(lambda: self.show_panel("library"))
         self.library.replay.connect(self.sources.open_session)
         self.log.report.connect(self.reports.ask)
-        self.library.compared.connect(lambda _comparison: self.hand.show_reference())
+        self.library.beside.connect(self.hand.show_reference)
         self.checklist.action.connect(self.run_command)
         self.calibration.guided_asked.connect(self.set_up.open_guided)
         self.set_up.learned.connect(self._keep_learned)
@@ -283,26 +282,6 @@ class MainWindow(QMainWindow):
         self.store.update(language=code)
         text = self.tr("Glovetrack speaks another language when it is started the next time.")
         self.messages.say(text, good=True)
-
-    def open_palette(self) -> None:
-        actions = list(self.commands.actions.values())
-        palette = CommandPalette(actions, self)
-        palette.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        corner = self.geometry().center() - palette.rect().center()
-        palette.move(corner.x(), self.geometry().top() + 90)
-        palette.open()
-
-    def toggle_full_screen(self) -> None:
-        self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
-
-    def show_about(self) -> None:
-        AboutDialog(self).show()
-
-    def show_guide(self) -> None:
-        GuideDialog(self).show()
-
-    def show_keys(self) -> None:
-        KeysDialog(self.commands.menus(), self).show()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """End everything in order: timer, jobs, engine and file, GL."""

@@ -16,13 +16,13 @@ class StatusBar(QStatusBar):
         super().__init__(parent)
         self._tasks = tasks
         self.setSizeGripEnabled(False)
-        self.tracking = Chip()
+        self.tracking = Chip(firm=True)  # what matters most
         self.addWidget(self.tracking)
         self.chips = {f.key: Chip() for f in fields(None)}
         for chip in self.chips.values():
             self.addWidget(chip)
         self.chips["shed"].hide()
-        self.recording = Chip()
+        self.recording = Chip(firm=True)
         self._task_name = ElidedLabel()
         self._bar = QProgressBar()
         self._bar.setFixedWidth(140)

@@ -21,6 +21,7 @@ from app.viewmodels.recording import RecordingPlan
 from app.widgets.icons import beside, dress
 from app.window.bug_reports import BugReports
 from app.window.commands import Command, Commands
+from app.window.dialogs import Dialogs
 from app.window.set_up_dialogs import SetUpDialogs
 from app.window.sources import Sources
 from app.window.status_bar import StatusBar
@@ -40,21 +41,11 @@ class Window(Protocol):
 
     def show_panel(self, name: str) -> None: ...
 
-    def open_palette(self) -> None: ...
-
     def reset_layout(self) -> None: ...
-
-    def toggle_full_screen(self) -> None: ...
 
     def set_theme(self, name: str) -> None: ...
 
     def set_language(self, code: str) -> None: ...
-
-    def show_about(self) -> None: ...
-
-    def show_guide(self) -> None: ...
-
-    def show_keys(self) -> None: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,6 +53,7 @@ class Targets:
     """What the commands act on."""
 
     window: Window
+    dialogs: Dialogs
     takes: Takes
     host: EngineHost
     sources: Sources
@@ -202,10 +194,10 @@ def _view(on: Targets) -> list[Command]:
         "system": w.tr("As the &system"),
     }
     return [
-        Command("palette", menu, w.tr("&Command palette…"), w.open_palette, "Ctrl+K"),
+        Command("palette", menu, w.tr("&Command palette…"), on.dialogs.palette, "Ctrl+K"),
         Command("latencies", menu, w.tr("Latency of &each stage"), on.bar.show_latencies),
         Command("reset_layout", menu, w.tr("&Reset the layout"), w.reset_layout, "Ctrl+Shift+0"),
-        Command("fullscreen", menu, w.tr("&Full screen"), w.toggle_full_screen, "F11"),
+        Command("fullscreen", menu, w.tr("&Full screen"), on.dialogs.full_screen, "F11"),
         *_choices(on, menu, ("view", "view_3d"), views, on.hand.chooser.choose),
         *_choices(on, menu, ("theme", "theme"), themes, w.set_theme),
         *_languages(on, menu),
@@ -241,10 +233,10 @@ def add_help(on: Targets, commands: Commands) -> None:
     """The last menu; it comes after the docks have been listed under View."""
     w = on.window
     menu = w.tr("&Help")
-    commands.add(Command("guide", menu, w.tr("&Guide"), w.show_guide, "F1"))
-    commands.add(Command("keys", menu, w.tr("&Keys"), w.show_keys, "Ctrl+F1"))
+    commands.add(Command("guide", menu, w.tr("&Guide"), on.dialogs.guide, "F1"))
+    commands.add(Command("keys", menu, w.tr("&Keys"), on.dialogs.keys, "Ctrl+F1"))
     commands.add(Command("report", menu, w.tr("Save a &bug report…"), on.reports.ask))
-    commands.add(Command("about", menu, w.tr("&About Glovetrack"), w.show_about))
+    commands.add(Command("about", menu, w.tr("&About Glovetrack"), on.dialogs.about))
 
 
 def enable_commands(on: Targets, commands: Commands) -> None:

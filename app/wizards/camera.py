@@ -26,6 +26,7 @@ from app.engines.camera_choice import NAME, PAIR, by_name, by_names
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
+from app.widgets.image_view import ImageView
 from app.widgets.measures import APART, WIDE
 from app.wizards.sizing import fit_to_screen
 from app.words import mark, tr
@@ -33,9 +34,10 @@ from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_te
 from tracker.sensors.camera_plugins import all_cameras
 from tracker.sensors.image_input import CameraName
 
-TICK_MS = 300
+TICK_MS = 200
 NAMES = {"exposure": mark("Exposure"), "gain": mark("Gain"), "white_balance": mark("White balance")}
 LARGEST = 100_000.0
+LIVE = 90  # px that an image is high at least
 
 
 class CameraSetup(QDialog):
@@ -56,13 +58,18 @@ class CameraSetup(QDialog):
         self._cameras: list[CameraName] = []
         self.setWindowTitle(self.tr("Camera set-up"))
         self.setObjectName("camera_setup")
-        fit_to_screen(self, 560, 420)
+        fit_to_screen(self, 560, 560)
         self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
         self.exchanged = QCheckBox(self.tr("&Exchange left and right"))
         self.exchanged.setToolTip(self.tr("Where a stereo calibration finds the cameras exchanged"))
         self.exchanged.setChecked(store.value.camera_exchanged)
         self.arriving = QLabel()
         self.arriving.setProperty("role", "faint")
+        waiting = self.tr("No image yet")
+        self.images = (
+            ImageView(self.tr("Left"), waiting),
+            ImageView(self.tr("Right"), waiting),
+        )
         self.locks = LockBox()
         self.locks.wanted.connect(self._lock)
         self._lay_out()
@@ -109,10 +116,18 @@ class CameraSetup(QDialog):
         column.setContentsMargins(WIDE, APART, WIDE, APART)
         column.setSpacing(APART)
         column.addLayout(form)
+        column.addLayout(self._live(), 1)
         column.addWidget(self.arriving)
         column.addWidget(self.locks)
-        column.addStretch(1)
         column.addLayout(buttons)
+
+    def _live(self) -> QHBoxLayout:
+        """What arrives now, where it can be seen whether left is left."""
+        row = QHBoxLayout()
+        for image in self.images:
+            image.setMinimumHeight(LIVE)
+            row.addWidget(image)
+        return row
 
     # --- which camera
 
@@ -178,10 +193,14 @@ class CameraSetup(QDialog):
             self.locks.show_controls(controls.controls())
 
     def _arriving(self) -> str:
-        """Size and rate of the images that come now; empty where none do."""
+        """Show the images that come now; their size and rate, empty where none do."""
         view = self._host.snapshot()
         if view is None or view.frame is None or not view.images_arrive:
+            for widget in self.images:
+                widget.show_image(None)
             return ""
+        for widget, each in zip(self.images, (view.frame.left, view.frame.right), strict=True):
+            widget.show_image(each)
         image = view.frame.left if view.frame.left is not None else view.frame.right
         rate = view.status.values.get("frame_rate_hz", 0.0) if view.status is not None else 0.0
         if image is None:

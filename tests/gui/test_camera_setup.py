@@ -148,6 +148,19 @@ def test_images_can_be_exchanged(store, dialog, tmp_path):
     assert brighter_side() == "right"
 
 
+def test_what_arrives_is_seen_in_the_dialog_and_no_longer_when_it_ends(window, dialog, qtbot):
+    left, right = dialog.images
+    assert left._image is None and dialog.arriving.text() == ""
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    frame = window.host.snapshot().frame
+    qtbot.waitUntil(lambda: left._image is not None, timeout=10_000)
+    assert (left._array == frame.left).all() and (right._array == frame.right).all()
+    height, width = frame.left.shape[:2]
+    assert dialog.arriving.text().startswith(f"Arriving: {width} by {height} px")
+    window.host.end()
+    qtbot.waitUntil(lambda: left._image is None, timeout=10_000)
+
+
 def test_without_a_camera_it_is_said():
     with pytest.raises(DeviceError, match="No camera was found"):
         chosen("")

@@ -237,7 +237,7 @@ def test_the_window_draws_the_skin_once_it_is_made(live, qtbot) -> None:
     np.testing.assert_allclose(drawn, expected)
     assert hand._bodies._hand.shown and hand._bodies._markers.shown
     assert not hand._bodies._reference.shown
-    hand.controls.show_reference()
+    hand.controls.show_reference("truth")
     hand.refresh(hand.host.snapshot())
     assert hand._bodies._reference.shown
     far = dataclasses.replace(scene, p_GC=hand.view.orbit.eye)

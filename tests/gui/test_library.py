@@ -15,6 +15,7 @@ from app.panels.library.compare_dialog import CompareDialog
 from app.panels.library.export_dialog import ExportDialog
 from app.panels.library.track_dialog import TrackDialog
 from app.platform.tasks import JobProgress, TaskOwner
+from app.viewmodels.compare import Comparison
 from app.viewmodels.library import session_row
 from tracker.errors import ConfigError
 from tracker.messages import Estimate
@@ -259,3 +260,23 @@ def test_a_file_put_into_the_folder_appears_by_itself(library, recorded, qtbot):
     qtbot.waitUntil(lambda: library.table.rowCount() == 2, timeout=20_000)
     (folder / "brought.mcap").unlink()
     qtbot.waitUntil(lambda: library.table.rowCount() == 1, timeout=20_000)
+
+
+def test_the_reference_says_what_it_is_and_columns_what_tracked_them(window, tmp_path):
+    controls = window.hand.controls
+    other = controls.reference.findData("other")
+    assert not controls.reference.model().item(other).isEnabled()  # nothing is there to compare
+    window.library.beside.emit("vist")
+    assert controls.reference.currentText() == "Reference: vist"
+    figures = {"identical": True, "compared": 3, "mean_mm": 0.0, "max_mm": 0.0, "rms_deg": 0.0}
+    figures |= {"keypoints_mm": {}, "joints_rms_deg": {}}
+    paths, errors = (tmp_path / "a.mcap", tmp_path / "a_vist.mcap"), ({"wrist": 1.0},) * 2
+    names = [
+        Comparison(*paths, figures, errors, engines).names
+        for engines in (("chain", "vist"), ("chain", "chain"), ("", "vist"))
+    ]
+    assert names == [("chain", "vist"), ("a", "a_vist"), ("a", "a_vist")]
+    dialog = CompareDialog(Comparison(*paths, figures, errors, ("chain", "vist")), window)
+    table = dialog.table
+    assert table.horizontalHeaderItem(3).text() == "Error of vist"
+    assert table.horizontalHeader().length() <= max(table.viewport().width(), 100 * 4)

@@ -25,6 +25,7 @@ class HandControls(OneLine):
         super().__init__(parent)
         self._add_presets()
         self.reference = self._reference()
+        self.name_other("")
         self.add(self.reference)
         self._add_boxes()
         self.trail = self._trail()
@@ -82,7 +83,7 @@ class HandControls(OneLine):
             )
         )
         choice.addItem(self.tr("No reference"), NO_REFERENCE)
-        choice.addItem(self.tr("Reference: truth or second"), OTHER)
+        choice.addItem("", OTHER)
         for name in ENGINES:
             choice.addItem(self.tr("Reference: {}").format(name), name)
         choice.currentIndexChanged.connect(lambda _i: self.reference_chosen.emit(self.engine))
@@ -109,9 +110,17 @@ class HandControls(OneLine):
         reference = self.reference.currentData() != NO_REFERENCE
         return ShownParts(**ticked, reference=reference, trail=bool(self.trail.currentData()))
 
-    def show_reference(self) -> None:
-        """Draw the other hand, now that there is one."""
+    def show_reference(self, name: str) -> None:
+        """Draw the other hand, now that there is one: the tracking ``name``."""
+        self.name_other(name)
         self.reference.setCurrentIndex(self.reference.findData(OTHER))
+
+    def name_other(self, name: str) -> None:
+        """What the other hand is; empty where there is none, which cannot be chosen then."""
+        row = self.reference.findData(OTHER)
+        words = self.tr("Reference: {}").format(name) if name else self.tr("No second tracking")
+        self.reference.setItemText(row, words)
+        self.reference.model().item(row).setEnabled(bool(name))  # type: ignore[attr-defined]
 
     def offer(self, tips: Sequence[str], engines: bool) -> None:
         """The fingertips of another hand, and (``engines``) whether a second engine can run."""

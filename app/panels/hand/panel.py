@@ -99,9 +99,9 @@ class HandPanel(Panel):
             orbit.look_from(scene.p_GC - orbit.target)
         self.view.render_scene()
 
-    def show_reference(self) -> None:
-        """Draw the other hand, now that there is one."""
-        self.controls.show_reference()
+    def show_reference(self, name: str) -> None:
+        """Draw the other hand, now that there is one: the tracking ``name``."""
+        self.controls.show_reference(name)
 
     def _choose_reference(self, engine: str) -> None:
         """Start or end the second engine."""
@@ -129,6 +129,7 @@ class HandPanel(Panel):
         self._model = HandSceneModel(setup)
         self._gestures = ShownGestures(setup)
         self.controls.offer(self._model.tip_names, setup.reference_tracking is not None)
+        self.controls.name_other(self.tr("truth") if setup.truth is not None else "")
         if self.controls.engine:
             self._choose_reference(self.controls.engine)
         self.view.orbit.look_from(FIRST_LOOK)

@@ -46,15 +46,16 @@ class CompareDialog(QDialog):
             [
                 "",
                 self.tr("Difference"),
-                self.tr("Error of {}").format(comparison.first.stem),
-                self.tr("Error of {}").format(comparison.second.stem),
+                *(self.tr("Error of {}").format(name) for name in comparison.names),
             ]
         )
+        for j, stem in enumerate(comparison.stems, start=2):
+            table.horizontalHeaderItem(j).setToolTip(stem)
         table.verticalHeader().hide()
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         header = table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        header.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for i, row in enumerate(found):
             cells = (row.name, row.difference, row.first_error, row.second_error)

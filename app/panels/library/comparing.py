@@ -24,7 +24,7 @@ class Comparing(QObject):
     """Does both as jobs; ``ended`` after each, however it ended."""
 
     replay = Signal(object)  # the path that is to be seen
-    compared = Signal(object)  # Comparison or TwoTakes; its second hand is shown in the replay
+    beside = Signal(str)  # what the second hand is that the replay shows
     ended = Signal()
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
@@ -32,6 +32,7 @@ class Comparing(QObject):
         self._host, self._tasks, self._window = host, tasks, parent
         self._player: Player | None = None
         self._pair: tuple[Path, Path] | None = None  # a session, and what to show beside it
+        self._second = ""  # how that is called
         self._shift = 0.0  # s that the second one's clock is ahead
         self._takes: TwoTakesDialog | None = None
 
@@ -63,13 +64,13 @@ class Comparing(QObject):
         self._takes = dialog
         dialog.destroyed.connect(self._takes_closed)
         self._pair = (takes.first.path, takes.second.path)
+        self._second = takes.second.path.stem
         self._move(self._takes.takes.by_clock or 0.0)
         dialog.moved.connect(self._move)
         dialog.sought.connect(self._seek)
         dialog.show()
         if self._player is None or self._player.path != takes.first.path:
             self.replay.emit(takes.first.path)
-        self.compared.emit(takes)
 
     def _takes_closed(self) -> None:
         self._takes = None
@@ -107,11 +108,11 @@ class Comparing(QObject):
             return
         CompareDialog(comparison, self._window).show()
         self._pair, self._shift = (comparison.first, comparison.second), 0.0
+        self._second = comparison.names[1]
         if self._player is not None and self._player.path == comparison.first:
             self._show_reference()
         elif not self._host.running or self._player is not None:
             self.replay.emit(comparison.first)
-        self.compared.emit(comparison)
 
     def _show_reference(self) -> None:
         if self._player is None or self._pair is None or self._pair[0] != self._player.path:
@@ -120,3 +121,5 @@ class Comparing(QObject):
             self._player.set_reference(self._pair[1], self._shift)
         except GlovetrackError as error:
             self._host.error.emit(str(error))
+        else:
+            self.beside.emit(self._second)

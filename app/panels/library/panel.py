@@ -32,7 +32,7 @@ class LibraryPanel(Panel):
     name = "library"
     period = 0.05
     replay = Signal(object)  # Path
-    compared = Signal(object)  # Comparison; its second tracking is shown in the replay
+    beside = Signal(str)  # the name of a second tracking that is shown in the replay
 
     def __init__(
         self,
@@ -57,7 +57,7 @@ class LibraryPanel(Panel):
         self.tabs = QTabWidget()
         self.tabs.setDocumentMode(True)
         self.tabs.addTab(self.page, self.tr("Sessions"))
-        self.tabs.setCornerWidget(self.page.search)
+        self.tabs.setCornerWidget(self.page.corner)
         self.tabs.addTab(ExportList(self.exports), self.tr("Exports"))
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, TIGHT, NEAR, NEAR)
@@ -79,7 +79,7 @@ class LibraryPanel(Panel):
         self._scan.detailed.connect(self.table.show_details)
         self.page.asked.connect(self._do)
         self._comparing.replay.connect(self.replay)
-        self._comparing.compared.connect(self.compared)
+        self._comparing.beside.connect(self.beside)
         self._comparing.ended.connect(self.rescan)
 
     def _do(self, asked: str) -> None:

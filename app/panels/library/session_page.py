@@ -28,8 +28,9 @@ class SessionPage(QWidget):
     """Says what is ``asked``: a key of `buttons` or of `actions`."""
 
     asked = Signal(str)
-    search: QLineEdit
-    """Not laid out here: it stands beside the tabs, where it takes no line of its own."""
+    corner: QWidget
+    """Holds the search. Not laid out here: it stands beside the tabs, where it takes no line of its
+    own."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,6 +45,10 @@ class SessionPage(QWidget):
         self.search.setClearButtonEnabled(True)
         self.search.setAccessibleName(self.tr("Search"))
         self.search.textChanged.connect(self.table.show_only)
+        self.corner = QWidget()  # tabs give a corner what it asks for, a field asks for little
+        beside = QHBoxLayout(self.corner)
+        beside.setContentsMargins(0, 0, 0, 0)
+        beside.addWidget(self.search)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, NEAR, 0, 0)
         column.addWidget(self.table, 1)

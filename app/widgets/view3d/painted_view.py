@@ -62,11 +62,20 @@ class PaintedView(QWidget):
             painter.drawImage(QRectF(self.rect()), self._image, QRectF(self._image.rect()))
             self._paint_labels(painter)
         if self._caption:
-            box = self.rect().adjusted(12, self.height() - 44, -12, -8)
-            painter.setPen(QColor("#E69F00"))
-            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(box, int(flags), self._caption)
+            self._paint_caption(painter)
         painter.end()
+
+    def _paint_caption(self, painter: QPainter) -> None:
+        """Legible over whatever is drawn, on either background."""
+        flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
+        room = self.rect().adjusted(20, self.height() - 56, -20, -12)
+        words = painter.boundingRect(room, flags, self._caption)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(0, 0, 0, 190))
+        painter.drawRoundedRect(words.adjusted(-8, -4, 8, 4), 4, 4)
+        painter.setPen(QColor("#FFC95C"))
+        painter.drawText(words, flags, self._caption)
 
     def _paint_labels(self, painter: QPainter) -> None:
         R_GC, p_GC = camera_pose(self._orbit)
