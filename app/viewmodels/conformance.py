@@ -128,7 +128,8 @@ class ScriptRun:
     def words(self) -> str:
         """What to do, in the user's language."""
         if self.label in GRASPS:
-            return tr(GRIPPED if GRASPS[self.label] == self._side else GRIPPING)
+            words = GRIPPED if GRASPS[self.label] == self._side else GRIPPING
+            return tr(words)
         return tr(STEP_WORDS[self.label])
 
     def drawn(self) -> str:

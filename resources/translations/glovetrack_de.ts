@@ -878,6 +878,11 @@
       <translation>Wiederholen</translation>
     </message>
     <message>
+      <location filename="app/panels/connection_table.py" />
+      <source>Port of {}</source>
+      <translation>Port von {}</translation>
+    </message>
+    <message>
       <location filename="app/panels/hand/controls.py" />
       <source>Back</source>
       <translation>Rücken</translation>
@@ -909,11 +914,6 @@
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
-      <source>Reference: truth or second</source>
-      <translation>Referenz: Wahrheit oder zweite</translation>
-    </message>
-    <message>
-      <location filename="app/panels/hand/controls.py" />
       <source>Fingertip whose way is drawn</source>
       <translation>Fingerspitze, deren Weg gezeichnet wird</translation>
     </message>
@@ -926,6 +926,11 @@
       <location filename="app/panels/hand/controls.py" />
       <source>No trail</source>
       <translation>Keine Spur</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/controls.py" />
+      <source>No second tracking</source>
+      <translation>Kein zweites Tracking</translation>
     </message>
     <message>
       <location filename="app/panels/hand/controls.py" />
@@ -996,6 +1001,21 @@
       <location filename="app/panels/hand/panel.py" />
       <source>lost</source>
       <translation>verloren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
+      <source>What the hand shows now, and how much of it</source>
+      <translation>Was die Hand jetzt zeigt, und wie sehr</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
+      <source>truth</source>
+      <translation>Wahrheit</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
+      <source>Not tracked yet: Replay, Track again</source>
+      <translation>Noch ohne Tracking: Wiedergabe, Tracking wiederholen</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
@@ -1079,6 +1099,21 @@
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
+      <source>What is done, in a sentence; else the notes say it</source>
+      <translation>Was getan wird, in einem Satz; sonst sagen es die Notizen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>The task of a data set's episodes, for robot learning</source>
+      <translation>Die Aufgabe der Episoden eines Datensatzes, für das Lernen von Robotern</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>an episode from each note to the next</source>
+      <translation>eine Episode von jeder Notiz zur nächsten</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
       <source>as usual for the format</source>
       <translation>wie für das Format üblich</translation>
     </message>
@@ -1116,6 +1151,16 @@
       <location filename="app/panels/library/export_dialog.py" />
       <source>&amp;Privacy</source>
       <translation>&amp;Datenschutz</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>&amp;Task</source>
+      <translation>&amp;Aufgabe</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/export_dialog.py" />
+      <source>&amp;Episodes</source>
+      <translation>&amp;Episoden</translation>
     </message>
     <message>
       <location filename="app/panels/library/export_dialog.py" />
@@ -1391,6 +1436,16 @@
       <location filename="app/panels/library/session_table.py" />
       <source>Tags</source>
       <translation>Schlagwörter</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/take_pair.py" />
+      <source>No image here</source>
+      <translation>Hier ist kein Bild</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/take_pair.py" />
+      <source>Reading images</source>
+      <translation>Bilder werden gelesen</translation>
     </message>
     <message>
       <location filename="app/panels/library/track_dialog.py" />
@@ -1728,6 +1783,21 @@
       <translation>Notiz</translation>
     </message>
     <message>
+      <location filename="app/panels/record_file.py" />
+      <source>{}; where that is there already a number is added</source>
+      <translation>{}; gibt es sie schon, kommt eine Zahl dazu</translation>
+    </message>
+    <message>
+      <location filename="app/panels/record_file.py" />
+      <source>File of the Isaac record</source>
+      <translation>Datei der Isaac-Aufzeichnung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/record_file.py" />
+      <source>Hand records (*.mcap)</source>
+      <translation>Handaufzeichnungen (*.mcap)</translation>
+    </message>
+    <message>
       <location filename="app/panels/recording.py" />
       <source>Recording</source>
       <translation>Aufnahme</translation>
@@ -1878,9 +1948,94 @@
       <translation>Abgelehnt</translation>
     </message>
     <message>
-      <location filename="app/panels/remote.py" />
-      <source>Port of {}</source>
-      <translation>Port von {}</translation>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Connect</source>
+      <translation>Verbinden</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Let a simulated robot hand follow the wearer's</source>
+      <translation>Eine simulierte Roboterhand der Hand der Person folgen lassen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Clutch</source>
+      <translation>Kupplung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Robot and things go to where they began</source>
+      <translation>Roboter und Dinge gehen an ihren Anfang zurück</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Robot hand</source>
+      <translation>Roboterhand</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>From a file…</source>
+      <translation>Aus einer Datei…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Scale of the motion</source>
+      <translation>Maßstab der Bewegung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>How far the robot's palm goes for each way of the wearer's</source>
+      <translation>Wie weit die Handfläche des Roboters für jeden Weg der Hand geht</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Gesture of the clutch</source>
+      <translation>Geste der Kupplung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>off</source>
+      <translation>aus</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>UDP port of the robot's states</source>
+      <translation>UDP-Anschluss für die Zustände des Roboters</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>The robot's joints go there as JSON, on this computer</source>
+      <translation>Die Gelenke des Roboters gehen als JSON dorthin, auf diesem Rechner</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Motion ×</source>
+      <translation>Bewegung ×</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Clutch by</source>
+      <translation>Kupplung durch</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Send by UDP</source>
+      <translation>Per UDP senden</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>A hand as MJCF</source>
+      <translation>Eine Hand als MJCF</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>MuJoCo models (*.xml)</source>
+      <translation>MuJoCo-Modelle (*.xml)</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Pressed, the robot follows; else it holds as it is ({})</source>
+      <translation>Gedrückt folgt der Roboter; sonst hält er, wie er ist ({})</translation>
     </message>
     <message>
       <location filename="app/panels/sensors.py" />
@@ -2014,21 +2169,6 @@
     </message>
     <message>
       <location filename="app/panels/streams.py" />
-      <source>Stream</source>
-      <translation>Stream</translation>
-    </message>
-    <message>
-      <location filename="app/panels/streams.py" />
-      <source>Sent</source>
-      <translation>Gesendet</translation>
-    </message>
-    <message>
-      <location filename="app/panels/streams.py" />
-      <source>Dropped</source>
-      <translation>Verworfen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/streams.py" />
       <source>Vibration motors: press one to feel it</source>
       <translation>Vibrationsmotoren: drücken, um einen zu spüren</translation>
     </message>
@@ -2071,6 +2211,21 @@
       <location filename="app/panels/streams.py" />
       <source>OpenXR joints</source>
       <translation>Gelenke von OpenXR</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Stream</source>
+      <translation>Stream</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Sent</source>
+      <translation>Gesendet</translation>
+    </message>
+    <message>
+      <location filename="app/panels/streams.py" />
+      <source>Dropped</source>
+      <translation>Verworfen</translation>
     </message>
     <message>
       <location filename="app/panels/streams.py" />
@@ -2566,6 +2721,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
+      <source>Set-up, Glove firmware writes it.</source>
+      <translation>Einrichtung, Firmware des Handschuhs schreibt sie.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
       <source>Silent: {}.</source>
       <translation>Keine Antwort von: {}.</translation>
     </message>
@@ -2700,6 +2860,116 @@ change {}: {}</source>
       <translation>Beide sind bis aufs letzte Bit gleich (Zeitpunkte: {}).</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Hand open, fingers straight</source>
+      <translation>Hand offen, Finger gerade</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>A fist, in the grip of the other hand</source>
+      <translation>Eine Faust, im Griff der anderen Hand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Grip the fist of the other hand</source>
+      <translation>Die Faust der anderen Hand umgreifen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>A firm fist, the thumb over the fingers</source>
+      <translation>Eine feste Faust, der Daumen über den Fingern</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Thumb on the tip of the index finger</source>
+      <translation>Daumen auf die Spitze des Zeigefingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Thumb on the tip of the middle finger</source>
+      <translation>Daumen auf die Spitze des Mittelfingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Thumb on the tip of the ring finger</source>
+      <translation>Daumen auf die Spitze des Ringfingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Thumb on the tip of the little finger</source>
+      <translation>Daumen auf die Spitze des kleinen Fingers</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Turn the open hand from side to side about the forearm</source>
+      <translation>Die offene Hand um den Unterarm hin und her drehen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>open</source>
+      <translation>offen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>fist</source>
+      <translation>Faust</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>right grips left</source>
+      <translation>rechts umgreift links</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>left grips right</source>
+      <translation>links umgreift rechts</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>index</source>
+      <translation>Zeigef.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>middle</source>
+      <translation>Mittelf.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>ring</source>
+      <translation>Ringf.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>little</source>
+      <translation>kleiner F.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>turn</source>
+      <translation>drehen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Signal</source>
+      <translation>Signal</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Shape of the hand</source>
+      <translation>Form der Hand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Placement in the room</source>
+      <translation>Lage im Raum</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/conformance.py" />
+      <source>Scripted steps</source>
+      <translation>Vorgegebene Schritte</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Table for spreadsheets and everything else (CSV)</source>
       <translation>Tabelle für Tabellenkalkulation und alles andere (CSV)</translation>
@@ -2788,6 +3058,51 @@ change {}: {}</source>
       <location filename="app/viewmodels/export_choice.py" />
       <source>Hand record of NVIDIA's Isaac tools (MCAP)</source>
       <translation>Handdaten für Isaac von NVIDIA (MCAP)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/export_choice.py" />
+      <source>Data set for robot learning (LeRobot, a folder)</source>
+      <translation>Datensatz für das Lernen von Robotern (LeRobot, ein Ordner)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>pinch, index finger</source>
+      <translation>Pinzettengriff, Zeigefinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>pinch, middle finger</source>
+      <translation>Pinzettengriff, Mittelfinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>pinch, ring finger</source>
+      <translation>Pinzettengriff, Ringfinger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>pinch, little finger</source>
+      <translation>Pinzettengriff, kleiner Finger</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>thumb up</source>
+      <translation>Daumen hoch</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>point</source>
+      <translation>Zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>open palm</source>
+      <translation>offene Hand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>grasp</source>
+      <translation>Greifen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/glove_setup.py" />
@@ -2891,33 +3206,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
-      <source>A firm fist, the thumb over the fingers</source>
-      <translation>Eine feste Faust, der Daumen über den Fingern</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
       <source>A fist with the thumb straight</source>
       <translation>Eine Faust mit gestrecktem Daumen</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
-      <source>Thumb on the tip of the index finger</source>
-      <translation>Daumen auf die Spitze des Zeigefingers</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
-      <source>Thumb on the tip of the middle finger</source>
-      <translation>Daumen auf die Spitze des Mittelfingers</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
-      <source>Thumb on the tip of the ring finger</source>
-      <translation>Daumen auf die Spitze des Ringfingers</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
-      <source>Thumb on the tip of the little finger</source>
-      <translation>Daumen auf die Spitze des kleinen Fingers</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
@@ -2931,33 +3221,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
-      <source>fist</source>
-      <translation>Faust</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
       <source>thumb straight</source>
       <translation>Daumen gestreckt</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
-      <source>index</source>
-      <translation>Zeigef.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
-      <source>middle</source>
-      <translation>Mittelf.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
-      <source>ring</source>
-      <translation>Ringf.</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/guided_words.py" />
-      <source>little</source>
-      <translation>kleiner F.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/guided_words.py" />
@@ -3271,6 +3536,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
+      <source>LSL (markers become notes)</source>
+      <translation>LSL (Marker werden Notizen)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/remote.py" />
       <source>somebody is there</source>
       <translation>jemand ist da</translation>
     </message>
@@ -3286,11 +3556,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/remote.py" />
-      <source>off</source>
-      <translation>aus</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/remote.py" />
       <source>opening</source>
       <translation>öffnet</translation>
     </message>
@@ -3298,6 +3563,71 @@ change {}: {}</source>
       <location filename="app/viewmodels/remote.py" />
       <source>{}, {} s ago</source>
       <translation>{}, vor {} s</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>Shadow hand</source>
+      <translation>Shadow-Hand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>its button alone</source>
+      <translation>nur seinen Knopf</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>pointing</source>
+      <translation>Zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>Follows</source>
+      <translation>Folgt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>Hands that were overtaken by a newer one: {}</source>
+      <translation>Hände, die von einer neueren überholt wurden: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>No robot follows</source>
+      <translation>Kein Roboter folgt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>The robot is being made ready</source>
+      <translation>Der Roboter wird vorbereitet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>The robot waits for a hand</source>
+      <translation>Der Roboter wartet auf eine Hand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>The robot as it was recorded</source>
+      <translation>Der Roboter, wie er aufgenommen wurde</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>Released: the robot holds</source>
+      <translation>Losgelassen: der Roboter hält</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>The hand is lost: the robot holds</source>
+      <translation>Die Hand ist verloren: der Roboter hält</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>fingertips {} mm off</source>
+      <translation>Fingerspitzen {} mm daneben</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/robot.py" />
+      <source>{} ms behind (99 %)</source>
+      <translation>{} ms zurück (99 %)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/sensors.py" />
@@ -3621,6 +3951,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
+      <source>That is enough: press Calibrate.</source>
+      <translation>Das genügt: auf Kalibrieren drücken.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
       <source>Views</source>
       <translation>Ansichten</translation>
     </message>
@@ -3708,11 +4043,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/stereo.py" />
       <source>{:.2f} of {:.2f}</source>
       <translation>{:.2f} von {:.2f}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/stereo.py" />
-      <source>That is enough: go on.</source>
-      <translation>Das genügt: weiter.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -4331,6 +4661,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
+      <source>Glove &amp;firmware…</source>
+      <translation>&amp;Firmware des Handschuhs…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
       <source>&amp;Camera…</source>
       <translation>&amp;Kamera…</translation>
     </message>
@@ -4343,6 +4678,11 @@ change {}: {}</source>
       <location filename="app/window/window_commands.py" />
       <source>Guided &amp;poses…</source>
       <translation>Geführte &amp;Posen…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Con&amp;formance…</source>
+      <translation>&amp;Konformität…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4655,6 +4995,226 @@ change {}: {}</source>
       <translation>● gesperrt bei {}</translation>
     </message>
     <message>
+      <location filename="app/wizards/conformance/dialog.py" />
+      <source>Conformance</source>
+      <translation>Konformität</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/dialog.py" />
+      <source>End the recording that is under way first.</source>
+      <translation>Erst die laufende Aufnahme beenden.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/dialog.py" />
+      <source>Judging {}</source>
+      <translation>{} wird beurteilt</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/lead.py" />
+      <source>Soun&amp;d</source>
+      <translation>&amp;Ton</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/lead.py" />
+      <source>A beep at each beat before a step</source>
+      <translation>Ein Ton bei jedem Takt vor einem Schritt</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/lead.py" />
+      <source>&amp;Start</source>
+      <translation>&amp;Start</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/lead.py" />
+      <source>End (Esc)</source>
+      <translation>Ende (Esc)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/lead.py" />
+      <source>Ten gestures, judged by the rules of robot labs</source>
+      <translation>Zehn Gesten, nach den Regeln von Roboterlabors beurteilt</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/lead.py" />
+      <source>Open the hand and close it a few times first, so that its size is known. Then do what the hand on the left does: three beats to come to each gesture, and hold it until the ring is full. It takes {} seconds and is recorded.</source>
+      <translation>Die Hand erst einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann tun, was die Hand links tut: drei Takte, um zu jeder Geste zu kommen, und sie halten, bis der Ring voll ist. Es dauert {} Sekunden und wird aufgenommen.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Rules</source>
+      <translation>Regeln</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>&amp;Once more</source>
+      <translation>&amp;Noch einmal</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Open the &amp;page</source>
+      <translation>&amp;Seite öffnen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>With a plot for each rule, to be kept and sent</source>
+      <translation>Mit einem Schaubild zu jeder Regel, zum Aufheben und Verschicken</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>The take is judged…</source>
+      <translation>Die Aufnahme wird beurteilt…</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>The take cannot be judged</source>
+      <translation>Die Aufnahme kann nicht beurteilt werden</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Verdict</source>
+      <translation>Urteil</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Part</source>
+      <translation>Teil</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Rule</source>
+      <translation>Regel</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Figure</source>
+      <translation>Wert</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Limit</source>
+      <translation>Grenze</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>All rules are kept</source>
+      <translation>Alle Regeln sind eingehalten</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Not all rules are kept</source>
+      <translation>Nicht alle Regeln sind eingehalten</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>{} of {} rules, on {}</source>
+      <translation>{} von {} Regeln, bei {}</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Glove firmware</source>
+      <translation>Firmware des Handschuhs</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Tells this glove from others: give each its own</source>
+      <translation>Unterscheidet diesen Handschuh von anderen: jedem eine eigene geben</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>115200 for USB adapters that know no better</source>
+      <translation>115200 für USB-Adapter, die nicht mehr können</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Arduino, Optiboot</source>
+      <translation>Arduino, Optiboot</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>early Nano, old bootloader</source>
+      <translation>früher Nano, alter Bootloader</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>&amp;Number of the glove</source>
+      <translation>&amp;Nummer des Handschuhs</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>&amp;Speed</source>
+      <translation>&amp;Geschwindigkeit</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>&amp;Board</source>
+      <translation>&amp;Tafel</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>&amp;Write and verify</source>
+      <translation>&amp;Schreiben und prüfen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Looking for gloves…</source>
+      <translation>Handschuhe werden gesucht…</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Looking for gloves</source>
+      <translation>Handschuhe werden gesucht</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Writing. Leave the cable plugged in, for about ten seconds.</source>
+      <translation>Es wird geschrieben. Das Kabel etwa zehn Sekunden eingesteckt lassen.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Writing the glove's firmware</source>
+      <translation>Die Firmware des Handschuhs wird geschrieben</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Written and read back. It does not answer yet: plug it in again.</source>
+      <translation>Geschrieben und zurückgelesen. Er antwortet noch nicht: neu einstecken.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>The glove is in use. Writing stops tracking first.</source>
+      <translation>Der Handschuh ist in Gebrauch. Das Schreiben beendet erst das Tracking.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>No serial port is there. Plug it in.</source>
+      <translation>Kein serieller Anschluss ist da. Den Handschuh einstecken.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>With this program comes firmware {}.</source>
+      <translation>Mit diesem Programm kommt Firmware {}.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>It needs no newer one.</source>
+      <translation>Er braucht keine neuere.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>Written and read back; glove {} answers with firmware {}.</source>
+      <translation>Geschrieben und zurückgelesen; Handschuh {} antwortet mit Firmware {}.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>{} baud</source>
+      <translation>{} Baud</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
+      <source>The glove at this port is number {}, its firmware {}.</source>
+      <translation>Der Handschuh an diesem Anschluss hat Nummer {}, seine Firmware ist {}.</translation>
+    </message>
+    <message>
       <location filename="app/wizards/glove/choice.py" />
       <source>{}: glove {}, {} IMUs, {} baud</source>
       <translation>{}: Handschuh {}, {} IMUs, {} Baud</translation>
@@ -4721,11 +5281,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
-      <source>Looking for gloves…</source>
-      <translation>Handschuhe werden gesucht…</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/glove/choice.py" />
       <source>Simulated glove (plays along)</source>
       <translation>Simulierter Handschuh (spielt mit)</translation>
     </message>
@@ -4748,11 +5303,6 @@ change {}: {}</source>
       <location filename="app/wizards/glove/choice.py" />
       <source>{}: glove {}, {} IMUs</source>
       <translation>{}: Handschuh {}, {} IMUs</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/glove/choice.py" />
-      <source>{} baud</source>
-      <translation>{} Baud</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/feed.py" />
@@ -4851,11 +5401,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
-      <source>Looking for gloves</source>
-      <translation>Handschuhe werden gesucht</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/glove/wizard.py" />
       <source>Freeing the glove's port</source>
       <translation>Anschluss des Handschuhs wird freigegeben</translation>
     </message>
@@ -4871,18 +5416,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/lead.py" />
-      <source>Soun&amp;d</source>
-      <translation>&amp;Ton</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
       <source>A beep when a pose has been held</source>
       <translation>Ein Ton, wenn eine Pose gehalten wurde</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>&amp;Start</source>
-      <translation>&amp;Start</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/lead.py" />
@@ -4903,11 +5438,6 @@ change {}: {}</source>
       <location filename="app/wizards/guided/lead.py" />
       <source>Repeat (R)</source>
       <translation>Noch einmal (R)</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/lead.py" />
-      <source>End (Esc)</source>
-      <translation>Ende (Esc)</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/lead.py" />
@@ -4966,11 +5496,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
-      <source>&amp;Once more</source>
-      <translation>&amp;Noch einmal</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
       <source>The tracking thinks about it…</source>
       <translation>Das Tracking denkt nach…</translation>
     </message>
@@ -5008,11 +5533,6 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/board.py" />
       <source>From the camera's data sheet; a ZED Mini has 63 mm</source>
       <translation>Aus dem Datenblatt der Kamera; eine ZED Mini hat 63 mm</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/board.py" />
-      <source>&amp;Board</source>
-      <translation>&amp;Tafel</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/board.py" />
@@ -5310,9 +5830,64 @@ change {}: {}</source>
       <translation>inertial (nur IMUs, ohne Ort)</translation>
     </message>
     <message>
+      <location filename="tracker/applications/arm/stream.py" />
+      <source>That is no command for an arm: {}.</source>
+      <translation>Das ist kein Befehl für einen Arm: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/arm/stream.py" />
+      <source>A robot is at host:port, not {}.</source>
+      <translation>Ein Roboter ist unter host:port, nicht {}.</translation>
+    </message>
+    <message>
       <location filename="tracker/applications/registry.py" />
       <source>There is no application {}; there are {}.</source>
       <translation>Es gibt keine Anwendung {}; es gibt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/swarm/vehicles.py" />
+      <source>Vehicles are at host:port, such as 127.0.0.1:14550, not {}.</source>
+      <translation>Fahrzeuge sind unter host:port, etwa 127.0.0.1:14550, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/touch/meshes.py" />
+      <source>{} is no mesh that can be read: .obj or .stl.</source>
+      <translation>{} ist kein lesbares Netz: .obj oder .stl.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/touch/meshes.py" />
+      <source>{} holds no mesh: it takes four triangles to enclose anything.</source>
+      <translation>{} enthält kein Netz: um etwas zu umschließen, braucht es vier Dreiecke.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/touch/meshes.py" />
+      <source>{} names points that it does not have, or that are nowhere.</source>
+      <translation>{} nennt Punkte, die es nicht hat oder die nirgends sind.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/touch/meshes.py" />
+      <source>There is no mesh {}; a file is told with its ending.</source>
+      <translation>Es gibt kein Netz {}; eine Datei wird mit ihrer Endung genannt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/touch/meshes.py" />
+      <source>{} is larger than {} MB.</source>
+      <translation>{} ist größer als {} MB.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/touch/meshes.py" />
+      <source>{} cannot be read: {}.</source>
+      <translation>{} kann nicht gelesen werden: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/touch/meshes.py" />
+      <source>{} is no OBJ file: {}.</source>
+      <translation>{} ist keine OBJ-Datei: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/applications/touch/meshes.py" />
+      <source>{} is no STL file: {}.</source>
+      <translation>{} ist keine STL-Datei: {}.</translation>
     </message>
     <message>
       <location filename="tracker/calibration/colours_fit.py" />
@@ -5650,6 +6225,21 @@ change {}: {}</source>
       <translation>{} wird gerade gelesen; einen anderen Namen wählen.</translation>
     </message>
     <message>
+      <location filename="tracker/firmware/command.py" />
+      <source>It does not say HELLO yet: unplug it and plug it in again.</source>
+      <translation>Er meldet sich noch nicht mit HELLO: abziehen und neu einstecken.</translation>
+    </message>
+    <message>
+      <location filename="tracker/firmware/image.py" />
+      <source>A glove's number is from 1 to {}; {} is not. Two gloves need different ones.</source>
+      <translation>Die Nummer eines Handschuhs liegt zwischen 1 und {}; {} nicht. Zwei Handschuhe brauchen verschiedene.</translation>
+    </message>
+    <message>
+      <location filename="tracker/firmware/versions.py" />
+      <source>The glove has firmware {}; {} comes with the program.</source>
+      <translation>Der Handschuh hat Firmware {}; {} kommt mit dem Programm.</translation>
+    </message>
+    <message>
       <location filename="tracker/fusion/chain/calibration/control.py" />
       <source>There is no segment {} whose calibration is estimated.</source>
       <translation>Es gibt kein Glied {}, dessen Kalibrierung geschätzt wird.</translation>
@@ -5690,6 +6280,11 @@ change {}: {}</source>
       <translation>Das Verfahren vist nimmt eine IMU je Glied; der Handschuh {} hat mehr.</translation>
     </message>
     <message>
+      <location filename="tracker/fusion/worn.py" />
+      <source>Only the engine chain takes and learns a wearer's profile.</source>
+      <translation>Nur das Verfahren chain nimmt und lernt das Profil einer Person.</translation>
+    </message>
+    <message>
       <location filename="tracker/inertial/finger3d.py" />
       <source>There is no finger estimator {}; there are {}.</source>
       <translation>Es gibt keinen Fingerschätzer {}; es gibt {}.</translation>
@@ -5703,16 +6298,6 @@ change {}: {}</source>
       <location filename="tracker/library.py" />
       <source>There is no {} among the {}; there are {}, or give the path of a file.</source>
       <translation>{1}: {0} gibt es nicht; es gibt {2}, oder den Pfad einer Datei angeben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/colour_watch.py" />
-      <source>The colours find {} patches, none fit the glove: fit the colours.</source>
-      <translation>Die Farben finden {} Flecken, keine passen zum Handschuh: die Farben anpassen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/colour_watch.py" />
-      <source>The colours find no more patches than they should, or the hand.</source>
-      <translation>Die Farben finden nicht mehr Flecken, als sie sollen, oder die Hand.</translation>
     </message>
     <message>
       <location filename="tracker/live/load.py" />
@@ -5790,6 +6375,16 @@ change {}: {}</source>
       <translation>Der Strang {} ist ausgefallen: {}: {}.</translation>
     </message>
     <message>
+      <location filename="tracker/online/colour_watch.py" />
+      <source>The colours find {} patches, none fit the glove: fit the colours.</source>
+      <translation>Die Farben finden {} Flecken, keine passen zum Handschuh: die Farben anpassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/online/colour_watch.py" />
+      <source>The colours find no more patches than they should, or the hand.</source>
+      <translation>Die Farben finden nicht mehr Flecken, als sie sollen, oder die Hand.</translation>
+    </message>
+    <message>
       <location filename="tracker/online/rig_watch.py" />
       <source>The images have moved against each other by {} pixels at once: a lens was knocked. Calibrate the camera again if this stays.</source>
       <translation>Die Bilder haben sich auf einmal um {} Bildpunkte gegeneinander verschoben: ein Objektiv wurde angestoßen. Die Kamera neu kalibrieren, wenn das so bleibt.</translation>
@@ -5850,6 +6445,11 @@ change {}: {}</source>
       <translation>{} der Roboterhand hat keine Spitze: eine site namens tip oder ein geom.</translation>
     </message>
     <message>
+      <location filename="tracker/robot/command.py" />
+      <source>A robot is asked {}, not {}.</source>
+      <translation>Ein Roboter wird um {} gebeten, nicht um {}.</translation>
+    </message>
+    <message>
       <location filename="tracker/robot/library.py" />
       <source>There is no robot hand {}: it is {} or a file of MJCF.</source>
       <translation>Es gibt keine Roboterhand {}: es ist {} oder eine MJCF-Datei.</translation>
@@ -5858,6 +6458,16 @@ change {}: {}</source>
       <location filename="tracker/robot/mirror.py" />
       <source>The robot hand cannot be mirrored: it has {}.</source>
       <translation>Die Roboterhand lässt sich nicht spiegeln: sie hat {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/process.py" />
+      <source>The recorded robot is another one than its model says.</source>
+      <translation>Der aufgenommene Roboter ist ein anderer, als sein Modell sagt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/robot/process.py" />
+      <source>The robot's process has ended.</source>
+      <translation>Der Prozess des Roboters ist zu Ende.</translation>
     </message>
     <message>
       <location filename="tracker/robot/settings.py" />
@@ -5885,14 +6495,14 @@ change {}: {}</source>
       <translation>Die Geschwindigkeiten eines Roboters sind größer als null.</translation>
     </message>
     <message>
-      <location filename="tracker/robot/teleop.py" />
-      <source>The recorded robot is another one: {}.</source>
-      <translation>Der aufgenommene Roboter ist ein anderer: {}.</translation>
+      <location filename="tracker/robot/settings.py" />
+      <source>What the session says of its robot is damaged.</source>
+      <translation>Was die Sitzung über ihren Roboter sagt, ist beschädigt.</translation>
     </message>
     <message>
       <location filename="tracker/robot/teleop.py" />
-      <source>A robot is asked {}, not {}.</source>
-      <translation>Ein Roboter wird um {} gebeten, nicht um {}.</translation>
+      <source>The recorded robot is another one: {}.</source>
+      <translation>Der aufgenommene Roboter ist ein anderer: {}.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/camera.py" />
@@ -6150,6 +6760,21 @@ change {}: {}</source>
       <translation>{} konnte nicht ganz geschrieben werden: die Festplatte ist vielleicht voll.</translation>
     </message>
     <message>
+      <location filename="tracker/session/export/film.py" />
+      <source>There is no ffmpeg with H.264 on this computer: the film is MPEG-4 part 2, which browsers and some players do not show.</source>
+      <translation>Auf diesem Rechner gibt es kein ffmpeg mit H.264: der Film ist MPEG-4 Teil 2, den Browser und manche Abspieler nicht zeigen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/film.py" />
+      <source>OpenCV on this computer cannot write {}.</source>
+      <translation>OpenCV kann auf diesem Rechner {} nicht schreiben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/film.py" />
+      <source>{} could not be written by ffmpeg.</source>
+      <translation>{} konnte von ffmpeg nicht geschrieben werden.</translation>
+    </message>
+    <message>
       <location filename="tracker/session/export/imu.py" />
       <source>Raw samples stay as they are: leave out {}.</source>
       <translation>Rohe Messwerte bleiben, wie sie sind: {} weglassen.</translation>
@@ -6158,6 +6783,61 @@ change {}: {}</source>
       <location filename="tracker/session/export/isaac.py" />
       <source>The Isaac record has its own {}: leave them out.</source>
       <translation>Die Isaac-Aufzeichnung hat ihre eigenen {}: weglassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/export.py" />
+      <source>LeRobot's data set has our {}: leave them out.</source>
+      <translation>Der Datensatz von LeRobot hat unsere {}: weglassen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/film.py" />
+      <source>Films need {}, which this computer has not; take the images as recorded.</source>
+      <translation>Filme brauchen {}, das dieser Rechner nicht hat; die Bilder nehmen, wie sie aufgenommen sind.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/film.py" />
+      <source>{} could not be made by {}: {}.</source>
+      <translation>{} konnte von {} nicht erzeugt werden: {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/images.py" />
+      <source>The images of camera {} are not all of one size: a data set wants that. Export it with --images none.</source>
+      <translation>Die Bilder der Kamera {} sind nicht alle gleich groß: ein Datensatz verlangt das. Mit --images none exportieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/images.py" />
+      <source>{} has a part without images of camera {}.</source>
+      <translation>{} hat einen Teil ohne Bilder der Kamera {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/plan.py" />
+      <source>Move the hand.</source>
+      <translation>Die Hand bewegen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/plan.py" />
+      <source>There is no episode: parts between notes need two frames at least.</source>
+      <translation>Es gibt keine Episode: Teile zwischen Notizen brauchen mindestens zwei Zeitschritte.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/plan.py" />
+      <source>LeRobot counts whole frames a second; {} Hz is none.</source>
+      <translation>LeRobot zählt ganze Zeitschritte je Sekunde; {} Hz ist kein solcher Wert.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/plan.py" />
+      <source>{} holds no estimates; track it first.</source>
+      <translation>{} enthält keine Schätzungen; erst tracken.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/plan.py" />
+      <source>{} has images of camera {} that are no JPEG or PNG.</source>
+      <translation>{} hat Bilder der Kamera {}, die weder JPEG noch PNG sind.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/lerobot/stats.py" />
+      <source>An image is damaged.</source>
+      <translation>Ein Bild ist beschädigt.</translation>
     </message>
     <message>
       <location filename="tracker/session/export/mcap.py" />
@@ -6171,6 +6851,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/session/export/options.py" />
+      <source>Images can be {}, not {}.</source>
+      <translation>Bilder können {} sein, nicht {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/options.py" />
       <source>A rate of {} Hz is not between {} and {} Hz.</source>
       <translation>Eine Rate von {} Hz liegt nicht zwischen {} und {} Hz.</translation>
     </message>
@@ -6178,6 +6863,11 @@ change {}: {}</source>
       <location filename="tracker/session/export/options.py" />
       <source>Every image or every n-th, not every {}.</source>
       <translation>Jedes Bild oder jedes n-te, nicht jedes {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/export/options.py" />
+      <source>Views can be {}, not {}.</source>
+      <translation>Ansichten können {} sein, nicht {}.</translation>
     </message>
     <message>
       <location filename="tracker/session/export/options.py" />
@@ -6193,11 +6883,6 @@ change {}: {}</source>
       <location filename="tracker/session/export/options.py" />
       <source>Units can be {}, not {}.</source>
       <translation>Einheiten können {} sein, nicht {}.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/export/overlay.py" />
-      <source>OpenCV on this computer cannot write {}.</source>
-      <translation>OpenCV kann auf diesem Rechner {} nicht schreiben.</translation>
     </message>
     <message>
       <location filename="tracker/session/export/overlay.py" />
@@ -6220,9 +6905,9 @@ change {}: {}</source>
       <translation>{} enthält die ganze Hand; Gelenke können nicht fehlen.</translation>
     </message>
     <message>
-      <location filename="tracker/session/export/series.py" />
-      <source>{} holds no estimates; track it first.</source>
-      <translation>{} enthält keine Schätzungen; erst tracken.</translation>
+      <location filename="tracker/session/export/run.py" />
+      <source>{} holds one session; of several make {}.</source>
+      <translation>{} enthält eine Sitzung; aus mehreren {} machen.</translation>
     </message>
     <message>
       <location filename="tracker/session/export/series.py" />
@@ -6310,11 +6995,6 @@ change {}: {}</source>
       <translation>Es gibt keine Datei {}.</translation>
     </message>
     <message>
-      <location filename="tracker/session/mcap/records.py" />
-      <source>{} cannot be read: {}.</source>
-      <translation>{} kann nicht gelesen werden: {}.</translation>
-    </message>
-    <message>
       <location filename="tracker/session/mcap/recover.py" />
       <source>{} holds nothing that can be recovered.</source>
       <translation>{} enthält nichts, was sich retten lässt.</translation>
@@ -6331,8 +7011,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/session/reader.py" />
-      <source>{} has no attachment {}{}.</source>
-      <translation>{} hat keinen Anhang {}{}.</translation>
+      <source>{} holds no {}: it was not recorded by Glovetrack, or only in part.</source>
+      <translation>{} enthält kein {}: es wurde nicht von Glovetrack aufgenommen, oder nur zum Teil.</translation>
     </message>
     <message>
       <location filename="tracker/session/reader.py" />
@@ -6343,6 +7023,11 @@ change {}: {}</source>
       <location filename="tracker/session/reader.py" />
       <source>{}: {} is a {} glove's.</source>
       <translation>{}: {} gehört zu einem Handschuh für {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/reader.py" />
+      <source>{} holds no {} of at most {} bytes.</source>
+      <translation>{} enthält kein {} von höchstens {} Bytes.</translation>
     </message>
     <message>
       <location filename="tracker/session/recording/process.py" />
@@ -6368,11 +7053,6 @@ change {}: {}</source>
       <location filename="tracker/session/writer.py" />
       <source>The disk of {} is nearly full ({} are left), so nothing is recorded.</source>
       <translation>Die Festplatte von {} ist fast voll ({} sind frei), daher wird nichts aufgenommen.</translation>
-    </message>
-    <message>
-      <location filename="tracker/session/writer.py" />
-      <source>Images can be {}, not {}.</source>
-      <translation>Bilder können {} sein, nicht {}.</translation>
     </message>
     <message>
       <location filename="tracker/session/writer.py" />
@@ -6453,6 +7133,11 @@ change {}: {}</source>
       <location filename="tracker/streaming/remote/params.py" />
       <source>Remote control goes by {}, not by {}.</source>
       <translation>Fernsteuerung geht über {}, nicht über {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/streaming/remote/params.py" />
+      <source>{} has no port of its own.</source>
+      <translation>{} hat keinen eigenen Anschluss.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/remote/params.py" />

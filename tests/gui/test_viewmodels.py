@@ -16,6 +16,7 @@ from app.viewmodels.colour_tuning import ProfileHistory, with_range
 from app.viewmodels.colours import hue_rows, seen_rows
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
 from app.viewmodels.sensors import curves, imu_states
+from app.viewmodels.states import WARN
 from app.viewmodels.status import fields
 from app.widgets.image_shapes import Cross, Ellipse, Line, Ring
 from app.widgets.view3d.orbit import Orbit
@@ -154,6 +155,30 @@ def test_blob_counts_per_hue_are_means_over_both_images(view):
     assert rows["red"].count.startswith(f"{both / 2:g} of ")
     red = [m.id for m in view.setup.glove.markers if m.hue == "red"]
     assert rows["red"].tip.endswith(f"{view.result.visible[red].sum():.0f} expected")
+
+
+@pytest.mark.parametrize(
+    ("found", "expected", "count", "warns"),
+    [
+        (4.0, 5.2, "4 of about 5", False),
+        (4.5, 4.4, "4 of about 4", False),  # halves are of two images: nobody sees half a marker
+        (3.0, 2.0, "3 of about 2", False),  # one more than is expected is no error
+        (11.0, 4.0, "11 of about 4", True),
+        (1.0, 4.0, "1 of about 4", True),
+        (4.0, 0.2, "4", True),  # never "4 of 0"
+        (4.0, None, "4", False),  # nothing is expected while nothing is tracked
+        (None, None, "–", False),
+    ],
+)
+def test_counts_can_be_understood(found, expected, count, warns):
+    profile = models()[2]
+    row = hue_rows(
+        profile,
+        {"red": found} if found is not None else None,
+        {"red": expected} if expected is not None else None,
+    )[[h.name for h in profile.hues].index("red")]
+    assert row.count == count
+    assert (row.look == WARN) is warns
 
 
 def test_histogram_peaks_at_the_hue_that_is_there():

@@ -50,7 +50,9 @@ class CompareDialog(QDialog):
             ]
         )
         for j, stem in enumerate(comparison.stems, start=2):
-            table.horizontalHeaderItem(j).setToolTip(stem)
+            heading = table.horizontalHeaderItem(j)
+            assert heading is not None
+            heading.setToolTip(stem)
         table.verticalHeader().hide()
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         header = table.horizontalHeader()
