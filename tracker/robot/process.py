@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import multiprocessing as mp
 import threading
-from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
@@ -80,72 +79,57 @@ class RobotProcess:
         )  # fmt: skip
         self._process.start()
         theirs.close()
-        self._wake = threading.Condition()
-        self._commands: deque[RobotCommand] = deque()
+        self._lock = threading.Lock()
         self._latest: tuple[Estimate | RobotState, float] | None = None
         self._arrival: float | None = 0.0  # of what was sent and not answered; first: itself
         self._ending = False
         self.missed = 0
         """Hands that were overtaken by a newer one."""
-        self._threads = [
-            threading.Thread(target=run, name=f"glovetrack-robot-{name}", daemon=True)
-            for name, run in (("out", self._send_all), ("in", self._receive))
-        ]
-        for thread in self._threads:
-            thread.start()
+        self._thread = threading.Thread(target=self._receive, name="glovetrack-robot", daemon=True)
+        self._thread.start()
 
     @property
     def pid(self) -> int:
         return self._process.pid or 0
 
     def feed(self, hand: Estimate | RobotState, t_arrival: float) -> None:
-        """The newest hand, or a recorded state to be shown; it came at ``t_arrival`` s."""
-        with self._wake:
+        """The newest hand, or a recorded state to be shown; it came at ``t_arrival`` s.
+
+        It is sent from here, not by a thread of its own that would wait for its turn. One is under
+        way at a time, which the pipe always has room for.
+        """
+        with self._lock:
             self.missed += self._latest is not None
             self._latest = hand, t_arrival
-            self._wake.notify()
+            self._send_latest()
 
     def ask(self, command: RobotCommand) -> None:
         """Have a command done before the next hand."""
-        with self._wake:
-            self._commands.append(command)
-            self._wake.notify()
+        with self._lock:
+            self._send(command)
 
     def close(self) -> None:
         """End the process; waits until it has ended. May be called again."""
-        with self._wake:
-            self._ending = True
-            self._wake.notify()
-        for thread in self._threads:
-            if thread is not threading.current_thread():
-                thread.join(END_WAIT)
+        with self._lock:
+            if not self._ending:
+                self._ending = True
+                self._send(None)
+        if self._thread is not threading.current_thread():
+            self._thread.join(END_WAIT)
         self._process.join(END_WAIT)
         if self._process.is_alive():
             self._process.kill()
             self._process.join()
         self._pipe.close()
 
-    def _send_all(self) -> None:
-        with suppress(OSError):  # it has gone: the other thread tells
-            while True:
-                with self._wake:
-                    self._wake.wait_for(self._something)
-                    if self._ending:
-                        break
-                    commands, hand = list(self._commands), None
-                    self._commands.clear()
-                    if self._latest is not None and self._arrival is None:
-                        (hand, self._arrival), self._latest = self._latest, None
-                for command in commands:
-                    self._pipe.send(command)
-                if hand is not None:
-                    self._pipe.send(hand)
-            self._pipe.send(None)
+    def _send_latest(self) -> None:
+        if self._latest is not None and self._arrival is None:
+            (hand, self._arrival), self._latest = self._latest, None
+            self._send(hand)
 
-    def _something(self) -> bool:
-        """A hand waits, while another is under way, where a newer one may take its place."""
-        ready = self._latest is not None and self._arrival is None
-        return self._ending or bool(self._commands) or ready
+    def _send(self, item: Item) -> None:
+        with suppress(OSError):  # it has gone: who receives tells
+            self._pipe.send(item)
 
     def _receive(self) -> None:
         while True:
@@ -161,9 +145,9 @@ class RobotProcess:
         """s since the hand came that is answered; the next one may go."""
         if isinstance(answer, RobotFailed):
             return 0.0
-        with self._wake:
+        with self._lock:
             arrival, self._arrival = self._arrival, None
-            self._wake.notify()
+            self._send_latest()
         return monotonic() - arrival if arrival else 0.0
 
 

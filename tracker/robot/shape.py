@@ -14,6 +14,7 @@ from tracker.robot.worn import FINGERS
 SHOWN_GROUPS = 3  # MuJoCo's viewer shows the groups below
 FINE, CELLS = 0.0025, 24  # m, and parts of a mesh's size: what is smaller is drawn as one point
 ROUND = 16  # sides of what is round
+NO_AREA = 1e-14  # m²: triangles that face each other have no common normal
 HAND = "#AEB6C2"
 Mesh = tuple[Array, IntArray]
 """Points (V, 3) m and triangles (F, 3), counter-clockwise from outside."""
@@ -113,7 +114,8 @@ def _normals(points: Array, faces: IntArray) -> Array:
     for k in range(3):
         np.add.at(out, faces[:, k], across)
     length = np.linalg.norm(out, axis=1, keepdims=True)
-    return np.where(length > 0, out / np.maximum(length, 1e-12), [0.0, 0.0, 1.0])
+    known = length > NO_AREA
+    return np.where(known, out / np.where(known, length, 1.0), [0.0, 0.0, 1.0])
 
 
 def _box(half: Array) -> Mesh:

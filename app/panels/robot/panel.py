@@ -18,11 +18,13 @@ from app.widgets.view3d.shapes import Surface
 from app.widgets.view3d.view_3d import View3D
 from tracker.messages import Shed
 
-FIRST_LOOK = np.array([-0.85, 0.5, 0.6])
+FIRST_LOOK = np.array([-0.8, 0.4, 0.7])
 """From behind the robot and above it, as from its wearer's place."""
 TARGET, DISTANCE = np.array([0.03, 0.0, 0.09]), 0.85  # m
 FOLLOW = 0.2
-"""Share of its way that the view's centre goes at each image: to halfway between table and palm."""
+PALM = 0.75
+"""Shares: of its way, which the view's centre goes at each image, to a point so near the palm from
+the table's middle."""
 
 
 class RobotPanel(Panel):
@@ -84,7 +86,7 @@ class RobotPanel(Panel):
         palm = robot.palm
         if palm is not None:
             orbit = self.view.orbit
-            orbit.target = orbit.target + FOLLOW * (0.5 * (TARGET + palm) - orbit.target)
+            orbit.target = orbit.target + FOLLOW * (TARGET + PALM * (palm - TARGET) - orbit.target)
         surface = self._drawn[1]
         surface.drape(draped.points, draped.normals, draped.looks)
         surface.show(True)

@@ -1,0 +1,66 @@
+"""The robot's own process: the newest hand counts, and its end is told."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+from tests.robot.hands import worn_model
+from tracker.messages import Estimate, RobotState, Tracking
+from tracker.robot.command import RobotCommand
+from tracker.robot.process import Answer, RobotFailed, RobotMoved, RobotProcess, RobotReady
+from tracker.robot.settings import RobotSettings
+
+PATIENCE = 60.0  # s, for a process that is just starting on a busy machine
+
+
+def wait_for(fact: Callable[[], bool]) -> bool:
+    end = time.monotonic() + PATIENCE
+    while not fact() and time.monotonic() < end:
+        time.sleep(0.01)
+    return fact()
+
+
+def estimate(t: float) -> Estimate:
+    hand = worn_model()
+    n, angles = len(hand.keypoint_names), np.zeros(len(hand.joint_names))
+    R, p = hand.forward(angles, np.eye(3), np.array([0.0, 0.0, 0.3]))
+    return Estimate(
+        t, Tracking.TRACKING, hand.keypoints(R, p), np.tile([0.0, 0, 0, 1], (n, 1)),
+        np.full(n, 2), np.full(n, 0.002), angles, np.full(len(angles), 2), R, p,
+    )  # fmt: skip
+
+
+def test_the_newest_hand_counts_commands_come_before_it_and_a_sudden_end_is_told() -> None:
+    answers: list[Answer] = []
+    hand = worn_model()
+    robot = RobotProcess(
+        RobotSettings(objects=""), hand, hand.keypoint_names, lambda a, took: answers.append(a)
+    )
+    try:
+        for k in range(50):  # before it is there: one of them is kept
+            robot.feed(estimate(0.01 * k), time.monotonic())
+        assert wait_for(lambda: len(answers) > 1)
+        assert isinstance(answers[0], RobotReady)
+        assert _states(answers)[0].t == 0.49
+        assert robot.missed == 49
+        robot.ask(RobotCommand("release"))
+        robot.feed(estimate(0.5), time.monotonic())
+        assert wait_for(lambda: _states(answers)[-1].t == 0.5)
+        assert not _states(answers)[-1].engaged
+        os.kill(robot.pid, signal.SIGKILL)
+        assert wait_for(lambda: isinstance(answers[-1], RobotFailed))
+        robot.feed(estimate(0.6), time.monotonic())  # nobody is hurt by it
+    finally:
+        robot.close()
+    assert not [t for t in threading.enumerate() if t.name == "glovetrack-robot"]
+
+
+def _states(answers: list[Answer]) -> list[RobotState]:
+    said = [m for a in answers if isinstance(a, RobotMoved) for m in a.said]
+    return [m for m in said if isinstance(m, RobotState)]
