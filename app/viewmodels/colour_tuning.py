@@ -11,7 +11,7 @@ import numpy as np
 
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
-from app.viewmodels.colour_fits import MarkerWatch
+from app.viewmodels.colour_fits import FitWork, MarkerWatch
 from app.viewmodels.colour_images import (
     Image,
     hue_histogram,
@@ -27,6 +27,7 @@ from app.widgets.image_shapes import Ring
 from app.words import tr
 from tracker import library
 from tracker.calibration.colours_fit import add_pixel, remove_pixel
+from tracker.calibration.colours_image import Pick, learn_picked
 from tracker.calibration.colours_learn import taught
 from tracker.errors import ConfigError
 from tracker.files import write_kept
@@ -133,6 +134,7 @@ class ColourTuning:
         self._dragging = False
         self._room_age = 0
         self._found: Blobs | None = None
+        self._picks: dict[str, Pick] = {}  # by hue, those pointed at lately
         self._searched: Image | None = None  # where ``_found`` was looked for
 
     @property
@@ -158,9 +160,23 @@ class ColourTuning:
         changed = (
             remove_pixel(self.hue_range, pixel) if leave_out else add_pixel(self.hue_range, pixel)
         )
+        if not leave_out:
+            uv = np.array([u, v]) * MASK_STEP
+            self._picks[self.hue_range.name] = Pick(image, uv, self.hue_range.name)
         bgr = pixel_bgr(image, u * MASK_STEP, v * MASK_STEP)
         learned = taught(self.profile, bgr, -1 if leave_out else self.hue)
         self._history.change(with_range(learned, changed))
+
+    @property
+    def all_picked(self) -> bool:
+        """A marker of each hue was pointed at since the last `picked_fit`."""
+        return self._picks.keys() == set(self.profile.hue_names)
+
+    def picked_fit(self) -> FitWork:
+        """Learn from the markers that were pointed at, in another thread."""
+        picks, self._picks = list(self._picks.values()), {}
+        profile, size = self.profile, float(self.setup.glove.marker_size.mean())
+        return lambda: learn_picked(picks, profile, size, self.setup.rig.fx)
 
     def take(self, profile: ColourProfile, words: str) -> None:
         """Another profile as one step that can be taken back, and a sentence about it."""

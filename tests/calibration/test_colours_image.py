@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from tracker.calibration.colours_fit import clashes
-from tracker.calibration.colours_image import learn_image
+from tracker.calibration.colours_image import Pick, learn_image, learn_picked
 from tracker.errors import GlovetrackError
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
@@ -51,3 +51,24 @@ def test_an_image_gives_colours_that_find_the_patches(shift: int, gain: float) -
 def test_an_image_without_a_glove_is_refused() -> None:
     with pytest.raises(GlovetrackError, match="no glove with its patches is seen"):
         learn_image(np.full((60, 80, 3), 128, np.uint8), PROFILE, SIZE, FX)
+
+
+def pointed_at(image: np.ndarray) -> list[Pick]:
+    """The first disc of each cloth."""
+    places = ((110.0 + 50 * k, 100.0) for k in range(4))
+    return [Pick(image, np.array(uv), name) for uv, name in zip(places, CLOTH, strict=True)]
+
+
+@pytest.mark.parametrize(("shift", "gain"), [(0, 1.0), (25, 0.7)])
+def test_one_click_a_hue_is_as_good_as_a_fit(shift: int, gain: float) -> None:
+    """At 25 units of hue off no click can be guessed from the colours before."""
+    image = glove_image(shift, gain)
+    fitted, found = learn_picked(pointed_at(image), PROFILE, SIZE, FX)
+    assert [f.patches for f in found] == [6, 6, 6, 6]
+    blobs, _ = Detector(fitted).detect(glove_image(shift, gain, seed=1))
+    assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
+
+
+def test_a_hue_that_was_not_pointed_at_is_named() -> None:
+    with pytest.raises(GlovetrackError, match="blue missing"):
+        learn_picked(pointed_at(glove_image())[:3], PROFILE, SIZE, FX)

@@ -80,6 +80,20 @@ def test_clicking_a_patch_takes_it_in_and_the_detector_finds_it(colours, engine,
     assert (found.hue == index).sum() >= len(green) - 1
 
 
+def test_one_click_a_hue_learns_the_colours(colours, engine, qtbot):
+    image, blobs = frame_and_blobs(engine.frame)
+    colours.tools.pick.click()
+    for index, name in enumerate(colours.tuning.profile.hue_names):
+        colours.choose_hue(index)
+        uv = blobs.left.uv[blobs.left.hue == blobs.hue_names.index(name)][0]
+        at = widget_point(colours.image.mask_view, *uv)
+        qtbot.mouseClick(colours.image.mask_view, Qt.MouseButton.LeftButton, pos=at)
+    qtbot.waitUntil(lambda: engine.profiles[-1].learned is not None, timeout=30_000)
+    found = Detector(engine.profiles[-1]).detect(image.left)[0]
+    shown = [np.linalg.norm(found.uv - uv, axis=1).min() < 4 for uv in blobs.left.uv]
+    assert np.mean(shown) > 0.85
+
+
 def test_the_other_eyedropper_leaves_a_pixel_out(colours, engine, qtbot):
     image, blobs = frame_and_blobs(engine.frame)
     colours.choose_hue(colours.tuning.profile.hue_names.index("red"))

@@ -7,16 +7,19 @@ serve.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
+import cv2
 import numpy as np
 
-from tracker.calibration.colours_fit import FoundHue, Image
-from tracker.calibration.colours_learn import learn, wide_profiles
-from tracker.calibration.colours_sample import KnownMarkers, samples_of
+from tracker.calibration.colours_fit import FoundHue, Image, fit_samples, parted
+from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
+from tracker.calibration.colours_sample import KnownMarkers, core_pixels, samples_of
 from tracker.errors import GlovetrackError
 from tracker.messages import Array, Blobs, IntArray
-from tracker.vision.colours import ColourProfile
+from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
 
 NEAR = 5.0  # extents of a blob, within which its neighbours are
@@ -24,6 +27,8 @@ HAND = 11.0  # extents, from the middle of a hand to its farthest marker
 LIKE = 1.6  # ratio of extents of one glove's markers
 SAME = 4.0  # px between a patch and itself
 LEAST_PATCHES, LEAST_HUES = 8, 2
+PICKED_PX = 5.0  # around the pixel that was pointed at
+PICKED_CONTRAST = 0.1  # to be asked of patches like those that were pointed at
 
 
 def learn_image(
@@ -56,6 +61,63 @@ def learn_image(
         if samples.patches[h.name]
     ]
     return fitted, tuple(found)
+
+
+class Pick(NamedTuple):
+    """A marker pointed at: the BGR image, uv (2,) px of its middle, and its hue's name."""
+
+    image: Image
+    uv: Array
+    hue: str
+
+
+def learn_picked(
+    picks: Sequence[Pick], profile: ColourProfile, marker_size: float, fx: float
+) -> tuple[ColourProfile, tuple[FoundHue, ...]]:
+    """A profile learned from one marker of each hue that was pointed at, and from those like them
+    on the same glove; ``marker_size`` m, ``fx`` px.
+
+    Raises GlovetrackError where a hue was not pointed at, or no glove is seen around what was.
+    """
+    ranges = {p.hue: _around(p) for p in picks}
+    missing = [name for name in profile.hue_names if name not in ranges]
+    if missing:
+        raise GlovetrackError(f"Point at a marker of each hue first: {', '.join(missing)} missing.")
+    hues = parted(tuple(ranges[name] for name in profile.hue_names))
+    shape = replace(profile.shape, contrast=min(profile.shape.contrast, PICKED_CONTRAST))
+    start = replace(profile, hues=hues, shape=shape, learned=None)
+    detector, samples = Detector(start, marker_size, fx), ColourSamples.of(profile.hue_names)
+    most = 0
+    for image in _distinct(picks):
+        blobs, _ = detector.detect(image)
+        rows = glove_of(blobs)
+        most = max(most, len(rows))
+        hue = tuple(profile.hue_names[k] for k in blobs.hue[rows])
+        known = KnownMarkers(blobs.uv[rows], blobs.size[rows], hue, blobs.uv[rows])
+        samples.add(samples_of(image, known, profile.hue_names))
+    if most < LEAST_PATCHES:
+        raise GlovetrackError(
+            "Nothing was learned beyond what was pointed at: no glove with its patches is seen "
+            "around it. Point at the middle of a patch of each hue, the hand flat."
+        )
+    fitted = learn(replace(profile, hues=hues), samples)
+    return fitted, tuple(
+        FoundHue(h, samples.patches[h.name], len(samples.pixels(h.name)))
+        for h in fitted.hues
+        if samples.patches[h.name]
+    )
+
+
+def _around(pick: Pick) -> HueRange:
+    """The range of the cloth that was pointed at."""
+    pixels = core_pixels(pick.image, pick.uv, PICKED_PX)
+    hsv = np.asarray(cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV), np.uint8)[0]
+    return fit_samples(pick.hue, hsv)
+
+
+def _distinct(picks: Sequence[Pick]) -> list[Image]:
+    """Each image once."""
+    return list({id(p.image): p.image for p in picks}.values())
 
 
 def _refuse_worse(

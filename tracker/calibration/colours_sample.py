@@ -76,6 +76,11 @@ def core_colours(sides: Sequence[tuple[Image, KnownMarkers]]) -> dict[str, Array
     return {name: np.asarray(np.median(seen, axis=0)) for name, seen in means.items()}
 
 
+def core_pixels(image: Image, uv: Array, radius: float) -> Image:
+    """BGR pixels (n, 3) within ``radius`` px of uv (2,) that are of one cloth."""
+    return _cloth(_pixels(image, uv, 0.0, radius))
+
+
 def _cloth(pixels: Image) -> Image:
     """Of the BGR pixels (n, 3) of a disc those like most of them: a slanted patch, or one that
     something covers in part, shows what is beside it."""

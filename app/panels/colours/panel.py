@@ -160,6 +160,8 @@ class ColoursPanel(Panel):
             with_control = bool(modifiers & Qt.KeyboardModifier.ControlModifier)
             self.tuning.pick(image, u, v, with_control or self.tools.leaving_out)
             self._apply()
+            if self.tuning.all_picked:
+                self._fit(lambda t: t.picked_fit())
 
     def _fit(self, work_of: Callable[[ColourTuning], FitWork]) -> None:
         """Fit in the background."""
