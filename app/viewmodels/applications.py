@@ -12,7 +12,9 @@ from tracker.applications.drawing import Drawing
 from tracker.applications.registry import titles
 from tracker.applications.runner import BEGINS, KIND
 from tracker.errors import ConfigError
+from tracker.streaming.publisher import StreamError
 
+PAGE_PORT = 9752
 NO_EVENTS = frozenset({BEGINS})
 
 
@@ -72,6 +74,29 @@ class ApplicationsModel:
         except ConfigError as error:
             return told(str(error))
         return ""
+
+    def show_page(self, on: bool) -> str:
+        """Serve the page on this machine, or end it: where it is, or why it cannot be, in words."""
+        stage = self.stage
+        if stage is None:
+            return ""
+        for viewer in stage.viewers:
+            viewer.close()
+        stage.viewers.clear()
+        if not on:
+            return ""
+        try:
+            from tracker.applications.page import PageServer
+
+            page = PageServer(PAGE_PORT)
+        except ImportError:
+            return tr('The page needs a package that is not installed: pip install "{}"').format(
+                "glovetrack[streams]"
+            )
+        except StreamError as error:
+            return str(error)
+        stage.viewers.append(page)
+        return tr("For browsers of this machine, a headset's too: {}").format(page.url)
 
     @property
     def drawing(self) -> Drawing:

@@ -23,7 +23,7 @@ from tracker.cli import main
 from tracker.errors import ConfigError, FileError
 from tracker.messages import Event, Tracking
 from tracker.offline.application_sources import simulated
-from tracker.offline.applications import difference, replay, run_into
+from tracker.offline.applications import Into, difference, replay, run_into
 from tracker.offline.simulate import SimulateOptions
 from tracker.session.reader import SessionReader
 from tracker.simulation.scripted import Key
@@ -109,7 +109,7 @@ def test_a_session_holds_what_it_takes_to_run_it_again(installed: None, tmp_path
     """Tracked from simulated sensors, recorded, read back: the same events to the last bit."""
     source = simulated(SimulateOptions(seed=3, duration=12.0, images=False, fps=20.0), False)
     out = tmp_path / "drawn.mcap"
-    report = run_into("air-drawing", source, out, [], {"width": 2.0})
+    report = run_into("air-drawing", source, Into(out), {"width": 2.0})
     assert report.to_json()["events"]["line"] > 0
     with SessionReader(out) as reader:
         told = [m for m in reader.messages((Event,)) if isinstance(m, Event)]

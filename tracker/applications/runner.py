@@ -29,6 +29,7 @@ class Outcome:
 
     t: float
     next_after: float
+    hand: HandSample
     drawing: Drawing
     events: tuple[Event, ...]
     commands: Sequence[Command]
@@ -96,7 +97,7 @@ class ApplicationRunner:
     def _step(self, hand: HandSample, events: list[Event], next_after: float) -> Outcome:
         step: Step = self.application.step(hand)
         events = events + [self._event(hand, happening) for happening in step.events]
-        return Outcome(hand.t, next_after, step.drawing, tuple(events), step.commands)
+        return Outcome(hand.t, next_after, hand, step.drawing, tuple(events), step.commands)
 
     def _event(self, hand: HandSample, happening: Happening) -> Event:
         data = {"application": self.name, "hand": self.side, "what": happening.what}

@@ -6,6 +6,8 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
+from tracker.applications.drawing import Drawing
+from tracker.applications.hand import HandSample
 from tracker.applications.interface import Command
 from tracker.applications.runner import FAILED, KIND, ApplicationRunner, Outcome
 from tracker.glove.model import GloveModel
@@ -23,6 +25,15 @@ class Sink(Protocol):
         """Let the device rest."""
 
 
+class Viewer(Protocol):
+    """Shows what an application draws, somewhere else."""
+
+    def show(self, title: str, hand: HandSample, drawing: Drawing) -> None:
+        """The newest; never waits."""
+
+    def close(self) -> None: ...
+
+
 class ApplicationStage:
     """Empty until `show`. ``tell`` gets each event, in the thread that feeds."""
 
@@ -35,6 +46,7 @@ class ApplicationStage:
         self._anew = False
         self.tell = tell
         self.sinks: list[Sink] = []
+        self.viewers: list[Viewer] = []
         self.outcome: Outcome | None = None
         self.counts: Counter[str] = Counter()
         self.last: Event | None = None
@@ -47,6 +59,12 @@ class ApplicationStage:
         """Of the application that is shown; empty where there is none."""
         runner = self._runner
         return runner.name if runner is not None else ""
+
+    @property
+    def title(self) -> str:
+        """What it is called; empty where there is none."""
+        runner = self._runner
+        return runner.application.title if runner is not None else ""
 
     @property
     def settings(self) -> Any:
@@ -95,6 +113,8 @@ class ApplicationStage:
         for sink in list(self.sinks):
             sink.take(outcome.commands, outcome.t)
         self.outcome = outcome
+        for viewer in list(self.viewers):
+            viewer.show(self.title, outcome.hand, outcome.drawing)
         for event in outcome.events:
             self._hear(event)
 
@@ -113,4 +133,7 @@ class ApplicationStage:
         """Let all devices rest."""
         for sink in self.sinks:
             sink.close()
+        for viewer in self.viewers:
+            viewer.close()
         self.sinks.clear()
+        self.viewers.clear()

@@ -7,10 +7,15 @@ import json
 import math
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tracker.errors import ConfigError
 from tracker.terminal import add_json, check_json, finish
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tracker.applications.runner import Outcome
 
 MOST_VEHICLES = 5000
 
@@ -36,6 +41,9 @@ def add_apps(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("-o", "--out", type=Path, help="a new session with the events in it")
     parser.add_argument(
+        "--page", type=int, metavar="PORT", help="show it in browsers of this machine, as it passes"
+    )
+    parser.add_argument(
         "--check", action="store_true", help="run again what SESSION holds, and compare"
     )
     add_json(parser)
@@ -55,7 +63,7 @@ def _apps(args: argparse.Namespace) -> int:
 
 def _run(args: argparse.Namespace, files: list[Path]) -> int:
     from tracker.applications.sinks import network_sinks
-    from tracker.offline.applications import run_into
+    from tracker.offline.applications import Into, run_into
 
     settings = dict(_setting(text) for text in args.set)
     with ExitStack() as stack:
@@ -64,9 +72,25 @@ def _run(args: argparse.Namespace, files: list[Path]) -> int:
         sinks = network_sinks()
         for sink in sinks:
             stack.callback(sink.close)
-        report = run_into(args.name, source, args.out, inputs, settings, sinks, args.force)
+        into = Into(args.out, inputs, args.force)
+        look = _page(args, stack)
+        report = run_into(args.name, source, into, settings, sinks, look)
     finish(args, report.to_json(), report.lines(), files)
     return 0
+
+
+def _page(args: argparse.Namespace, stack: ExitStack) -> Callable[[str, Outcome], None]:
+    """What shows each sample on a page, where one was asked for."""
+    if args.page is None:
+        return lambda title, outcome: None
+    try:
+        from tracker.offline.application_page import PacedPage
+    except ImportError as error:
+        raise ConfigError('The page needs: pip install "glovetrack[streams]".') from error
+    page = PacedPage(args.page, paced=not args.live)
+    stack.callback(page.close)
+    print(f"The page is at {page.url}", flush=True)
+    return page.look
 
 
 def _check(args: argparse.Namespace, files: list[Path]) -> int:

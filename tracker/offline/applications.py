@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from tracker.applications.runner import BEGINS, ENDS, KIND, SETTING, ApplicationRunner
+from tracker.applications.runner import BEGINS, ENDS, KIND, SETTING, ApplicationRunner, Outcome
 from tracker.applications.stage import Sink
 from tracker.clock import monotonic
 from tracker.errors import FileError
@@ -65,9 +65,10 @@ def run(
     settings: Mapping[str, Any] | None = None,
     sinks: Sequence[Sink] = (),
     recorder: SessionRecorder | None = None,
-    watch: Callable[[Event], None] = lambda event: None,
+    look: Callable[[str, Outcome], None] = lambda title, outcome: None,
 ) -> ApplicationReport:
-    """Feed the application with all that the source has. Raises ConfigError, FileError."""
+    """Feed the application with all that the source has; ``look`` hears its title and what each
+    sample brought. Raises ConfigError, FileError."""
     runner = ApplicationRunner(name, source.info.hand, source.info.glove, settings)
     report, last = ApplicationReport(name), 0.0
     for message in source.messages:
@@ -80,8 +81,7 @@ def run(
                 recorder.write(message)
         if isinstance(message, Estimate):
             last = message.t
-            for event in _feed(runner, message, report, sinks):
-                watch(event)
+            for event in _feed(runner, message, report, sinks, look):
                 if recorder is not None:
                     recorder.write(event)
     if report.samples and recorder is not None:
@@ -90,7 +90,11 @@ def run(
 
 
 def _feed(
-    runner: ApplicationRunner, estimate: Estimate, report: ApplicationReport, sinks: Sequence[Sink]
+    runner: ApplicationRunner,
+    estimate: Estimate,
+    report: ApplicationReport,
+    sinks: Sequence[Sink] = (),
+    look: Callable[[str, Outcome], None] = lambda title, outcome: None,
 ) -> list[Event]:
     events: list[Event] = []
     before = monotonic()
@@ -103,27 +107,37 @@ def _feed(
         report.commands += len(outcome.commands)
         report.primitives = len(outcome.drawing)
         events += outcome.events
+        look(runner.application.title, outcome)
         before = monotonic()
     report.events += events
     return events
 
 
+@dataclass(frozen=True)
+class Into:
+    """Where a run goes: a new session (None: none), made of ``inputs``; ``force`` replaces one."""
+
+    out: Path | None = None
+    inputs: Sequence[Path] = ()
+    force: bool = False
+
+
 def run_into(
     name: str,
     source: Source,
-    out: Path | None,
-    inputs: Sequence[Path],
+    into: Into,
     settings: Mapping[str, Any] | None = None,
     sinks: Sequence[Sink] = (),
-    force: bool = False,
+    look: Callable[[str, Outcome], None] = lambda title, outcome: None,
 ) -> ApplicationReport:
-    """`run`, into a new session that is there whole or not at all where ``out`` is told."""
+    """`run`, into a new session that is there whole or not at all."""
     with ExitStack() as stack:
         recorder = None
-        if out is not None:
-            check_target(out, force, inputs)
-            recorder = stack.enter_context(new_session(out, source.info, force, inputs))
-        return run(name, source, settings, sinks, recorder)
+        if into.out is not None:
+            check_target(into.out, into.force, into.inputs)
+            new = new_session(into.out, source.info, into.force, into.inputs)
+            recorder = stack.enter_context(new)
+        return run(name, source, settings, sinks, recorder, look)
 
 
 def replay(path: Path) -> list[ApplicationReport]:
@@ -156,7 +170,7 @@ def _again(path: Path, events: Sequence[Event]) -> ApplicationReport:
             while changes and changes[0].t <= message.t:
                 change = changes.pop(0)
                 runner.set(str(change.data["key"]), change.data["value"])
-            _feed(runner, message, report, ())
+            _feed(runner, message, report)
             if message.t >= wanted[-1].t and len(report.events) >= len(wanted):
                 break
     report.differs = difference(wanted, report.events[: len(wanted)])

@@ -92,6 +92,7 @@ class ReplayEngine:
 
     def close(self) -> None:
         self.stop()
+        self.stage.close()
         self._reader.close()
         self._references.close()
 

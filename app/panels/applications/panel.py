@@ -102,7 +102,12 @@ class ApplicationsPanel(Panel):
         self.settings.setText(self.tr("Settings"))
         self.settings.setCheckable(True)
         self.settings.toggled.connect(self.form.setVisible)
-        for widget in (self.choice, self.again, self.fit, self.settings):
+        self.page = QToolButton()
+        self.page.setText(self.tr("Page"))
+        self.page.setToolTip(self.tr("Show it in browsers of this machine, a headset's too"))
+        self.page.setCheckable(True)
+        self.page.toggled.connect(self._show_page)
+        for widget in (self.choice, self.again, self.fit, self.settings, self.page):
             row.add(widget)
         return row
 
@@ -137,6 +142,9 @@ class ApplicationsPanel(Panel):
     def _set(self, key: str, value: object) -> None:
         self._say(self.model.set(key, value) if self.model is not None else "")
 
+    def _show_page(self, on: bool) -> None:
+        self._say(self.model.show_page(on) if self.model is not None else "")
+
     def _fit_next(self) -> None:
         self._to_fit = True
 
@@ -160,6 +168,7 @@ class ApplicationsPanel(Panel):
             self.choice.addItem(title, name)
         self.choice.blockSignals(False)
         self.choice.setEnabled(True)
+        self.page.setEnabled(setup.stage is not None)
         self.view.orbit.look_from(FIRST_LOOK)
         name, settings = self.model.recorded
         if name in self.model.titles:
@@ -173,7 +182,10 @@ class ApplicationsPanel(Panel):
         self.choice.blockSignals(True)
         self.choice.clear()
         self.choice.blockSignals(False)
-        for widget in (self.choice, self.again, self.settings):
+        self.page.blockSignals(True)
+        self.page.setChecked(False)
+        self.page.blockSignals(False)
+        for widget in (self.choice, self.again, self.settings, self.page):
             widget.setEnabled(False)
         self.form.show_rows([])
         self._say("")
