@@ -12,7 +12,17 @@ import numpy as np
 
 from app.words import tr
 from tracker.clock import NS
+from tracker.errors import FileError
 from tracker.messages import Array, Estimate, Validity
+from tracker.session.align import (
+    Alignment,
+    Match,
+    best_match,
+    course_of_angles,
+    keep,
+    kept_beside,
+    read_alignment,
+)
 from tracker.session.reader import SessionReader
 
 GAP = 0.05  # s over which an angle is not filled in
@@ -59,6 +69,38 @@ class TwoTakes:
         offset = (self.second.wall_ns - self.first.wall_ns) / NS
         apart = offset > self.first.duration or offset < -self.second.duration
         return None if apart else offset
+
+    def by_movement(self) -> Match:
+        """Where their angles' speeds fit best. Raises FileError where nothing fits, or too much."""
+        one, other = (
+            course_of_angles(take.wall_ns, take.t, take.angles[:, columns])
+            for take, columns in ((t, [t.names.index(n) for n in self.names]) for t in self._both)
+        )
+        return best_match(one, other)
+
+    @property
+    def kept(self) -> float | None:
+        """The offset that was kept beside the second one, for the first one; None without one."""
+        path = kept_beside(self.second.path)
+        if not path.is_file():
+            return None
+        try:
+            found = read_alignment(path)
+        except FileError:
+            return None
+        return found.offset_s if found.first == self.first.path.name else None
+
+    def keep(self, offset: float) -> Path:
+        """Write the offset beside the second one; where. Raises FileError."""
+        path = kept_beside(self.second.path)
+        by_clock = (self.second.wall_ns - self.first.wall_ns) / NS
+        names = self.first.path.name, self.second.path.name
+        keep(Alignment(*names, "hand", offset, offset - by_clock), path, force=True)
+        return path
+
+    @property
+    def _both(self) -> tuple[TakeAngles, TakeAngles]:
+        return self.first, self.second
 
     def shift(self, offset: float) -> float:
         """s that the second one's monotonic clock is ahead of the first one's."""

@@ -11,12 +11,13 @@ from PySide6.QtCore import Qt
 
 from app.panels.library.two_takes_dialog import TwoTakesDialog
 from app.viewmodels.take_images import TakeImages
-from app.viewmodels.two_takes import TwoTakes, between, figures_text, read_take
+from app.viewmodels.two_takes import TakeAngles, TwoTakes, between, figures_text, read_take
 from tracker.messages import StereoFrame
 from tracker.offline.crop import crop
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, simulate
 from tracker.offline.track import track
+from tracker.session.align import read_alignment
 from tracker.session.reader import SessionReader
 from tracker.session.writer import RecorderParams, SessionRecorder
 
@@ -143,3 +144,36 @@ def test_images_of_both_takes_follow_position_and_offset(beside, window, monkeyp
     beside.set_offset(0.25)
     beside.show_position(0.9)
     qtbot.waitUntil(lambda: asked[-2:] == [(0, 0.9), (1, 0.65)], timeout=10_000)
+
+
+def test_by_movement_the_offset_is_found_and_kept_for_the_next_time(tmp_path):
+    rng = np.random.default_rng(5)
+    waves = rng.uniform(0.2, 2.0, (12, 1)), rng.uniform(0, 7, (12, 1))
+    t = np.arange(1500) / 100
+    names = tuple(f"joint_{k}" for k in range(12))
+
+    def take(name: str, since: float) -> TakeAngles:
+        angles = np.sin(2 * np.pi * waves[0] * (t + since) + waves[1]).T
+        return TakeAngles(tmp_path / name, 0.0, 10**18, 15.0, names, t, angles)
+
+    pair = TwoTakes(take("a.mcap", 0.0), take("b.mcap", 2.34))
+    found = pair.by_movement()
+    assert found.offset == pytest.approx(2.34, abs=0.003) and found.correlation > 0.95
+    assert pair.kept is None
+    assert pair.keep(found.offset) == tmp_path / "b.aligned.json"
+    assert pair.kept == pytest.approx(2.34, abs=0.003)
+    assert replace(pair, first=take("c.mcap", 0.0)).kept is None, "it is of another pair"
+    assert read_alignment(tmp_path / "b.aligned.json").clocks_differ_s == pytest.approx(
+        2.34, abs=0.003
+    )
+
+
+def test_the_dialog_seeks_by_movement_and_keeps(beside):
+    before = beside.offset.value()
+    beside.movement_button.click()
+    assert beside.offset.value() == before, "the parts are too short to be sure of"
+    assert beside.figures.text().startswith("The ")
+    beside.set_offset(0.25)
+    beside.keep_button.click()
+    assert beside.figures.text() == "Kept in b.aligned.json."
+    assert beside.takes.kept == 0.25

@@ -155,3 +155,15 @@ def test_images_show_both_hands_and_are_tracked(tmp_path: Path) -> None:
     assert strong[:, :640].sum() > 1000 and strong[:, 640:].sum() > 1000
     report = track(path, tmp_path / "tracked.mcap")
     assert all(hand.error_mm["mean"] < 15 for hand in report.hands.values())
+
+
+def test_each_hand_is_compared(tracked: Path, recorded: Path, tmp_path: Path) -> None:
+    found = compare(tracked, tracked, tmp_path / "o.png")
+    assert found["identical"] and set(found["hands"]) == {"left", "right"}
+    assert found["compared"] == sum(h["compared"] for h in found["hands"].values())
+    other = tmp_path / "other.mcap"
+    track(recorded, other, TrackOptions("vist"))
+    apart = compare(tracked, other)
+    assert not apart["identical"]
+    assert all(0.1 < hand["mean_mm"] < 30 for hand in apart["hands"].values())
+    assert apart["max_mm"] == max(h["max_mm"] for h in apart["hands"].values())

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from tracker.session.align_command import add_align
 from tracker.terminal import add_force, add_json, check_json, finish, printable
 
 if TYPE_CHECKING:
@@ -35,8 +36,12 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
     command.add_argument("first", type=Path, metavar="A")
     command.add_argument("second", type=Path, metavar="B")
     command.add_argument("--figure", type=Path, metavar="PNG", help="draw the differences")
+    command.add_argument(
+        "--align", type=Path, metavar="FILE", help="lay B on A's time as `align` has found"
+    )
     add_json(command)
     command.set_defaults(func=_compare)
+    add_align(subparsers)
 
 
 def _add_export(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -242,16 +247,23 @@ def _made_on(made_on: list[str], identical: bool) -> list[str]:
 
 
 def _compare(args: argparse.Namespace) -> int:
+    from tracker.session.align import read_alignment
     from tracker.session.compare import compare
 
     inputs = [args.first, args.second]
     check_json(args, inputs)
-    found = compare(args.first, args.second, args.figure, args.force)
+    shift = 0.0 if args.align is None else read_alignment(args.align).clocks_differ_s
+    found = compare(args.first, args.second, args.figure, args.force, shift)
     lines = [
-        f"{found['compared']} instants in common; mean {found['mean_mm']:.3f} mm, "
-        f"largest {found['max_mm']:.3f} mm; angles {found['rms_deg']:.3f}° rms",
-        "identical to the last bit" if found["identical"] else "not identical",
+        f"{side}{each['compared']} instants in common; mean {each['mean_mm']:.3f} mm, "
+        f"largest {each['max_mm']:.3f} mm; angles {each['rms_deg']:.3f}° rms"
+        for side, each in (
+            ((f"{s} hand: ", h) for s, h in found["hands"].items())
+            if "hands" in found
+            else [("", found)]
+        )
     ]
+    lines.append("identical to the last bit" if found["identical"] else "not identical")
     if found["differing"]:
         lines.append(f"differing: {', '.join(found['differing'])}")
     lines += _made_on(found["made_on"], found["identical"])

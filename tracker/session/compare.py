@@ -2,39 +2,82 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from tracker.clock import NS
 from tracker.errors import FileError
 from tracker.files import whole_file
 from tracker.messages import Array, IntArray
+from tracker.session.export.holes import LONGEST_FILLED
 from tracker.session.export.series import EstimateSeries, recorded_series
 from tracker.session.reader import SessionReader
 
 _ALIGNED_NS = 1_000_000
 
 
-def compare(a: Path, b: Path, figure: Path | None = None, force: bool = False) -> dict[str, Any]:
+def compare(
+    a: Path, b: Path, figure: Path | None = None, force: bool = False, shift_s: float = 0.0
+) -> dict[str, Any]:
     """Distances of keypoints (mm) and angles (deg) at the instants that both files have.
 
-    ``figure``: a PNG or PDF of both over time, which replaces one only with ``force``. Raises
-    FileError where nothing can be compared.
+    Of sessions of both hands each hand is compared: ``hands`` holds what is said of it, by side,
+    the rest what is true of both, the worse of both or their mean. ``figure``: a PNG or PDF of both
+    over time, which replaces one only with ``force``. ``shift_s`` is added to the stamps of ``b``,
+    whose numbers are then taken on lines between its instants (see `align`). Raises FileError where
+    nothing can be compared.
     """
-    with SessionReader(a) as reader_a, SessionReader(b) as reader_b:
+    sides = _common_sides(a, b)
+    found, curves = {}, []
+    for side in sides:
+        found[side], curve = _compared(a, b, side, shift_s)
+        curves.append(curve)
+    if figure is not None:
+        names = [f"{a.name} against {b.name}" + (f", {side}" if side else "") for side in sides]
+        with whole_file(figure, force, [a, b]) as part:
+            _draw(part, curves, names)
+    if len(found) == 1:
+        return found[sides[0]]
+    return _of_both(found)
+
+
+class _Curves(NamedTuple):
+    """t (N,) s, distance (N, K) mm, turn (N, J) deg."""
+
+    t: Array
+    distance: Array
+    turn: Array
+
+
+def _common_sides(a: Path, b: Path) -> list[str]:
+    """Those of sessions of both hands; one that has no name where neither file is one."""
+    with SessionReader(a) as first, SessionReader(b) as second:
+        if not first.sides and not second.sides:
+            return [""]
+        of = [reader.sides or (reader.info.side,) for reader in (first, second)]
+    common = [side for side in of[0] if side in of[1]]
+    if not common:
+        raise FileError(f"{a} and {b} have no hand in common.")
+    return common
+
+
+def _compared(a: Path, b: Path, side: str, shift_s: float) -> tuple[dict[str, Any], _Curves]:
+    """Of one hand."""
+    with _of_side(a, side) as reader_a, _of_side(b, side) as reader_b:
         first, second = (recorded_series(r) for r in (reader_a, reader_b))
         words = _metadata_changes(reader_a, reader_b)
         made_on = [r.metadata.get("arithmetic", "") for r in (reader_a, reader_b)]
+    second = _shifted(second, first.stamp_ns, shift_s) if shift_s else second
     rows_a, rows_b = common_rows(first.stamp_ns, second.stamp_ns)
     if len(rows_a) == 0:
         raise FileError(f"{a} and {b} have no instant in common.")
     points, distance = _keypoint_distance(first, second, rows_a, rows_b)
     joints, turn = _angle_difference(first, second, rows_a, rows_b)
-    if figure is not None:
-        with whole_file(figure, force, [a, b]) as part:
-            _draw(part, first.elapsed[rows_a], distance, turn, (a.name, b.name))
-    return {
+    report = {
         "estimates": [len(first), len(second)],
         "compared": len(rows_a),
         "identical": _identical(first, second),
@@ -46,6 +89,63 @@ def compare(a: Path, b: Path, figure: Path | None = None, force: bool = False) -
         "differing": words,
         "made_on": made_on,
     }
+    return report, _Curves(first.elapsed[rows_a], distance, turn)
+
+
+def _of_side(path: Path, side: str) -> SessionReader:
+    reader = SessionReader(path)
+    if not side or not reader.sides:
+        return reader
+    reader.close()
+    return SessionReader(path, side=side)
+
+
+def _of_both(found: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """What both hands' reports come to."""
+    hands = list(found.values())
+    return {
+        "hands": found,
+        "compared": sum(h["compared"] for h in hands),
+        "identical": all(h["identical"] for h in hands),
+        "mean_mm": float(
+            np.average([h["mean_mm"] for h in hands], weights=[h["compared"] for h in hands])
+        ),
+        "max_mm": max(h["max_mm"] for h in hands),
+        "rms_deg": max(h["rms_deg"] for h in hands),
+        "differing": hands[0]["differing"],
+        "made_on": hands[0]["made_on"],
+    }
+
+
+def _shifted(m: EstimateSeries, stamp_ns: IntArray, shift_s: float) -> EstimateSeries:
+    """At those of ``stamp_ns`` at which it is known when its own stamps are moved."""
+    own = m.stamp_ns + round(shift_s * NS)
+    m = m.rows(np.flatnonzero(np.diff(own, prepend=own[0] - 1) > 0))
+    own = m.stamp_ns + round(shift_s * NS)
+    inside = stamp_ns[(stamp_ns >= own[0]) & (stamp_ns <= own[-1])]
+    if len(inside) == 0:
+        return replace(m, stamp_ns=own)
+    zero = own[0]
+    t, at = (own - zero) / NS, (inside - zero) / NS
+    nearest = np.clip(np.searchsorted((t[1:] + t[:-1]) / 2, at), 0, len(t) - 1)
+    return replace(
+        m.rows(nearest),
+        stamp_ns=inside,
+        keypoints=_on_lines(t, m.keypoints, at),
+        angles=_on_lines(t, m.angles, at),
+    )
+
+
+def _on_lines(t: Array, values: Array, at: Array) -> Array:
+    """Values (N, …) between their neighbours; NaN beside one that is lost, and over holes."""
+    after = np.clip(np.searchsorted(t, at), 1, max(len(t) - 1, 1))
+    if len(t) < 2:
+        return values[np.zeros(len(at), np.int64)]
+    step = t[after] - t[after - 1]
+    share = ((at - t[after - 1]) / step).reshape(-1, *[1] * (values.ndim - 1))
+    out = values[after - 1] * (1 - share) + values[after] * share
+    out[step > LONGEST_FILLED] = np.nan
+    return np.asarray(out)
 
 
 def truth_error_mm(tracked: Path, truth: Path) -> dict[str, float]:
@@ -134,23 +234,24 @@ def _largest(values: Array) -> float:
     return float(np.nanmax(values)) if np.isfinite(values).any() else float("nan")
 
 
-def _draw(path: Path, t: Array, distance: Array, turn: Array, names: tuple[str, str]) -> None:
+def _draw(path: Path, curves: Sequence[_Curves], titles: Sequence[str]) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(9, 5), layout="constrained")
+    figure = Figure(figsize=(9, 5 * len(curves)), layout="constrained")
     FigureCanvasAgg(figure)
-    figure.suptitle(f"{names[0]} against {names[1]}")
-    upper, lower = figure.subplots(2, 1, sharex=True)
-    for axes, values, label in (
-        (upper, distance, "keypoint distance (mm)"),
-        (lower, np.abs(turn), "angle difference (°)"),
-    ):
-        known = np.isfinite(values).any(axis=1)
-        axes.plot(t[known], np.nanmean(values[known], axis=1), label="mean", lw=1)
-        axes.plot(t[known], np.nanmax(values[known], axis=1), label="largest", lw=0.7)
-        axes.set_ylabel(label)
-        axes.grid(alpha=0.3)
-    upper.legend(loc="upper right")
-    lower.set_xlabel("time (s)")
+    panes = figure.subplots(2 * len(curves), 1, sharex=True, squeeze=False)[:, 0]
+    for k, (one, title) in enumerate(zip(curves, titles, strict=True)):
+        panes[2 * k].set_title(title)
+        for axes, values, label in (
+            (panes[2 * k], one.distance, "keypoint distance (mm)"),
+            (panes[2 * k + 1], np.abs(one.turn), "angle difference (°)"),
+        ):
+            known = np.isfinite(values).any(axis=1)
+            axes.plot(one.t[known], np.nanmean(values[known], axis=1), label="mean", lw=1)
+            axes.plot(one.t[known], np.nanmax(values[known], axis=1), label="largest", lw=0.7)
+            axes.set_ylabel(label)
+            axes.grid(alpha=0.3)
+        panes[2 * k].legend(loc="upper right")
+    panes[-1].set_xlabel("time (s)")
     figure.savefig(path, dpi=120)

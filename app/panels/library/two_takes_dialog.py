@@ -21,6 +21,7 @@ from app.panels.library.take_pair import TakePair
 from app.viewmodels.compare import words
 from app.viewmodels.states import GOOD, SKY, WARN
 from app.viewmodels.two_takes import TwoTakes, figures_text
+from tracker.errors import GlovetrackError
 
 LONGEST = 86_400.0  # s of offset
 FRAME_S = 0.01  # a step of the box
@@ -48,8 +49,8 @@ class TwoTakesDialog(QDialog):
         column.addWidget(self.images, 1)
         column.addWidget(self.plot, 1)
         column.addWidget(self.figures)
-        by_clock = takes.by_clock
-        self.set_offset(by_clock if by_clock is not None else 0.0)
+        offsets = (takes.kept, takes.by_clock, 0.0)
+        self.set_offset(next(offset for offset in offsets if offset is not None))
 
     def _make_plot(self, first: str, second: str) -> None:
         self.plot = pg.PlotWidget()
@@ -99,12 +100,39 @@ class TwoTakesDialog(QDialog):
         self.clock_button.clicked.connect(lambda: self.set_offset(self.takes.by_clock or 0.0))
         self.starts_button = QPushButton(self.tr("Both from their start"))
         self.starts_button.clicked.connect(lambda: self.set_offset(0.0))
+        self.movement_button = QPushButton(self.tr("By movement"))
+        self.movement_button.setToolTip(self.tr("Where the angles of both fit best"))
+        self.movement_button.clicked.connect(self._by_movement)
+        self.keep_button = QPushButton(self.tr("Keep"))
+        self.keep_button.setToolTip(self.tr("Begin there the next time; for compare --align too"))
+        self.keep_button.clicked.connect(self._keep)
         row = QHBoxLayout()
         row.addWidget(self.joint, 1)
         row.addWidget(QLabel(self.tr("The second begins at")))
-        for widget in (self.offset, self.clock_button, self.starts_button):
+        buttons = self.clock_button, self.movement_button, self.starts_button, self.keep_button
+        for widget in (self.offset, *buttons):
             row.addWidget(widget)
         return row
+
+    def _by_movement(self) -> None:
+        """Where nothing fits it stays, and that is said."""
+        try:
+            found = self.takes.by_movement()
+        except GlovetrackError as error:
+            self.figures.setText(str(error))
+            return
+        self.set_offset(found.offset)
+        told = self.tr("{} Correlation {:.2f}, elsewhere {:.2f} at most.")
+        text = told.format(self.figures.text(), found.correlation, found.elsewhere)
+        self.figures.setText(text)
+
+    def _keep(self) -> None:
+        try:
+            path = self.takes.keep(self._offset)
+        except GlovetrackError as error:
+            self.figures.setText(str(error))
+            return
+        self.figures.setText(self.tr("Kept in {}.").format(path.name))
 
     def set_offset(self, offset: float) -> None:
         """Where on the first one's axis the second begins, s."""

@@ -1,0 +1,108 @@
+"""Two recordings of one movement are laid over each other, by clocks or by how the hand moves."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from tracker.cli import main
+from tracker.errors import FileError
+from tracker.messages import Estimate, ImuSample
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
+from tracker.session.align import Course, align, best_match, course_of_angles, read_alignment
+from tracker.session.compare import compare
+from tracker.session.reader import SessionReader
+from tracker.session.writer import SessionRecorder
+
+LATE = 1.37  # s after the first that the second begins
+CLOCK = 4.219  # s that the second's clock is ahead
+
+
+@pytest.fixture(scope="module")
+def takes(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """A tracked take, and a part of it as another computer would have recorded it."""
+    folder = tmp_path_factory.mktemp("align")
+    simulate(folder / "in.mcap", SimulateOptions(images=False, duration=6.0, seed=4))
+    track(folder / "in.mcap", folder / "a.mcap")
+    with SessionReader(folder / "in.mcap") as reader:
+        imus = [m for m in reader.messages([ImuSample]) if isinstance(m, ImuSample)]
+    with SessionReader(folder / "a.mcap") as reader:
+        found = [m for m in reader.messages([Estimate]) if isinstance(m, Estimate)]
+        info = reader.info
+    ahead = replace(info.anchor, wall_ns=info.anchor.wall_ns + round(CLOCK * 1e9))
+    start = imus[0].t + LATE
+    for name, about, since in (("both", info, 0.0), ("b", replace(info, anchor=ahead), start)):
+        with SessionRecorder(folder / f"{name}.mcap", about) as recorder:
+            for m in sorted([*imus, *found], key=lambda m: m.t):
+                if m.t >= since:
+                    recorder.write(m)
+    return folder / "both.mcap", folder / "b.mcap"
+
+
+def test_by_movement_the_offset_of_the_clocks_is_found(takes: tuple[Path, Path]) -> None:
+    found = align(*takes)
+    assert found.offset_s == pytest.approx(LATE, abs=0.015)
+    assert found.clocks_differ_s == pytest.approx(-CLOCK, abs=0.005)
+    assert found.correlation is not None and found.correlation > 0.95
+
+
+def test_by_clock_what_the_computers_say_is_taken(takes: tuple[Path, Path]) -> None:
+    found = align(*takes, by="clock")
+    assert found.offset_s == pytest.approx(LATE + CLOCK, abs=0.011) and found.clocks_differ_s == 0
+
+
+def test_what_was_aligned_is_kept_and_compared(
+    takes: tuple[Path, Path], tmp_path: Path, capsys: pytest.CaptureFixture
+) -> None:
+    kept, picture = tmp_path / "o.json", tmp_path / "o.png"
+    words = ["align", *map(str, takes), "-o", str(kept), "--figure", str(picture)]
+    assert main(words) == 0
+    assert "by movement, correlation" in capsys.readouterr().out
+    assert cv2.imread(str(picture)) is not None
+    assert main(words) == 1, "nothing is written over"
+    assert read_alignment(kept).clocks_differ_s == pytest.approx(-CLOCK, abs=0.005)
+    words = ["compare", *map(str, takes), "--json", "-"]
+    assert main([*words, "--align", str(kept)]) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert said["compared"] > 400 and said["rms_deg"] < 0.5 and said["mean_mm"] < 1.0
+    assert compare(*takes)["rms_deg"] > 5, "by their own clocks they do not fit"
+    kept.write_text('{"offset_s": "x"}')
+    with pytest.raises(FileError, match="no alignment"):
+        read_alignment(kept)
+
+
+def swings(seed: int, n: int, start: float = 0.0) -> Course:
+    """Speed of a movement that never repeats itself, seen from ``start`` on."""
+    rng = np.random.default_rng(seed)
+    t = np.arange(n) / 100
+    waves = rng.uniform(0.2, 2.0, (12, 1)), rng.uniform(0, 7, (12, 1))
+    angles = np.sin(2 * np.pi * waves[0] * (t + start) + waves[1])
+    return course_of_angles(0, t, angles.T)
+
+
+@pytest.mark.parametrize("offset", [-3.204, 0.0, 7.5])
+def test_offsets_before_and_after_the_start_are_found_to_milliseconds(offset: float) -> None:
+    found = best_match(swings(1, 2000, 10.0), swings(1, 1500, 10.0 + offset))
+    assert found.offset == pytest.approx(offset, abs=0.003)
+
+
+def test_another_movement_is_not_laid_over_by_force() -> None:
+    with pytest.raises(FileError, match="do not fit"):
+        best_match(swings(1, 2000), swings(2, 2000))
+
+
+def test_a_movement_that_repeats_itself_tells_no_offset() -> None:
+    t = np.arange(3000) / 100
+    even = course_of_angles(0, t, np.sin(2 * np.pi * t)[:, None] + 0 * t[:, None])
+    with pytest.raises(FileError, match="more than one place"):
+        best_match(even, replace(even, t=t[:2000], speed=even.speed[:2000]))
+
+
+def test_holes_count_for_nothing() -> None:
+    a, b = swings(3, 2000), swings(3, 2000, 2.0)
+    b.speed[500:900] = np.nan
+    assert best_match(a, b).offset == pytest.approx(2.0, abs=0.005)

@@ -1,0 +1,237 @@
+"""Where one recording lies on the time axis of another: by the computers' clocks, or by movement.
+
+By movement: how fast the hand turns is the same in both, whatever sensors saw it. Two courses of
+speed are laid over each other where their correlation is greatest.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+from scipy.signal import fftconvolve
+
+from tracker.clock import NS
+from tracker.errors import ConfigError, FileError
+from tracker.files import write_whole
+from tracker.messages import Array, Estimate, ImuSample
+from tracker.session.reader import SessionReader
+
+WAYS = ("clock", "movement")
+RATE = 100.0  # Hz
+OVERLAP = 3.0  # s that both have to have in common
+LEAST = 0.5  # correlation of a match
+RIVAL = 0.95  # share of it that another place may reach
+APART = 0.5  # s from the best one, from which on it is another place
+_SMOOTH = 0.05  # s
+_GAP = 0.1  # s
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """``speed`` (N,) rad/s at ``t`` (N,) s from ``start_ns`` since 1970; NaN where not known."""
+
+    start_ns: int
+    t: Array
+    speed: Array
+
+
+@dataclass(frozen=True)
+class Match:
+    """``offset`` s at which the second begins on the first one's axis; ``correlation`` there, and
+    the greatest at another place."""
+
+    offset: float
+    correlation: float
+    elsewhere: float
+
+
+@dataclass(frozen=True)
+class Alignment:
+    """As it is kept: ``offset_s`` from the first one's first measurement to the second one's;
+    ``clocks_differ_s`` is what has to be added to the second one's stamps."""
+
+    first: str
+    second: str
+    by: str
+    offset_s: float
+    clocks_differ_s: float
+    correlation: float | None = None
+    elsewhere: float | None = None
+
+
+def align(first: Path, second: Path, by: str = "movement") -> Alignment:
+    """Raises ConfigError for another way, FileError where the recordings tell no offset."""
+    if by not in WAYS:
+        raise ConfigError(f"Recordings are aligned by {' or '.join(WAYS)}, not by {by!r}.")
+    a, b = read_courses(first, second)
+    by_clock = (b.start_ns - a.start_ns) / NS
+    if by == WAYS[0]:
+        if by_clock > a.t[-1] or by_clock < -b.t[-1]:
+            raise FileError("By their clocks the recordings were not made at the same time.")
+        return Alignment(first.name, second.name, by, by_clock, 0.0)
+    found = best_match(a, b)
+    return Alignment(
+        first.name,
+        second.name,
+        by,
+        found.offset,
+        found.offset - by_clock,
+        found.correlation,
+        found.elsewhere,
+    )
+
+
+def best_match(a: Course, b: Course) -> Match:
+    """Raises FileError where no place, or more than one, fits well."""
+    x, y = (_even(c) for c in (a, b))
+    r = _correlations(x, y)
+    lags = np.arange(-(len(y) - 1), len(x)) / RATE
+    if not np.isfinite(r).any():
+        raise FileError(f"The recordings have no {OVERLAP:g} s of movement that could be the same.")
+    k = int(np.nanargmax(r))
+    far = np.abs(lags - lags[k]) > APART
+    elsewhere = float(np.nanmax(r[far])) if np.isfinite(r[far]).any() else -1.0
+    if r[k] < LEAST:
+        raise FileError(f"The movements do not fit each other (correlation {r[k]:.2f}).")
+    if elsewhere > RIVAL * r[k]:
+        raise FileError(
+            f"The movements fit at more than one place (correlations {r[k]:.2f} and "
+            f"{elsewhere:.2f}): they repeat themselves too evenly."
+        )
+    offset = float(lags[k] + _between(r, k) / RATE + a.t[0] - b.t[0])
+    return Match(offset, float(r[k]), elsewhere)
+
+
+def _even(course: Course) -> Array:
+    """Speed at even steps without its mean; 0 where it is not known, and its logarithm, so that
+    the fastest instants do not count alone."""
+    known = np.isfinite(course.speed)
+    if known.sum() < OVERLAP * RATE / 10:
+        raise FileError("A recording holds too little movement to be aligned by it.")
+    t, speed = course.t[known], course.speed[known]
+    at = np.arange(t[0], t[-1], 1 / RATE)
+    width = max(int(_SMOOTH * RATE), 1)
+    x = np.convolve(np.interp(at, t, speed), np.ones(width) / width, "same")
+    x = np.log(x + 0.05)
+    after = np.clip(np.searchsorted(t, at), 1, len(t) - 1)
+    return np.where(t[after] - t[after - 1] > _GAP, np.nan, x)
+
+
+def _correlations(x: Array, y: Array) -> Array:
+    """Pearson's of what both know at each lag, from -(len(y) - 1) on; NaN below `OVERLAP`."""
+    knows_x, knows_y = np.isfinite(x).astype(float), np.isfinite(y).astype(float)
+    x = np.where(knows_x > 0, x - np.nanmean(x), 0.0)
+    y = np.where(knows_y > 0, y - np.nanmean(y), 0.0)
+
+    def over(p: Array, q: Array) -> Array:
+        return np.asarray(fftconvolve(p, q[::-1]))
+
+    n = np.maximum(over(knows_x, knows_y), 1e-9)
+    sum_x, sum_y = over(x, knows_y), over(knows_x, y)
+    variance_x = over(x**2, knows_y) - sum_x**2 / n
+    variance_y = over(knows_x, y**2) - sum_y**2 / n
+    scale = np.sqrt(np.maximum(variance_x, 1e-12) * np.maximum(variance_y, 1e-12))
+    r = (over(x, y) - sum_x * sum_y / n) / scale
+    return np.where((n >= OVERLAP * RATE) & (scale > 1e-6 * n), r, np.nan)
+
+
+def _between(r: Array, k: int) -> float:
+    """Steps from ``k`` to the top of the parabola through it and its neighbours."""
+    if not 0 < k < len(r) - 1 or not np.isfinite(r[k - 1 : k + 2]).all():
+        return 0.0
+    bend = r[k - 1] - 2 * r[k] + r[k + 1]
+    return 0.0 if bend >= 0 else float(np.clip(0.5 * (r[k - 1] - r[k + 1]) / bend, -0.5, 0.5))
+
+
+def read_courses(first: Path, second: Path) -> tuple[Course, Course]:
+    """By what both have: IMUs, else the tracked angles. Raises FileError where they have neither
+    in common."""
+    found = [(_of_imus(path), path) for path in (first, second)]
+    if all(course is not None for course, _ in found):
+        a, b = (course for course, _ in found)
+    else:
+        a, b = (_of_angles(path) for path in (first, second))
+    if a is None or b is None:
+        raise FileError("Neither IMUs nor tracked angles are in both recordings.")
+    return a, b
+
+
+def _of_imus(path: Path) -> Course | None:
+    """The angular speed of the root's IMU, or of the one that is there most; None without one."""
+    with SessionReader(path) as reader:
+        start = reader.span_ns[0]
+        began = reader.anchor.monotonic(start)
+        found = [m for m in reader.messages([ImuSample]) if isinstance(m, ImuSample)]
+    if len(found) < 2:
+        return None
+    found.sort(key=lambda m: m.t)
+    gyro = np.linalg.norm(np.array([m.gyro for m in found]), axis=2)
+    known = np.isfinite(gyro)
+    most = int(np.argmax(known.sum(axis=0)))  # the first of those that are there most: the root
+    return Course(start, np.array([m.t for m in found]) - began, gyro[:, most])
+
+
+def _of_angles(path: Path) -> Course | None:
+    """Root of the summed squares of all joints' speeds."""
+    with SessionReader(path) as reader:
+        start = reader.span_ns[0]
+        began = reader.anchor.monotonic(start)
+        found = [m for m in reader.messages([Estimate]) if isinstance(m, Estimate)]
+    if len(found) < 2:
+        return None
+    found.sort(key=lambda m: m.t)
+    return course_of_angles(start, np.array([m.t for m in found]) - began,
+                            np.array([m.angles for m in found]))  # fmt: skip
+
+
+def course_of_angles(start_ns: int, t: Array, angles: Array) -> Course:
+    """Of joint angles (N, J) rad at ``t`` (N,) s; instants at which all are lost are not known."""
+    rate = np.gradient(angles, np.maximum(t, np.arange(len(t)) * 1e-9), axis=0)
+    known = np.isfinite(rate).any(axis=1)
+    return Course(start_ns, t, np.where(known, np.sqrt(np.nansum(rate**2, axis=1)), np.nan))
+
+
+def kept_beside(second: Path) -> Path:
+    """Where the window keeps how a recording lies on another's axis."""
+    return second.with_name(f"{second.stem}.aligned.json")
+
+
+def keep(alignment: Alignment, path: Path, force: bool = False) -> None:
+    """Write it as JSON. Raises FileError."""
+    write_whole(path, json.dumps(asdict(alignment), indent=2) + "\n", force)
+
+
+def read_alignment(path: Path) -> Alignment:
+    """Raises FileError for what is none."""
+    try:
+        said = json.loads(path.read_text("utf-8"))
+        numbers = [float(said[k]) for k in ("offset_s", "clocks_differ_s")]
+        words = [str(said[k]) for k in ("first", "second", "by")]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+        raise FileError(f"{path} is no alignment of two recordings.") from error
+    if not np.isfinite(numbers).all():
+        raise FileError(f"{path} is no alignment of two recordings.")
+    return Alignment(words[0], words[1], words[2], numbers[0], numbers[1])
+
+
+def draw(path: Path, a: Course, b: Course, alignment: Alignment, force: bool = False) -> None:
+    """Both speeds on the first one's axis, as PNG."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    from tracker.files import whole_file
+
+    figure = Figure(figsize=(9, 3.2), layout="constrained")
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    axes.plot(a.t, a.speed, lw=0.8, label=alignment.first)
+    axes.plot(b.t + alignment.offset_s, b.speed, lw=0.8, label=alignment.second)
+    axes.set_xlabel(f"s from the start of {alignment.first}")
+    axes.set_ylabel("rad/s")
+    axes.legend(loc="upper right")
+    axes.grid(alpha=0.3)
+    with whole_file(path, force) as part:
+        figure.savefig(part, format="png", dpi=120)

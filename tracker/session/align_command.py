@@ -1,0 +1,44 @@
+"""The sub-command align."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import asdict
+from pathlib import Path
+
+from tracker.terminal import add_json, check_json, finish
+
+
+def add_align(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Its arguments."""
+    command = subparsers.add_parser("align", help="where one recording lies on another's time")
+    command.add_argument("first", type=Path, metavar="A")
+    command.add_argument("second", type=Path, metavar="B")
+    command.add_argument("--by", choices=("clock", "movement"), default="movement")
+    command.add_argument("-o", "--output", type=Path, metavar="JSON", help="keep it, for compare")
+    command.add_argument("--figure", type=Path, metavar="PNG", help="draw both over each other")
+    add_json(command)
+    command.set_defaults(func=_align)
+
+
+def _align(args: argparse.Namespace) -> int:
+    from tracker.files import check_target
+    from tracker.session.align import align, draw, keep, read_courses
+
+    files = [args.first, args.second]
+    check_json(args, files)
+    for path in filter(None, (args.output, args.figure)):
+        check_target(path, args.force, files)
+    found = align(args.first, args.second, args.by)
+    if args.figure is not None:
+        draw(args.figure, *read_courses(args.first, args.second), found, args.force)
+    if args.output is not None:
+        keep(found, args.output, args.force)
+    line = f"{args.second.name} begins at {found.offset_s:+.3f} s of {args.first.name}"
+    if found.correlation is not None:
+        line += (
+            f": by movement, correlation {found.correlation:.2f} ({found.elsewhere:.2f} elsewhere);"
+            f" its clock is {-found.clocks_differ_s:+.3f} s ahead"
+        )
+    finish(args, asdict(found), [f"{line}."], files)
+    return 0
