@@ -7,12 +7,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from mcap_ros2.reader import read_ros2_messages
+from mcap.reader import make_reader
+from mcap_ros2.decoder import DecoderFactory
 
 from tests.session.conftest import at
 from tracker.errors import FileError
 from tracker.messages import RobotMemory, RobotModel, RobotState
 from tracker.session.decode_robot import read_robot, robot_model, robot_names
+from tracker.session.export.mcap import copy_part
+from tracker.session.export.options import ExportOptions
 from tracker.session.reader import SessionReader
 
 MODEL = RobotModel(at(0), "claw_left", ("a", "b"), ("cube",), "<robot/>", '{"side": "left"}')
@@ -53,7 +56,9 @@ def test_another_reader_finds_joint_states_as_ros_has_them(
 ) -> None:
     path = recorded(tmp_path, record)
     topics = ["/robot/claw_left/joint_states", "/robot/claw_left/robot_description"]
-    said = {m.channel.topic: m.ros_msg for m in read_ros2_messages(str(path), topics=topics)}
+    with path.open("rb") as file:
+        found = make_reader(file, decoder_factories=[DecoderFactory()])
+        said = {c.topic: m for _, c, _, m in found.iter_decoded_messages(topics=topics)}
     assert list(said[topics[0]].name) == ["a", "b"]
     assert list(said[topics[0]].position) == list(state(50, 5).joints)
     assert said[topics[1]].data == "<robot/>"
@@ -66,6 +71,19 @@ def test_a_state_before_it_is_said_what_the_robot_is_has_no_names_and_is_left_ou
     with SessionReader(path) as reader:
         found = list(read_robot(reader, "claw_left"))
     assert [m.t for m in found if isinstance(m, RobotState)] == [at(20)]
+
+
+def test_a_part_of_a_session_still_says_what_its_robot_is(
+    tmp_path: Path, record: Callable[..., Path]
+) -> None:
+    out = tmp_path / "part.mcap"
+    with SessionReader(recorded(tmp_path, record)) as reader:
+        start = reader.anchor.wall(at(25))
+        copy_part(reader, out, (start, start + 10**9), ExportOptions())
+    with SessionReader(out) as part:
+        assert robot_model(part, "claw_left").urdf == "<robot/>"
+        found = [m.t for m in read_robot(part, "claw_left") if isinstance(m, RobotState)]
+    assert found == [at(30), at(40), at(50)]
 
 
 def test_a_session_without_robots_has_none(tmp_path: Path, record: Callable[..., Path]) -> None:

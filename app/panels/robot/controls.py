@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDoubleSpinBox,
     QFileDialog,
+    QHBoxLayout,
     QLabel,
     QPushButton,
     QVBoxLayout,
@@ -19,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.jobs.robot import RobotLink
 from app.viewmodels.robot import CLUTCHES, MODELS, clutch_title, model_title
+from app.widgets.measures import NEAR
 from app.widgets.number_box import NumberBox
 from app.widgets.one_line import OneLine
 from tracker.errors import GlovetrackError
@@ -42,9 +44,9 @@ class RobotControls(QWidget):
             self._clutch_button(),
             self._reset_button(),
             self._model_box(),
-            *self._scale_box(),
-            *self._gesture_box(),
-            *self._port_box(),
+            self._scale_box(),
+            self._gesture_box(),
+            self._port_box(),
         ):
             line.add(widget)
         column = QVBoxLayout(self)
@@ -89,7 +91,7 @@ class RobotControls(QWidget):
         self.model.activated.connect(lambda _i: self._choose_model())
         return self.model
 
-    def _scale_box(self) -> tuple[QLabel, QDoubleSpinBox]:
+    def _scale_box(self) -> QWidget:
         self.scale = QDoubleSpinBox()
         self.scale.setRange(0.1, 10.0)
         self.scale.setSingleStep(0.1)
@@ -97,9 +99,9 @@ class RobotControls(QWidget):
         self.scale.setAccessibleName(self.tr("Scale of the motion"))
         self.scale.setToolTip(self.tr("How far the robot's palm goes for each way of the wearer's"))
         self.scale.valueChanged.connect(lambda value: self._ask(lambda: self._link.scale(value)))
-        return QLabel(self.tr("Motion ×")), self.scale
+        return _titled(self.tr("Motion ×"), self.scale)
 
-    def _gesture_box(self) -> tuple[QLabel, QComboBox]:
+    def _gesture_box(self) -> QWidget:
         self.gesture = QComboBox()
         self.gesture.setAccessibleName(self.tr("Gesture of the clutch"))
         for name in CLUTCHES:
@@ -107,16 +109,16 @@ class RobotControls(QWidget):
         self.gesture.activated.connect(
             lambda _i: self._ask(lambda: self._link.change(clutch=self.gesture.currentData()))
         )
-        return QLabel(self.tr("Clutch by")), self.gesture
+        return _titled(self.tr("Clutch by"), self.gesture)
 
-    def _port_box(self) -> tuple[QLabel, NumberBox]:
+    def _port_box(self) -> QWidget:
         self.port = NumberBox()
         self.port.setRange(0, MOST_PORT)
         self.port.setSpecialValueText(self.tr("off"))
         self.port.setAccessibleName(self.tr("UDP port of the robot's states"))
         self.port.setToolTip(self.tr("The robot's joints go there as JSON, on this computer"))
         self.port.valueChanged.connect(lambda port: self._ask(lambda: self._link.send_to(port)))
-        return QLabel(self.tr("Send by UDP")), self.port
+        return _titled(self.tr("Send by UDP"), self.port)
 
     # --- what is chosen
 
@@ -163,3 +165,14 @@ class RobotControls(QWidget):
     def _file_title(self) -> str:
         name = self._link.settings.model
         return self.tr("From a file…") if name in MODELS else Path(name).name
+
+
+def _titled(title: str, widget: QWidget) -> QWidget:
+    """Both find room, or neither."""
+    out = QWidget()
+    row = QHBoxLayout(out)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(NEAR)
+    row.addWidget(QLabel(title))
+    row.addWidget(widget)
+    return out

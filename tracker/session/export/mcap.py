@@ -124,7 +124,9 @@ def _standing_topics(reader: SessionReader) -> list[str]:
     sides = [hand.side for hand in reader.info.hands]
     hand = [topics.hand(s, what) for s in sides for what in ("states", "calibration")]
     camera = [topics.camera_info(c) for c in topics.SIDES]
-    return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *hand]
+    told_once = ("robot_description", "model")  # in this order: the second is read with the first
+    robot = [t for t in reader.topic_names if topics.robot_of(t)[1] in told_once]
+    return [*camera, topics.TF_STATIC, topics.CAMERA_POSE, *hand, *sorted(robot, reverse=True)]
 
 
 def _is_note(m: RawMessage) -> bool:
