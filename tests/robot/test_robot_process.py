@@ -64,3 +64,11 @@ def test_the_newest_hand_counts_commands_come_before_it_and_a_sudden_end_is_told
 def _states(answers: list[Answer]) -> list[RobotState]:
     said = [m for a in answers if isinstance(a, RobotMoved) for m in a.said]
     return [m for m in said if isinstance(m, RobotState)]
+
+
+def test_a_robot_that_is_not_there_yet_is_ended_without_waiting_for_it() -> None:
+    hand, answers = worn_model(), []
+    robot = RobotProcess(RobotSettings(), hand, hand.keypoint_names, lambda *a: answers.append(a))
+    robot.close()
+    assert answers == []
+    robot.close()

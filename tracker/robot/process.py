@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from tracker.robot.look import Placed, RobotShape
 
 END_WAIT = 2.0  # s
+STARTING = 0.0  # in place of a time of arrival: the process is not there yet
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ class RobotProcess:
         theirs.close()
         self._lock = threading.Lock()
         self._latest: tuple[Estimate | RobotState, float] | None = None
-        self._arrival: float | None = 0.0  # of what was sent and not answered; first: itself
+        self._arrival: float | None = STARTING  # of what was sent and not answered
         self._ending = False
         self.missed = 0
         """Hands that were overtaken by a newer one."""
@@ -114,6 +115,8 @@ class RobotProcess:
             if not self._ending:
                 self._ending = True
                 self._send(None)
+                if self._arrival == STARTING:  # it would hear that in some seconds
+                    self._process.kill()
         if self._thread is not threading.current_thread():
             self._thread.join(END_WAIT)
         self._process.join(END_WAIT)
