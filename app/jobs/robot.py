@@ -197,7 +197,11 @@ class RobotLink(QObject):
         self._shown_t = estimate.t
         shown: Estimate | RobotState | None = estimate
         if self._playback is not None:
-            shown = self._playback.at(estimate.t)
+            try:
+                shown = self._playback.at(estimate.t)
+            except GlovetrackError as error:  # the file is damaged here
+                self._fail(str(error))
+                return
         if shown is not None:
             process.feed(shown, 0.0)
 

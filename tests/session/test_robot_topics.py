@@ -86,6 +86,16 @@ def test_a_part_of_a_session_still_says_what_its_robot_is(
     assert found == [at(30), at(40), at(50)]
 
 
+@pytest.mark.parametrize("said", ["[" * 100_000, "{", "[1]", '{"joints": 3}'])
+def test_what_is_said_of_a_robot_may_be_damaged_and_is_told_in_words(
+    tmp_path: Path, record: Callable[..., Path], said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tracker.session.encode_robot.json.dumps", lambda _said: said)
+    path = record(tmp_path / "s.mcap", [MODEL, state(10, 1)])
+    with SessionReader(path) as reader, pytest.raises(FileError):
+        robot_model(reader, "claw_left")
+
+
 def test_a_session_without_robots_has_none(tmp_path: Path, record: Callable[..., Path]) -> None:
     with SessionReader(record(tmp_path / "s.mcap", [])) as reader:
         assert robot_names(reader) == ()

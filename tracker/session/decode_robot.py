@@ -78,7 +78,10 @@ class _RobotDecoder:
         return None
 
     def _model(self, raw: RawMessage) -> RobotModel:
-        said: Any = json.loads(motion.unpack_string(raw.data))
+        try:
+            said: Any = json.loads(motion.unpack_string(raw.data))
+        except RecursionError as error:
+            raise FileError("What the session says of its robot is no JSON.") from error
         if not isinstance(said, dict):
             raise FileError("What the session says of its robot is no JSON object.")
         return RobotModel(
