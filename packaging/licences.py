@@ -138,12 +138,21 @@ def main(work: Path, bundle: Path) -> int:
     python = Part("Python", sys.version.partition(" ")[0], "PSF-2.0", _python_texts())
     found = sorted(packages(files, known["packages"]), key=lambda p: p.name.lower())
     icons = Part("Lucide icons", "", "ISC AND MIT", (ICONS_LICENCE,))
-    parts = [python, icons, *found, *libraries(bundle, known["licences"])]
+    parts = [python, icons, *_page(), *found, *libraries(bundle, known["licences"])]
     troubles = refused(parts)
     for trouble in troubles:
         print(f"may not be in the bundle: {trouble}", file=sys.stderr)
     print(as_text(parts), end="")
     return 1 if troubles else 0
+
+
+def _page() -> list[Part]:
+    """What the page for headsets is made of."""
+    folder = ICONS_LICENCE.parents[2] / "webxr"
+    return [
+        Part("three.js", "0.170.0", "MIT", (folder / "LICENSE-three",)),
+        Part("IWER", "2.5.0", "MIT", (folder / "LICENSE-iwer",)),
+    ]
 
 
 def _python_texts() -> tuple[Path, ...]:

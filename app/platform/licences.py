@@ -86,6 +86,13 @@ def icons_text() -> str:
     return f"The icons are of the Lucide set, under this licence:\n\n{words}"
 
 
+def page_text() -> str:
+    """The licences of what the page for headsets is made of, likewise."""
+    found = {"three.js 0.170.0": "LICENSE-three", "IWER 2.5.0": "LICENSE-iwer"}
+    texts = [(n, (folder("webxr") / file).read_text("utf-8")) for n, file in found.items()]
+    return "\n\n".join(f"{name} is under this licence:\n\n{words}" for name, words in texts)
+
+
 def as_text() -> str:
     """What the About box shows."""
     made = bundled_text()
@@ -95,4 +102,4 @@ def as_text() -> str:
     width = max((len(f"{p.name} {p.version}") for p in found), default=0)
     lines = [f"{f'{p.name} {p.version}':{width}}  {p.licence}" for p in found]
     heading = "Glovetrack runs with these packages under these licences."
-    return "\n".join([heading, "", *lines, "", icons_text()])
+    return "\n".join([heading, "", *lines, "", icons_text(), "", page_text()])

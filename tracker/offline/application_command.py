@@ -25,7 +25,9 @@ def add_apps(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("name", metavar="NAME", help="of an application; list shows all")
     parser.add_argument("source", type=Path, nargs="?", metavar="SESSION", help="its hand is used")
     parser.add_argument("--simulate", type=float, metavar="S", help="a simulated hand for so long")
-    parser.add_argument("--motion", default="", help="of the simulated hand: a recording")
+    parser.add_argument(
+        "--motion", default="", help="of the simulated hand: a recording, or show:NAME"
+    )
     parser.add_argument("--seed", type=int, default=0, help="of the simulated wearer")
     parser.add_argument("--on-truth", action="store_true", help="as if that hand were known")
     parser.add_argument(

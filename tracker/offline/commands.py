@@ -30,7 +30,11 @@ def add_commands(commands: Any) -> None:
 
 def _add_simulate(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", "--out", type=Path, required=True, help="the new session, .mcap")
-    parser.add_argument("--motion", default="", help="recorded motion: Qualisys TSV, Leap, BVH")
+    parser.add_argument(
+        "--motion",
+        default="",
+        help="recorded (Qualisys TSV, Leap, BVH), or show:touch, arm, swarm, place",
+    )
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument(
         "--person",

@@ -22,6 +22,7 @@ from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams, Truth
+from tracker.simulation.scripted import WORD, show
 from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 
@@ -101,6 +102,9 @@ def _head(camera: str) -> HeadParams:
 def _motion(options: SimulateOptions, info: SessionInfo) -> Motion:
     if not options.motion:
         return RandomPostures(info.hand, options.seed, duration=options.duration)
+    if options.motion.startswith(WORD):
+        wearer = Wearer.random(info.hand, info.glove, options.seed)
+        return show(options.motion, info.hand, wearer)
     from tracker.simulation.recorded import load_motion
 
     return load_motion(Path(options.motion), info.hand)

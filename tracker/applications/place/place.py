@@ -43,7 +43,7 @@ class PlaceSettings:
     size: float = 2.0  # times that of the map's models, at which an object opens
 
 
-@dataclass
+@dataclass(eq=False)
 class _Object:
     """The open one: which, R (3, 3), p (3,) m, its size and how much of the source is shown."""
 

@@ -47,7 +47,7 @@ class SwarmSettings:
     vehicles: str = ""
 
 
-@dataclass
+@dataclass(eq=False)
 class _Group:
     """Of drones ``rows`` (n,): its middle (3,) m, the slots (n, 3) m about it, its stretch."""
 
@@ -65,7 +65,7 @@ class _Group:
         return np.asarray(self.middle + self.slots @ self.stretch.T)
 
 
-@dataclass
+@dataclass(eq=False)
 class _Held:
     """What the hand has in its grip since ``start`` (3,) m."""
 
