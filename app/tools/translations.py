@@ -22,6 +22,7 @@ from tracker.settings import ENGINES
 ROOT = Path(__file__).resolve().parents[1]
 ENGINE_ROOT = ROOT.parent / "tracker"
 NOT_SHOWN = (
+    "applications/page",
     "cli",
     "conformance",
     "evaluation",
@@ -32,6 +33,7 @@ NOT_SHOWN = (
     "session/commands",
     "session/export/bids",
     "session/report",
+    "sheets",
     "simulation",
     "streaming/foxglove",
     "streaming/payload_read",

@@ -214,6 +214,16 @@
     </message>
     <message>
       <location filename="app/panels/applications/panel.py" />
+      <source>Page</source>
+      <translation>Seite</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
+      <source>Show it in browsers of this machine, a headset's too</source>
+      <translation>In Browsern dieses Rechners zeigen, auch in dem einer Brille</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/panel.py" />
       <source>No application</source>
       <translation>Keine Anwendung</translation>
     </message>
@@ -2369,8 +2379,18 @@
     </message>
     <message>
       <location filename="app/viewmodels/applications.py" />
+      <source>For browsers of this machine, a headset's too: {}</source>
+      <translation>Für Browser dieses Rechners, auch den einer Brille: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/applications.py" />
       <source>It failed and rests: {}</source>
       <translation>Sie ist ausgefallen und ruht: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/applications.py" />
+      <source>The page needs a package that is not installed: pip install "{}"</source>
+      <translation>Die Seite braucht ein Paket, das nicht installiert ist: pip install "{}"</translation>
     </message>
     <message>
       <location filename="app/viewmodels/calibration.py" />
@@ -4682,7 +4702,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>Con&amp;formance…</source>
-      <translation>&amp;Konformität…</translation>
+      <translation>Konfor&amp;mität…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -5906,6 +5926,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/calibration/colours_image.py" />
+      <source>Point at a marker of each hue first: {} missing.</source>
+      <translation>Erst auf einen Marker jedes Farbtons zeigen: {} fehlt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/colours_image.py" />
+      <source>Nothing was learned beyond what was pointed at: no glove with its patches is seen around it. Point at the middle of a patch of each hue, the hand flat.</source>
+      <translation>Gelernt wurde nur, worauf gezeigt wurde: ringsum ist kein Handschuh mit seinen Flecken zu sehen. Auf die Mitte eines Flecks jedes Farbtons zeigen, die Hand flach.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/colours_image.py" />
       <source>The colours stay as they are: fitted ones show {} patches of the glove and {} other things, these {} and {}.</source>
       <translation>Die Farben bleiben, wie sie sind: angepasste zeigen {} Flecken des Handschuhs und {} andere Dinge, diese {} und {}.</translation>
     </message>
@@ -6298,6 +6328,11 @@ change {}: {}</source>
       <location filename="tracker/library.py" />
       <source>There is no {} among the {}; there are {}, or give the path of a file.</source>
       <translation>{1}: {0} gibt es nicht; es gibt {2}, oder den Pfad einer Datei angeben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/colours.py" />
+      <source>The light has changed: the colours follow it.</source>
+      <translation>Das Licht hat sich geändert: die Farben folgen ihm.</translation>
     </message>
     <message>
       <location filename="tracker/live/load.py" />

@@ -76,6 +76,23 @@ def test_docks_keep_their_shares_while_the_window_grows(watched, qtbot):
         assert after[name] == pytest.approx(share, abs=CLOSE), name
 
 
+def test_a_panel_taken_out_and_put_back_has_the_share_that_it_had(watched, qtbot):
+    size_to(watched, LARGE, qtbot)
+    before = shares_of(watched, watched.docks)
+    cameras = watched.docks["cameras"]
+    cameras.setFloating(True)
+    qtbot.waitUntil(lambda: shares_of(watched, watched.docks).keys() == {"hand"}, timeout=10_000)
+    cameras.setFloating(False)
+
+    def is_back() -> bool:
+        now = shares_of(watched, watched.docks)
+        return now.keys() == before.keys() and all(
+            now[name] == pytest.approx(before[name], abs=CLOSE) for name in before
+        )
+
+    qtbot.waitUntil(is_back, timeout=10_000)
+
+
 def test_a_job_comes_back_as_it_was_left_and_resets_to_what_it_was(watched):
     watched.docks["hand"].hide()
     watched.layouts.choose("record")

@@ -69,7 +69,7 @@ def test_no_words_are_handed_to_qt_untranslated():
 
 PARTS = ("viewmodels", "jobs", "engines", "storage", "panels", "window", "wizards")
 SPOKEN_TO_PROGRAMS = {
-    "jobs/remote.py",  # answers of the remote control, which other programs read
+    "jobs/remote_answers.py",  # answers of the remote control, which other programs read
     "window/headless_report.py",  # the terminal speaks English, as does its help
     "window/remote_command.py",
     "window/start.py",
@@ -79,6 +79,7 @@ NOT_SHOWN = {
     "simulated camera",  # what colours are kept by
     "none is open",  # for who reads a bug report
     "● 19 of about 9 ",  # the widest count, which a column is made for
+    "Optiboot", "old Nano", "postures asked for",  # keys
     "UDP (JSON)", "WebSocket (JSON)", "Lab Streaming Layer", "Foxglove",  # names
     "*.png *.jpg *.jpeg *.bmp *.tif", "*.yml *.yaml *.xml *.json",
 }  # fmt: skip
