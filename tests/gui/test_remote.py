@@ -184,6 +184,37 @@ def test_a_contact_is_felt_while_it_lasts_and_stands_in_the_session(window, engi
     assert kept[-1].data["phase"] == "end"
 
 
+def test_contacts_and_vibration_come_by_osc_and_by_web_socket(window, engine, qtbot):
+    pytest.importorskip("websockets", reason="websockets is not installed (extra `streams`)")
+    from websockets.sync.client import connect
+
+    buzzed = []
+    setup = replace(scripted_setup(engine), vibrate=lambda *command: buzzed.append(command))
+    window.host.adopt(setup)
+    osc, web = open_at(window, qtbot, "osc"), open_at(window, qtbot, "websocket")
+
+    def by_osc():
+        message = OscMessageBuilder("/glovetrack/contact")
+        for value in ("index", 1.0, "cup"):
+            message.add_arg(value)
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as client:
+            client.settimeout(10)
+            client.sendto(message.build().dgram, (HERE, osc))
+            return OscMessage(client.recv(9999)).params
+
+    def by_page():
+        with connect(f"ws://{HERE}:{web}/") as page:
+            page.send('{"do": "contact", "finger": "index", "strength": 0, "object": "cup"}')
+            ended = json.loads(page.recv(timeout=10))
+            page.send("vibrate little")
+            return ended, json.loads(page.recv(timeout=10))
+
+    assert meanwhile(qtbot, by_osc)[:3] == ["contact", 1, "The index touches cup."]
+    ended, vibrated = meanwhile(qtbot, by_page)
+    assert ended["text"] == "The index lets go of cup." and vibrated["ok"]
+    assert buzzed == [(1, 255, 2000), (1, 0, 1), (4, 200, 80)]
+
+
 def test_what_is_open_is_open_again_at_the_next_start_and_others_are_warned_of(
     window, qtbot, store
 ):
