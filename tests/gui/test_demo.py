@@ -45,10 +45,12 @@ def _recorded(window, qtbot, tmp_path):
 @pytest.mark.timeout(180)
 def test_demo_record_stop_replay_export(demo, qtbot, tmp_path):
     path = _recorded(demo, qtbot, tmp_path)
-    qtbot.waitUntil(lambda: demo.library.selected() is not None, timeout=60_000)
-    row = demo.library.selected()
-    assert row.path == path and row.integrity == "whole"
 
+    def is_whole() -> bool:
+        row = demo.library.selected()
+        return row is not None and (row.path, row.integrity) == (path, "whole")
+
+    qtbot.waitUntil(is_whole, timeout=60_000)
     demo.library.exporting.add(ExportRequest(path, "csv", tmp_path / "out.csv"))
     qtbot.waitUntil(lambda: not demo.tasks.tasks, timeout=60_000)
     with (tmp_path / "out.csv").open() as file:

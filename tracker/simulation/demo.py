@@ -9,10 +9,13 @@ from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
 from tracker.simulation.asked import Asked, AskedMotion
+from tracker.simulation.desk.renderer import DeskParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
+
+BACKGROUNDS = 6  # of a desk, drawn once: half the time an image takes goes into what does not move
 
 
 @dataclass(frozen=True)
@@ -26,7 +29,7 @@ class DemoSpec:
     fps: float = 30.0
     motion: str = ""
     exposures: int = 1  # per image: no motion blur, half the time to draw
-    light: str = ""  # over a desk with things on it; a plain wall, drawn in half the time, if empty
+    light: str = ""  # over a desk with things on it; before a plain wall if empty
 
 
 def build(spec: DemoSpec) -> Simulation:
@@ -40,7 +43,10 @@ def build(spec: DemoSpec) -> Simulation:
         own = RandomPostures(hand, spec.seed, duration=spec.duration)
         motion = AskedMotion(own, spec.seed)
     room = room_of("desk" if spec.light else "plain", spec.light, seed=spec.seed)
-    params = SimulationParams(render=replace(room.render, exposures=spec.exposures))
+    render = replace(room.render, exposures=spec.exposures)
+    if isinstance(render, DeskParams):
+        render = replace(render, backgrounds=BACKGROUNDS)
+    params = SimulationParams(render=render)
     return Simulation(hand, glove, motion, spec.seed, params, fps=spec.fps, extras=room.extras)
 
 

@@ -45,16 +45,43 @@ class DeskParams:
     shutter: float = 0.008  # s
     exposures: int = 3  # averaged over the shutter, at most 4
     jpeg_quality: int = 87  # of the camera's own compression; 0 for none
+    backgrounds: int = 0  # drawn once and laid behind the hand by turns; 0: noise of its own each
 
 
 class _View(NamedTuple):
-    """One of the two cameras, what it sees of the desk, and all of that together."""
+    """One of the two cameras, what it sees of the desk, all of that together, and ``light``: the
+    same with the hand over it while an image is drawn; ``drawn``: images of the desk alone."""
 
     camera: Camera
     eye: Array
     rays: NDArray[np.float32]
     ground: GroundLight
     whole: NDArray[np.float32]
+    light: NDArray[np.float32]
+    drawn: list[Image]
+
+
+class _Box(NamedTuple):
+    """Pixels from (u0, v0) up to (u1, v1)."""
+
+    u0: int
+    v0: int
+    u1: int
+    v1: int
+
+    @property
+    def pixels(self) -> tuple[slice, slice]:
+        return slice(self.v0, self.v1), slice(self.u0, self.u1)
+
+    def around(self, other: _Box) -> _Box:
+        """Both, and what is between; an empty one adds nothing."""
+        if other.u0 >= other.u1 or self.u0 >= self.u1:
+            return self if other.u0 >= other.u1 else other
+        low, high = np.minimum(self[:2], other[:2]), np.maximum(self[2:], other[2:])
+        return _Box(int(low[0]), int(low[1]), int(high[0]), int(high[1]))
+
+
+NOWHERE = _Box(0, 0, 0, 0)
 
 
 class DeskRenderer:
@@ -106,7 +133,10 @@ class DeskRenderer:
         seen = desk.seen(rays, self._R_CD.T, self._p_DC + self._R_CD.T @ eye)
         dark = 1.0 / (1.0 + self.light.vignetting * np.sum(rays * rays, axis=2, keepdims=True))
         lamp, rest = (self._through_lens(image * dark) for image in (seen.lamp, seen.rest))
-        return _View(camera, eye, rays, GroundLight(lamp, rest, seen.depth), lamp + rest)
+        ground, whole = GroundLight(lamp, rest, seen.depth), lamp + rest
+        rng = rng_for(self.scene.seed, "backgrounds")
+        drawn = [self._developed(whole, rng) for _ in range(self.params.backgrounds)]
+        return _View(camera, eye, rays, ground, whole, whole.copy(), drawn)
 
     def _through_lens(self, light: Array) -> NDArray[np.float32]:
         blurred = cv2.GaussianBlur(leaked(light, self.light.leak), (0, 0), 1.3 * self.light.blur_px)
@@ -145,33 +175,44 @@ class DeskRenderer:
         shadow: tuple[CastShadow, Array],
         rng: np.random.Generator,
     ) -> Image:
-        light = view.whole.copy()
         boxes = [pixels_of(bounds(m.solids, view.eye, self._K), view.camera) for m in moments]
-        self._add_shadow(view, shadow, light)
-        self._add_hand(view, moments, boxes, shadow[0], light)
+        box = self._add_shadow(view, shadow)
+        box = box.around(self._add_hand(view, moments, boxes, shadow[0]))
+        if view.drawn:
+            out = view.drawn[int(rng.integers(len(view.drawn)))].copy()
+            if box != NOWHERE:
+                out[box.pixels] = self._developed(view.light[box.pixels], rng)
+        else:
+            out = self._developed(view.light, rng)
+        view.light[box.pixels] = view.whole[box.pixels]
+        return out
+
+    def _developed(self, light: NDArray[np.float32], rng: np.random.Generator) -> Image:
+        """What the camera makes of linear light (h, w, 3)."""
         out = np.empty(light.shape, np.uint8)
-        develop(light, self._sensor, rng.integers(0, 512, 2), out)
+        shift = rng.integers(0, 512, 2)
+        develop(np.ascontiguousarray(light), self._sensor, shift, out)
         quality = self.params.jpeg_quality
         return through_jpeg(out, quality) if quality else out
 
-    def _add_shadow(
-        self, view: _View, shadow: tuple[CastShadow, Array], light: NDArray[np.float32]
-    ) -> None:
-        """The hand's shadow on the desk into ``light`` (h, w, 3)."""
+    def _add_shadow(self, view: _View, shadow: tuple[CastShadow, Array]) -> _Box:
+        """The hand's shadow on the desk into the view's light; where that is."""
         points = shadow[1] - view.eye
         points = points[points[:, 2] > 0.05]
         if len(points) == 0:
-            return
+            return NOWHERE
         uv = points[:, :2] / points[:, 2:] * self._K[:2] + self._K[2:]
         uv = np.clip(uv, -2000, 4000)
         box = np.concatenate([uv.min(axis=0), uv.max(axis=0)])[None]
         ((u0, v0, u1, v1),) = pixels_of(box, view.camera)
-        if u0 < u1:
-            corner = np.array([v0, u0], np.int64)
-            base = np.empty((v1 - v0, u1 - u0, 3), np.float32)
-            rays = PixelRays(view.rays, np.zeros(2), view.eye, corner)
-            shaded_ground(rays, view.ground, shadow[0], base)
-            light[v0:v1, u0:u1] = base
+        if u0 >= u1 or v0 >= v1:
+            return NOWHERE
+        corner = np.array([v0, u0], np.int64)
+        base = np.empty((v1 - v0, u1 - u0, 3), np.float32)
+        rays = PixelRays(view.rays, np.zeros(2), view.eye, corner)
+        shaded_ground(rays, view.ground, shadow[0], base)
+        view.light[v0:v1, u0:u1] = base
+        return _Box(int(u0), int(v0), int(u1), int(v1))
 
     def _add_hand(
         self,
@@ -179,16 +220,17 @@ class DeskRenderer:
         moments: list[Instant],
         boxes: list[IntArray],
         shadow: CastShadow,
-        light: NDArray[np.float32],
-    ) -> None:
-        """The hand into ``light`` (h, w, 3): the mean over the moments, through the lens."""
+    ) -> _Box:
+        """The hand into the view's light: the mean over the moments, through the lens; where."""
         all_boxes = np.concatenate(boxes)
         some = all_boxes[all_boxes[:, 0] < all_boxes[:, 2]]
         if len(some) == 0:
-            return
+            return NOWHERE
         u0, v0 = np.maximum(some[:, :2].min(axis=0) - MARGIN_PX, 0)
         u1, v1 = some[:, 2:].max(axis=0) + MARGIN_PX
-        base = np.ascontiguousarray(light[v0:v1, u0:u1])
+        height, width = view.light.shape[:2]
+        u1, v1 = min(u1, width), min(v1, height)
+        base = np.ascontiguousarray(view.light[v0:v1, u0:u1])
         around, total = Surroundings(self._lights, shadow, base), np.zeros_like(base)
         size = base.shape[:2]
         buffer = Buffer(np.empty(size, np.float32), np.empty(size, np.int16))
@@ -199,7 +241,8 @@ class DeskRenderer:
             patches = self._patches._replace(position=now.markers[self._order])
             shade_knit(rays, buffer, now, self._cloth(now), patches, around, total)
         total *= np.float32(1 / len(moments))
-        light[v0:v1, u0:u1] = cv2.GaussianBlur(total, (0, 0), self.light.blur_px)
+        view.light[v0:v1, u0:u1] = cv2.GaussianBlur(total, (0, 0), self.light.blur_px)
+        return _Box(int(u0), int(v0), int(u1), int(v1))
 
     def _cloth(self, now: Instant) -> Knit:
         s = now.solids
