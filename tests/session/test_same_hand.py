@@ -310,3 +310,22 @@ def test_a_hole_shows_nothing_in_glb(holed: Path) -> None:
     assert glb.size("ring_tip", 3.2) > 0.01
     before, late = glb.positions(1.02), glb.positions(1.6)
     assert all(np.allclose(before[n], late[n], atol=1e-6) for n in before), "nodes stand still"
+
+
+def test_formats_say_how_sure_each_point_is(holed: Path) -> None:
+    """At each instant in glTF; on the whole beside a format that has no place for it."""
+    out = holed.with_name("o.glb")
+    export(holed, "glb", out, force=True)
+    t, _, rows = table(holed)
+    gltf, glb = GLTF2().load(str(out)), Glb(out)
+    told = gltf.asset.extras["accessors"]
+    assert np.allclose(glb._values(told["t"])[:, 0], t, atol=1e-5)
+    for name in ("index_tip", "ring_tip"):
+        state = glb._values(told["state"][name])[:, 0]
+        words = {0: "lost", 1: "inferred", 2: "measured"}
+        assert [words[int(s)] for s in state] == [r[f"{name}_state"] for r in rows]
+        sd = np.array([float(r[f"{name}_sd"] or -1) for r in rows])
+        assert np.allclose(glb._values(told["sd"][name])[:, 0], sd, atol=1e-6)
+    said = export(holed, "bvh", holed.with_name("o.bvh"), force=True)["certainty"]["ring_tip"]
+    assert said["measured"] + said["inferred"] + said["lost"] == pytest.approx(1.0, abs=1e-5)
+    assert said["lost"] > 0.1 and 0 < said["sd_m"] < 0.1

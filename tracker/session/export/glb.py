@@ -77,7 +77,7 @@ def _document(m: EstimateSeries, tree: Skeleton) -> bytes:
     }
     animation = _animation(m, tree, buffer)
     document = {
-        "asset": {"version": "2.0", "generator": "Glovetrack", "extras": _told(m, tree)},
+        "asset": {"version": "2.0", "generator": "Glovetrack", "extras": _told(m, tree, buffer)},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": _nodes(tree),
@@ -95,14 +95,21 @@ def _document(m: EstimateSeries, tree: Skeleton) -> bytes:
     return head + chunks + struct.pack("<I4s", len(buffer.data), b"BIN\0") + bytes(buffer.data)
 
 
-def _told(m: EstimateSeries, tree: Skeleton) -> dict[str, Any]:
-    """What viewers pass over and programs may read: axes, and in which share of the time each
-    node's place was measured, inferred and lost."""
-    shares = {}
+def _told(m: EstimateSeries, tree: Skeleton, buffer: _Buffer) -> dict[str, Any]:
+    """What viewers pass over and programs may read: axes, in which share of the time each node's
+    place was measured, inferred and lost, and the accessors of all instants: ``t`` s, and of each
+    node ``state`` (0 lost, 1 inferred, 2 measured) and ``sd`` m, -1 where lost."""
+    shares, states, sds = {}, {}, {}
     for name in tree.names:
-        state = m.state[:, m.keypoint_names.index(name)]
+        k = m.keypoint_names.index(name)
+        state = m.state[:, k]
         shares[name] = {s.name.lower(): round(float((state == s).mean()), 6) for s in Validity}
-    return {"axes": m.notes["axes_are"], "bone_axes": BONE_AXES, "states": shares}
+        sd = np.where((state == Validity.LOST) | ~np.isfinite(m.sd[:, k]), -1.0, m.sd[:, k])
+        states[name] = buffer.add(state.astype("<f4"), "SCALAR")
+        sds[name] = buffer.add(sd.astype("<f4"), "SCALAR")
+    instants = {"t": buffer.add(m.elapsed.astype("<f4"), "SCALAR"), "state": states, "sd": sds}
+    axes = {"axes": m.notes["axes_are"], "bone_axes": BONE_AXES}
+    return {**axes, "states": shares, "accessors": instants}
 
 
 def _nodes(tree: Skeleton) -> list[dict[str, Any]]:

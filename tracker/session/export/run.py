@@ -10,9 +10,12 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from tracker import __version__
 from tracker.errors import ConfigError
 from tracker.files import check_target, sha256, whole_files
+from tracker.messages import Validity
 from tracker.session.export.options import (
     BOTH_HANDS,
     DATASETS,
@@ -183,9 +186,22 @@ def _report(
             "keypoints": list(series.keypoint_names),
             "joints": list(series.joint_names),
             "start_ns": int(series.stamp_ns[0]) if len(series) else None,
+            "certainty": _certainty(series),
             **series.notes,
         }
     return _without(report, options.anonymous)
+
+
+def _certainty(series: EstimateSeries) -> dict[str, dict[str, float | None]]:
+    """Of each keypoint the shares of rows that it was measured, inferred, lost, and the mean sd (m)
+    where it was not lost: what a BVH, a TRC or a URDF has no place for."""
+    out: dict[str, dict[str, float | None]] = {}
+    for k, name in enumerate(series.keypoint_names if len(series) else ()):
+        state, sd = series.state[:, k], series.sd[:, k]
+        known = (state != Validity.LOST) & np.isfinite(sd)
+        out[name] = {s.name.lower(): round(float((state == s).mean()), 6) for s in Validity}
+        out[name]["sd_m"] = round(float(sd[known].mean()), 6) if known.any() else None
+    return out
 
 
 def _without(report: dict[str, Any], anonymous: tuple[str, ...]) -> dict[str, Any]:
