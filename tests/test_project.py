@@ -175,7 +175,7 @@ THREADS = {
 
 CLOCKS = {
     "app/engines/demo.py": "begins now",
-    "app/engines/engine_host.py": "when the engine was last looked at",
+    "app/engines/hand_looks.py": "when the engine was last looked at",
     "app/engines/hardware.py": "anchors a recording to the wall clock",
     "app/engines/recording.py": "the time recorded",
     "app/engines/replay/thread.py": "how much of the session has passed",

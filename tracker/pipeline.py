@@ -112,6 +112,14 @@ class Pipeline:
         """For what only some engines know, such as a wearer's profile."""
         return self._engine
 
+    def with_engine(self, name: str) -> Pipeline:
+        """The same hand with another engine, which looks for it anew.
+
+        Raises ConfigError for an unknown name.
+        """
+        settings = replace(self.settings, engine=name)
+        return Pipeline(self.hand, self.glove, self.calibrated_rig, settings)
+
     @property
     def keypoint_names(self) -> tuple[str, ...]:
         """Rows of ``Estimate.keypoints``."""

@@ -1,14 +1,15 @@
 """Two gloves before one camera: a pipeline each, and blobs shared out between them.
 
-A hand alone goes through its pipeline as if there were no other: with one pipeline, images pass
-untouched and estimates are the same to the last bit.
+A hand alone goes through its pipeline as if there were no other: images pass untouched and
+estimates are the same to the last bit. `Hands` is either: what feeds one feeds the other.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,6 +22,49 @@ from tracker.vision.sharing import share
 SIDES = ("left", "right")
 CLASH_BLOBS = 6
 """Blobs that two hands took for their own in one image: one of the hands is not there."""
+
+
+class Sided(NamedTuple):
+    """A packet, and the side of its glove."""
+
+    sample: ImuSample
+    side: str
+
+    @property
+    def t_arrival(self) -> float:
+        return self.sample.t_arrival
+
+
+class OneHand:
+    """One pipeline, asked as `TwoHands` is."""
+
+    def __init__(self, pipeline: Pipeline) -> None:
+        self.pipelines = {pipeline.glove.side: pipeline}
+        self._pipeline = pipeline
+
+    def feed_imu(self, side: str, sample: ImuSample) -> Estimate:
+        """Take a packet; the hand at the packet's instant."""
+        return self._pipeline.feed_imu(sample)
+
+    def feed_frame(self, frame: BlobFrame) -> None:
+        """Take what was seen in an image."""
+        self._pipeline.feed_frame(frame)
+
+    def feed_event(self, event: Event) -> None:
+        """Take what was said."""
+        self._pipeline.feed_event(event)
+
+    def take_results(self, side: str) -> list[FrameResult]:
+        """What was made of images since the last call, oldest first."""
+        return self._pipeline.take_results()
+
+    def with_engine(self, name: str) -> OneHand:
+        """Another engine, at its start. Raises ConfigError for an unknown name."""
+        return OneHand(self._pipeline.with_engine(name))
+
+    def get_state(self) -> PipelineKept:
+        """Everything that changes and that estimates depend on."""
+        return self._pipeline.get_state()
 
 
 @record("two_hands")
@@ -86,6 +130,10 @@ class TwoHands:
         results, self._results[side] = self._results[side], []
         return results
 
+    def with_engine(self, name: str) -> TwoHands:
+        """Other engines, at their start. Raises ConfigError for an unknown name."""
+        return TwoHands({s: partial(p.with_engine, name) for s, p in self.pipelines.items()})
+
     def _collect(self) -> None:
         for side, pipeline in self.pipelines.items():
             found = pipeline.take_results()
@@ -119,6 +167,9 @@ class TwoHands:
         self.pipelines["left"].set_state(state.left)
         self.pipelines["right"].set_state(state.right)
         self._last = dict(zip(SIDES, state.last, strict=True))
+
+
+Hands = OneHand | TwoHands
 
 
 def in_common(a: FrameResult, b: FrameResult) -> int:

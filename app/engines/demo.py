@@ -1,13 +1,17 @@
-"""The demo: a simulated wearer, glove and camera, tracked by the real engine."""
+"""The demo: a simulated wearer or two, gloves and a camera, tracked by the real engine."""
 
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
-from app.engines.demo_camera import DURATION, demo_spec, start_camera
+from app.engines.demo_camera import DURATION, DemoChoice, demo_spec, start_camera
 from app.engines.demo_guide import DemoGuide
-from app.engines.engine import EngineSetup, ReferenceHand
+from app.engines.engine import EngineSetup, RecordingRequest, ReferenceHand, seen_from_main
+from app.engines.guide import WearersGuide
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
@@ -21,115 +25,173 @@ from tracker.live.recording import Recorder
 from tracker.live.runner import LiveTracker
 from tracker.pipeline import Pipeline
 from tracker.sensors.glove_link import GloveLink, serial_port
-from tracker.session.description import SessionInfo
+from tracker.session.description import SessionInfo, describe, of_hands
 from tracker.session.recording.process import RecorderProcesses
+from tracker.settings import Settings
 from tracker.simulation.camera_device import SimulatedCamera
-from tracker.simulation.demo import DemoSpec, asked_for, build
-from tracker.simulation.glove_device import SimulatedGlove
+from tracker.simulation.demo import DemoSpec, WornTexts, asked_for, build_scene, hands_of
+from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.truth_recorder import Prepare, WithTruth
+from tracker.two_hands import OneHand, TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 
 LEAD = 0.25  # s until the devices begin: a recording asked for at once misses nothing
 CAMERA_TIMEOUT = 120.0
 CAMERA = "simulated camera"
+GLOVE_IDS = {"right": 1, "left": 2}
+
+
+class DemoGlove:
+    """The glove of one simulated hand, and the link to it."""
+
+    def __init__(self, simulation: Simulation) -> None:
+        self.simulation = simulation
+        glove = simulation.glove
+        params = GloveDeviceParams(glove_id=GLOVE_IDS[glove.side])
+        self.device = SimulatedGlove(simulation.imu_samples(), len(glove.imus), params=params)
+        self.link = GloveLink(serial_port(self.device.path), len(glove.imus))
 
 
 def demo_setup(
-    progress: JobProgress, seed: int, fps: float, camera: SimulatedCamera | None = None
+    progress: JobProgress,
+    seed: int,
+    choice: DemoChoice,
+    camera: SimulatedCamera | None = None,
 ) -> EngineSetup:
     """Build everything; takes a minute or so the first time where no kernel is compiled.
 
-    ``camera``: one that was started before, for the same seed and rate.
+    ``camera``: one that was started before, for the same seed and choice.
     """
     progress(0.1, tr("a simulated wearer and camera"))
-    camera = camera or start_camera(seed, fps)  # its own process gets ready beside us
+    camera = camera or start_camera(
+        seed, choice.fps, choice.hands
+    )  # its own process gets ready beside us
     try:
-        return _setup_with(progress, demo_spec(seed, fps), camera)
+        return _setup_with(progress, demo_spec(seed, choice.fps, choice.hands), camera)
     except BaseException:  # Ctrl+C too must not leave the camera's process behind
         camera.close()
         raise
 
 
 def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) -> EngineSetup:
-    simulation = build(spec)
+    wearers = hands_of(build_scene(spec))
+    first = next(iter(wearers.values()))
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
     profile = parse_profile(colours_text)
-    pipeline = Pipeline(simulation.hand, simulation.glove, simulation.rig)
 
     def make_detector(colours: ColourProfile) -> Detector:
-        size = float(simulation.glove.marker_size.mean())
-        return Detector(colours, size, simulation.rig.fx)
+        return Detector(colours, float(first.glove.marker_size.mean()), first.rig.fx)
 
     progress(0.5, tr("first image"))
-    warm_up(simulation.hand, simulation.glove, make_detector(profile))
+    warm_up(first.hand, first.glove, make_detector(profile))
     progress(0.9, tr("devices"))
     if not camera.wait_ready(CAMERA_TIMEOUT):
         raise DeviceError(tr("The simulated camera did not start."))
-    count = len(simulation.glove.imus)
-    device = SimulatedGlove(simulation.imu_samples(), count)
-    link = GloveLink(serial_port(device.path), count)
+    gloves = {side: DemoGlove(simulation) for side, simulation in wearers.items()}
     t_0 = time.monotonic() + LEAD
     camera.begin(t_0)
-    device.begin(t_0)
-    tracker = LiveTracker(pipeline, profile, make_detector, link, camera)
-    tracker.stage.sinks += all_sinks(link.vibrate, tracker.stage.tell)
-    info = _info(spec, simulation, pipeline, colours_text)
+    for glove in gloves.values():
+        glove.device.begin(t_0)
+    links = {side: glove.link for side, glove in gloves.items()}
+    tracker = LiveTracker(_hands(wearers), profile, make_detector, links, camera)
+    info = _info(spec, wearers, colours_text, tracker.settings)
     recorders = RecorderProcesses(Prepare(spec))
     recorders.warm()
+
+    guide = None
+    if len(wearers) == 1:  # two who meet are asked for nothing
+        tracked = tracker.hand(first.glove.side)
+        guide = DemoGuide(tracked, first, camera, lambda: time.monotonic() - t_0)
+
+    def close() -> None:
+        if guide is not None:
+            guide.close()
+        for glove in gloves.values():
+            glove.device.stop()
+        recorders.close()
+
+    def record(path: Path, about: SessionInfo) -> Recorder:
+        companion = WithTruth(spec, t_0, asked_for(first))
+        return recorders.record(path, about, companion=companion)
+
+    shared = SharedSetup(
+        profile, info.anchor, close, recorder_maker(tracker, info, record), spec.fps, guide
+    )
+    return seen_from_main([_seen_from(g, tracker, t_0, shared) for g in gloves.values()])
+
+
+@dataclass(frozen=True, eq=False)
+class SharedSetup:
+    """What of an `EngineSetup` is the same for both hands."""
+
+    profile: ColourProfile
+    anchor: ClockAnchor
+    close: Callable[[], None]
+    make_recorder: Callable[[RecordingRequest], Recorder]
+    fps: float
+    guide: DemoGuide | None
+
+
+def _seen_from(
+    glove: DemoGlove, tracker: LiveTracker, t_0: float, shared: SharedSetup
+) -> EngineSetup:
+    simulation = glove.simulation
+    tracked = tracker.hand(simulation.glove.side)
+    stage = tracked.stage
+    stage.sinks += all_sinks(glove.link.vibrate, stage.tell)
 
     def truth(t: float) -> ReferenceHand:
         true = simulation.truth(min(max(t - t_0, 0.0), DURATION - 0.1))
         return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
 
-    def record(path: Path, about: SessionInfo) -> Recorder:
-        companion = WithTruth(spec, t_0, asked_for(simulation))
-        return recorders.record(path, about, companion=companion)
-
-    guide = DemoGuide(tracker, simulation, camera, lambda: time.monotonic() - t_0)
-
-    def close() -> None:
-        guide.close()
-        device.stop()
-        recorders.close()
-
     return EngineSetup(
         name="demo",
         engine=tracker,
+        tracked=tracked,
         hand=simulation.hand,
         glove=simulation.glove,
         rig=simulation.rig,
-        profile=profile,
-        anchor=info.anchor,
-        close=close,
-        make_recorder=recorder_maker(tracker, info, record),
+        profile=shared.profile,
+        anchor=shared.anchor,
+        close=shared.close,
+        make_recorder=shared.make_recorder,
         truth=truth,
         simulated=True,
-        followed=tracker,
-        vibrate=link.vibrate,
-        guide=guide,
-        command=tracker.command,
-        stage=tracker.stage,
-        reference_tracking=tracker,
+        followed=tracked,
+        vibrate=glove.link.vibrate,
+        guide=shared.guide or WearersGuide(tracked),
+        command=tracked.command,
+        stage=stage,
+        reference_tracking=tracked,
         camera=CAMERA,
-        image_rate=lambda: spec.fps,
+        image_rate=lambda: shared.fps,
     )
+
+
+def _hands(wearers: Mapping[str, Simulation]) -> OneHand | TwoHands:
+    make = {side: partial(Pipeline, s.hand, s.glove, s.rig) for side, s in wearers.items()}
+    return TwoHands(make) if len(make) == 2 else OneHand(next(iter(make.values()))())
 
 
 def _info(
-    spec: DemoSpec, simulation: Simulation, pipeline: Pipeline, colours_text: str
+    spec: DemoSpec, wearers: Mapping[str, Simulation], colours_text: str, settings: Settings
 ) -> SessionInfo:
     """What a recording of the demo is about."""
-    return SessionInfo(
-        hand=simulation.hand,
-        glove=simulation.glove,
-        hand_text=spec.hand_text,
-        glove_text=spec.glove_text,
-        anchor=ClockAnchor(time.time_ns(), time.monotonic_ns()),
-        rig=simulation.rig,
-        colours_text=colours_text,
-        settings_text=to_toml(pipeline.settings),
-        engine=pipeline.settings.engine,
-        simulated=True,
-    )
+    anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
+    worn = (WornTexts(spec.hand_text, spec.glove_text), *((spec.other,) if spec.other else ()))
+    infos = [
+        describe(
+            texts.hand,
+            texts.glove,
+            anchor,
+            rig=next(iter(wearers.values())).rig,
+            colours_text=colours_text,
+            settings_text=to_toml(settings),
+            engine=settings.engine,
+            simulated=True,
+        )
+        for texts in worn
+    ]
+    return of_hands(infos)

@@ -2,23 +2,46 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from tracker import library
 from tracker.simulation.camera_device import SimulatedCamera
-from tracker.simulation.demo import DemoSpec
+from tracker.simulation.demo import DemoSpec, WornTexts
 
 DURATION = 900.0
 """s of motion; the hand then rests where it is."""
-HAND, GLOVE = "reference-right", "vist-small"
+FILES = {
+    "right": ("reference-right", "vist-small"),
+    "left": ("reference-left", "vist-small-left"),
+}
+"""A hand's and a glove's file for each side."""
 SEED, FPS = 1, 30.0
 LIGHT = ""  # of a desk, one of `tracker.simulation.desk.lights.LIGHTS`; empty: a plain wall
+HANDS = ("right", "left", "both")
 
 
-def demo_spec(seed: int = SEED, fps: float = FPS) -> DemoSpec:
-    """The simulated wearer and camera."""
-    hand, glove = library.text("hands", HAND), library.text("gloves", GLOVE)
-    return DemoSpec(hand, glove, seed, DURATION, fps, light=LIGHT)
+@dataclass(frozen=True)
+class DemoChoice:
+    """Images a second of the simulated camera, and which hands of `HANDS` it sees."""
+
+    fps: float = FPS
+    hands: str = "right"
 
 
-def start_camera(seed: int = SEED, fps: float = FPS) -> SimulatedCamera:
+def demo_spec(seed: int = SEED, fps: float = FPS, hands: str = "right") -> DemoSpec:
+    """The simulated wearer or wearers, and the camera; ``hands`` of `HANDS`."""
+    worn = {side: _texts(side) for side in ("right", "left") if hands in (side, "both")}
+    (main, *others) = worn.values()
+    other = others[0] if others else None
+    light = LIGHT if other is None else ""  # two are drawn before a plain wall
+    return DemoSpec(*main, seed, DURATION, fps, light=light, other=other)
+
+
+def _texts(side: str) -> WornTexts:
+    hand, glove = FILES[side]
+    return WornTexts(library.text("hands", hand), library.text("gloves", glove))
+
+
+def start_camera(seed: int = SEED, fps: float = FPS, hands: str = "right") -> SimulatedCamera:
     """A process that draws; whoever gets it has to close it."""
-    return SimulatedCamera(demo_spec(seed, fps))
+    return SimulatedCamera(demo_spec(seed, fps, hands))

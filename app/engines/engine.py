@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Protocol
 
@@ -27,8 +27,25 @@ from tracker.messages import (
     StereoFrame,
 )
 from tracker.sensors.camera_controls import Control, Locks
+from tracker.session.description import MAIN
 from tracker.vision.colours import ColourProfile
 from tracker.vision.rig import StereoRig
+
+
+class TrackedHand(Protocol):
+    """What there is to see of one hand, see `tracker.live.runner.HandOfTracker`."""
+
+    def latest_estimate(self) -> Estimate | None: ...
+
+    def latest_frame(
+        self, t: float | None = None
+    ) -> tuple[StereoFrame, BlobFrame, FrameResult] | None: ...
+
+    def recent_imu(self) -> Sequence[ImuSample]: ...
+
+    def calibration(self) -> Calibration | None: ...
+
+    def status(self) -> Status: ...
 
 
 class LiveEngine(Protocol):
@@ -37,16 +54,6 @@ class LiveEngine(Protocol):
     def start(self) -> None: ...
 
     def stop(self, patience: float | None = None) -> None: ...
-
-    def latest_estimate(self) -> Estimate | None: ...
-
-    def latest_frame(self) -> tuple[StereoFrame, BlobFrame, FrameResult] | None: ...
-
-    def recent_imu(self) -> Sequence[ImuSample]: ...
-
-    def calibration(self) -> Calibration | None: ...
-
-    def status(self) -> Status: ...
 
     def take_events(self) -> list[Event]: ...
 
@@ -126,7 +133,7 @@ class Player(Protocol):
 
     def set_reference(self, path: Path | None, shift: float = 0.0) -> None: ...
 
-    def reference(self) -> ReferenceHand | None: ...
+    def reference(self, side: str) -> ReferenceHand | None: ...
 
 
 @dataclass(frozen=True)
@@ -154,11 +161,14 @@ class RecordingRequest:
 class EngineSetup:
     """An engine and what it works with. ``close`` frees what `LiveEngine.stop` does not.
 
-    An engine is started once; to start again the window builds another one.
+    An engine is started once; to start again the window builds another one. It is seen from one
+    hand: ``tracked``, ``hand``, ``glove`` and what belongs to them. Where it tracks another one,
+    that is ``other``: the same engine seen from there.
     """
 
     name: str
     engine: LiveEngine
+    tracked: TrackedHand
     hand: HandModel
     glove: GloveModel
     rig: StereoRig
@@ -178,13 +188,43 @@ class EngineSetup:
     guide: PoseGuide | None = None  # tells the engine of guided poses
     followed: FollowedHand | None = None  # of a live engine
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms
+    glove_id: int | None = None  # the number by which it is known again
     has_glove: bool = True
     has_camera: bool = True
     camera_calibrated: bool = True  # False: ``rig`` is an ideal one that stands for it
     firmware_advice: str = ""  # what to say of the glove's firmware, if anything
     missing: str = ""  # sentences that say what of the rig is not there, and why
+    other: EngineSetup | None = None
+
+    @property
+    def side(self) -> str:
+        """Of the hand that it is seen from."""
+        return self.glove.side
+
+    def seen_from(self, side: str) -> EngineSetup:
+        """The same engine seen from the hand of this side, where there is one."""
+        if self.other is None or side == self.side:
+            return self
+        return replace(self.other, other=replace(self, other=None))
+
+    @property
+    def hands(self) -> tuple[EngineSetup, ...]:
+        """This one and the other, if there is one."""
+        return (self,) if self.other is None else (self, self.other)
+
+    def with_profile(self, profile: ColourProfile) -> EngineSetup:
+        """The same with other colours, of all hands."""
+        other = None if self.other is None else self.other.with_profile(profile)
+        return replace(self, profile=profile, other=other)
 
     @property
     def whole(self) -> bool:
         """Glove and calibrated camera: the hand has a place, and any engine may track it."""
         return self.has_glove and self.has_camera and self.camera_calibrated
+
+
+def seen_from_main(setups: Sequence[EngineSetup]) -> EngineSetup:
+    """One engine's setups, of one hand or of both, seen from the main one."""
+    main = next((setup for setup in setups if setup.side == MAIN), setups[0])
+    others = [setup for setup in setups if setup is not main]
+    return replace(main, other=others[0] if others else None)

@@ -6,36 +6,32 @@ events by signal.
 
 from __future__ import annotations
 
-import dataclasses
 import logging
-import time
-from collections import deque
 from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
 from app.engines.engine import EngineSetup, RecordingRequest
+from app.engines.hand_looks import Looks
 from app.engines.notes import Notes
 from app.engines.recording import Recording
-from app.engines.snapshot import Snapshot, nearest
+from app.engines.snapshot import Snapshot
 from app.platform.tasks import JobProgress, TaskOwner
 from tracker.errors import GlovetrackError
 from tracker.fusion.engine import Engine
-from tracker.messages import Estimate, Message, Status
+from tracker.messages import Message
 from tracker.vision.colours import ColourProfile
 
 _log = logging.getLogger(__name__)
 SetupFactory = Callable[[JobProgress], EngineSetup]
-STATUS_PERIOD = 0.1  # s
 CLOSING = 0.3  # s that the end of a file is waited for; a slow disk finishes it while one goes on
-RECENT_ESTIMATES = 60
-"""One second at the window's rate: more than any image is late."""
 
 
 class EngineHost(QObject):
     """Owns the engine, the recording and the jobs that make and end them."""
 
     opened = Signal(object)  # EngineSetup
+    hand_changed = Signal(object)  # EngineSetup: the same engine, seen from its other hand
     closed = Signal()
     running_changed = Signal(bool)
     profile_changed = Signal(object)  # ColourProfile
@@ -52,9 +48,7 @@ class EngineHost(QObject):
         self.notes = Notes(self._tell_note, self)
         self.recording.begun.connect(self.notes.begin)
         self.recording.finished.connect(lambda _path: self.notes.end())
-        self._recent: deque[Estimate] = deque(maxlen=RECENT_ESTIMATES)
-        self._status: Status | None = None
-        self._status_due = 0.0
+        self._looks = Looks()
         self._factory: tuple[str, SetupFactory] | None = None
         self._spent = False  # the engine has been stopped and cannot start again
         self.running = False
@@ -126,8 +120,7 @@ class EngineHost(QObject):
         setup, self._setup = self._setup, None
         if not self._spent:
             setup.engine.stop()  # one that never ran holds its devices too
-        self._recent.clear()
-        self._status = None
+        self._looks = Looks()
         setup.close()
         self.closed.emit()
 
@@ -167,7 +160,7 @@ class EngineHost(QObject):
         """Look for these colours from now on."""
         if self._setup is not None:
             self._setup.engine.set_profile(profile)
-            self._setup = dataclasses.replace(self._setup, profile=profile)
+            self._setup = self._setup.with_profile(profile)
         self.profile_changed.emit(profile)
 
     def set_engine(self, name: str) -> None:
@@ -181,28 +174,32 @@ class EngineHost(QObject):
             return
         self.engine_changed.emit(name)
 
-    def command(self, work: Callable[[Engine], None]) -> bool:
-        """Do something to the engine in its own thread; False where there is none to take it."""
-        if self._setup is None or self._setup.command is None:
+    def show_hand(self, side: str) -> None:
+        """Panels of one hand show this one from now on, where there are two."""
+        if self._setup is not None and self._setup.seen_from(side) is not self._setup:
+            self._setup = self._setup.seen_from(side)
+            self.hand_changed.emit(self._setup)
+
+    def command(self, work: Callable[[Engine], None], side: str = "") -> bool:
+        """Do something to the engine in its own thread, of the hand shown or of another ``side``;
+        False where there is none to take it."""
+        setup = self._setup
+        if setup is not None and side:
+            setup = setup.seen_from(side)
+        if setup is None or setup.command is None:
             return False
-        self._setup.command(work)
+        setup.command(work)
         return True
 
     # --- what panels see
 
     def recent(self) -> list[Message]:
-        """Samples and estimates of the last seconds, in the order of their arrival."""
+        """Samples and estimates of the hand shown, of the last seconds, in the order of arrival."""
         if self._setup is None:
             return []
-        found: list[Message] = [*self._setup.engine.recent_imu(), *self._recent]
+        looks = self._looks.of(self._setup.side)
+        found: list[Message] = [*self._setup.tracked.recent_imu(), *looks.recent]
         return sorted(found, key=lambda m: getattr(m, "t_arrival", m.t))
-
-    def _status_of(self, setup: EngineSetup) -> Status:
-        """A few times a second: its medians and percentiles cost more than the rest of a look."""
-        now = time.monotonic()
-        if self._status is None or now >= self._status_due:
-            self._status, self._status_due = setup.engine.status(), now + STATUS_PERIOD
-        return self._status
 
     def snapshot(self) -> Snapshot | None:
         """The latest of everything, and the events since the last call by signal."""
@@ -214,20 +211,4 @@ class EngineHost(QObject):
             self.happened.emit(event)
         if self._spent and setup.player is None:
             return Snapshot(setup=setup, running=False)  # what was live is no more
-        estimate = setup.engine.latest_estimate()
-        if estimate is not None and (not self._recent or self._recent[-1].t != estimate.t):
-            self._recent.append(estimate)
-        triple = setup.engine.latest_frame()
-        frame, blobs, result = triple if triple is not None else (None, None, None)
-        return Snapshot(
-            setup=setup,
-            running=self.running,
-            estimate=estimate,
-            estimate_at_frame=nearest(self._recent, frame.t) if frame is not None else estimate,
-            frame=frame,
-            blobs=blobs,
-            result=result,
-            calibration=setup.engine.calibration(),
-            status=self._status_of(setup),
-            imu=setup.engine.recent_imu(),
-        )
+        return self._looks.look(setup, self.running)

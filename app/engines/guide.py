@@ -19,7 +19,7 @@ class PoseGuide(Protocol):
 
 
 class HoldingEngine(Protocol):
-    """The part of `tracker.live.runner.LiveTracker` that hears of poses."""
+    """The part of `tracker.live.runner.HandOfTracker` that hears of poses."""
 
     def hold(self, pose: str) -> None: ...
 

@@ -1,20 +1,21 @@
-"""The real devices: a glove on a serial port, a stereo camera, or what there is of them."""
+"""The real devices: gloves on serial ports, a stereo camera, or what there is of them."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
 from app.engines.camera_choice import ChosenCamera, choose
-from app.engines.engine import EngineSetup
+from app.engines.engine import EngineSetup, seen_from_main
+from app.engines.found_gloves import WornGlove, find_worn
 from app.engines.guide import WearersGuide
 from app.engines.recording import recorder_maker
 from app.engines.warm_up import warm_up
 from app.platform.tasks import JobProgress
-from app.storage.bound_gloves import as_bound
 from app.storage.settings import AppSettings
 from app.words import told, tr
 from tracker import library
@@ -27,14 +28,12 @@ from tracker.firmware.versions import advice
 from tracker.live.runner import LiveTracker
 from tracker.pipeline import Pipeline
 from tracker.sensors.camera import StereoCamera
-from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
-from tracker.sensors.glove_link import GloveLink, LinkParams
-from tracker.sensors.glove_port import GlovePort
-from tracker.sensors.protocol import BAUDS
-from tracker.sensors.sources import CameraSource, NoCamera, NoGlove
-from tracker.session.description import SessionInfo
+from tracker.sensors.glove_link import GloveLink
+from tracker.sensors.sources import CameraSource, GloveSource, NoCamera, NoGlove
+from tracker.session.description import SessionInfo, of_hands
 from tracker.session.recording.process import RecorderProcesses
 from tracker.settings import Settings
+from tracker.two_hands import OneHand, TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig
@@ -48,7 +47,7 @@ INERTIAL = Settings(engine="inertial")
 class Found:
     """What there is of a rig; ``missing`` says what is not there, and why."""
 
-    glove: PortReport | None
+    gloves: tuple[WornGlove, ...]
     camera: ChosenCamera | None
     rig: StereoRig | None
     missing: tuple[str, ...]
@@ -56,11 +55,21 @@ class Found:
     @property
     def name(self) -> str:
         """For the window's title."""
-        return tr("glove at {}").format(self.glove.path) if self.glove else tr("camera alone")
+        paths = [glove.report.path for glove in self.gloves if glove.report is not None]
+        if len(paths) > 1:
+            return tr("gloves at {}").format(", ".join(paths))
+        return tr("glove at {}").format(paths[0]) if paths else tr("camera alone")
 
     @property
     def whole(self) -> bool:
-        return self.glove is not None and self.camera is not None and self.rig is not None
+        return bool(self.gloves and self.camera is not None and self.rig is not None)
+
+    def worn(self, settings: AppSettings) -> tuple[WornGlove, ...]:
+        """The gloves; without any the one of the settings, whose markers a camera may see."""
+        if self.gloves:
+            return self.gloves
+        hand, glove = library.load(settings.glove, settings.hand)
+        return (WornGlove(settings.glove, settings.hand, hand, glove, None, None),)
 
 
 def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
@@ -70,71 +79,88 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
     """
     found = find_devices(progress, settings)
     progress(0.7, tr("engine"))
-    hello = found.glove.hello if found.glove else None
-    settings, recalled = as_bound(settings, hello.glove_id if hello else None)
-    hand, glove = library.load(settings.glove, settings.hand)
-    pipeline = Pipeline(hand, glove, found.rig, Settings() if found.whole else INERTIAL)
+    worn = found.worn(settings)
+    engine = Settings() if found.whole else INERTIAL
+    make = {w.side: partial(Pipeline, w.hand, w.glove, found.rig, engine) for w in worn}
+    hands = TwoHands(make) if len(make) == 2 else OneHand(make[worn[0].side]())
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
-    info = _info(settings, pipeline, colours_text)
     profile = parse_profile(colours_text)
+    pipeline = hands.pipelines[worn[0].side]
 
     def make_detector(colours: ColourProfile) -> Detector:
-        return Detector(colours, float(glove.marker_size.mean()), pipeline.rig.fx)
+        return Detector(colours, float(pipeline.glove.marker_size.mean()), pipeline.rig.fx)
 
-    warm_up(hand, glove, make_detector(profile))
-    link = _link(found.glove, len(glove.imus)) if found.glove else None
+    warm_up(pipeline.hand, pipeline.glove, make_detector(profile))
+    links: dict[str, GloveLink] = {w.side: w.link() for w in found.gloves}
+    gloves: dict[str, GloveSource] = {w.side: links.get(w.side) or NoGlove() for w in worn}
     chosen = found.camera
     camera: CameraSource = StereoCamera(chosen.source, found.rig) if chosen else NoCamera()
-    tracker = LiveTracker(pipeline, profile, make_detector, link or NoGlove(), camera)
-    tracker.stage.sinks += all_sinks(link.vibrate if link else None, tracker.stage.tell)
+    tracker = LiveTracker(hands, profile, make_detector, gloves, camera)
+    info = _info(worn, pipeline, colours_text)
     recorders = RecorderProcesses()
     recorders.warm()
-    return EngineSetup(
+    shared = EngineSetup(
         name=found.name,
         engine=tracker,
-        hand=hand,
-        glove=glove,
+        tracked=tracker.hand(pipeline.glove.side),
+        hand=pipeline.hand,
+        glove=pipeline.glove,
         rig=pipeline.rig,
         profile=profile,
         anchor=info.anchor,
-        firmware_advice=advice(hello.firmware) if hello else "",
         close=recorders.close,
         make_recorder=recorder_maker(tracker, info, recorders.record),
-        followed=tracker,
-        vibrate=link.vibrate if link else None,
-        guide=WearersGuide(tracker),
-        command=tracker.command,
-        stage=tracker.stage,
-        reference_tracking=tracker if found.whole else None,
         # a calibration file's name holds a ZED's serial number
         camera=f"{chosen.title} {Path(settings.calibration).stem}" if chosen else "",
         camera_controls=chosen.controls if chosen else None,
-        has_glove=link is not None,
         has_camera=chosen is not None,
         camera_calibrated=found.rig is not None,
-        missing=" ".join((*found.missing, *((recalled,) if recalled else ()))),
+        missing=" ".join(found.missing),
         image_rate=(lambda: chosen.source.fps) if chosen else None,
+    )
+    return seen_from_main([_seen_from(w, shared, tracker, links.get(w.side)) for w in worn])
+
+
+def _seen_from(
+    worn: WornGlove, shared: EngineSetup, tracker: LiveTracker, link: GloveLink | None
+) -> EngineSetup:
+    """The engine as it is seen from one hand."""
+    tracked = tracker.hand(worn.side)
+    stage = tracked.stage
+    hello = worn.report.hello if worn.report else None
+    stage.sinks += all_sinks(link.vibrate if link else None, stage.tell)
+    whole = link is not None and shared.has_camera and shared.camera_calibrated
+    return replace(
+        shared,
+        tracked=tracked,
+        hand=worn.hand,
+        glove=worn.glove,
+        glove_id=worn.glove_id,
+        firmware_advice=advice(hello.firmware) if hello else "",
+        followed=tracked,
+        vibrate=link.vibrate if link else None,
+        guide=WearersGuide(tracked),
+        command=tracked.command,
+        stage=stage,
+        reference_tracking=tracked if whole else None,
+        has_glove=link is not None,
     )
 
 
-def _link(found: PortReport, imu_count: int) -> GloveLink:
-    place = GlovePort(found.path, found.baud)
-    return GloveLink(place, imu_count, LinkParams(baud=found.baud))
-
-
 def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
-    """Look for glove, calibration and camera. Raises DeviceError where neither device is there."""
+    """Look for gloves, calibration and camera. Raises DeviceError where neither device is there."""
     missing: list[str] = []
-    glove = _unless_missing(lambda: find_port(progress, settings.port, settings.baud), missing)
+    found = _unless_missing(lambda: find_worn(progress, settings), missing)
+    gloves = found.gloves if found is not None else ()
     progress(0.5, tr("camera"))
     rig = _unless_missing(lambda: rig_of(settings.calibration), missing)
     width, height = (rig.left.width, rig.left.height) if rig else (WIDTH, HEIGHT)
     camera = _unless_missing(lambda: choose(settings, width, height, FPS), missing)
-    if glove is None and camera is None:
+    if not gloves and camera is None:
         raise DeviceError(" ".join(missing))
-    if glove is not None and not (rig and camera):
+    if gloves and not (rig and camera):
         missing.append(tr("The hand is shown by its IMUs alone, without a place."))
-    return Found(glove, camera, rig, tuple(missing))
+    return Found(gloves, camera, rig, (*missing, *(found.words if found is not None else ())))
 
 
 def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
@@ -145,38 +171,25 @@ def _unless_missing(find: Callable[[], T], missing: list[str]) -> T | None:
         return None
 
 
-def _info(settings: AppSettings, pipeline: Pipeline, colours_text: str) -> SessionInfo:
+def _info(worn: Sequence[WornGlove], pipeline: Pipeline, colours_text: str) -> SessionInfo:
     """What a recording of these devices is about."""
-    return SessionInfo(
-        hand=pipeline.hand,
-        glove=pipeline.glove,
-        hand_text=library.text("hands", settings.hand),
-        glove_text=library.text("gloves", settings.glove),
-        anchor=ClockAnchor(time.time_ns(), time.monotonic_ns()),
-        rig=pipeline.calibrated_rig,
-        colours_text=colours_text,
-        settings_text=to_toml(pipeline.settings),
-        engine=pipeline.settings.engine,
+    anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
+    return of_hands(
+        [
+            SessionInfo(
+                hand=w.hand,
+                glove=w.glove,
+                hand_text=library.text("hands", w.hand_name),
+                glove_text=library.text("gloves", w.glove_name),
+                anchor=anchor,
+                rig=pipeline.calibrated_rig,
+                colours_text=colours_text,
+                settings_text=to_toml(pipeline.settings),
+                engine=pipeline.settings.engine,
+            )
+            for w in worn
+        ]
     )
-
-
-def find_port(progress: JobProgress, last: str, baud: int = 0) -> PortReport:
-    """The first port with a glove behind it; the last one used is asked first.
-
-    It is asked at ``baud``, or at all that a glove may speak. Raises DeviceError if none answers.
-    """
-    # one that is not on USB is on no list, and was chosen by hand
-    ports = [*([last] if last else []), *(p for p in serial_ports() if p != last)]
-    troubles = []
-    for i, path in enumerate(ports):
-        progress(0.4 * i / len(ports), path)
-        report = find_gloves([path], bauds=(baud,) if baud else BAUDS)[0]
-        if report.is_glove:
-            return report
-        troubles.append(report.trouble)
-    if not troubles:
-        raise DeviceError(tr("No glove was found: no USB serial port is there. Is it plugged in?"))
-    raise DeviceError(tr("No glove was found. {}").format(" ".join(troubles)))
 
 
 def rig_of(calibration: str) -> StereoRig:

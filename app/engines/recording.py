@@ -38,13 +38,13 @@ class PausableRecorder:
         self._closed = threading.Event()
         self.figures: Mapping[str, float] = {}  # of the last status: the recording's own
 
-    def write(self, message: Message, overloaded: bool = False) -> bool:
+    def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
         if isinstance(message, Status):
             self.figures = message.values
         if self.paused and not isinstance(message, Event | Calibration | EngineState):
             return True
         with self._watched():
-            taken = self._inner.write(message, overloaded)
+            taken = self._inner.write(message, overloaded, side)
         self.written += 1
         return taken
 

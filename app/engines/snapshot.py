@@ -29,7 +29,8 @@ class Snapshot:
     """The latest of every stream; None where there is nothing yet.
 
     ``estimate_at_frame`` is the estimate nearest to the exposure of ``frame``: images are some
-    40 ms old when they arrive, so an overlay of the newest estimate would lead the hand.
+    40 ms old when they arrive, so an overlay of the newest estimate would lead the hand. ``frame``
+    and ``blobs`` of the other hand are this one's; its ``result`` is None where there is none yet.
     """
 
     setup: EngineSetup
@@ -42,6 +43,14 @@ class Snapshot:
     calibration: Calibration | None = None
     status: Status | None = None
     imu: Sequence[ImuSample] = field(default_factory=tuple)
+    other: Snapshot | None = None  # of the other hand, with its own setup
+
+    @property
+    def hands(self) -> tuple[Snapshot, ...]:
+        """This one, or those of both hands, the left one first."""
+        if self.other is None:
+            return (self,)
+        return tuple(sorted((self, self.other), key=lambda view: view.setup.side))
 
     @property
     def shed(self) -> Shed:
@@ -77,7 +86,7 @@ class Snapshot:
         """The hand to compare with: a replay's second tracking, or a second engine, where one is
         set, else the truth."""
         player, reference_tracking = self.setup.player, self.setup.reference_tracking
-        other = player.reference() if player is not None else None
+        other = player.reference(self.setup.side) if player is not None else None
         second = reference_tracking.reference_estimate() if reference_tracking is not None else None
         if second is not None:
             there = second.tracking != Tracking.LOST and bool(np.isfinite(second.segment_p).all())

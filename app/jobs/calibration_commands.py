@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, Signal
 
+from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.words import tr
 from tracker.errors import ConfigError
@@ -36,9 +37,13 @@ class CalibrationCommands(QObject):
         self._host = host
 
     def layout(self) -> ChainLayout | None:
-        """Of the open glove and hand."""
-        setup = self._host.setup
-        return ChainLayout(setup.hand, setup.glove) if setup is not None else None
+        """Of the glove and hand that are shown."""
+        return self.layout_of(self._host.setup) if self._host.setup is not None else None
+
+    @staticmethod
+    def layout_of(setup: EngineSetup) -> ChainLayout:
+        """Of a glove and hand."""
+        return ChainLayout(setup.hand, setup.glove)
 
     @property
     def available(self) -> bool:
@@ -53,9 +58,14 @@ class CalibrationCommands(QObject):
     def freeze(self, on: bool) -> bool:
         return self._command(lambda engine: engine.wearer.freeze(on))
 
-    def put_on(self, profile: WearerProfile) -> bool:
-        """A profile of an earlier session, and of an earlier fit of the glove."""
-        return self._command(lambda engine: engine.put_on(renewed(profile, engine.layout)))
+    def put_on(self, profile: WearerProfile, side: str) -> bool:
+        """A profile of an earlier session, and of an earlier fit of the glove, on that hand."""
+
+        def work(engine: Engine) -> None:
+            chain = chain_of(engine)
+            chain.put_on(renewed(profile, chain.layout))
+
+        return self._host.command(work, side)
 
     def ask(self) -> bool:
         """Have what has been learned sent by `learned`."""

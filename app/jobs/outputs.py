@@ -25,7 +25,7 @@ from tracker.files import free_path
 from tracker.messages import Event, Validity
 from tracker.streaming.attach import Attachment, attach
 from tracker.streaming.haptics import HapticPublisher, Sphere
-from tracker.streaming.params import STREAMS, StreamParams, open_publishers
+from tracker.streaming.params import STREAMS, StreamParams, Worn, open_for_hands
 from tracker.streaming.publisher import Names, Publisher
 from tracker.streaming.streams import StreamCounts
 
@@ -60,8 +60,8 @@ class Outputs(QObject):
         self._host, self._store, self._tasks = host, store, tasks
         self.params = remembered(StreamParams, store.value.streams)
         self.rule = remembered(HapticRule, store.value.haptics)
-        self._attached: dict[str, Attachment] = {}
-        self._fresh: list[Publisher] = []  # open, and not yet attached
+        self._attached: dict[str, list[Attachment]] = {}  # one for each hand
+        self._fresh: list[list[Publisher]] = []  # open, and not yet attached
         self._wanted: dict[str, int] = {}  # number of the latest wish for each output
         self.problems: dict[str, str] = {}
         host.running_changed.connect(self._follow)
@@ -130,7 +130,7 @@ class Outputs(QObject):
     def fingertip(self) -> tuple[float, ...]:
         """Where the index fingertip is now, m in G; empty where that is not known."""
         setup = self._host.setup
-        estimate = setup.engine.latest_estimate() if setup is not None else None
+        estimate = setup.tracked.latest_estimate() if setup is not None else None
         if setup is None or estimate is None:
             return ()
         row = setup.glove.keypoint_names(setup.hand).index(TOUCHING)
@@ -155,7 +155,7 @@ class Outputs(QObject):
     def counts(self, name: str) -> StreamCounts | None:
         """Of an output that runs; None where it does not."""
         attached = self._attached.get(name)
-        return attached.counts()[0] if attached is not None else None
+        return attached[0].counts()[0] if attached else None
 
     # --- opening and closing
 
@@ -176,14 +176,14 @@ class Outputs(QObject):
             return
         wish = self._wanted[name]
 
-        def opened(publisher: Publisher) -> None:
-            self._opened(name, wish, setup, publisher)
+        def opened(publishers: list[Publisher]) -> None:
+            self._opened(name, wish, setup, publishers)
 
-        def job(progress: JobProgress) -> Publisher:
+        def job(progress: JobProgress) -> list[Publisher]:
             progress(-1.0, name)
-            publisher = self._publisher(name, setup)
-            self._fresh.append(publisher)
-            return publisher
+            publishers = self._publishers(name, setup)
+            self._fresh.append(publishers)
+            return publishers
 
         self._tasks.run(
             self.tr("Opening {}").format(name),
@@ -192,29 +192,34 @@ class Outputs(QObject):
             failed=lambda text: self._failed(name, text),
         )
 
-    def _publisher(self, name: str, setup: EngineSetup) -> Publisher:
-        """Open one output. Raises StreamError in words."""
+    def _publishers(self, name: str, setup: EngineSetup) -> list[Publisher]:
+        """Open one output, of each hand. Raises StreamError in words."""
         if name == HAPTICS:
-            assert setup.vibrate is not None
             sphere = Sphere(np.array(self.rule.center), self.rule.radius)
-            return HapticPublisher(Names.of(setup.hand, setup.glove), [sphere], setup.vibrate)
+            return [_haptic(hand, sphere) for hand in setup.hands]
         switches: dict[str, Any] = {n: n == name for n in STREAMS}
         alone = replace(self.params, **switches)
         if name == "isaac":
             self.isaac_file.parent.mkdir(parents=True, exist_ok=True)
             alone = replace(alone, isaac_file=str(free_path(self.isaac_file)))
-        return open_publishers(alone, setup.hand, setup.glove)[0]
+        return open_for_hands(alone, [Worn(hand.hand, hand.glove) for hand in setup.hands])[0]
 
-    def _opened(self, name: str, wish: int, setup: EngineSetup, publisher: Publisher) -> None:
-        """Attach it, unless something else is wanted by now, or the window has closed it."""
-        if publisher not in self._fresh:
+    def _opened(
+        self, name: str, wish: int, setup: EngineSetup, publishers: list[Publisher]
+    ) -> None:
+        """Attach them, unless something else is wanted by now, or the window has closed them."""
+        if publishers not in self._fresh:
             return
-        self._fresh.remove(publisher)
-        if wish != self._wanted[name] or setup is not self._host.setup:
-            publisher.close()
+        self._fresh.remove(publishers)
+        now = self._host.setup
+        if wish != self._wanted[name] or now is None or now.engine is not setup.engine:
+            _close_all(publishers)
             return
-        self._attached[name] = attach(setup.engine, [publisher], say=self._say)
-        self._say(self.tr("The stream {} runs.").format(publisher.name))
+        self._attached[name] = [
+            attach(hand.tracked, [publisher], say=self._say)
+            for hand, publisher in zip(setup.hands, publishers, strict=True)
+        ]
+        self._say(self.tr("The stream {} runs.").format(publishers[0].name))
         self.changed.emit()
 
     def _failed(self, name: str, text: str) -> None:
@@ -226,7 +231,8 @@ class Outputs(QObject):
         self.problems.pop(name, None)
         attached = self._attached.pop(name, None)
         if attached is not None:
-            self._tasks.run(self.tr("Closing {}").format(name), lambda _progress: attached.close())
+            title = self.tr("Closing {}").format(name)
+            self._tasks.run(title, lambda _progress: _close_all(attached))
         self.changed.emit()
 
     def _say(self, text: str) -> None:
@@ -235,9 +241,20 @@ class Outputs(QObject):
 
     def shut_down(self) -> None:
         """After the last job: close what one has opened and nobody took."""
-        for publisher in self._fresh:
-            publisher.close()
+        for publishers in self._fresh:
+            _close_all(publishers)
         self._fresh.clear()
+
+
+def _close_all(parts: Sequence[Attachment | Publisher]) -> None:
+    for part in parts:
+        part.close()
+
+
+def _haptic(setup: EngineSetup, sphere: Sphere) -> Publisher:
+    """A glove without motors feels nothing."""
+    vibrate = setup.vibrate or (lambda channel, amplitude, duration_ms: None)
+    return HapticPublisher(Names.of(setup.hand, setup.glove), [sphere], vibrate)
 
 
 def remembered(kind: type[P], data: dict[str, Any]) -> P:

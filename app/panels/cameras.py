@@ -52,6 +52,7 @@ class CamerasPanel(Panel):
         self.left.handled.connect(lambda: self._handled(self.left, self.right))
         self.right.handled.connect(lambda: self._handled(self.right, self.left))
         host.opened.connect(self._open)
+        host.hand_changed.connect(self._open)
 
     def title(self) -> str:
         return self.tr("Cameras")

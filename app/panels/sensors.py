@@ -63,6 +63,7 @@ class SensorsPanel(Panel):
         self._make_plots()
         self._lay_out()
         host.opened.connect(self._open)
+        host.hand_changed.connect(self._open)
 
     def title(self) -> str:
         return self.tr("Sensors")

@@ -30,9 +30,19 @@ def bound(settings: AppSettings, glove_id: int | None) -> BoundGlove | None:
     return BoundGlove(*map(str, words))
 
 
+def bound_of(settings: AppSettings, side: str) -> tuple[int, BoundGlove] | None:
+    """Number and files of the glove that was bound to this side last."""
+    for number in reversed([n for n in settings.gloves if n.isdecimal()]):
+        known = bound(settings, int(number))
+        if known is not None and known.side == side:
+            return int(number), known
+    return None
+
+
 def with_bound(settings: AppSettings, glove_id: int, glove: BoundGlove) -> dict[str, Any]:
     """The gloves of the settings with this one, to be kept."""
-    return {**settings.gloves, str(glove_id): asdict(glove)}
+    others = {number: g for number, g in settings.gloves.items() if number != str(glove_id)}
+    return {**others, str(glove_id): asdict(glove)}
 
 
 def as_bound(settings: AppSettings, glove_id: int | None) -> tuple[AppSettings, str]:

@@ -51,11 +51,13 @@ class AppSettings:
     countdown_sound: bool = False
     guided_sound: bool = True  # a beep when a guided pose has been held
     wearer: str = ""  # whose calibration is put on at the start
+    left_wearer: str = ""  # the same of the left hand, where both are worn
     engine: str = "chain"  # what tracks
     curves: str = ""  # which of the sensors panel are shown
     angle_unit: str = "deg"  # or "rad": of the motion panel
     view_3d: str = "auto"  # "auto", "card" or "painted"
     card_trial: bool = False  # the graphics card's view has not yet drawn enough to be trusted
+    both_hands: bool = False  # the other hand's glove is expected where it is not there
     hand: str = "reference-right"
     glove: str = "vist-small"
     gloves: dict[str, Any] = field(default_factory=dict)  # `BoundGlove`s, by their numbers

@@ -25,7 +25,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 import psutil
 from PySide6.QtWidgets import QApplication
 
-from app.engines.demo_camera import start_camera
+from app.engines.demo_camera import DemoChoice, start_camera
 from app.engines.engine import RecordingRequest
 from app.platform.process_tuning import tune_process
 
@@ -88,7 +88,7 @@ def measure(fps: float, seconds: float, folder: Path) -> list[Load]:
     window.resize(*SIZE)
     window.show()
     try:
-        window.host.open("demo", demo_factory(fps=fps, camera=camera))
+        window.host.open("demo", demo_factory(DemoChoice(fps), camera=camera))
         if not wait_until(lambda: window.host.running, START_TIMEOUT):
             raise SystemExit("The demo did not start.")
         wait_until(lambda: False, SETTLE_S)
@@ -121,7 +121,7 @@ def _stretch(window: MainWindow, out: Load, seconds: float) -> Load:
 
 def _status(window: MainWindow) -> dict[str, float]:
     setup = window.host.setup
-    return dict(setup.engine.status().values) if setup is not None else {}
+    return dict(setup.tracked.status().values) if setup is not None else {}
 
 
 def _times() -> tuple[dict[str, float], dict[str, float]]:

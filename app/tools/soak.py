@@ -27,7 +27,7 @@ import psutil
 from PySide6.QtCore import QCoreApplication, QEvent, QTimer
 from PySide6.QtWidgets import QApplication
 
-from app.engines.demo_camera import start_camera
+from app.engines.demo_camera import DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
 
 if TYPE_CHECKING:
@@ -188,7 +188,7 @@ def soak(minutes: float, folder: Path) -> Soak:
     window.resize(*SIZE)
     window.show()
     try:
-        window.host.open("demo", demo_factory(fps=FPS, camera=camera))
+        window.host.open("demo", demo_factory(DemoChoice(FPS), camera=camera))
         return _watch(window, Soak(minutes, FPS))
     finally:
         window.close()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -44,20 +45,21 @@ NO_LAYERS = Layers(False, False, False, False, False, False)
 
 
 def overlay(view: Snapshot, layers: Layers, colours: dict[str, str], right: bool) -> list[Shape]:
-    """All shapes for one side; ``colours`` maps hue names to what they look like."""
+    """All shapes for one side, of all hands; ``colours`` maps hue names to what they look like."""
     shapes: list[Shape] = []
     if layers.skeleton:
-        shapes += _skeleton(view, right)
+        for hand in view.hands:
+            shapes += _skeleton(hand, right)
     blobs, rejected = _side(view, right)
-    names = view.blobs.hue_names if view.blobs is not None else ()
     if layers.rejected and rejected is not None:
         shapes += _rejected(rejected)
-    if view.result is not None and layers.predicted:
-        shapes += _predicted(view, view.result, colours, right)
-    if blobs is not None and view.result is not None and layers.residuals:
-        shapes += _residuals(view.result, blobs, right)
-    if blobs is not None and layers.blobs:
-        shapes += _blobs(view, blobs, names, colours, right, layers.pairs)
+    for hand in view.hands:
+        if hand.result is not None and layers.predicted:
+            shapes += _predicted(hand, hand.result, colours, right)
+        if blobs is not None and hand.result is not None and layers.residuals:
+            shapes += _residuals(hand.result, blobs, right)
+    if view.blobs is not None and blobs is not None and layers.blobs:
+        shapes += _blobs(view, blobs, colours, right, layers.pairs)
     return shapes
 
 
@@ -72,15 +74,16 @@ def _side(view: Snapshot, right: bool) -> tuple[Blobs | None, RejectedBlobs | No
 def _blobs(
     view: Snapshot,
     blobs: Blobs,
-    names: tuple[str, ...],
     colours: dict[str, str],
     right: bool,
     pairs: bool,
 ) -> list[Shape]:
     """A ring per blob in its hue: full where it became a marker, dashed where nobody claims it,
     filled (``pairs``) where the same marker is seen in the other image too."""
-    claimed = _claimed(view.result, len(blobs), right)
-    paired = _paired(view.result, right) if pairs else set()
+    names = view.blobs.hue_names if view.blobs is not None else ()
+    results = [hand.result for hand in view.hands if hand.result is not None]
+    claimed = _claimed(results, len(blobs), right)
+    paired = set[int]().union(*(_paired(result, right) for result in results if pairs))
     out: list[Shape] = []
     for i, (u, v) in enumerate(blobs.uv):
         radius = float(max(blobs.size[i])) / 2 + 2
@@ -89,19 +92,18 @@ def _blobs(
     return out
 
 
-def _paired(result: FrameResult | None, right: bool) -> set[int]:
+def _paired(result: FrameResult, right: bool) -> set[int]:
     """Blobs of a side whose marker was matched on both sides."""
-    if result is None:
-        return set()
     both = (result.match_left >= 0) & (result.match_right >= 0)
     return set((result.match_right if right else result.match_left)[both].tolist())
 
 
-def _claimed(result: FrameResult | None, count: int, right: bool) -> list[bool]:
-    if result is None:
+def _claimed(results: Sequence[FrameResult], count: int, right: bool) -> list[bool]:
+    """Whether a marker of any hand took each blob; all where nothing was made of them yet."""
+    if not results:
         return [True] * count
-    match = result.match_right if right else result.match_left
-    taken = set(match[match >= 0].tolist())
+    matches = [result.match_right if right else result.match_left for result in results]
+    taken = {int(i) for match in matches for i in match[match >= 0]}
     return [i in taken for i in range(count)]
 
 
@@ -198,10 +200,10 @@ def _skeleton(view: Snapshot, right: bool) -> list[Shape]:
 
 
 def hand_box(view: Snapshot, right: bool) -> tuple[float, float, float, float] | None:
-    """Centre u, v and size w, h (px) of the hand in an image; None where it is not known."""
-    if view.estimate_at_frame is None:
-        return None
-    pixels = project(view, view.estimate_at_frame.keypoints, right)
+    """Centre u, v and size w, h (px) of the hands in an image; None where no hand is known."""
+    known = [hand for hand in view.hands if hand.estimate_at_frame is not None]
+    points = [hand.estimate_at_frame.keypoints for hand in known if hand.estimate_at_frame]
+    pixels = project(view, np.concatenate([*points, np.zeros((0, 3))]), right)
     pixels = pixels[np.isfinite(pixels).all(axis=1)]
     if len(pixels) == 0:
         return None

@@ -11,7 +11,6 @@ from tracker.session.export.options import (
     AXES_NAMES,
     DATASETS,
     FORMATS,
-    OPENXR,
     PERSONAL,
     RATES,
     UNITS,
@@ -41,16 +40,12 @@ WORDS = {
     "lerobot": mark("Data set for robot learning (LeRobot, a folder)"),
 }
 """What each format is for, by its name on the command line."""
-OWN_AXES = ("isaac", *DATASETS)
-POINTS = ("csv", "parquet", "h5", "c3d", "trc", "bids")
-"""Formats of points, which may be OpenXR's joints."""
 
 
 @dataclass(frozen=True)
 class ExportChoice:
     """``rate`` Hz, 0 as recorded; ``axes`` and ``units`` empty: as usual for the format; ``task``
-    and ``split`` of data sets: see `DatasetOptions`; ``openxr`` OpenXR's joints in place of ours.
-    """
+    and ``split`` of data sets: see `DatasetOptions`."""
 
     formats: tuple[str, ...] = ("csv",)
     rate: float = 0.0
@@ -59,7 +54,6 @@ class ExportChoice:
     anonymous: bool = False
     task: str = ""
     split: bool = False
-    openxr: bool = False
 
     @property
     def is_dataset(self) -> bool:
@@ -67,12 +61,10 @@ class ExportChoice:
         return any(form in DATASETS for form in self.formats)
 
     def options_of(self, form: str) -> ExportOptions:
-        """Axes, units and joints are of no concern to formats that have their own."""
-        options = self.options
-        if form in OWN_AXES:
-            options = replace(options, axes=None, units=None)
-        joints = (OPENXR,) if self.openxr and form in POINTS else ()
-        return replace(options, joints=joints)
+        """Axes and units are of no concern to formats that have their own."""
+        if form in DATASETS:
+            return replace(self.options, axes=None, units=None)
+        return self.options
 
     @property
     def options(self) -> ExportOptions:
@@ -105,7 +97,6 @@ def choice_from(data: object) -> ExportChoice:
         anonymous=found.get("anonymous") is True,
         task=task if isinstance(task := found.get("task"), str) else "",
         split=found.get("split") is True,
-        openxr=found.get("openxr") is True,
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -172,10 +173,10 @@ def view_direction(name: str, R_GB: Array) -> Array:
     return {"back": z - 0.35 * x, "palm": -z - 0.35 * x, "side": y + 0.2 * z}[name]
 
 
-def followed(target: Array, scene: HandScene, found_before: bool) -> Array:
-    """(3,) where the view's centre goes from ``target``: some of the way to the hand, or at once
-    to one that has just been found or is far away."""
-    centre = scene.segment_p.mean(axis=0)
+def followed(target: Array, scenes: Sequence[HandScene], found_before: bool) -> Array:
+    """(3,) where the view's centre goes from ``target``: some of the way to the hand or between
+    both, or at once to one that has just been found or is far away."""
+    centre = np.mean([scene.segment_p.mean(axis=0) for scene in scenes], axis=0)
     near = found_before and float(np.linalg.norm(centre - target)) < JUMP
     return np.asarray(target + (FOLLOW if near else 1.0) * (centre - target))
 

@@ -47,6 +47,13 @@ def tracking_look(status: Status | None, running: bool, has_place: bool = True) 
     return replace(look, word=tr(look.word))
 
 
+def hand_tip(status: Status | None) -> str:
+    """What there is to say of one hand of two: its glove's rate, and what was lost."""
+    values = status.values if status is not None else {}
+    glove, losses = _glove(values), _losses(values)
+    return f"{glove.name} {glove.text}\n{losses.name} {losses.text}"
+
+
 def fields(status: Status | None) -> list[Field]:
     """The figures of the bar, in its order."""
     v = status.values if status is not None else {}

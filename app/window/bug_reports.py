@@ -113,7 +113,7 @@ class BugReports(QObject):
         setup = host.setup
         if setup is None:
             return {"engine": "none is open"}
-        status = setup.engine.status()
+        status = setup.tracked.status()
         return {
             "hand": setup.hand.name,
             "glove": setup.glove.name,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import time
-from collections import deque
-from collections.abc import Callable
+from collections import defaultdict, deque
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -13,6 +13,7 @@ import numpy as np
 from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
+from app.engines.demo_camera import DemoChoice
 from app.engines.engine import RecordingRequest
 from app.engines.engine_host import SetupFactory
 from app.engines.snapshot import Snapshot
@@ -22,6 +23,7 @@ from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
 from tracker.messages import Array, Tracking
+from tracker.session.description import SIDES
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.streaming.params import StreamParams
 
@@ -38,14 +40,13 @@ class Figures:
 
     error: list[Array] = field(default_factory=list)  # (4,) m
     states: deque[int] = field(default_factory=deque)
-    screenshot: bool = False
 
 
 def headless_report(
     app: QApplication,
     duration: float,
     out: Path,
-    fps: float,
+    demo: DemoChoice,
     camera: SimulatedCamera,
     streams: StreamParams,
     wearer: Path | None = None,
@@ -62,7 +63,7 @@ def headless_report(
         window.calibration.begin_with(wearer)
     window.show()
     try:
-        return _run(app, window, duration, out, demo_factory(fps=fps, camera=camera))
+        return _run(app, window, duration, out, demo_factory(demo, camera=camera))
     finally:
         window.close()
         (out / "window.json").unlink(missing_ok=True)
@@ -81,21 +82,22 @@ def _run(
         return 1
     path, table = _free(out / "session.mcap"), _free(out / "session.csv")
     window.host.record(RecordingRequest(path, "demo", "random postures"))
-    figures, began, ticks = Figures(), time.monotonic(), window.ticker.ticks
-    _gather(window, figures, duration, out / "window.png")
+    began, ticks = time.monotonic(), window.ticker.ticks
+    gathered = _gather(window, duration, out / "window.png")
     rate = (window.ticker.ticks - ticks) / (time.monotonic() - began)
     view = window.host.snapshot()
     window.host.stop()
     window.host.recording.wait()
     export_job(ExportRequest(path, "csv", table))(JobProgress(lambda _f, _t: None))
-    print(_report(figures, view, rate, path))
+    print(_report(gathered, view, rate, path))
     return 0
 
 
 def _free(path: Path) -> Path:
-    """The demo's own file of an earlier run, and what tells of it, give way."""
-    for old in (path, path.with_name(path.name + ".json")):
-        old.unlink(missing_ok=True)
+    """The demo's own files of an earlier run, and what tells of them, give way."""
+    for name in (path.name, *(f"{path.stem}_{side}{path.suffix}" for side in SIDES)):
+        for old in (path.with_name(name), path.with_name(name + ".json")):
+            old.unlink(missing_ok=True)
     return path
 
 
@@ -110,31 +112,41 @@ def wait_until(done: Callable[[], bool], timeout: float) -> bool:
     return done()
 
 
-def _gather(window: MainWindow, figures: Figures, duration: float, image: Path) -> None:
-    """Watch the engine for ``duration`` s."""
+def _gather(window: MainWindow, duration: float, image: Path) -> dict[str, Figures]:
+    """Watch the engine for ``duration`` s; what is found of each hand, by its side."""
     began = time.monotonic()
     sampler = QTimer()
+    gathered: dict[str, Figures] = defaultdict(Figures)
+    taken = False
 
     def sample() -> None:
+        nonlocal taken
         view = window.host.snapshot()
-        if view is None or view.estimate is None:
+        if view is None:
             return
-        _take(view, figures)
+        for hand in view.hands:
+            _take(hand, gathered[hand.setup.side])
         late = time.monotonic() - began > SCREENSHOT_AFTER * duration
-        if late and not figures.screenshot and view.estimate.tracking == Tracking.TRACKING:
-            figures.screenshot = window.grab().save(str(image))
+        if late and not taken and all(_is_tracked(hand) for hand in view.hands):
+            taken = window.grab().save(str(image))
 
     sampler.timeout.connect(sample)
     sampler.start(SAMPLE_MS)
     wait_until(lambda: False, duration)
     sampler.stop()
-    if not figures.screenshot:
+    if not taken:
         window.grab().save(str(image))
+    return gathered
+
+
+def _is_tracked(view: Snapshot) -> bool:
+    return view.estimate is not None and view.estimate.tracking == Tracking.TRACKING
 
 
 def _take(view: Snapshot, figures: Figures) -> None:
     estimate = view.estimate
-    assert estimate is not None
+    if estimate is None:
+        return
     figures.states.append(int(estimate.tracking))
     truth = view.truth()
     if truth is not None:
@@ -145,10 +157,8 @@ def _take(view: Snapshot, figures: Figures) -> None:
             figures.error.append(np.linalg.norm(delta, axis=1))
 
 
-def _report(figures: Figures, view: Snapshot | None, rate: float, path: Path) -> str:
+def _report(gathered: Mapping[str, Figures], view: Snapshot | None, rate: float, path: Path) -> str:
     values = view.status.values if view is not None and view.status is not None else {}
-    tracked = _share(figures, Tracking.TRACKING)
-    located = _share(figures, Tracking.TRACKING, Tracking.COASTING)
     load = os.getloadavg()[0] if hasattr(os, "getloadavg") else float("nan")
 
     def figure(key: str, pattern: str = "{:.1f}") -> str:
@@ -165,12 +175,30 @@ def _report(figures: Figures, view: Snapshot | None, rate: float, path: Path) ->
         f"losses       {figure('imu_lost', '{:.0f}')} packets, "
         f"{figure('frames_dropped', '{:.0f}')} images not searched, "
         f"{figure('pictures_thinned', '{:.0f}')} images not recorded",
-        f"tracking     {100 * tracked:.0f} % of the time, position known {100 * located:.0f} %",
-        f"error        {_error_text(figures)}",
+        *_lines_of_hands(gathered, view),
         f"session      {path} ({path.stat().st_size / 1e6:.1f} MB), {path.stem}.csv",
         f"machine      {os.cpu_count()} cores, load {load:.1f}",
     ]
     return "\n".join(lines)
+
+
+def _lines_of_hands(gathered: Mapping[str, Figures], view: Snapshot | None) -> list[str]:
+    """How well each hand was tracked; of two with its name, and the packets that it lost."""
+    lost = {}
+    for hand in view.hands if view is not None and len(view.hands) > 1 else ():
+        values = hand.status.values if hand.status is not None else {}
+        lost[hand.setup.side] = f", {values.get('imu_lost', 0):.0f} packets lost"
+    lines = []
+    for side, figures in sorted(gathered.items()):
+        tracked = _share(figures, Tracking.TRACKING)
+        located = _share(figures, Tracking.TRACKING, Tracking.COASTING)
+        name = f"{side} hand: " if side in lost else ""
+        lines += [
+            f"tracking     {name}{100 * tracked:.0f} % of the time, position known "
+            f"{100 * located:.0f} %{lost.get(side, '')}",
+            f"error        {name}{_error_text(figures)}",
+        ]
+    return lines
 
 
 def _share(figures: Figures, *states: Tracking) -> float:

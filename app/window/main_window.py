@@ -174,6 +174,7 @@ class MainWindow(QMainWindow):
         host = self.host
         host.opened.connect(self._opened)
         host.closed.connect(self._closed)
+        host.hand_changed.connect(lambda _setup: self._enable())
         host.running_changed.connect(lambda _on: self._enable())
         host.recording.changed.connect(lambda _on: self._enable())
         host.error.connect(lambda text: self.messages.say(text))

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from app.engines.demo_camera import DemoChoice
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost, SetupFactory
 from app.platform.tasks import JobProgress
@@ -25,15 +26,16 @@ if TYPE_CHECKING:
 
 
 def demo_factory(
-    seed: int = 1, fps: float = 30.0, camera: SimulatedCamera | None = None
+    choice: DemoChoice | None = None, seed: int = 1, camera: SimulatedCamera | None = None
 ) -> SetupFactory:
-    """A simulated wearer, glove and camera; ``camera`` may have been started for it before."""
+    """Simulated wearers, gloves and camera; ``camera`` may have been started for it before."""
+    wanted = choice or DemoChoice()
     started = [camera] if camera is not None else []
 
     def build(progress: JobProgress) -> EngineSetup:
         from app.engines.demo import demo_setup
 
-        return demo_setup(progress, seed, fps, started.pop() if started else None)
+        return demo_setup(progress, seed, wanted, started.pop() if started else None)
 
     return build
 
@@ -79,8 +81,10 @@ class Sources(QObject):
         self.looking_for_devices = False
         host.opened.connect(self._choose_engine)
 
-    def open_demo(self, fps: float = 30.0, camera: SimulatedCamera | None = None) -> None:
-        self._open(self.tr("Starting the demo"), demo_factory(fps=fps, camera=camera))
+    def open_demo(
+        self, choice: DemoChoice | None = None, camera: SimulatedCamera | None = None
+    ) -> None:
+        self._open(self.tr("Starting the demo"), demo_factory(choice, camera=camera))
 
     def open_devices(self) -> None:
         """Glove and camera, as the settings name them."""
@@ -119,10 +123,16 @@ class Sources(QObject):
     def _choose_engine(self, setup: EngineSetup) -> None:
         """The one used last; half a rig has the one that can do with it."""
         self.looking_for_devices = False
+        if setup.other is not None and setup.glove_id is not None:
+            self._store.update(both_hands=True)  # one that is unplugged is expected from now on
         if setup.whole:
             setup.engine.set_engine(self._store.value.engine)
         elif setup.missing:
             self.tell_of_devices(setup.missing)
+
+    def toggle_both_hands(self) -> None:
+        """Whether the other hand's glove is expected where it is not there; at the next opening."""
+        self._store.update(both_hands=not self._store.value.both_hands)
 
     def tell_of_devices(self, text: str) -> None:
         """What is missing, with the way to the list that helps; until devices are chosen anew."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
-from app.engines.demo_camera import start_camera
+from app.engines.demo_camera import HANDS, DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
 from app.platform.screens import PLATFORM, has_screen
 from resources import folder
@@ -70,11 +70,17 @@ def open_window(argv: Sequence[str]) -> int:
 
 
 def _report(app: QApplication, args: argparse.Namespace) -> int:
-    camera = start_camera(fps=args.fps)  # before the window is even imported
+    camera = start_camera(fps=args.fps, hands=args.hands)  # before the window is even imported
     from app.window.headless_report import headless_report
 
     return headless_report(
-        app, args.headless_report, args.out, args.fps, camera, args.streams, args.wearer
+        app,
+        args.headless_report,
+        args.out,
+        DemoChoice(args.fps, args.hands),
+        camera,
+        args.streams,
+        args.wearer,
     )
 
 
@@ -96,7 +102,7 @@ def _run(app: QApplication, args: argparse.Namespace) -> int:
 def _show(
     app: QApplication, args: argparse.Namespace, crashes: CrashWatch, instance: Instance
 ) -> int:
-    camera = start_camera(fps=args.fps) if args.demo else None
+    camera = start_camera(fps=args.fps, hands=args.hands) if args.demo else None
     from app.platform.translation import install
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
@@ -116,7 +122,7 @@ def _show(
         window.calibration.begin_with(args.wearer)
     window.show()
     if args.demo:
-        window.sources.open_demo(args.fps, camera)
+        window.sources.open_demo(DemoChoice(args.fps, args.hands), camera)
     elif args.session is not None:
         window.sources.open_session(args.session)
     elif args.devices:
@@ -164,6 +170,7 @@ def _parser() -> argparse.ArgumentParser:
         help="a wearer's profile: kept among the others, and worn from the start",
     )
     parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
+    parser.add_argument("--hands", choices=HANDS, default="right", help="simulated in the demo")
     parser.add_argument(
         "--headless-report",
         type=float,

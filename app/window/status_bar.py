@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from PySide6.QtWidgets import QProgressBar, QPushButton, QStatusBar, QToolTip, QWidget
 
 from app.platform.tasks import RunningJob, TaskOwner
-from app.viewmodels.status import fields, tracking_look
+from app.viewmodels.status import fields, hand_tip, tracking_look
 from app.widgets.chip import Chip
 from app.widgets.elided_label import ElidedLabel
 from tracker.messages import Status
@@ -16,8 +18,11 @@ class StatusBar(QStatusBar):
         super().__init__(parent)
         self._tasks = tasks
         self.setSizeGripEnabled(False)
-        self.tracking = Chip(firm=True)  # what matters most
+        # Of the hand that is shown, which matters most, and of the other one.
+        self.tracking, self.other_hand = Chip(firm=True), Chip(firm=True)
         self.addWidget(self.tracking)
+        self.addWidget(self.other_hand)
+        self.other_hand.hide()
         self.chips = {f.key: Chip() for f in fields(None)}
         for chip in self.chips.values():
             self.addWidget(chip)
@@ -41,6 +46,18 @@ class StatusBar(QStatusBar):
             text = f"{field.name} {field.text}".strip()
             self.chips[field.key].setVisible(bool(text))
             self.chips[field.key].show_state(field.look.colour, field.look.sign, text, field.tip)
+
+    def show_hands(self, hands: Mapping[str, Status | None], running: bool) -> None:
+        """Of two hands each by its name, that of the panels first; after `show_status`."""
+        self.other_hand.setVisible(len(hands) > 1)
+        if len(hands) < 2:
+            return
+        names = {"left": self.tr("Left"), "right": self.tr("Right")}
+        for chip, (side, status) in zip(
+            (self.tracking, self.other_hand), hands.items(), strict=True
+        ):
+            look = tracking_look(status, running)
+            chip.show_state(look.colour, look.sign, f"{names[side]}: {look.word}", hand_tip(status))
 
     def show_rate(self, rate_hz: float) -> None:
         """How often the window is drawn, for who asks by the pointer."""

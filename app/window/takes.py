@@ -65,9 +65,9 @@ class Takes(QObject):
             return
         if self._running.isValid() and self._running.elapsed() < STARTING_MS:
             return
-        names, engine = setup.glove.imu_names, setup.engine
         rate = setup.image_rate() if setup.image_rate is not None else 0.0
-        text = missing_text(engine.status(), engine.recent_imu(), names, rate)
+        hand, names = setup.tracked, setup.glove.imu_names
+        text = missing_text(hand.status(), hand.recent_imu(), names, rate)
         if not text:
             self._again.stop()
             self._messages.no_longer(ABOUT)

@@ -106,6 +106,8 @@ class Ticker(QObject):
     def _refresh_status(self, view: Snapshot | None) -> None:
         placed = view is None or (view.setup.has_camera and view.setup.camera_calibrated)
         self._bar.show_status(view.status if view else None, self._host.running, placed)
+        hands = (view, view.other) if view is not None and view.other is not None else ()
+        self._bar.show_hands({v.setup.side: v.status for v in hands}, self._host.running)
         values = view.status.values if view is not None and view.status is not None else {}
         unfit = bool(values.get("colours_unfit", 0.0))
         if unfit != self._unfit:

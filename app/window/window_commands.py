@@ -102,6 +102,13 @@ def _set_up(on: Targets) -> list[Command]:
     return [
         Command("glove_setup", menu, w.tr("&Glove…"), on.set_up.open_glove, "Ctrl+Shift+G"),
         Command("firmware", menu, w.tr("Glove &firmware…"), on.set_up.open_firmware),
+        Command(
+            "both_hands",
+            menu,
+            w.tr("&Both hands"),
+            on.sources.toggle_both_hands,
+            ticked=lambda: w.store.value.both_hands,
+        ),
         Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
         Command("stereo", menu, w.tr("&Stereo calibration…"), on.set_up.open_stereo),
         Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
@@ -198,9 +205,32 @@ def _view(on: Targets) -> list[Command]:
         Command("latencies", menu, w.tr("Latency of &each stage"), on.bar.show_latencies),
         Command("reset_layout", menu, w.tr("&Reset the layout"), w.reset_layout, "Ctrl+Shift+0"),
         Command("fullscreen", menu, w.tr("&Full screen"), on.dialogs.full_screen, "F11"),
+        *_hands(on, menu),
         *_choices(on, menu, ("view", "view_3d"), views, on.hand.chooser.choose),
         *_choices(on, menu, ("theme", "theme"), themes, w.set_theme),
         *_languages(on, menu),
+    ]
+
+
+def _hands(on: Targets, menu: str) -> list[Command]:
+    """Which of two hands the panels of one hand show."""
+    w = on.window
+    titles = {"left": w.tr("Show the &left hand"), "right": w.tr("Show the r&ight hand")}
+
+    def is_shown(side: str) -> bool:
+        return on.host.setup is not None and on.host.setup.side == side
+
+    return [
+        Command(
+            f"hand_{side}",
+            menu,
+            title,
+            partial(on.host.show_hand, side),
+            f"{5 + i}",
+            separator=i == 0,
+            ticked=partial(is_shown, side),
+        )
+        for i, (side, title) in enumerate(titles.items())
     ]
 
 
@@ -246,7 +276,10 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     recordable = host.setup is not None and host.setup.make_recorder is not None
     guided = host.setup is not None and host.setup.guide is not None
     recording = host.recording.request is not None
+    both = host.setup is not None and host.setup.other is not None
     for key, able in (
+        ("hand_left", both),
+        ("hand_right", both),
         ("start", opened and not host.running),
         ("stop", host.running),
         ("close", opened),

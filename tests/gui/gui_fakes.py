@@ -192,7 +192,7 @@ class MemoryRecorder:
         self.path, self.messages, self.closed = path, [], False
         path.write_bytes(b"")
 
-    def write(self, message, overloaded: bool = False) -> bool:
+    def write(self, message, overloaded: bool = False, side: str = "") -> bool:
         assert not self.closed
         self.messages.append(message)
         return True
@@ -219,6 +219,7 @@ def scripted_setup(engine: ScriptedEngine, recorders: list | None = None) -> Eng
     return EngineSetup(
         name="scripted",
         engine=engine,
+        tracked=engine,
         hand=hand,
         glove=glove,
         rig=simulation().rig,

@@ -9,6 +9,7 @@ import pytest
 from gui_fakes import models
 
 from app.engines.demo import demo_setup
+from app.engines.demo_camera import DemoChoice
 from app.jobs.export import ExportRequest
 from app.viewmodels.guided import Phase
 from app.window.headless_report import KEYPOINTS
@@ -151,7 +152,7 @@ def test_closing_while_recording_leaves_a_whole_file_with_images_and_truth(demo,
 
 @pytest.mark.timeout(120)
 def test_the_truth_of_the_demo_is_the_simulated_hand(no_leaks):
-    setup = demo_setup(lambda *_: None, seed=1, fps=30.0)
+    setup = demo_setup(lambda *_: None, 1, DemoChoice())
     hand, glove, _ = models()
     true = setup.truth(setup.anchor.monotonic_ns / 1e9 + 1.0)
     setup.engine.stop()

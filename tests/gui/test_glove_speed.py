@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from app.engines import hardware
+from app.engines import found_gloves
+from app.engines.found_gloves import find_worn
 from app.storage.settings import AppSettings
 from app.window.start import _parser
 from app.wizards.glove.choice import ChoicePage
@@ -24,19 +25,20 @@ def asked(monkeypatch):
         calls.append((paths[0], bauds))
         return [SLOW if SLOW.baud in bauds else PortReport(paths[0], None, trouble="Silence.")]
 
-    monkeypatch.setattr(hardware, "find_gloves", find)
-    monkeypatch.setattr(hardware, "serial_ports", lambda: ["/dev/ttyUSB3"])
+    monkeypatch.setattr(found_gloves, "find_gloves", find)
+    monkeypatch.setattr(found_gloves, "serial_ports", lambda: ["/dev/ttyUSB3"])
     return calls
 
 
 def test_both_speeds_are_asked_and_the_one_that_answers_is_used(asked):
-    assert hardware.find_port(lambda _share, _text: None, "").baud == 115_200
+    (found,) = find_worn(lambda _share, _text: None, AppSettings()).gloves
+    assert found.report.baud == found.link().params.baud == 115_200
     assert asked == [("/dev/ttyUSB3", BAUDS)]
 
 
 def test_a_chosen_speed_is_the_only_one_asked(asked):
     with pytest.raises(DeviceError, match="Silence"):
-        hardware.find_port(lambda _share, _text: None, "", 250_000)
+        find_worn(lambda _share, _text: None, AppSettings(baud=250_000))
     assert asked == [("/dev/ttyUSB3", (250_000,))]
 
 

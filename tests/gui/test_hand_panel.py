@@ -75,22 +75,22 @@ def test_a_trail_is_the_way_of_the_fingertip(hand, engine):
     np.testing.assert_allclose(scene.trail[-1], way[-1])
     corners = {tuple(p) for p in scene.trail.round(9)}
     assert {tuple(p.round(9)) for p in way} <= corners
-    assert hand._bodies._trail.shown
+    assert hand._hands[0].bodies._trail.shown
     choose(hand.controls.trail, "")
     see(hand)
-    assert not hand._bodies._trail.shown
+    assert not hand._hands[0].bodies._trail.shown
 
 
 def test_axes_stand_at_the_joints_along_their_segments(hand):
     hand.controls.boxes["axes"].click()
     scene = see(hand)
     i = models()[0].index["index_proximal"]
-    body, arrays = hand._bodies._axes[3 * i], hand.view.scene  # its x
+    body, arrays = hand._hands[0].bodies._axes[3 * i], hand.view.scene  # its x
     np.testing.assert_allclose(arrays.p_GB[body._row], scene.segment_p[i])
     np.testing.assert_allclose(arrays.R_GB[body._row], scene.segment_R[i])
     start, end = arrays.points[body._points]
     assert not start.any() and not end[1:].any() and end[0] > 0.01
-    assert all(b.shown for b in hand._bodies._axes)
+    assert all(b.shown for b in hand._hands[0].bodies._axes)
 
 
 def test_the_reference_is_the_truth_or_another_engine(hand, engine):
@@ -132,9 +132,9 @@ def test_the_view_follows_a_hand_and_jumps_to_one_far_away(hand):
     scene = see(hand)
     centre = scene.segment_p.mean(axis=0)
     near, far = centre + [0.1, 0.0, 0.0], centre + [1.0, 0.0, 0.0]
-    assert 0 < np.linalg.norm(followed(near, scene, True) - centre) < 0.1
+    assert 0 < np.linalg.norm(followed(near, [scene], True) - centre) < 0.1
     for target, found_before in ((far, True), (near, False)):
-        np.testing.assert_allclose(followed(target, scene, found_before), centre)
+        np.testing.assert_allclose(followed(target, [scene], found_before), centre)
 
 
 def test_an_engine_that_cannot_run_is_said(hand):

@@ -228,18 +228,20 @@ def test_a_trail_is_a_ribbon_that_ends_at_the_fingertip_and_faces_the_eye() -> N
 
 def test_the_window_draws_the_skin_once_it_is_made(live, qtbot) -> None:
     """And the outline of the reference, when it is asked for."""
-    qtbot.waitUntil(lambda: live.hand._skin is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: live.hand._hands[0].skin is not None, timeout=30_000)
     hand = live.hand
     hand.refresh(hand.host.snapshot())
     scene = hand._scene
-    drawn = hand.view.scene.surfaces.rows.points[hand._bodies._hand._points]
-    expected = hand._skin.draped(scene.segment_R, scene.segment_p, scene.segment_state).points
+    drawn = hand.view.scene.surfaces.rows.points[hand._hands[0].bodies._hand._points]
+    expected = (
+        hand._hands[0].skin.draped(scene.segment_R, scene.segment_p, scene.segment_state).points
+    )
     np.testing.assert_allclose(drawn, expected)
-    assert hand._bodies._hand.shown and hand._bodies._markers.shown
-    assert not hand._bodies._reference.shown
+    assert hand._hands[0].bodies._hand.shown and hand._hands[0].bodies._markers.shown
+    assert not hand._hands[0].bodies._reference.shown
     hand.controls.show_reference("truth")
     hand.refresh(hand.host.snapshot())
-    assert hand._bodies._reference.shown
+    assert hand._hands[0].bodies._reference.shown
     far = dataclasses.replace(scene, p_GC=hand.view.orbit.eye)
-    hand._bodies.update(far, hand.controls.shown(), hand.view.orbit)
-    assert not hand._bodies._camera.shown  # no lines from beside the eye
+    hand._hands[0].bodies.update(far, hand.controls.shown(), hand.view.orbit)
+    assert not hand._hands[0].bodies._camera.shown  # no lines from beside the eye

@@ -272,7 +272,6 @@ def test_many_sessions_become_one_data_set_with_its_task(qtbot, store, tmp_path)
     dialog.axes.setCurrentIndex(dialog.axes.findData("unity"))
     dialog.task.setText(" Grasp the cup ")
     dialog.split.setChecked(True)
-    dialog.openxr.setChecked(True)
     asked: list[ExportRequest] = []
     dialog.wanted.connect(asked.append)
     press_export(qtbot, dialog)
@@ -282,14 +281,13 @@ def test_many_sessions_become_one_data_set_with_its_task(qtbot, store, tmp_path)
         ("lerobot", "a.mcap", ["b.mcap"]),
     ]
     assert asked[2].options.dataset == DatasetOptions("Grasp the cup", True)
-    assert asked[0].options.joints == ("openxr",) and asked[2].options.joints == ()
     assert asked[2].options.axes is None and asked[0].options.axes == "unity"
 
 
 def test_what_settings_hold_of_a_choice_may_be_anything():
     for data in (None, 3, {"formats": "csv"}, {"formats": ["exe"], "rate": "fast", "axes": 1}):
         assert choice_from(data) == ExportChoice()
-    choice = ExportChoice(("csv", "bvh"), 30.0, "unity", "cm", True, "Wave", True, True)
+    choice = ExportChoice(("csv", "bvh"), 30.0, "unity", "cm", True, "Wave", True)
     assert choice_from(json.loads(json.dumps(choice.as_dict()))) == choice
 
 

@@ -41,7 +41,7 @@ def replay(sessions, qtbot):
     engine = ReplayEngine(sessions["chain"])
     engine.player.play(False)
     engine.start()
-    qtbot.waitUntil(lambda: engine.latest_frame() is not None, timeout=20_000)
+    qtbot.waitUntil(lambda: moment(engine).latest_frame() is not None, timeout=20_000)
     yield engine
     engine.close()
 
@@ -52,8 +52,13 @@ def frames(sessions) -> list[BlobFrame]:
         return list(reader.messages((BlobFrame,)))
 
 
+def moment(engine: ReplayEngine) -> ReplayMoment:
+    """Of its only hand."""
+    return engine.hands.moments["right"]
+
+
 def shown(engine: ReplayEngine) -> float:
-    frame = engine.latest_frame()
+    frame = moment(engine).latest_frame()
     return np.nan if frame is None else frame[1].t
 
 
@@ -76,7 +81,7 @@ def test_a_paused_replay_shows_the_place_it_is_sent_to(replay, frames, qtbot):
     replay.player.seek(2.0)
     due = next(f for f in frames if f.t_arrival - replay.start_t >= 2.0)
     qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=10_000)
-    estimate = replay.latest_estimate()
+    estimate = replay.hands.moments["right"].latest_estimate()
     assert estimate is not None and abs(estimate.t - due.t) < 0.1
     assert not replay.player.playing
 
@@ -121,28 +126,30 @@ def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
     engine.player.play(False)
     engine.start()
     try:
-        qtbot.waitUntil(lambda: engine.latest_estimate() is not None, timeout=10_000)
+        qtbot.waitUntil(lambda: moment(engine).latest_estimate() is not None, timeout=10_000)
         engine.player.step(1)
-        qtbot.waitUntil(lambda: engine.latest_estimate().t == instants[1], timeout=10_000)
+        qtbot.waitUntil(lambda: moment(engine).latest_estimate().t == instants[1], timeout=10_000)
         assert not engine.player.playing
     finally:
         engine.close()
 
 
-def test_the_other_tracking_stands_beside_this_one(replay, sessions, qtbot):
+def test_the_other_tracking_stands_beside_this_one(replay, sessions, frames, qtbot):
     with SessionReader(sessions["vist"]) as reader:
         other = {round(m.t, 6): m for m in reader.messages((Estimate,))}
-    assert replay.player.reference() is None
+    assert replay.player.reference("right") is None
     replay.player.set_reference(sessions["vist"])
     replay.player.seek(2.5)
-    qtbot.waitUntil(lambda: replay.player.reference() is not None, timeout=10_000)
-    qtbot.wait(100)
-    reference, mine = replay.player.reference(), other[round(replay.latest_estimate().t, 6)]
+    due = next(f for f in frames if f.t_arrival - replay.start_t >= 2.5)
+    qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=30_000)  # it stands still from then on
+    qtbot.waitUntil(lambda: replay.player.reference("right") is not None, timeout=10_000)
+    reference = replay.player.reference("right")
+    mine = other[round(moment(replay).latest_estimate().t, 6)]
     assert reference.keypoints == pytest.approx(mine.keypoints, abs=1e-9)
     assert reference.p_GB == pytest.approx(mine.segment_p, abs=1e-6)
     assert np.allclose(reference.R_GB, mine.segment_R, atol=1e-6)
     replay.player.set_reference(None)
-    qtbot.waitUntil(lambda: replay.player.reference() is None, timeout=10_000)
+    qtbot.waitUntil(lambda: replay.player.reference("right") is None, timeout=10_000)
 
 
 def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):
@@ -228,23 +235,24 @@ class TestImagesAndBlobs:
         for t in (1.0, 1.1):
             moment.take(self.blobs(t))
             moment.take(self.image(t))
-            assert moment.frame is not None
-            assert moment.frame[0].left is not None
-            assert moment.frame[0].t == moment.frame[1].t == t
+            assert moment.latest_frame() is not None
+            assert moment.latest_frame()[0].left is not None
+            assert moment.latest_frame()[0].t == moment.latest_frame()[1].t == t
 
     def test_blobs_whose_image_was_left_out_do_not_blacken_what_is_seen(self):
         moment = ReplayMoment(3, has_images=True)
         moment.take(self.image(1.0))
         moment.take(self.blobs(1.0))
         moment.take(self.blobs(1.1))
-        assert moment.frame is not None and moment.frame[0].t == 1.0
+        assert moment.latest_frame() is not None and moment.latest_frame()[0].t == 1.0
         moment.take(self.blobs(1.0 + 2 * LATE))  # no image for so long: it is not to be expected
-        assert moment.frame[0].left is None and moment.frame[1].t == 1.0 + 2 * LATE
+        image, blobs, _ = moment.latest_frame()
+        assert image.left is None and blobs.t == 1.0 + 2 * LATE
 
     def test_without_images_in_the_file_blobs_are_shown_at_once(self):
         moment = ReplayMoment(3, has_images=False)
         moment.take(self.blobs(1.0))
-        assert moment.frame is not None and moment.frame[1].t == 1.0
+        assert moment.latest_frame() is not None and moment.latest_frame()[1].t == 1.0
 
     def test_pairs_are_found_in_either_order_and_halves_are_not(self):
         def packed(t: float) -> PackedFrame:

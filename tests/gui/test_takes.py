@@ -29,6 +29,7 @@ from tracker.session.glance import quality, session_summary
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import RecorderParams, SessionRecorder
+from tracker.two_hands import OneHand, Sided
 from tracker.vision.detector import Detector
 
 ENGINE_START = ClockAnchor(1_760_000_000_000_000_000, 7_000_000_000)
@@ -109,10 +110,10 @@ def take(tmp_path_factory) -> Path:
     hand, glove, profile = models()
     rig, clock = simulation().rig, Clock()
     tracker = LiveTracker(
-        Pipeline(hand, glove, rig),
+        OneHand(Pipeline(hand, glove, rig)),
         profile,
         lambda p: Detector(p, fx=rig.fx),
-        Nothing(),
+        {"right": Nothing()},
         Nothing(),
         clock=clock,
     )
@@ -129,7 +130,7 @@ def take(tmp_path_factory) -> Path:
             tracker._journal.record(frame)
             tracker._loop.feed(DetectedFrame(frame, blobs))
         else:
-            tracker._loop.feed(on_the_clock(item))
+            tracker._loop.feed(Sided(on_the_clock(item), "right"))
     tracker.stop()
     return path
 
@@ -183,8 +184,8 @@ def test_the_first_thing_a_replay_shows_is_an_image(which, request, qtbot):
     setup.player.play(False)
     setup.engine.start()
     try:
-        qtbot.waitUntil(lambda: setup.engine.latest_frame() is not None, timeout=20_000)
-        image, blobs, _ = setup.engine.latest_frame()
+        qtbot.waitUntil(lambda: setup.tracked.latest_frame() is not None, timeout=20_000)
+        image, blobs, _ = setup.tracked.latest_frame()
         assert image.left is not None and image.right is not None
         assert image.t == blobs.t
         assert setup.player.duration == pytest.approx(LENGTH, abs=0.1)
@@ -221,7 +222,7 @@ class Copying:
     def __init__(self, path: Path, take: Path) -> None:
         self._path, self._take = path, take
 
-    def write(self, message, overloaded: bool = False) -> bool:
+    def write(self, message, overloaded: bool = False, side: str = "") -> bool:
         return True
 
     def flush(self) -> None:
@@ -338,8 +339,8 @@ def test_images_that_were_never_searched_are_shown_all_the_same(take, tmp_path, 
     setup = open_replay(path, lambda *_: None)
     setup.engine.start()
     try:
-        qtbot.waitUntil(lambda: setup.engine.latest_frame() is not None, timeout=20_000)
-        image, blobs, _ = setup.engine.latest_frame()
+        qtbot.waitUntil(lambda: setup.tracked.latest_frame() is not None, timeout=20_000)
+        image, blobs, _ = setup.tracked.latest_frame()
         assert image.left is not None and blobs.left is None
     finally:
         setup.close()

@@ -92,7 +92,7 @@ def test_the_second_hand_goes_along_with_the_first(beside, window, qtbot):
     player.seek(0.9)
 
     def difference() -> float:
-        hand, estimate = player.reference(), engine.latest_estimate()
+        hand, estimate = player.reference("right"), engine.hands.moments["right"].latest_estimate()
         if hand is None or estimate is None or abs(player.position - 0.9) > 0.1:
             return np.nan
         return float(np.nanmax(np.abs(hand.keypoints - estimate.keypoints)))

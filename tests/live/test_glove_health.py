@@ -14,13 +14,13 @@ class HealthyGlove(Glove):
 
 def test_battery_and_temperature_reach_the_status_of_a_glove_that_tells_them(sim, profile):
     silent, _ = live(sim, profile, None)
-    assert "battery_v" not in silent.status().values
+    assert "battery_v" not in silent.hand("right").status().values
     silent.stop()
     tracker, _ = live(sim, profile, None, glove=HealthyGlove)
-    assert "battery_v" not in tracker.status().values, "not known yet"
+    assert "battery_v" not in tracker.hand("right").status().values, "not known yet"
     FIGURES.battery_mV, FIGURES.temperature_cC = 3712, 2950
-    values = tracker.status().values
+    values = tracker.hand("right").status().values
     assert (values["battery_v"], values["temperature_c"]) == (3.712, 29.5)
     FIGURES.temperature_cC = 3000
-    assert tracker.status().values["temperature_c"] == 30.0
+    assert tracker.hand("right").status().values["temperature_c"] == 30.0
     tracker.stop()

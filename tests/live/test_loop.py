@@ -24,6 +24,7 @@ from tracker.messages import (
 )
 from tracker.pipeline import Pipeline
 from tracker.simulation.scenario import Simulation
+from tracker.two_hands import OneHand, Sided
 
 __all__ = ["sim"]  # a fixture
 
@@ -64,17 +65,17 @@ def messages_of(sim: Simulation) -> list[ImuSample | BlobFrame]:
     return [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
 
 
-def item(message: ImuSample | BlobFrame) -> ImuSample | DetectedFrame:
+def item(message: ImuSample | BlobFrame) -> Sided | DetectedFrame:
     if isinstance(message, ImuSample):
-        return message
+        return Sided(message, "right")
     image = StereoFrame(message.t, message.t_arrival, None, None)
     return DetectedFrame(image, message)
 
 
 def loop_on(sim: Simulation, order: ArrivalOrder | None = None) -> tuple[LiveLoop, Clock]:
     clock = Clock()
-    pipeline = Pipeline(sim.hand, sim.glove, sim.rig)
-    return LiveLoop(pipeline, Journal(clock), Telemetry(), clock, order), clock
+    hands = OneHand(Pipeline(sim.hand, sim.glove, sim.rig))
+    return LiveLoop(hands, Journal(clock), Telemetry(), clock, order), clock
 
 
 def feed(loop: LiveLoop, clock: Clock, messages: list[ImuSample | BlobFrame]) -> None:
@@ -122,12 +123,13 @@ def test_one_thread_is_enough_to_track_a_hand(sim):
     loop, clock = loop_on(sim)
     messages = messages_of(sim)
     feed(loop, clock, messages)
-    assert loop.estimate is not None and loop.estimate.tracking == Tracking.TRACKING
-    assert loop.estimate.t == max(m.t for m in messages if isinstance(m, ImuSample))
-    latest = loop.frames.latest
+    hand = loop.seen["right"]
+    assert hand.estimate is not None and hand.estimate.tracking == Tracking.TRACKING
+    assert hand.estimate.t == max(m.t for m in messages if isinstance(m, ImuSample))
+    latest = hand.frames.latest
     assert latest is not None and latest[0].t == latest[1].t == latest[2].t
-    assert loop.predicted is not None and loop.calibration is not None
-    assert loop.status().values["stereo_points"] > 0
+    assert loop.predicted is not None and hand.calibration is not None
+    assert loop.status("right").values["stereo_points"] > 0
 
 
 def test_stamps_tell_the_order_of_feeding_where_devices_tell_another(sim):
@@ -149,7 +151,7 @@ def test_a_reference_that_does_not_exist_leaves_the_one_that_runs(sim):
         loop.set_reference("none such")
     feed(loop, clock, messages_of(sim)[:1])
     loop.set_reference(None, wait=True)
-    assert loop.reference_estimate() is None
+    assert loop.reference_estimate("right") is None
 
 
 def test_images_wait_three_at_a_time_and_packets_all(sim):
@@ -160,11 +162,11 @@ def test_images_wait_three_at_a_time_and_packets_all(sim):
             inbox.put_frame(waiting)
         else:
             inbox.put(waiting)
-    inbox.put(EngineCommand(lambda engine: None))
+    inbox.put(EngineCommand(lambda engine: None, "right"))
     images = sum(isinstance(m, BlobFrame) for m in messages[:40])
     assert inbox.skipped == images - 3 > 0
     taken = [inbox.get(0.0) for _ in range(40 - inbox.skipped + 1)]
     assert sum(isinstance(i, DetectedFrame) for i in taken) == 3
-    assert sum(isinstance(i, ImuSample) for i in taken) == 40 - images
+    assert sum(isinstance(i, Sided) for i in taken) == 40 - images
     inbox.put_frame(item(next(m for m in messages if isinstance(m, BlobFrame))))
     assert isinstance(inbox.get(0.0), DetectedFrame), "there is room again"

@@ -18,6 +18,7 @@ from tracker.session.reader import SessionReader
 from tracker.session.recording.process import RecorderProcesses
 from tracker.session.verify import is_ok, verify
 from tracker.simulation.scenario import Simulation
+from tracker.two_hands import OneHand
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
@@ -40,7 +41,7 @@ def about(sim: Simulation, tracker: LiveTracker) -> SessionInfo:
 def until(t: float, tracker: LiveTracker, stream: Stream) -> None:
     deadline = time.monotonic() + 100
     while not stream.done and time.monotonic() < deadline:
-        estimate = tracker.latest_estimate()
+        estimate = tracker.hand("right").latest_estimate()
         if estimate is not None and estimate.t >= t:
             return
         time.sleep(0.01)
@@ -51,10 +52,10 @@ def test_the_same_bits_of_a_recording_begun_in_the_middle(
 ) -> None:
     stream, recorded, again = Stream(sim), tmp_path / "a.mcap", tmp_path / "b.mcap"
     tracker = LiveTracker(
-        Pipeline(sim.hand, sim.glove, sim.rig),
+        OneHand(Pipeline(sim.hand, sim.glove, sim.rig)),
         profile,
         lambda p: Detector(p, fx=sim.rig.fx),
-        Glove(stream),
+        {"right": Glove(stream)},
         Camera(stream),
         clock=lambda: 2.0,
     )

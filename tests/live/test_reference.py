@@ -12,6 +12,7 @@ from tracker.live.reference import ReferenceEngine
 from tracker.messages import BlobFrame, ImuSample
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
+from tracker.two_hands import OneHand, Sided
 
 __all__ = ["profile", "sim"]  # fixtures
 
@@ -29,16 +30,17 @@ def test_a_reference_is_the_engine_alone(sim):
     messages = [m for m in sim.feed() if isinstance(m, ImuSample | BlobFrame)]
     settings = Settings(engine="switching")
     alone = Pipeline(sim.hand, sim.glove, sim.rig, settings)
-    reference = ReferenceEngine(Pipeline(sim.hand, sim.glove, sim.rig, settings))
+    reference = ReferenceEngine(OneHand(Pipeline(sim.hand, sim.glove, sim.rig, settings)))
     last = None
     for message in messages:
-        reference.put(message)
         if isinstance(message, ImuSample):
+            reference.put(Sided(message, "right"))
             last = alone.feed_imu(message)
         else:
+            reference.put(message)
             alone.feed_frame(message)
-    assert wait_until(lambda: reference.estimate is not None and reference.estimate.t == last.t)
-    np.testing.assert_array_equal(reference.estimate.keypoints, last.keypoints)
+    assert wait_until(lambda: getattr(reference.estimate("right"), "t", None) == last.t)
+    np.testing.assert_array_equal(reference.estimate("right").keypoints, last.keypoints)
     assert reference.engine == "switching"
     reference.close()
     reference.close()
@@ -50,13 +52,13 @@ def test_a_live_tracker_starts_changes_and_ends_its_reference(sim, profile):
         tracker.set_reference("none such")
     tracker.set_reference("vist")
     tracker.start()
-    assert wait_until(lambda: tracker.reference_estimate() is not None)
+    assert wait_until(lambda: tracker.hand("right").reference_estimate() is not None)
     assert tracker.settings.engine == "chain"
     tracker.set_reference(None)
-    assert tracker.reference_estimate() is None
+    assert tracker.hand("right").reference_estimate() is None
     tracker.set_reference("madgwick")
     tracker.stop()
-    assert tracker.reference_estimate() is None
+    assert tracker.hand("right").reference_estimate() is None
 
 
 def test_a_command_is_obeyed_in_the_engines_thread_and_its_errors_are_told(sim, profile):
@@ -67,7 +69,7 @@ def test_a_command_is_obeyed_in_the_engines_thread_and_its_errors_are_told(sim, 
         seen.append(engine)
         raise ConfigError("That cannot be done.")
 
-    tracker.command(refuse)
+    tracker.hand("right").command(refuse)
     tracker.start()
     assert wait_until(lambda: any("That cannot be done." in e.text for e in tracker.take_events()))
     assert isinstance(seen[0], ChainEngine)

@@ -27,6 +27,7 @@ from tracker.messages import (
 from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
+from tracker.two_hands import OneHand
 from tracker.vision.colours import ColourProfile, load_profile
 from tracker.vision.detector import Detector
 
@@ -91,7 +92,7 @@ class Tape:
         self.messages: list[Message] = []
         self.closed, self._limit = False, limit
 
-    def write(self, message: Message, overloaded: bool = False) -> bool:
+    def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
         if len(self.messages) >= self._limit:
             raise FileError("The disk is full.")
         self.messages.append(message)
@@ -129,10 +130,10 @@ def live(
 ) -> tuple[LiveTracker, Stream]:
     stream = Stream(sim)
     tracker = LiveTracker(
-        Pipeline(sim.hand, sim.glove, sim.rig),
+        OneHand(Pipeline(sim.hand, sim.glove, sim.rig)),
         profile,
         lambda p: Detector(p, fx=sim.rig.fx),
-        glove(stream),
+        {"right": glove(stream)},
         camera(stream),
         tape,
     )
@@ -145,8 +146,8 @@ def run_to_the_end(tracker: LiveTracker, stream: Stream) -> None:
     while not stream.done and time.monotonic() < deadline:
         time.sleep(0.01)
     last = -1
-    while last != len(tracker.recent_imu()):  # until the inbox has run dry
-        last = len(tracker.recent_imu())
+    while last != len(tracker.hand("right").recent_imu()):  # until the inbox has run dry
+        last = len(tracker.hand("right").recent_imu())
         time.sleep(0.2)
 
 
@@ -156,7 +157,7 @@ def test_what_was_recorded_gives_the_same_states_again(
     tape = Tape()
     tracker, stream = live(sim, profile, tape)
     run_to_the_end(tracker, stream)
-    estimate, status = tracker.latest_estimate(), tracker.status()
+    estimate, status = tracker.hand("right").latest_estimate(), tracker.hand("right").status()
     tracker.stop()
     tracker.stop()
     assert tape.closed and estimate is not None and estimate.tracking == Tracking.TRACKING
@@ -185,7 +186,7 @@ def test_a_full_disk_ends_the_recording_and_not_the_tracking(
     tracker, stream = live(sim, profile, tape)
     run_to_the_end(tracker, stream)
     events = tracker.take_events()
-    estimate = tracker.latest_estimate()
+    estimate = tracker.hand("right").latest_estimate()
     tracker.stop()
     assert tape.closed and estimate is not None and estimate.t > 1.5
     assert any("The disk is full." in e.text for e in events if e.kind == "error")
@@ -256,13 +257,13 @@ def test_the_engine_can_be_changed_while_it_runs(sim: Simulation, profile: Colou
     tracker, stream = live(sim, profile, None)
     tracker.start()
     deadline = time.monotonic() + 60
-    while tracker.latest_estimate() is None and time.monotonic() < deadline:
+    while tracker.hand("right").latest_estimate() is None and time.monotonic() < deadline:
         time.sleep(0.01)
     tracker.set_engine("madgwick")
     while not stream.done and time.monotonic() < deadline:
         time.sleep(0.01)
     time.sleep(0.3)
-    estimate, events = tracker.latest_estimate(), tracker.take_events()
+    estimate, events = tracker.hand("right").latest_estimate(), tracker.take_events()
     tracker.stop()
     assert tracker.settings.engine == "madgwick"
     assert any("The engine is now madgwick." in e.text for e in events)
@@ -275,7 +276,8 @@ def test_a_recording_begun_while_tracking_holds_what_the_engine_knew(
     tape = Tape()
     tracker, stream = live(sim, profile, None)
     tracker.start()
-    while not tracker.latest_estimate() or tracker.latest_estimate().t < 1.0:  # type: ignore[union-attr]
+    hand = tracker.hand("right")
+    while not hand.latest_estimate() or hand.latest_estimate().t < 1.0:
         time.sleep(0.01)
     tracker.set_recorder(tape)
     while not stream.done:

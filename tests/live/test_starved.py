@@ -32,6 +32,7 @@ from tracker.messages import (
 from tracker.pipeline import Pipeline
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
+from tracker.two_hands import OneHand
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector
 
@@ -137,10 +138,10 @@ class Run:
         self.levels: list[tuple[float, int]] = []
         profile = load_profile(RESOURCES / "colours" / "fabric-default.toml")
         self.tracker = LiveTracker(
-            Pipeline(sim.hand, sim.glove, sim.rig),
+            OneHand(Pipeline(sim.hand, sim.glove, sim.rig)),
             profile,
             lambda p: Detector(p, fx=sim.rig.fx),
-            self.devices,
+            {"right": self.devices},
             self.devices,
             self.tape,
             clock=self.scheduler.clock,
@@ -151,7 +152,7 @@ class Run:
         for t, name in wakes(seed):
             self.scheduler.now = t
             self._wake(name)
-        self.status = self.tracker.status()
+        self.status = self.tracker.hand("right").status()
         self.scheduler.free()
         self.tracker.stop()
         self.events = [m for m in self.tape.messages if isinstance(m, Event)]
@@ -169,7 +170,7 @@ class Run:
             self._new_image = False
             grant(name)
         elif name == "engine":
-            status = self.tracker.status()
+            status = self.tracker.hand("right").status()
             self.levels.append((self.scheduler.now, int(status.values["load_shed"])))
             for _ in range(int(status.values["engine_waiting"])):
                 grant(name)

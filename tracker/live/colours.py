@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from tracker.calibration.colours_follow import ColourFollower
 from tracker.channels import Latest
+from tracker.live.frame_results import ShownFrame
 from tracker.live.journal import Journal
-from tracker.live.loop import Used
 from tracker.live.vision import Vision
 from tracker.messages import Event
 from tracker.vision.colours import profile_to_toml
@@ -23,7 +23,7 @@ class FollowedColours:
     """
 
     def __init__(self, follower: ColourFollower, vision: Vision, journal: Journal) -> None:
-        self.used: Latest[Used] = Latest()  # images that the filter has used
+        self.used: Latest[ShownFrame] = Latest()  # images that the filter has used
         self._follower, self._vision, self._journal = follower, vision, journal
 
     def step(self) -> None:

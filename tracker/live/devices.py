@@ -2,29 +2,39 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from tracker.channels import Latest
 from tracker.live.inbox import Inbox
 from tracker.live.journal import Journal
 from tracker.live.telemetry import Telemetry
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.sources import CameraSource, GloveSource, ReportingGlove
+from tracker.two_hands import Sided
 
 WAIT = 0.05  # s that a step waits for its device
 
 
 class GloveReader:
-    """Packets go to the engine's inbox, events into the journal."""
+    """Packets go to the engine's inbox, events into the journal.
 
-    def __init__(self, glove: GloveSource, inbox: Inbox, journal: Journal) -> None:
-        self._glove, self._inbox, self._journal = glove, inbox, journal
+    ``name``: put before what the glove tells, where there is another one.
+    """
+
+    def __init__(
+        self, glove: GloveSource, side: str, inbox: Inbox, journal: Journal, name: str = ""
+    ) -> None:
+        self._glove, self._side, self._name = glove, side, name
+        self._inbox, self._journal = inbox, journal
 
     def step(self) -> None:
         """Take what has come."""
         for item in self._glove.poll(WAIT):
             if isinstance(item, Event):
-                self._journal.add(item)
+                text = f"{self._name}: {item.text}" if self._name else item.text
+                self._journal.add(replace(item, text=text))
             else:
-                self._inbox.put(item)
+                self._inbox.put(Sided(item, self._side))
 
     def figures(self) -> dict[str, float]:
         """Battery, counters and clock, of a glove that reports them."""

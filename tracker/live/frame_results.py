@@ -3,11 +3,21 @@
 from __future__ import annotations
 
 from collections import deque
+from typing import NamedTuple
 
 from tracker.live.inbox import DetectedFrame
 from tracker.messages import BlobFrame, FrameResult, StereoFrame, Tracking
 
 MOST_WAITING = 30  # images; nothing is made of them while searching
+MOST_SHOWN = 4  # of which what became of them is kept
+
+
+class ShownFrame(NamedTuple):
+    """An image, what was found in it and what the filter made of that."""
+
+    image: StereoFrame
+    blobs: BlobFrame
+    result: FrameResult
 
 
 class FrameResults:
@@ -15,7 +25,19 @@ class FrameResults:
 
     def __init__(self) -> None:
         self._waiting: deque[DetectedFrame] = deque()
-        self.latest: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
+        self._shown: tuple[ShownFrame, ...] = ()
+
+    @property
+    def latest(self) -> ShownFrame | None:
+        """The newest image of which something was made; None before the first."""
+        return self._shown[-1] if self._shown else None
+
+    def of(self, t: float) -> ShownFrame | None:
+        """The image of ``t`` (s), if it is one of the last."""
+        return next((shown for shown in self._shown if shown.image.t == t), None)
+
+    def _show(self, found: DetectedFrame, result: FrameResult) -> None:
+        self._shown = (*self._shown[1 - MOST_SHOWN :], ShownFrame(found.frame, found.blobs, result))
 
     def wait_for(self, found: DetectedFrame) -> None:
         """An image that the filter was just fed with."""
@@ -28,7 +50,7 @@ class FrameResults:
         if not self._waiting:
             return None
         found = self._waiting.popleft()
-        self.latest = (found.frame, found.blobs, result)
+        self._show(found, result)
         return found
 
     def forget_old(self) -> None:
@@ -41,4 +63,5 @@ class FrameResults:
         if self._waiting:
             found = self._waiting[-1]
             nothing = FrameResult.nothing(found.blobs.t, Tracking.SEARCHING, markers)
-            self.latest = (found.frame, found.blobs, nothing)
+            if self.latest is None or self.latest.blobs is not found.blobs:
+                self._show(found, nothing)

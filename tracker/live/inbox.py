@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 from tracker.channels import Fifo
 from tracker.fusion.engine import Engine
-from tracker.messages import BlobFrame, ImuSample, StereoFrame
+from tracker.messages import BlobFrame, StereoFrame
+from tracker.two_hands import Sided
 
 SIZE = 4096  # 40 s of packets
 MAX_FRAMES_BEHIND = 3  # with more the hand would be shown late
@@ -25,9 +26,10 @@ class DetectedFrame:
 
 @dataclass(frozen=True, eq=False)
 class EngineCommand:
-    """Something to be done to the engine between two messages."""
+    """Something to be done to a hand's engine between two messages."""
 
     work: Callable[[Engine], None]
+    side: str
 
 
 @dataclass(frozen=True)
@@ -36,10 +38,11 @@ class GuidedCommand:
 
     pose: str
     begins: bool
+    side: str
     held: bool = False
 
 
-Item = ImuSample | DetectedFrame | EngineCommand | GuidedCommand
+Item = Sided | DetectedFrame | EngineCommand | GuidedCommand
 
 
 class Inbox:
@@ -50,7 +53,7 @@ class Inbox:
         self._frames = self._skipped = 0
         self._counting = threading.Lock()
 
-    def put(self, item: ImuSample | EngineCommand | GuidedCommand) -> None:
+    def put(self, item: Sided | EngineCommand | GuidedCommand) -> None:
         """Append; what finds it full is lost and counted."""
         self._items.put(item)
 

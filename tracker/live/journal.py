@@ -36,11 +36,14 @@ class Journal:
         """What was said since the last call."""
         return self._events.drain()
 
-    def record(self, message: Message) -> None:
-        """Hand a message to the disk's thread; nothing where no recording runs."""
+    def record(self, message: Message, side: str = "") -> None:
+        """Hand a message to the disk's thread; nothing where no recording runs.
+
+        ``side``: of the hand that it is of.
+        """
         disk = self._disk
         if disk is not None:
-            disk.put(message)
+            disk.put(message, side)
 
     @property
     def recording(self) -> bool:

@@ -6,21 +6,16 @@ a session read back in that order gives the same states bit for bit.
 
 from __future__ import annotations
 
-import math
 import threading
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
-import numpy as np
-
-from tracker.applications.stage import ApplicationStage
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import GlovetrackError
 from tracker.fusion.chain.guided.events import began, ended
-from tracker.gestures.recogniser import GestureRecogniser, gesture_event
-from tracker.live.applications import ApplicationThread
-from tracker.live.frame_results import FrameResults
-from tracker.live.imu_history import ImuHistory
+from tracker.gestures.recogniser import gesture_event
+from tracker.live.hand import LiveHand, camera_figures
 from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item
 from tracker.live.journal import Journal
 from tracker.live.load import LoadWatch
@@ -29,32 +24,20 @@ from tracker.live.reference import ReferenceEngine
 from tracker.live.telemetry import Telemetry, counted_since
 from tracker.messages import (
     BlobFrame,
-    Calibration,
     EngineState,
     Estimate,
-    FrameResult,
+    Event,
     ImuSample,
     Status,
-    StereoFrame,
     Tracking,
 )
 from tracker.online.colour_watch import ColourWatch
-from tracker.pipeline import Pipeline
-from tracker.vision.region_prediction import RegionPrediction
+from tracker.two_hands import Hands, Sided
+from tracker.vision.region_prediction import RegionPrediction, together
+from tracker.vision.rig import StereoRig
 
-Used = tuple[StereoFrame, BlobFrame, FrameResult]
 SILENCE = 0.1  # s without packets after which the screen follows the images alone
-SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
-TRACKING_WORDS = {
-    Tracking.SEARCHING: "Looking for the hand.",
-    Tracking.TRACKING: "The hand is tracked.",
-    Tracking.COASTING: "The hand is out of sight; its place is extrapolated.",
-    Tracking.LOST: "The hand's place is lost; finger angles go on.",
-}
-
-
-Follower = Callable[[Estimate, float], None]
-"""Hears of each estimate of a packet, and when (s) that came; at once, so it must not wait."""
+SAID_BEFORE = 5.0  # s for which one hand's words are not said of the other's sake again
 
 
 class ArrivalOrder:
@@ -87,46 +70,40 @@ class ArrivalOrder:
 class LiveLoop:
     """`feed` is for one thread; everything else may be called from any.
 
-    ``estimate``, ``calibration``, ``frames.latest`` and ``predicted`` are the latest there are,
-    None before the first.
+    ``seen`` has what is known of each hand, by its side; of two the left one first. ``telemetry``
+    has what is of no hand alone.
     """
 
     def __init__(
         self,
-        pipeline: Pipeline,
+        hands: Hands,
         journal: Journal,
         telemetry: Telemetry,
         clock: Callable[[], float],
         order: ArrivalOrder | None = None,
     ) -> None:
-        self.pipeline = pipeline
+        self.hands = hands
         self.journal, self.telemetry, self.clock = journal, telemetry, clock
-        self.estimate: Estimate | None = None
-        self.calibration: Calibration | None = None
-        self.frames = FrameResults()
-        self.history = ImuHistory(telemetry)
+        pipelines, alone = hands.pipelines, len(hands.pipelines) == 1
+        self.seen = {side: LiveHand(p, journal, clock, alone) for side, p in pipelines.items()}
         self.load = LoadWatch()
-        self.colours = ColourWatch(len(pipeline.glove.markers))
-        self.predicted: RegionPrediction | None = None  # for the vision thread
-        self.on_used: Callable[[Used], object] = lambda used: None  # each image, once
+        self.colours = ColourWatch(sum(len(p.glove.markers) for p in pipelines.values()))
         self._order = order or ArrivalOrder()
-        names = pipeline.glove.keypoint_names(pipeline.hand)
-        self.gestures = GestureRecogniser(pipeline.hand, names)
-        self.stage = ApplicationStage(pipeline.hand, pipeline.glove, journal.record)
-        self.applications = ApplicationThread(self.stage, telemetry, clock)
-        self.followers: tuple[Follower, ...] = ()
         self._reference: ReferenceEngine | None = None
         self._pipeline_lock = threading.RLock()
         self._finishing: list[RecordingThread] = []
         self._next_report = 0.0
-        self._at_start: dict[str, float] = {}  # figures when the recording began
+        self._at_start: dict[str, dict[str, float]] = {}  # figures when the recording began
+        self._said: dict[str, float] = {}  # when a pipeline said this last
+        for side, hand in self.seen.items():
+            hand.telemetry.ask(partial(self._camera_figures, side))
 
     # ---- one message after another
 
     def feed(self, item: Item) -> None:
         """Do all there is to do about a message."""
         started = self.clock()
-        if isinstance(item, ImuSample):
+        if isinstance(item, Sided):
             self._feed_imu(item)
         elif isinstance(item, EngineCommand):
             self._execute(item)
@@ -138,36 +115,49 @@ class LiveLoop:
         self._take_results()
         self._report()
 
-    def _feed_imu(self, sample: ImuSample) -> None:
+    def _feed_imu(self, packet: Sided) -> None:
+        side, hand = packet.side, self.seen[packet.side]
         with self._pipeline_lock:  # a recording holds a packet and its estimate, or neither
-            sample = self._order.imu(sample)
-            self.history.add(sample)
-            self.journal.record(sample)
-            self._show(self.pipeline.feed_imu(sample), record=True)
-            assert self.estimate is not None
-            self.applications.put(self.estimate, sample.t_arrival)
-            for follow in self.followers:
-                follow(self.estimate, sample.t_arrival)
-        self._feed_reference(sample)
+            sample = self._order.imu(packet.sample)
+            hand.history.add(sample)
+            self.journal.record(sample, side)
+            estimate = self.hands.feed_imu(side, sample)
+            self._show(hand, estimate, record=True)
+            hand.applications.put(estimate, sample.t_arrival)
+            for follow in hand.followers:
+                follow(estimate, sample.t_arrival)
+        if hand.sides is not None:
+            hand.sides.packet(sample, estimate.tracking)
+        self._feed_reference(Sided(sample, side))
         now = self.clock()
-        self.telemetry.took("imu", now - sample.t_arrival)
+        hand.telemetry.took("imu", now - sample.t_arrival)
         self.load.packet(now, now - sample.t)
 
     def _feed_frame(self, found: DetectedFrame) -> None:
         with self._pipeline_lock:
             blobs = self._order.blobs(found.blobs)
-            self.frames.wait_for(DetectedFrame(found.frame, blobs))
+            for hand in self.seen.values():
+                hand.frames.wait_for(DetectedFrame(found.frame, blobs))
             self.journal.record(blobs)
-            self.pipeline.feed_frame(blobs)
+            self.hands.feed_frame(blobs)
         self._feed_reference(blobs)
-        if self.estimate is not None:
-            self.colours.look(blobs, self.estimate.tracking)
-        if self.history.silent(blobs.t_arrival, SILENCE):
-            self._show(self.pipeline.predict(blobs.t), record=False)
+        for side, hand in self.seen.items():
+            if hand.sides is not None:
+                hand.sides.frame(blobs)
+            if hand.history.silent(blobs.t_arrival, SILENCE):
+                self._show(hand, self.hands.pipelines[side].predict(blobs.t), record=False)
+        if any(hand.estimate is not None for hand in self.seen.values()):
+            self.colours.look(blobs, self._best_tracking())
         now = self.clock()
         self.load.image(now, now - found.frame.t_arrival, found.missed)
 
-    def _feed_reference(self, message: ImuSample | BlobFrame) -> None:
+    def _best_tracking(self) -> Tracking:
+        """Of the hand that is known best: the colours fit where any hand is found."""
+        states = {hand.tracking for hand in self.seen.values()}
+        known = (Tracking.TRACKING, Tracking.COASTING, Tracking.LOST)
+        return next((state for state in known if state in states), Tracking.SEARCHING)
+
+    def _feed_reference(self, message: Sided | BlobFrame) -> None:
         reference = self._reference
         if reference is not None:
             reference.put(message)
@@ -175,7 +165,7 @@ class LiveLoop:
     def _execute(self, command: EngineCommand) -> None:
         try:
             with self._pipeline_lock:
-                command.work(self.pipeline.engine)
+                command.work(self.hands.pipelines[command.side].engine)
                 self.record_state()
         except GlovetrackError as error:
             self.journal.say("error", str(error))
@@ -189,47 +179,43 @@ class LiveLoop:
                 event = began(command.pose, t)
             else:
                 event = ended(command.pose, t, command.held)
-            self.journal.add(event)
-            self.pipeline.feed_event(event)
+            self._tell(event, command.side)
 
-    def _show(self, estimate: Estimate, record: bool) -> None:
-        before, self.estimate = self.estimate, estimate
-        self.telemetry.tick("estimate", self.clock())
+    def _tell(self, event: Event, side: str) -> None:
+        """What one hand is asked for: where there is another one, the event says whose it is."""
+        if len(self.seen) > 1:
+            event = replace(event, data={**event.data, "hand": side})
+        self.journal.add(event)
+        self.hands.feed_event(event)
+
+    def _show(self, hand: LiveHand, estimate: Estimate, record: bool) -> None:
+        is_news = hand.show(estimate)
         if record:
-            self.journal.record(estimate)
-            for phase in self.gestures.feed(estimate):
-                self.journal.record(gesture_event(phase, self.gestures.side))
-        if before is None or before.tracking != estimate.tracking:
-            self.journal.say("tracking", TRACKING_WORDS[estimate.tracking])
+            self.journal.record(estimate, hand.side)
+            for phase in hand.gestures.feed(estimate):
+                self.journal.record(gesture_event(phase, hand.side))
+        if is_news:
+            self.journal.say("tracking", hand.words)
 
     def _take_results(self) -> None:
-        pipeline, frames = self.pipeline, self.frames
-        for text in pipeline.take_words():
-            self.journal.say("device", text)
+        for side, pipeline in self.hands.pipelines.items():
+            for text in pipeline.take_words():
+                self._say_once(text)
+            hand = self.seen[side]
+            hand.take(self.hands.take_results(side), pipeline)
+            for text in hand.sides.take_words() if hand.sides is not None else ():
+                self.journal.say("device", text)
         for text in self.colours.take_words():
             self.journal.say("tracking", text)
         for text in self.load.take_words():
             self.journal.say("load", text)
-        for result in pipeline.take_results():
-            found = frames.match(result)
-            if found is not None:
-                self.on_used((found.frame, found.blobs, result))
-                self.telemetry.set("stereo_points", result.stereo_points)
-                self.telemetry.took("total", self.clock() - found.frame.t_arrival)
-                self._predict_regions(result)
-        frames.forget_old()
-        if self.estimate is not None and self.estimate.tracking == Tracking.SEARCHING:
-            frames.show_unmatched(len(pipeline.glove.markers))
 
-    def _predict_regions(self, result: FrameResult) -> None:
-        """Tell the vision thread where markers are, as long as that is sure."""
-        matched = np.count_nonzero((result.match_left >= 0) | (result.match_right >= 0))
-        estimate, expected = self.estimate, float(result.visible.sum())
-        before, self.predicted = self.predicted, None
-        if estimate is None or estimate.tracking != Tracking.TRACKING:
-            return
-        if matched >= SURE_SHARE * expected:
-            self.predicted = self.pipeline.region_prediction(estimate.t, before)
+    def _say_once(self, text: str) -> None:
+        """What both hands' pipelines notice of the one camera is said once."""
+        now = self.clock()
+        if len(self.seen) == 1 or now - self._said.get(text, -SAID_BEFORE) >= SAID_BEFORE:
+            self.journal.say("device", text)
+        self._said[text] = now
 
     def _report(self) -> None:
         """Once a second: calibration and status, for the screen and the file."""
@@ -237,53 +223,53 @@ class LiveLoop:
         if now < self._next_report:
             return
         self._next_report = now + 1.0
-        self.calibration = self.pipeline.calibration()
-        if self.estimate is not None and self.estimate.tracking != Tracking.SEARCHING:
-            self.journal.record(self.calibration)
+        for side, hand in self.seen.items():
+            hand.calibration = self.hands.pipelines[side].calibration()
+            if hand.estimate is not None and hand.tracking != Tracking.SEARCHING:
+                self.journal.record(hand.calibration, side)
         self._record_status()
 
     def _record_status(self) -> None:
         """A file counts what was lost since it began, not since the engine did."""
         if self.journal.recording:
-            status = self.status()
-            own = counted_since(self._at_start, status.values)
-            self.journal.record(replace(status, values=own))
+            for side in self.seen:
+                status = self.status(side)
+                own = counted_since(self._at_start[side], status.values)
+                self.journal.record(replace(status, values=own), side)
+
+    def _camera_figures(self, side: str) -> dict[str, float]:
+        return camera_figures(self.hands.pipelines[side])
 
     # ---- from any thread
 
-    def status(self) -> Status:
-        """How tracking and the devices are, now."""
-        now = self.clock()
-        tracking = self.estimate.tracking if self.estimate is not None else Tracking.SEARCHING
-        return Status(now, tracking, self.telemetry.values(now))
+    @property
+    def rig(self) -> StereoRig:
+        """The camera of all hands."""
+        return next(iter(self.hands.pipelines.values())).rig
 
-    def figures(self) -> dict[str, float]:
-        """Whether the camera is still as it was calibrated, and how late its images are."""
-        rig, timing = self.pipeline.rig_state, self.pipeline.timing
-        out = {
-            "stereo_swapped": float(rig.swapped),
-            "camera_moved": float(rig.moved),
-            "camera_jumps": rig.jumps,
-            "stereo_refused": rig.refused,
-            "camera_offset_applied_ms": 1e3 * timing.applied,
-        }
-        if math.isfinite(rig.row_shift_px):
-            out["stereo_row_shift_px"] = rig.row_shift_px
-        if math.isfinite(timing.offset.value):
-            out["camera_offset_ms"] = 1e3 * timing.offset.value
-            out["camera_offset_sd_ms"] = 1e3 * timing.offset.sd
-        return out
+    @property
+    def predicted(self) -> RegionPrediction | None:
+        """Where markers of all hands are; None while one that is there has yet to be found."""
+        there = [hand.predicted for hand in self.seen.values() if not hand.is_gone]
+        known = [p for p in there if p is not None]
+        return together(known) if known and len(known) == len(there) else None
+
+    def status(self, side: str) -> Status:
+        """How the tracking of a hand and the devices are, now."""
+        return self.seen[side].status(self.telemetry.values(self.clock()))
 
     def set_engine(self, name: str) -> None:
-        """Track with another engine from the next message on; it looks for the hand anew.
+        """Track with another engine from the next message on; it looks for the hands anew.
 
         Raises ConfigError for an unknown name.
         """
-        if name == self.pipeline.settings.engine:
+        if all(p.settings.engine == name for p in self.hands.pipelines.values()):
             return
-        pipeline = self._pipeline_with(name)
+        hands = self.hands.with_engine(name)
         with self._pipeline_lock:
-            self.pipeline = pipeline
+            self.hands = hands
+            for side, hand in self.seen.items():
+                hand.watch_side(hands.pipelines[side])
             self.record_state()
         self.journal.say("tracking", f"The engine is now {name}.")
 
@@ -292,19 +278,15 @@ class LiveLoop:
 
         ``wait`` until the one before has ended. Raises ConfigError for an unknown name.
         """
-        reference = ReferenceEngine(self._pipeline_with(name)) if name else None
+        reference = ReferenceEngine(self.hands.with_engine(name)) if name else None
         before, self._reference = self._reference, reference
         if before is not None:
             before.close(wait)
 
-    def reference_estimate(self) -> Estimate | None:
-        """The second engine's hand; None where there is none."""
+    def reference_estimate(self, side: str) -> Estimate | None:
+        """A hand as the second engine has it; None where there is none."""
         reference = self._reference
-        return reference.estimate if reference is not None else None
-
-    def _pipeline_with(self, engine: str) -> Pipeline:
-        p = self.pipeline
-        return Pipeline(p.hand, p.glove, p.calibrated_rig, replace(p.settings, engine=engine))
+        return reference.estimate(side) if reference is not None else None
 
     def set_recorder(self, recorder: Recorder | None, patience: float | None = None) -> None:
         """Record into ``recorder`` from now on; the last one is finished and closed.
@@ -319,9 +301,10 @@ class LiveLoop:
         self._finishing = [r for r in self._finishing if not r.finish(patience)]
         if recorder is not None:
             with self._pipeline_lock:
-                self._at_start = self.telemetry.values(self.clock())
+                self._at_start = {side: self.status(side).values for side in self.seen}
                 self.journal.open(recorder)
-                self.stage.begin_anew()
+                for hand in self.seen.values():
+                    hand.stage.begin_anew()
                 self.record_state()
                 self._record_status()
             self.journal.say("recording", "Recording.")
@@ -330,7 +313,5 @@ class LiveLoop:
         """Record what no message tells: tracked again, the session goes on as it did live."""
         with self._pipeline_lock:
             if self.journal.recording:
-                p = self.pipeline
-                self.journal.record(
-                    EngineState(self._order.mark(), p.settings.engine, p.get_state())
-                )
+                engine = next(iter(self.hands.pipelines.values())).settings.engine
+                self.journal.record(EngineState(self._order.mark(), engine, self.hands.get_state()))

@@ -20,10 +20,11 @@ LOOK_EVERY = 0.25  # s, where there is nothing to write, to see whether the reco
 class Recorder(Protocol):
     """Takes messages to disk; see `tracker.session.writer.SessionRecorder`.
 
-    ``write`` is False where an image was left out. ``flush`` comes after every few messages.
+    ``write`` is False where an image was left out; ``side`` is the hand's that a message is of.
+    ``flush`` comes after every few messages.
     """
 
-    def write(self, message: Message, overloaded: bool = False) -> bool: ...
+    def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool: ...
 
     def flush(self) -> None: ...
 
@@ -35,7 +36,7 @@ class RecordingThread:
 
     def __init__(self, recorder: Recorder, say: Callable[[str, str], None]) -> None:
         self._recorder, self._say = recorder, say
-        self._queue: Fifo[tuple[Message, bool]] = Fifo(MAX_WAITING)
+        self._queue: Fifo[tuple[Message, bool, str]] = Fifo(MAX_WAITING)
         self._images = 0
         self._lock = threading.Lock()
         self._ending = threading.Event()
@@ -43,7 +44,7 @@ class RecordingThread:
         self._thread = threading.Thread(target=self._run, name="glovetrack-disk", daemon=True)
         self._thread.start()
 
-    def put(self, message: Message) -> None:
+    def put(self, message: Message, side: str = "") -> None:
         """Queue a message; an image that the disk has no time for goes without its pixels."""
         overloaded = False
         if isinstance(message, StereoFrame):
@@ -53,7 +54,7 @@ class RecordingThread:
                 self.thinned += overloaded
             if overloaded:
                 message = replace(message, left=None, right=None)
-        self._queue.put((message, overloaded))
+        self._queue.put((message, overloaded, side))
 
     @property
     def overflowed(self) -> int:
@@ -91,8 +92,8 @@ class RecordingThread:
             self._write(*item)
         self._recorder.flush()
 
-    def _write(self, message: Message, overloaded: bool) -> None:
-        taken = self._recorder.write(message, overloaded)
+    def _write(self, message: Message, overloaded: bool, side: str) -> None:
+        taken = self._recorder.write(message, overloaded, side)
         if isinstance(message, StereoFrame) and not overloaded:
             with self._lock:
                 self._images -= 1

@@ -6,34 +6,33 @@ import threading
 
 from tracker.channels import Closed, Fifo
 from tracker.errors import GlovetrackError
-from tracker.messages import BlobFrame, Estimate, ImuSample
-from tracker.pipeline import Pipeline
+from tracker.messages import BlobFrame, Estimate
+from tracker.two_hands import Hands, Sided
 
 WAIT = 0.05  # s that the thread waits before it looks whether it should end
 MOST_WAITING = 500  # messages, 4 s: a machine too slow for two engines loses some here
 
 
 class ReferenceEngine:
-    """Feeds a pipeline with what `put` is given, in that order; started at once."""
+    """Feeds ``hands`` with what `put` is given, in that order; started at once."""
 
-    def __init__(self, pipeline: Pipeline) -> None:
-        self._pipeline = pipeline
-        self._inbox: Fifo[ImuSample | BlobFrame] = Fifo(MOST_WAITING)
-        self._estimate: Estimate | None = None
+    def __init__(self, hands: Hands) -> None:
+        self._hands = hands
+        self._inbox: Fifo[Sided | BlobFrame] = Fifo(MOST_WAITING)
+        self._estimates: dict[str, Estimate] = {}
         self._thread = threading.Thread(target=self._run, name="glovetrack-reference", daemon=True)
         self._thread.start()
 
     @property
     def engine(self) -> str:
         """The engine's name."""
-        return self._pipeline.settings.engine
+        return next(iter(self._hands.pipelines.values())).settings.engine
 
-    @property
-    def estimate(self) -> Estimate | None:
-        """The latest of the second engine."""
-        return self._estimate
+    def estimate(self, side: str) -> Estimate | None:
+        """The latest that the second engine has of a hand."""
+        return self._estimates.get(side)
 
-    def put(self, message: ImuSample | BlobFrame) -> None:
+    def put(self, message: Sided | BlobFrame) -> None:
         """A message that the first engine has just been fed with."""
         self._inbox.put(message)
 
@@ -51,11 +50,13 @@ class ReferenceEngine:
                 if message is not None:
                     self._feed(message)
         except (Closed, GlovetrackError):
-            self._estimate = None  # it shows no hand any more rather than an old one
+            self._estimates = {}  # it shows no hand any more rather than an old one
 
-    def _feed(self, message: ImuSample | BlobFrame) -> None:
-        if isinstance(message, ImuSample):
-            self._estimate = self._pipeline.feed_imu(message)
+    def _feed(self, message: Sided | BlobFrame) -> None:
+        if isinstance(message, Sided):
+            estimate = self._hands.feed_imu(message.side, message.sample)
+            self._estimates[message.side] = estimate
         else:
-            self._pipeline.feed_frame(message)
-            self._pipeline.take_results()
+            self._hands.feed_frame(message)
+            for side in self._hands.pipelines:
+                self._hands.take_results(side)

@@ -1,6 +1,6 @@
 """The threads of live tracking around one `LiveLoop`, and what the window may ask of them.
 
-    glove thread ──┐ inbox
+    glove thread ──┐ inbox                              (one for each glove)
                    ├──────────────> engine thread ──> latest estimate, recorder
     camera thread ─┴> vision thread <── colours thread (disk thread behind a queue)
 
@@ -17,27 +17,28 @@ from tracker.clock import monotonic
 from tracker.fusion.engine import Engine
 from tracker.live.colours import FollowedColours
 from tracker.live.devices import CameraReader, GloveReader
+from tracker.live.frame_results import ShownFrame
+from tracker.live.hand import Follower
 from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox
 from tracker.live.journal import Journal
-from tracker.live.loop import Follower, LiveLoop
+from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
 from tracker.live.telemetry import Telemetry
 from tracker.live.threads import ThreadGroup
 from tracker.live.vision import Vision
 from tracker.messages import (
-    BlobFrame,
     Calibration,
     Estimate,
     Event,
-    FrameResult,
     ImuSample,
     Message,
     Status,
-    StereoFrame,
 )
 from tracker.pipeline import Pipeline
 from tracker.sensors.sources import CameraSource, GloveSource
+from tracker.session.description import MAIN
 from tracker.settings import Settings
+from tracker.two_hands import Hands
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
@@ -46,42 +47,49 @@ WAIT = 0.05  # s that the engine thread waits before it looks whether it should 
 
 
 class LiveTracker:
-    """Runs one pipeline on live devices until `stop`. Methods may be called from any thread."""
+    """Tracks on live devices until `stop`. Methods may be called from any thread.
+
+    `hand` has what there is to see of each hand, by its side.
+    """
 
     def __init__(
         self,
-        pipeline: Pipeline,
+        hands: Hands,
         profile: ColourProfile,
         make_detector: Callable[[ColourProfile], Detector],
-        glove: GloveSource,
+        gloves: Mapping[str, GloveSource],
         camera: CameraSource,
         recorder: Recorder | None = None,
         clock: Callable[[], float] = monotonic,
         turn: Callable[[str], None] = lambda name: None,
     ) -> None:
-        """``clock`` gives s; ``turn`` may hold threads back, see `ThreadGroup`."""
-        self._glove, self._camera = glove, camera
+        """``gloves`` by the side of their hands. ``clock`` gives s; ``turn`` may hold threads back,
+        see `ThreadGroup`."""
+        self._gloves, self._camera = gloves, camera
         self._journal, telemetry = Journal(clock), Telemetry()
-        self._loop = LiveLoop(pipeline, self._journal, telemetry, clock)
+        self._loop = LiveLoop(hands, self._journal, telemetry, clock)
         self._inbox = Inbox()
         self._vision = Vision(profile, make_detector, self._inbox, self._loop)
-        self._colours = FollowedColours(_follower(profile, pipeline), self._vision, self._journal)
-        self._loop.on_used = self._colours.used.put
-        self._glove_reader = GloveReader(glove, self._inbox, self._journal)
+        side = MAIN if MAIN in hands.pipelines else next(iter(hands.pipelines))
+        follower = _follower(profile, hands.pipelines[side])  # by what is known of one hand
+        self._colours = FollowedColours(follower, self._vision, self._journal)
+        self._loop.seen[side].on_used = self._colours.used.put
+        self._glove_readers = {
+            side: GloveReader(glove, side, self._inbox, self._journal, _name(side, gloves))
+            for side, glove in gloves.items()
+        }
         self._camera_reader = CameraReader(camera, self._vision.images, self._journal, telemetry)
         self._threads = ThreadGroup(self._journal.say, turn)
         for part in (
             self._vision,
-            self._loop,
-            self._loop.history,
             self._loop.load,
             self._loop.colours,
-            self._loop.applications,
             self._inbox,
             self._journal,
-            self._glove_reader,
         ):
             telemetry.ask(part.figures)
+        for side, reader in self._glove_readers.items():
+            self._loop.seen[side].telemetry.ask(reader.figures)
         if recorder is not None:
             self.set_recorder(recorder)
 
@@ -89,11 +97,13 @@ class LiveTracker:
 
     def start(self) -> None:
         """Start all threads. Once only."""
-        self._threads.start("glove", self._glove_reader.step)
+        for side, reader in self._glove_readers.items():
+            name = "glove" if len(self._glove_readers) == 1 else f"glove-{side}"
+            self._threads.start(name, reader.step)
         self._threads.start("camera", self._camera_reader.step)
+        self._threads.start("colours", self._colours.step)
         self._threads.start("vision", self._vision.step)
         self._threads.start("engine", self._feed)
-        self._threads.start("colours", self._colours.step)
 
     def stop(self, patience: float | None = None) -> None:
         """End all threads, free the devices, finish the recording. May be called again.
@@ -107,8 +117,10 @@ class LiveTracker:
         self._colours.used.close()
         self._threads.join()
         self.set_reference(None)
-        self._loop.applications.close()
-        self._glove.close()
+        for hand in self._loop.seen.values():
+            hand.applications.close()
+        for glove in self._gloves.values():
+            glove.close()
         self._camera.close()
         self._loop.set_recorder(None, patience)
 
@@ -129,7 +141,7 @@ class LiveTracker:
     @property
     def settings(self) -> Settings:
         """What is tracked with now."""
-        return self._loop.pipeline.settings
+        return next(iter(self._loop.hands.pipelines.values())).settings
 
     def set_engine(self, name: str) -> None:
         """Track with another engine from the next message on; it looks for the hand anew.
@@ -138,24 +150,12 @@ class LiveTracker:
         """
         self._loop.set_engine(name)
 
-    @property
-    def stage(self) -> ApplicationStage:
-        """Where an application of the tracked hand runs."""
-        return self._loop.stage
-
     def set_reference(self, name: str | None) -> None:
         """Let a second engine see the same messages, to be compared with; None ends it.
 
         Raises ConfigError for an unknown name.
         """
         self._loop.set_reference(name, wait=self._threads.stopping)
-
-    def command(self, work: Callable[[Engine], None]) -> None:
-        """Have ``work`` done to the engine, in its own thread, between two messages.
-
-        A GlovetrackError that it raises is told as an event.
-        """
-        self._inbox.put(EngineCommand(work))
 
     def set_recorder(self, recorder: Recorder | None) -> None:
         """Record into ``recorder`` from now on; the last one is finished and closed.
@@ -177,51 +177,13 @@ class LiveTracker:
         """
         self._journal.note(text, t, data or {})
 
-    def follow(self, follower: Follower | None) -> None:
-        """Have each estimate heard by ``follower`` from now on, or by nobody."""
-        self._loop.followers = (follower,) if follower is not None else ()
-
-    def record(self, message: Message) -> None:
-        """Record what another part has made of the hand; nothing where no recording runs."""
-        self._journal.record(message)
-
-    def hold(self, pose: str) -> None:
-        """The wearer is asked from now on to hold a pose of `tracker.hand.poses`."""
-        self._inbox.put(GuidedCommand(pose, begins=True))
-
-    def let_go(self, pose: str, held: bool) -> None:
-        """The pose is over; ``held``: it was not skipped."""
-        self._inbox.put(GuidedCommand(pose, begins=False, held=held))
-
-    # ---- what there is to see
-
-    def latest_estimate(self) -> Estimate | None:
-        """The hand as it is; None before the first packet."""
-        return self._loop.estimate
-
-    def reference_estimate(self) -> Estimate | None:
-        """The second engine's hand; None where there is none."""
-        return self._loop.reference_estimate()
-
-    def latest_frame(self) -> tuple[StereoFrame, BlobFrame, FrameResult] | None:
-        """The last image that the filter has used, or looked for the hand in."""
-        return self._loop.frames.latest
-
-    def recent_imu(self) -> list[ImuSample]:
-        """Packets of the last seconds, oldest first."""
-        return self._loop.history.recent()
-
-    def calibration(self) -> Calibration | None:
-        """Estimated parameters, at most a second old."""
-        return self._loop.calibration
-
     def take_events(self) -> list[Event]:
         """What happened since the last call."""
         return self._journal.take_events()
 
-    def status(self) -> Status:
-        """How tracking and the devices are, now."""
-        return self._loop.status()
+    def hand(self, side: str) -> HandOfTracker:
+        """What may be seen and asked of one hand."""
+        return HandOfTracker(self, self._loop, self._inbox, side)
 
 
 def _follower(profile: ColourProfile, pipeline: Pipeline) -> ColourFollower:
@@ -229,3 +191,73 @@ def _follower(profile: ColourProfile, pipeline: Pipeline) -> ColourFollower:
     glove, rig = pipeline.glove, pipeline.calibrated_rig
     size = float(glove.marker_size.mean()) if glove.markers else 0.012
     return ColourFollower(profile, glove, size, rig.fx if rig is not None else 640.0)
+
+
+def _name(side: str, gloves: Mapping[str, GloveSource]) -> str:
+    """Of a glove for the log; none where it is the only one."""
+    return f"{side.capitalize()} glove" if len(gloves) > 1 else ""
+
+
+class HandOfTracker:
+    """One hand of a `LiveTracker`. Methods may be called from any thread."""
+
+    def __init__(self, tracker: LiveTracker, loop: LiveLoop, inbox: Inbox, side: str) -> None:
+        self._tracker, self._loop, self._inbox, self.side = tracker, loop, inbox, side
+        self._hand = loop.seen[side]
+
+    def command(self, work: Callable[[Engine], None]) -> None:
+        """Have ``work`` done to the hand's engine, in its own thread, between two messages.
+
+        A GlovetrackError that it raises is told as an event.
+        """
+        self._inbox.put(EngineCommand(work, self.side))
+
+    def follow(self, follower: Follower | None) -> None:
+        """Have each estimate heard by ``follower`` from now on, or by nobody."""
+        self._hand.followers = (follower,) if follower is not None else ()
+
+    def record(self, message: Message) -> None:
+        """Record what another part has made of the hand; nothing where no recording runs."""
+        self._loop.journal.record(message)
+
+    def hold(self, pose: str) -> None:
+        """The wearer is asked from now on to hold a pose of `tracker.hand.poses`."""
+        self._inbox.put(GuidedCommand(pose, True, self.side))
+
+    def let_go(self, pose: str, held: bool) -> None:
+        """The pose is over; ``held``: it was not skipped."""
+        self._inbox.put(GuidedCommand(pose, False, self.side, held))
+
+    def latest_estimate(self) -> Estimate | None:
+        """The hand as it is; None before the first packet."""
+        return self._hand.estimate
+
+    @property
+    def stage(self) -> ApplicationStage:
+        """Where an application of the hand runs."""
+        return self._hand.stage
+
+    def set_reference(self, name: str | None) -> None:
+        """Of all hands: see `LiveTracker.set_reference`."""
+        self._tracker.set_reference(name)
+
+    def reference_estimate(self) -> Estimate | None:
+        """The second engine's hand; None where there is none."""
+        return self._loop.reference_estimate(self.side)
+
+    def latest_frame(self, t: float | None = None) -> ShownFrame | None:
+        """The last image that the filter has used, or looked for the hand in; or that of ``t``
+        (s), None where it is not among the last ones."""
+        return self._hand.frames.latest if t is None else self._hand.frames.of(t)
+
+    def recent_imu(self) -> list[ImuSample]:
+        """Packets of the last seconds, oldest first."""
+        return self._hand.history.recent()
+
+    def calibration(self) -> Calibration | None:
+        """Estimated parameters, at most a second old."""
+        return self._hand.calibration
+
+    def status(self) -> Status:
+        """How the tracking of this hand and the devices are, now."""
+        return self._loop.status(self.side)

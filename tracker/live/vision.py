@@ -72,7 +72,7 @@ class Vision:
         """Where to look for markers; None for the whole image."""
         loop, names = self._loop, self.profile.hue_names
         sparing = loop.load.level >= Shed.WHOLE_SEARCHES
-        predicted, rig = loop.predicted, loop.pipeline.rig
+        predicted, rig = loop.predicted, loop.rig
         return self._plan.hints(predicted, rig, frame.t, frame.pose, names, sparing)
 
     def _notice_silence(self, frame: StereoFrame | None) -> None:

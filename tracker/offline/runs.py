@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -34,20 +34,11 @@ from tracker.session import engine_state
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
 from tracker.session.writer import SessionRecorder
+from tracker.side_watch import SideWatch
+from tracker.two_hands import Sided
 from tracker.vision.rig import StereoRig
 
 CALIBRATION_PERIOD = 1.0  # s between two calibrations in the file
-
-
-class Sided(NamedTuple):
-    """A packet of a session of both hands, and the side of its glove."""
-
-    sample: ImuSample
-    side: str
-
-    @property
-    def t_arrival(self) -> float:
-        return self.sample.t_arrival
 
 
 Fed = Sensed | Event
@@ -189,6 +180,7 @@ class LiveRun:
         ``colours`` are those that the images are searched with, where they are."""
         self._make_pipeline, self._pipeline = make_pipeline, make_pipeline(engine, rig)
         self._output, self._changes = output, deque(changes)
+        self._sides = SideWatch(self._pipeline)
         self._next_calibration = -np.inf
         self._camera_tells = False  # of its rotation, by an IMU of its own
         self._colours, self._tracking = colours, Tracking.SEARCHING
@@ -208,6 +200,7 @@ class LiveRun:
             return
         if isinstance(message, BlobFrame):
             self._pipeline.feed_frame(message)
+            self._sides.frame(message)
         elif isinstance(message, CameraImuSample):
             self._pipeline.feed_camera_imu(message)
         elif isinstance(message, Event):
@@ -245,6 +238,7 @@ class LiveRun:
             self._output.rig(what, t)
             return
         self._pipeline = self._make_pipeline(what.engine, before.calibrated_rig)
+        self._sides = SideWatch(self._pipeline)
         if not engine_state.fits(what.state, self._pipeline.get_state()):
             raise FileError("The state of tracking in the recording is not that of its engine.")
         self._pipeline.set_state(what.state)
@@ -252,6 +246,9 @@ class LiveRun:
 
     def _feed_imu(self, sample: ImuSample) -> None:
         estimate = self._pipeline.feed_imu(sample)
+        self._sides.packet(sample, estimate.tracking)
+        for text in self._sides.take_words():
+            self._output.say(Event(sample.t, "device", text))
         self._tracking = estimate.tracking
         self._output.estimate(sample, estimate)
         if sample.t >= self._next_calibration:

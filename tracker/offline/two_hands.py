@@ -12,11 +12,11 @@ import numpy as np
 from tracker.errors import FileError
 from tracker.fusion.engine import Engine
 from tracker.messages import BlobFrame, CameraImuSample, EngineState, Event, ImuSample, Tracking
-from tracker.offline.runs import CALIBRATION_PERIOD, Fed, Output, Sided, arrival
+from tracker.offline.runs import CALIBRATION_PERIOD, Fed, Output, arrival
 from tracker.session import engine_state
 from tracker.session.images import PackedFrame
 from tracker.session.reader import SessionReader
-from tracker.two_hands import TwoHands
+from tracker.two_hands import Sided, TwoHands
 from tracker.vision.rig import StereoRig
 
 

@@ -16,7 +16,8 @@ from tracker.sensors.serial_line import Port, UsbPort, real_path, serial_port, u
 class GlovePort:
     """Opens the port of one glove; `GloveLink` calls it again each time that the glove was gone.
 
-    ``path`` is where it was opened last, ``home`` where the glove itself was last.
+    ``path`` is where it was opened last, ``home`` where the glove itself was last; empty for one
+    that is known by its ``glove_id`` alone, which is looked for at all ports.
     Ports that another program holds are not disturbed.
     """
 
@@ -26,9 +27,10 @@ class GlovePort:
         baud: int = BAUD,
         ports: Callable[[], Sequence[UsbPort]] = usb_ports,
         open_at: Callable[[str, int], Callable[[], Port]] = serial_port,
+        glove_id: int | None = None,
     ) -> None:
         self.path = path
-        self.glove_id: int | None = None
+        self.glove_id = glove_id
         """Of the glove that answered first; it is the one that is looked for."""
         self.home, self._baud, self._ports, self._open_at = path, baud, ports, open_at
         self._adapter: UsbPort | None = None
@@ -45,8 +47,11 @@ class GlovePort:
                 trouble = trouble or error
                 continue
             self.path = path
-            self._adapter = self._adapter or _at(path, ports)
+            if self.home:
+                self._adapter = self._adapter or _at(path, ports)
             return port
+        if not self.home:
+            raise FileNotFoundError(2, f"glove {self.glove_id} is not plugged in")
         raise trouble or FileNotFoundError(2, "No such file or directory", self.home)
 
     def is_right(self, glove_id: int | None) -> bool:
@@ -66,10 +71,10 @@ class GlovePort:
 
     def _places(self, ports: Sequence[UsbPort]) -> list[str]:
         """Where it may be, the likeliest first; a port that is on no list is where it was."""
-        own = self._adapter
-        if own is None:
+        own = self._adapter if self.home else None
+        if own is None and self.home:
             return [self.home]
-        alike = [p.path for p in ports if p[1:] == own[1:]]
+        alike = [p.path for p in ports if own is None or p[1:] == own[1:]]
         if real_path(self.home) in alike:
             alike = [self.home, *(p for p in alike if p != real_path(self.home))]
         if self._refused.issuperset(alike):

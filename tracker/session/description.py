@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 from tracker import __version__
 from tracker.clock import ClockAnchor
@@ -97,6 +98,13 @@ class SessionInfo:
             "hues": ",".join(self.hue_names),
             **self.extra,
         }
+
+
+def of_hands(infos: Sequence[SessionInfo]) -> SessionInfo:
+    """One session's of one hand or of both: what goes for the whole is the main one's."""
+    main = next((info for info in infos if info.side == MAIN), infos[0])
+    others = [info for info in infos if info is not main]
+    return replace(main, other=others[0] if others else None)
 
 
 def describe(hand_text: str, glove_text: str, anchor: ClockAnchor, **more: object) -> SessionInfo:

@@ -22,7 +22,7 @@ from tracker.clock import nanoseconds, seconds
 from tracker.messages import Event, StereoFrame
 from tracker.shared_memory import attached, forget_name, new_memory
 from tracker.simulation.asked import Asked, asked_event
-from tracker.simulation.demo import DemoSpec, ask, build
+from tracker.simulation.demo import DemoSpec, ask, build_scene
 
 SLOTS = 6
 READY = "ready"
@@ -153,7 +153,7 @@ def _draw_for_ever(spec: DemoSpec, name: str, shape: tuple[int, ...], pipe: Conn
 
 
 def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
-    sim = build(spec)
+    sim = build_scene(spec)
     sim.renderer.pair(0.1)  # compiles what is compiled
     pipe.send(READY)
     t_0: float = pipe.recv()

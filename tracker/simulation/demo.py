@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 from tracker.glove.files import parse_glove
 from tracker.hand.files import parse_hand
@@ -14,13 +15,25 @@ from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
+
+
+class WornTexts(NamedTuple):
+    """Of the hand's and the glove's file."""
+
+    hand: str
+    glove: str
+
 
 BACKGROUNDS = 6  # of a desk, drawn once: half the time an image takes goes into what does not move
 
 
 @dataclass(frozen=True)
 class DemoSpec:
-    """Texts of the hand's and the glove's file; ``motion`` a recording or empty."""
+    """Texts of the hand's and the glove's file; ``motion`` a recording or empty.
+
+    With an ``other`` glove, of the other side, two hands meet before a plain wall.
+    """
 
     hand_text: str
     glove_text: str
@@ -30,6 +43,7 @@ class DemoSpec:
     motion: str = ""
     exposures: int = 1  # per image: no motion blur, half the time to draw
     light: str = ""  # over a desk with things on it; before a plain wall if empty
+    other: WornTexts | None = None
 
 
 def build(spec: DemoSpec) -> Simulation:
@@ -50,9 +64,27 @@ def build(spec: DemoSpec) -> Simulation:
     return Simulation(hand, glove, motion, spec.seed, params, fps=spec.fps, extras=room.extras)
 
 
-def ask(simulation: Simulation, asked: Asked) -> None:
-    """Ask the wearer for a posture. One who plays a recording does not hear it."""
-    if isinstance(simulation.motion, AskedMotion):
+def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
+    """Everything that the camera sees."""
+    if spec.other is None:
+        return build(spec)
+    dressed = {}
+    for texts in (WornTexts(spec.hand_text, spec.glove_text), spec.other):
+        hand = parse_hand(texts.hand)
+        dressed[hand.side] = Dressed(hand, parse_glove(texts.glove, hand))
+    room = room_of("plain", "", seed=spec.seed)
+    params = SimulationParams(render=replace(room.render, exposures=spec.exposures))
+    return TwoHandsSimulation(dressed, spec.seed, spec.duration, spec.fps, params)
+
+
+def hands_of(scene: Simulation | TwoHandsSimulation) -> dict[str, Simulation]:
+    """Each hand of a scene, by its side; of two the left one first."""
+    return scene.hands if isinstance(scene, TwoHandsSimulation) else {scene.hand.side: scene}
+
+
+def ask(simulation: Simulation | TwoHandsSimulation, asked: Asked) -> None:
+    """Ask the wearer for a posture. Who plays a recording, or meets another, does not hear it."""
+    if isinstance(simulation, Simulation) and isinstance(simulation.motion, AskedMotion):
         simulation.motion.ask(asked)
 
 

@@ -11,13 +11,14 @@ from tracker.geometry import so3
 from tracker.messages import Estimate, Event, Message, Validity
 from tracker.session.writer import SessionRecorder
 from tracker.simulation.asked import Asked, asked_in
-from tracker.simulation.demo import DemoSpec, ask, build
+from tracker.simulation.demo import DemoSpec, ask, build_scene, hands_of
 from tracker.simulation.scenario import Simulation, Truth
+from tracker.simulation.two_hands import TwoHandsSimulation
 
 AT_ONCE = 25
 """Truth for many instants costs no more than for one."""
 
-built = lru_cache(1)(build)
+built = lru_cache(1)(build_scene)
 
 
 @dataclass(frozen=True)
@@ -33,10 +34,10 @@ class WithTruth:
     asked: tuple[Asked, ...] = ()
 
     def __call__(self, recorder: SessionRecorder) -> TruthfulRecorder:
-        simulation = built(self.spec)
+        scene = built(self.spec)
         for asked in self.asked:
-            ask(simulation, asked)
-        return TruthfulRecorder(recorder, simulation, self.t_0, self.spec.duration)
+            ask(scene, asked)
+        return TruthfulRecorder(recorder, scene, self.t_0, self.spec.duration)
 
 
 @dataclass(frozen=True)
@@ -50,32 +51,57 @@ class Prepare:
 
 
 class TruthfulRecorder:
-    """Writes into ``inner``, and beside each estimate what the hand truly did."""
+    """Writes into ``inner``, and beside each estimate what its hand truly did."""
 
     def __init__(
-        self, inner: SessionRecorder, simulation: Simulation, t_0: float, duration: float
+        self,
+        inner: SessionRecorder,
+        scene: Simulation | TwoHandsSimulation,
+        t_0: float,
+        duration: float,
     ) -> None:
-        self._inner, self._simulation, self._t_0 = inner, simulation, t_0
-        self._last = duration - 0.1
+        self._inner, self._scene, last = inner, scene, duration - 0.1
+        hands = hands_of(scene)
+        self._truths = {side: HandsTruth(sim, t_0, last) for side, sim in hands.items()}
+        self._main = inner.info.side
+
+    def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
+        taken = self._inner.write(message, overloaded, side)
+        if isinstance(message, Event) and (asked := asked_in(message)) is not None:
+            ask(self._scene, asked)
+        if isinstance(message, Estimate):
+            for truth in self._truths[side or self._main].beside(message):
+                self._inner.write_truth(truth, side)
+        return taken
+
+    def close(self) -> None:
+        for side, truths in self._truths.items():
+            for truth in truths.rest():
+                self._inner.write_truth(truth, side)
+        self._inner.close()
+
+
+class HandsTruth:
+    """What one simulated hand did at the instants of its estimates; its motion lasts ``last`` s."""
+
+    def __init__(self, simulation: Simulation, t_0: float, last: float) -> None:
+        self._simulation, self._t_0, self._last = simulation, t_0, last
         self._waiting: list[Estimate] = []
         self._segments = simulation.glove.keypoint_segments(simulation.hand)
 
-    def write(self, message: Message, overloaded: bool = False) -> bool:
-        taken = self._inner.write(message, overloaded)
-        if isinstance(message, Event) and (asked := asked_in(message)) is not None:
-            ask(self._simulation, asked)
-        if isinstance(message, Estimate):
-            self._waiting.append(message)
-            if len(self._waiting) >= AT_ONCE:
-                self._write_truths()
-        return taken
+    def beside(self, estimate: Estimate) -> list[Estimate]:
+        """The truth of this and of those before, `AT_ONCE` at a time."""
+        self._waiting.append(estimate)
+        return self.rest() if len(self._waiting) >= AT_ONCE else []
 
-    def _write_truths(self) -> None:
-        t = np.array([e.t for e in self._waiting]) - self._t_0
+    def rest(self) -> list[Estimate]:
+        """The truth of all that wait for it."""
+        if not self._waiting:
+            return []
+        waiting, self._waiting = self._waiting, []
+        t = np.array([e.t for e in waiting]) - self._t_0
         truths = self._simulation.truths(np.clip(t, 0.0, self._last))
-        for estimate, true in zip(self._waiting, truths, strict=True):
-            self._inner.write_truth(self._with_truth(estimate, true))
-        self._waiting.clear()
+        return [self._with_truth(e, true) for e, true in zip(waiting, truths, strict=True)]
 
     def _with_truth(self, estimate: Estimate, true: Truth) -> Estimate:
         """The estimate's shape with the true values."""
@@ -89,8 +115,3 @@ class TruthfulRecorder:
             keypoint_state=np.full(len(true.keypoints), Validity.MEASURED, np.int64),
             angle_state=np.full(len(true.angles), Validity.MEASURED, np.int64),
         )
-
-    def close(self) -> None:
-        if self._waiting:
-            self._write_truths()
-        self._inner.close()

@@ -142,9 +142,13 @@ class TwoHandsSimulation:
     def duration(self) -> float:
         return self.hands["left"].duration
 
+    def exposures(self) -> Iterator[tuple[int, float, float]]:
+        """(index, t, arrival) of each image, as `Simulation.exposures`."""
+        return self.hands["left"].exposures()
+
     def blob_frames(self) -> Iterator[BlobFrame]:
         """What a good detector finds of both hands."""
-        for index, t, arrival in self.hands["left"].exposures():
+        for index, t, arrival in self.exposures():
             left, right = (self.hands[side].scene.blobs(t, arrival, index) for side in SIDES)
             yield both_seen(left, right, self.seed)
 
@@ -156,7 +160,7 @@ class TwoHandsSimulation:
 
     def image_frames(self) -> Iterator[StereoFrame]:
         """Images of both hands."""
-        for index, t, arrival in self.hands["left"].exposures():
+        for index, t, arrival in self.exposures():
             yield self.renderer.frame(t, arrival, index)
 
     def messages(self, images: bool = False) -> Iterator[Sided]:

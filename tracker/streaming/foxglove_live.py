@@ -16,7 +16,8 @@ import contextlib
 import json
 import time
 from collections import deque
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
+from functools import partial
 
 from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
@@ -35,13 +36,13 @@ from tracker.streaming.foxglove_protocol import (
 )
 from tracker.streaming.foxglove_scene import FoxgloveScene, estimate_schema, scene_schema
 from tracker.streaming.payload import to_json
-from tracker.streaming.publisher import LOOPBACK, Names, StreamError
+from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
 DEFAULT_PORT = 8765  # where Foxglove looks by itself
 BACKLOG = 64  # messages kept per client
 MAX_SAID = 2**16  # bytes of a client's message
-ESTIMATE, SCENE = 1, 2  # channels
+ESTIMATE, SCENE = 1, 2  # channels of the first hand; those of the next are 3 and 4
 FOXGLOVE_PAGES = ("https://app.foxglove.dev", "https://studio.foxglove.dev")
 
 
@@ -55,18 +56,17 @@ class FoxglovePublisher:
         port: int = DEFAULT_PORT,
         wall_offset: float | None = None,
         origins: Collection[str] = (),
+        others: Sequence[Names] = (),
     ) -> None:
-        """``wall_offset``: s since 1970 at the monotonic clock's zero; by default as of now.
+        """``others``: hands that are told of, too, see `beside`.
+
+        ``wall_offset``: s since 1970 at the monotonic clock's zero; by default as of now.
 
         ``origins``: further sites whose pages may connect, such as ``https://viz.example.org``.
         """
         self._wall = time.time() - time.monotonic() if wall_offset is None else wall_offset
-        self._greeting = _greeting(names, session_id=str(time.time_ns()))
-        scene, gestures = FoxgloveScene(names), names.recogniser()
-        self._encoders: dict[int, Callable[[Estimate, int], str]] = {
-            ESTIMATE: lambda e, _: to_json(e, names, gestures),
-            SCENE: lambda e, stamp_ns: json.dumps(scene.update(e, stamp_ns), allow_nan=False),
-        }
+        self._hands = [_HandChannels(n, 2 * i) for i, n in enumerate((names, *others))]
+        self._greeting = _greeting(self._hands, session_id=str(time.time_ns()))
         self._clients: tuple[_Client, ...] = ()  # replaced by the server's thread, never changed
         self._closed = False
         self._server = ServerThread(
@@ -87,12 +87,20 @@ class FoxglovePublisher:
         return sum(bool(c.wants.by_channel) for c in self._clients)
 
     def send(self, estimate: Estimate) -> None:
+        self._send(self._hands[0], estimate)
+
+    def beside(self, names: Names) -> OtherHand:
+        """One of the others of the beginning."""
+        (hand,) = (h for h in self._hands if h.names is names)
+        return OtherHand(self.name, partial(self._send, hand))
+
+    def _send(self, hand: _HandChannels, estimate: Estimate) -> None:
         if self._closed:
             raise StreamError("the Foxglove server is closed")
         stamp_ns = round((estimate.t + self._wall) * 1e9)
         wanted = {channel for c in self._clients for channel in tuple(c.wants.by_channel)}
-        for channel in sorted(wanted):
-            payload = self._encoders[channel](estimate, stamp_ns).encode()
+        for channel in sorted(wanted & hand.encoders.keys()):
+            payload = hand.encoders[channel](estimate, stamp_ns).encode()
             self._server.call(self._hand_out, channel, stamp_ns, payload)
 
     def close(self) -> None:
@@ -108,7 +116,8 @@ class FoxglovePublisher:
     async def _serve(self, connection: ServerConnection) -> None:
         for text in self._greeting:
             await connection.send(text)
-        client = _Client(connection)
+        channels = {channel for hand in self._hands for channel in hand.encoders}
+        client = _Client(connection, channels)
         self._clients += (client,)
         sending = asyncio.create_task(client.send())
         try:
@@ -118,12 +127,32 @@ class FoxglovePublisher:
             sending.cancel()
 
 
+class _HandChannels:
+    """What is told of one hand; ``first`` is added to the numbers of the first hand's channels."""
+
+    def __init__(self, names: Names, first: int) -> None:
+        self.names, self._estimate, self._scene = names, ESTIMATE + first, SCENE + first
+        scene, gestures = FoxgloveScene(names), names.recogniser()
+        self.encoders: dict[int, Callable[[Estimate, int], str]] = {
+            self._estimate: lambda e, _: to_json(e, names, gestures),
+            self._scene: lambda e, stamp_ns: json.dumps(scene.update(e, stamp_ns), allow_nan=False),
+        }
+
+    def channels(self) -> tuple[Channel, Channel]:
+        """As they are advertised."""
+        names, topic = self.names, f"/glovetrack/{self.names.side}"
+        return (
+            Channel(self._estimate, topic, "glovetrack.Estimate", estimate_schema(names)),
+            Channel(self._scene, f"{topic}/scene", "foxglove.SceneUpdate", scene_schema()),
+        )
+
+
 class _Client:
     """One connection: what it wants, and what waits to be sent."""
 
-    def __init__(self, connection: ServerConnection) -> None:
+    def __init__(self, connection: ServerConnection, channels: set[int]) -> None:
         self._connection = connection
-        self.wants = Subscriptions({ESTIMATE, SCENE})
+        self.wants = Subscriptions(channels)
         self._waiting: deque[bytes] = deque(maxlen=BACKLOG)
         self._fresh = asyncio.Event()
 
@@ -152,11 +181,7 @@ class _Client:
                 await self._fresh.wait()
 
 
-def _greeting(names: Names, session_id: str) -> tuple[str, str]:
+def _greeting(hands: Sequence[_HandChannels], session_id: str) -> tuple[str, str]:
     """What every client hears first."""
-    topic = f"/glovetrack/{names.side}"
-    channels = (
-        Channel(ESTIMATE, topic, "glovetrack.Estimate", estimate_schema(names)),
-        Channel(SCENE, f"{topic}/scene", "foxglove.SceneUpdate", scene_schema()),
-    )
+    channels = [channel for hand in hands for channel in hand.channels()]
     return server_info("Glovetrack", session_id), advertise(channels)

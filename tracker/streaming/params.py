@@ -5,12 +5,12 @@ In a settings file it is the table ``[streams]``; on a command line ``--stream u
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, NamedTuple
 
 from tracker.errors import ConfigError
 from tracker.glove.model import GloveModel
@@ -87,55 +87,92 @@ def _with_port(params: StreamParams, name: str, port: str) -> StreamParams:
     return replace(params, **changed)
 
 
+class Worn(NamedTuple):
+    """A hand and the glove on it."""
+
+    hand: HandModel
+    glove: GloveModel
+
+    def names(self, joints: str) -> Names:
+        """Of the rows of its estimates."""
+        return Names.of(self.hand, self.glove, joints)
+
+
 def open_publishers(params: StreamParams, hand: HandModel, glove: GloveModel) -> list[Publisher]:
-    """The outputs that are on. Raises StreamError in words; what was opened is closed again."""
+    """The outputs that are on, of one hand. Raises StreamError in words; what was opened is closed
+    again."""
+    return [publishers[0] for publishers in open_for_hands(params, [Worn(hand, glove)])]
+
+
+def open_for_hands(params: StreamParams, worn: Sequence[Worn]) -> list[list[Publisher]]:
+    """Of each output that is on a publisher for each hand, in their order. Raises as
+    `open_publishers`."""
     if params.joints not in JOINT_SETS:
         raise StreamError(f"Joints can be {' or '.join(JOINT_SETS)}, not {params.joints!r}.")
-    names = Names.of(hand, glove, params.joints)
-    openers: list[tuple[bool, Callable[[], Publisher]]] = [
-        (params.udp, lambda: UdpPublisher(names, params.host, params.udp_port)),
-        (params.websocket, lambda: _websocket(params, names)),
-        (params.vmc, lambda: VmcPublisher(hand, params.host, params.vmc_port, names)),
-        (params.lsl, lambda: _lsl(params, names)),
-        (params.foxglove, lambda: _foxglove(params, names)),
-        (params.isaac, lambda: _isaac(params, Names.of(hand, glove, OPENXR))),
+    openers: list[tuple[bool, Callable[[StreamParams, Sequence[Worn]], Iterator[Publisher]]]] = [
+        (params.udp, _udp),
+        (params.websocket, _websocket),
+        (params.vmc, _vmc),
+        (params.lsl, _lsl),
+        (params.foxglove, _foxglove),
+        (params.isaac, _isaac),
     ]
-    out: list[Publisher] = []
+    out: list[list[Publisher]] = []
     try:
         for wanted, opener in openers:
             if wanted:
-                out.append(opener())
+                out.append([])
+                for publisher in opener(params, worn):
+                    out[-1].append(publisher)
     except StreamError:
-        for publisher in out:
+        for publisher in (p for publishers in out for p in publishers):
             publisher.close()
         raise
     return out
 
 
-def _websocket(params: StreamParams, names: Names) -> Publisher:
+def _udp(params: StreamParams, worn: Sequence[Worn]) -> Iterator[Publisher]:
+    for w in worn:
+        yield UdpPublisher(w.names(params.joints), params.host, params.udp_port)
+
+
+def _vmc(params: StreamParams, worn: Sequence[Worn]) -> Iterator[Publisher]:
+    for w in worn:
+        yield VmcPublisher(w.hand, params.host, params.vmc_port, w.names(params.joints))
+
+
+def _websocket(params: StreamParams, worn: Sequence[Worn]) -> Iterator[Publisher]:
     module = _optional("websocket", "WebSocket")
-    publisher: Publisher = module.WebSocketPublisher(names, params.host, params.websocket_port)
-    return publisher
+    first, *others = [w.names(params.joints) for w in worn]
+    server = module.WebSocketPublisher(first, params.host, params.websocket_port)
+    yield server
+    yield from map(server.beside, others)
 
 
-def _lsl(params: StreamParams, names: Names) -> Publisher:
-    publisher: Publisher = _optional("lsl", "LSL").LslPublisher(names, params.lsl_network)
-    return publisher
+def _lsl(params: StreamParams, worn: Sequence[Worn]) -> Iterator[Publisher]:
+    module = _optional("lsl", "LSL")
+    for w in worn:
+        yield module.LslPublisher(w.names(params.joints), params.lsl_network)
 
 
-def _foxglove(params: StreamParams, names: Names) -> Publisher:
+def _foxglove(params: StreamParams, worn: Sequence[Worn]) -> Iterator[Publisher]:
     module = _optional("foxglove_live", "Foxglove")
     origins = [o.strip() for o in params.foxglove_origins.split(",") if o.strip()]
-    publisher: Publisher = module.FoxglovePublisher(
-        names, params.host, params.foxglove_port, origins=origins
+    first, *others = [w.names(params.joints) for w in worn]
+    server = module.FoxglovePublisher(
+        first, params.host, params.foxglove_port, origins=origins, others=others
     )
-    return publisher
+    yield server
+    yield from map(server.beside, others)
 
 
-def _isaac(params: StreamParams, names: Names) -> Publisher:
+def _isaac(params: StreamParams, worn: Sequence[Worn]) -> Iterator[Publisher]:
     if not params.isaac_file:
         raise StreamError("The Isaac record needs a file: isaac:take.mcap.")
-    return IsaacPublisher(names, Path(params.isaac_file))
+    first, *others = [w.names(OPENXR) for w in worn]
+    record = IsaacPublisher(first, Path(params.isaac_file))
+    yield record
+    yield from map(record.beside, others)
 
 
 def _optional(module: str, words: str) -> ModuleType:

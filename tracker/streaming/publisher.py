@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -42,6 +43,20 @@ class Publisher(Protocol):
 
     def close(self) -> None:
         """Free what it holds. May be called again."""
+
+
+class OtherHand:
+    """Another hand through an output that is there for one: its estimates go to ``send``, and who
+    owns the output closes it."""
+
+    def __init__(self, name: str, send: Callable[[Estimate], None]) -> None:
+        self.name, self._send = name, send
+
+    def send(self, estimate: Estimate) -> None:
+        self._send(estimate)
+
+    def close(self) -> None:
+        """The owner's work."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""A WebSocket server that sends every client the newest estimate as JSON; see `payload`.
+"""A WebSocket server that sends every client the newest estimates as JSON; see `payload`.
 
 A client that reads slowly misses estimates instead of receiving old ones. Pages of other sites that
 a browser on this machine shows are turned away: a WebSocket is not held back by the same-origin
@@ -8,12 +8,14 @@ rule, so the server has to look at ``Origin`` itself (RFC 6455, 10.2).
 from __future__ import annotations
 
 import asyncio
+from functools import partial
 
 from websockets.asyncio.server import ServerConnection
 
+from tracker.gestures.recogniser import GestureRecogniser
 from tracker.messages import Estimate
 from tracker.streaming.payload import to_json
-from tracker.streaming.publisher import LOOPBACK, Names, StreamError
+from tracker.streaming.publisher import LOOPBACK, Names, OtherHand, StreamError
 from tracker.streaming.server_thread import LOCAL_PAGE, ServerThread
 
 DEFAULT_PORT = 9751
@@ -25,7 +27,7 @@ class WebSocketPublisher:
 
     def __init__(self, names: Names, host: str = LOOPBACK, port: int = DEFAULT_PORT) -> None:
         self._names, self._gestures = names, names.recogniser()
-        self._text: str | None = None
+        self._texts: dict[str, str] = {}  # the newest of each hand, by its side
         self._fresh = asyncio.Event()
         self._closing = False
         self._server = ServerThread(
@@ -40,10 +42,17 @@ class WebSocketPublisher:
         return self._server.connected
 
     def send(self, estimate: Estimate) -> None:
+        self._send(self._names, self._gestures, estimate)
+
+    def beside(self, names: Names) -> OtherHand:
+        """Another hand for the same clients."""
+        return OtherHand(self.name, partial(self._send, names, names.recogniser()))
+
+    def _send(self, names: Names, gestures: GestureRecogniser | None, estimate: Estimate) -> None:
         if self._closing:
             raise StreamError("the WebSocket server is closed")
         if self.clients:
-            self._server.call(self._show, to_json(estimate, self._names, self._gestures))
+            self._server.call(self._show, names.side, to_json(estimate, names, gestures))
 
     def close(self) -> None:
         self._closing = True
@@ -52,8 +61,8 @@ class WebSocketPublisher:
 
     # ---- in the server's own thread
 
-    def _show(self, text: str) -> None:
-        self._text = text
+    def _show(self, side: str, text: str) -> None:
+        self._texts[side] = text
         self._fresh_again()
 
     def _fresh_again(self) -> None:
@@ -61,12 +70,12 @@ class WebSocketPublisher:
         fresh.set()
 
     async def _feed(self, connection: ServerConnection) -> None:
-        """One client: the newest text, whenever it has taken the last one."""
-        sent = self._text
+        """One client: the newest text of each hand, whenever it has taken the last one."""
+        sent = dict(self._texts)
         while not self._closing:
-            text = self._text
-            if text is None or text is sent:
+            fresh = [side for side, text in self._texts.items() if text is not sent.get(side)]
+            if not fresh:
                 await self._fresh.wait()
-                continue
-            await connection.send(text)  # waits while the client is slow
-            sent = text
+            for side in fresh:
+                sent[side] = self._texts[side]
+                await connection.send(sent[side])  # waits while the client is slow

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -65,6 +66,12 @@ class RegionPrediction:
             return self
         return replace(self, v_G=(self.p_G - before.p_G) / since)
 
+    def at(self, t: float, hue_names: tuple[str, ...]) -> RegionPrediction:
+        """Moved on to ``t``, hues numbered as in ``hue_names``; they must be among them."""
+        hue = hue_rows(self.hue_names, hue_names)[self.hue]
+        p_G = self.p_G + (t - self.t) * self.v_G
+        return replace(self, t=t, p_G=p_G, hue=hue, hue_names=hue_names)
+
     def hints(
         self, rig: StereoRig, t: float, pose: CameraPose, hue_names: tuple[str, ...]
     ) -> tuple[DetectionHints, DetectionHints]:
@@ -81,6 +88,24 @@ class RegionPrediction:
             uv, radius, rows = seen_soon(markers, t - self.t, view)
             sides.append(DetectionHints(camera.unrectify(uv), radius, hue[rows]))
         return sides[0], sides[1]
+
+
+def together(predictions: Sequence[RegionPrediction]) -> RegionPrediction:
+    """Of several hands as of one, at the latest of their instants."""
+    if len(predictions) == 1:
+        return predictions[0]
+    t = max(p.t for p in predictions)
+    names = tuple(dict.fromkeys(name for p in predictions for name in p.hue_names))
+    moved = [p.at(t, names) for p in predictions]
+    return RegionPrediction(
+        t=t,
+        p_G=np.concatenate([p.p_G for p in moved]),
+        v_G=np.concatenate([p.v_G for p in moved]),
+        sd=np.concatenate([p.sd for p in moved]),
+        size=np.concatenate([p.size for p in moved]),
+        hue=np.concatenate([p.hue for p in moved]),
+        hue_names=names,
+    )
 
 
 @kernel

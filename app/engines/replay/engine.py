@@ -2,35 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from itertools import islice
 from pathlib import Path
 
-from app.engines.engine import EngineSetup, ReferenceHand
-from app.engines.replay.moment import ReplayMoment
-from app.engines.replay.references import References
+from app.engines.engine import EngineSetup, seen_from_main
+from app.engines.replay.hands import HandsInFile, holds
 from app.engines.replay.sights import first_sight
-from app.engines.replay.tell_markers import MarkerTeller
-from app.engines.replay.thread import ReplayThread, holds
+from app.engines.replay.thread import ReplayThread
 from app.engines.replay.transport import ReplayPlayer
 from app.engines.warm_up import warm_up_view
 from app.platform.tasks import JobProgress
 from resources import folder
-from tracker.applications.stage import ApplicationStage
 from tracker.errors import FileError, GlovetrackError
 from tracker.live.recording import Recorder
-from tracker.messages import (
-    BlobFrame,
-    Calibration,
-    Estimate,
-    Event,
-    FrameResult,
-    ImuSample,
-    Status,
-    StereoFrame,
-)
+from tracker.messages import Event
 from tracker.session.notes import standing
-from tracker.session.reader import SessionReader
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -41,23 +28,11 @@ class ReplayEngine:
     """A `LiveEngine` of a file; its ``player`` moves through it."""
 
     def __init__(self, path: Path) -> None:
-        self._reader = SessionReader(path)
-        self.info = self._reader.info
-        self._references = References(path, holds(self._reader, "/truth/"))
-        has_images = any("/image" in name for name in self._reader.topic_names)
-        glove, rig = self.info.glove, self.info.rig
-        teller = MarkerTeller(self.info.hand, glove, rig) if rig is not None else None
-        self._moment = ReplayMoment(len(glove.markers), has_images, teller)
+        self.hands = HandsInFile(path)
+        self._reader, self.info = self.hands.main, self.hands.main.info
         tracked = holds(self._reader, "/hand/")
-        self.player = ReplayPlayer(path, self._reader.duration, self._references, tracked)
-        self.stage = ApplicationStage(self.info.hand, self.info.glove)
-        self._thread = ReplayThread(
-            self._reader, self.player, self._moment, self._references, self.stage
-        )
-
-    @property
-    def has_truth(self) -> bool:
-        return self._references.has_truth
+        self.player = ReplayPlayer(path, self._reader.duration, self.hands.references, tracked)
+        self._thread = ReplayThread(self.hands, self.player)
 
     @property
     def start_t(self) -> float:
@@ -77,7 +52,7 @@ class ReplayEngine:
             messages = self._reader.messages((Event,))
             found += [m for m in islice(messages, MAX_EVENTS) if isinstance(m, Event)]
         except FileError as error:
-            self._moment.take(Event(0.0, "error", str(error)))
+            self.hands.tell(Event(0.0, "error", str(error)))
         where = self.player.clamped
         self.player.events = tuple((where(e.t - self.start_t), e) for e in standing(found))
         sight = first_sight(self._reader)
@@ -92,31 +67,10 @@ class ReplayEngine:
 
     def close(self) -> None:
         self.stop()
-        self.stage.close()
-        self._reader.close()
-        self._references.close()
-
-    def latest_estimate(self) -> Estimate | None:
-        return self._moment.estimate
-
-    def latest_frame(self) -> tuple[StereoFrame, BlobFrame, FrameResult] | None:
-        return self._moment.frame
-
-    def recent_imu(self) -> Sequence[ImuSample]:
-        return self._moment.imu()
-
-    def calibration(self) -> Calibration | None:
-        return self._moment.calibration
-
-    def status(self) -> Status:
-        return self._moment.status
+        self.hands.close()
 
     def take_events(self) -> list[Event]:
-        return self._moment.take_events()
-
-    def truth(self, _t: float) -> ReferenceHand | None:
-        """The simulated hand at the instant of the latest estimate."""
-        return self._references.true_hand
+        return self.hands.take_events()
 
     def set_profile(self, profile: ColourProfile) -> None:
         """A replay shows what was found when it was recorded."""
@@ -134,7 +88,7 @@ class ReplayEngine:
         self, text: str, t: float | None = None, data: Mapping[str, object] | None = None
     ) -> None:
         """Only the log has it: a file is not written to again."""
-        self._moment.take(Event(self.start_t + self.player.position, "note", text))
+        self.hands.tell(Event(self.start_t + self.player.position, "note", text))
 
 
 def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
@@ -151,18 +105,23 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
         raise
     default = (folder("colours") / "fabric-default.toml").read_text("utf-8")
     profile = parse_profile(info.colours_text or default, f"{path.name}, colours.toml")
-    return EngineSetup(
-        name=path.name,
-        engine=engine,
-        hand=info.hand,
-        glove=info.glove,
-        rig=rig or ideal_rig(),
-        camera_calibrated=rig is not None,
-        profile=profile,
-        anchor=info.anchor,
-        close=engine.close,
-        truth=engine.truth if engine.has_truth else None,
-        simulated=info.simulated,
-        player=engine.player,
-        stage=engine.stage,
-    )
+    setups = [
+        EngineSetup(
+            name=path.name,
+            engine=engine,
+            tracked=engine.hands.moments[seen.side],
+            hand=seen.hand,
+            glove=seen.glove,
+            rig=rig or ideal_rig(),
+            camera_calibrated=rig is not None,
+            profile=profile,
+            anchor=info.anchor,
+            close=engine.close,
+            truth=engine.hands.references[seen.side].truth(),
+            simulated=info.simulated,
+            player=engine.player,
+            stage=engine.hands.stages[seen.side],
+        )
+        for seen in info.hands
+    ]
+    return seen_from_main(setups)

@@ -26,7 +26,7 @@ LATE = 0.3  # s after which an image is shown without its blobs, and blobs witho
 
 
 class ReplayMoment:
-    """Taken by the replay's thread, read by the window's.
+    """One hand of a replay. Taken by the replay's thread, read by the window's.
 
     ``markers``: how many the glove has. ``has_images``: whether the file holds any, so that blobs
     wait for theirs. At one arrival time either may come first: images are packed by another process
@@ -37,10 +37,10 @@ class ReplayMoment:
     def __init__(self, markers: int, has_images: bool, teller: MarkerTeller | None = None) -> None:
         self._markers, self._has_images, self._teller = markers, has_images, teller
         self._hands: deque[Estimate] = deque(maxlen=HANDS)
-        self.estimate: Estimate | None = None
-        self.frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
-        self.calibration: Calibration | None = None
-        self.status = Status(0.0, Tracking.SEARCHING, {})
+        self._estimate: Estimate | None = None
+        self._frame: tuple[StereoFrame, BlobFrame, FrameResult] | None = None
+        self._calibration: Calibration | None = None
+        self._status = Status(0.0, Tracking.SEARCHING, {})
         self._events: deque[Event] = deque(maxlen=1000)
         self.forget()
 
@@ -60,16 +60,16 @@ class ReplayMoment:
             while self._imu[-1].t - self._imu[0].t > HISTORY_S:
                 self._imu.popleft()
         elif isinstance(message, Estimate):
-            self.estimate = message
+            self._estimate = message
             self._hands.append(message)
         elif isinstance(message, StereoFrame):
             self._take_image(message)
         elif isinstance(message, BlobFrame):
             self._take_blobs(message)
         elif isinstance(message, Calibration):
-            self.calibration = message
+            self._calibration = message
         elif isinstance(message, Status):
-            self.status = message
+            self._status = message
         elif isinstance(message, Event):
             self._events.append(message)
 
@@ -104,11 +104,27 @@ class ReplayMoment:
         if self._teller is not None:
             result = self._teller.tell(blobs, self._hands)
         else:
-            tracking = self.estimate.tracking if self.estimate else Tracking.SEARCHING
+            tracking = self._estimate.tracking if self._estimate else Tracking.SEARCHING
             result = FrameResult.nothing(blobs.t, tracking, self._markers)
-        self.frame = (image, blobs, result)
+        self._frame = (image, blobs, result)
 
-    def imu(self) -> Sequence[ImuSample]:
+    def latest_estimate(self) -> Estimate | None:
+        return self._estimate
+
+    def latest_frame(
+        self, t: float | None = None
+    ) -> tuple[StereoFrame, BlobFrame, FrameResult] | None:
+        """``t`` (s): only if it is the one of that exposure."""
+        frame = self._frame
+        return frame if t is None or (frame is not None and frame[0].t == t) else None
+
+    def calibration(self) -> Calibration | None:
+        return self._calibration
+
+    def status(self) -> Status:
+        return self._status
+
+    def recent_imu(self) -> Sequence[ImuSample]:
         """The samples of the last seconds."""
         return tuple(self._imu.copy())
 

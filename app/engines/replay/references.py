@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -21,11 +21,12 @@ CLOSE = 0.05  # s between two instants that still are the same one
 class ReferenceTrack:
     """Goes along with a replay through the estimates of a file, or through its truth.
 
-    ``shift``: s that its clock is ahead of the replay's, where it is of another movement.
+    ``side``: of the hand, in a file of both. ``shift``: s that its clock is ahead of the replay's,
+    where it is of another movement.
     """
 
-    def __init__(self, path: Path, truth: bool = False, shift: float = 0.0) -> None:
-        self._reader = SessionReader(path)
+    def __init__(self, path: Path, side: str = "", truth: bool = False, shift: float = 0.0) -> None:
+        self._reader = SessionReader(path, side=side)
         self._truth, self._shift = truth, shift
         info = self._reader.info
         self._rows = origin_rows(info.hand, info.glove)
@@ -75,25 +76,26 @@ def origin_rows(hand: HandModel, glove: GloveModel) -> list[int]:
 
 
 class References:
-    """Those of one replay; ``with_truth``: the file holds what the hand really did.
+    """Those of one hand of a replay; ``with_truth``: the file holds what it really did.
 
     `want` is the window's; the replay's own thread does the rest.
     """
 
-    def __init__(self, path: Path, with_truth: bool) -> None:
-        self._truth = ReferenceTrack(path, truth=True) if with_truth else None
+    def __init__(self, path: Path, side: str, with_truth: bool) -> None:
+        self._side = side
+        self._truth = ReferenceTrack(path, side, truth=True) if with_truth else None
         self._other: ReferenceTrack | None = None
         self._wanted: ReferenceTrack | None = None
         self.true_hand: ReferenceHand | None = None
         self.other_hand: ReferenceHand | None = None
 
-    @property
-    def has_truth(self) -> bool:
-        return self._truth is not None
+    def truth(self) -> Callable[[float], ReferenceHand | None] | None:
+        """What gives the true hand at the instant of the latest estimate; None without truth."""
+        return None if self._truth is None else lambda _t: self.true_hand
 
     def want(self, path: Path | None, shift: float = 0.0) -> None:
         """The tracking in ``path``, from the next `seek` on. Raises FileError in words."""
-        self._wanted = None if path is None else ReferenceTrack(path, shift=shift)
+        self._wanted = None if path is None else ReferenceTrack(path, self._side, shift=shift)
 
     def seek(self, t: float) -> None:
         """Begin anew at ``t`` s of the monotonic clock."""

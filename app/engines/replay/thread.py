@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import threading
 import time
-from collections import deque
 
-from app.engines.replay.moment import ReplayMoment
-from app.engines.replay.references import References
+from app.engines.replay.hands import HandsInFile, OfFile, holds
 from app.engines.replay.sights import sights
 from app.engines.replay.transport import Transport
-from tracker.applications.stage import ApplicationStage
 from tracker.errors import GlovetrackError
-from tracker.messages import Estimate, Event, Message
-from tracker.session.reader import SessionReader
+from tracker.messages import Estimate, Event
 
 IDLE_S = 0.03
 LEAD_IN_S = 0.12  # read before the position asked for: an image is older than its blobs
@@ -21,18 +17,11 @@ LOOK_BACK_S = (0.5, 2.0, 10.0)  # where the image before is looked for, nearest 
 
 
 class ReplayThread:
-    """Brings ``moment``, ``references`` and ``stage`` to where ``transport`` wants them."""
+    """Brings ``hands`` to where ``transport`` wants them."""
 
-    def __init__(
-        self,
-        reader: SessionReader,
-        transport: Transport,
-        moment: ReplayMoment,
-        references: References,
-        stage: ApplicationStage,
-    ) -> None:
-        self._reader, self._transport = reader, transport
-        self._moment, self._references, self._stage = moment, references, stage
+    def __init__(self, hands: HandsInFile, transport: Transport) -> None:
+        self._hands, self._transport = hands, transport
+        reader = hands.main
         self.start_t = reader.anchor.monotonic(reader.span_ns[0])
         self._thread: threading.Thread | None = None
         self._shown_at = 0.0  # where the image on screen stands
@@ -62,7 +51,7 @@ class ReplayThread:
                 self._play_from(start)
             except GlovetrackError as error:  # damaged here; elsewhere it may be whole
                 transport.playing = False
-                self._moment.take(Event(0.0, "error", str(error)))
+                self._hands.tell(Event(0.0, "error", str(error)))
 
     def _seek_back(self) -> None:
         """To the image that is ``steps_back`` before the one on screen."""
@@ -78,35 +67,33 @@ class ReplayThread:
 
     def _steps(self, begin: float, end: float) -> list[float]:
         """Where (s) one steps to between two times."""
+        reader = self._hands.main
         if self._has_blobs:
-            return sights(self._reader, begin, end)
-        return [_arrival(m) for m in self._reader.messages((Estimate,), start=begin, end=end)]
+            return sights(reader, begin, end)
+        found = reader.messages((Estimate,), start=begin, end=end)
+        return [OfFile("", m).arrival for m in found]
 
     def _play_from(self, start: float) -> None:
-        self._moment.forget()
-        self._stage.begin_anew()
+        self._hands.forget()
         self._transport.position, self._transport.images_due = start, 1
         begin = self.start_t + start - LEAD_IN_S
-        self._references.seek(begin)
-        for message in self._reader.messages(start=begin):
-            position = _arrival(message) - self.start_t
+        self._hands.seek(begin)
+        for read in self._hands.messages(start=begin):
+            position = read.arrival - self.start_t
             if position >= start and not self._wait_for(position):
                 return
-            self._take(message, position >= start)
+            self._take(read, position >= start)
         self._transport.end(self._transport.duration)
 
-    def _take(self, message: Message, due: bool) -> None:
+    def _take(self, read: OfFile, due: bool) -> None:
         """``due``: not of the time before the position that was asked for."""
-        before = self._moment.frame
-        if due or not isinstance(message, Event):
-            self._moment.take(message)
-        if isinstance(message, Estimate):
-            self._references.advance(message.t)
-            if due:
-                deque(self._stage.feed(message), maxlen=0)
-        shown = self._moment.frame is not before
-        if due and (shown if self._has_blobs else isinstance(message, Estimate)):
-            self._shown_at = _arrival(message) - self.start_t
+        before = self._hands.frame
+        if due or not isinstance(read.message, Event):
+            self._hands.take(read)
+        self._hands.advance(read, due)
+        shown = self._hands.frame is not before
+        if due and (shown if self._has_blobs else isinstance(read.message, Estimate)):
+            self._shown_at = read.arrival - self.start_t
             self._transport.images_due = max(0, self._transport.images_due - 1)
 
     def _wait_for(self, position: float) -> bool:
@@ -128,13 +115,3 @@ class ReplayThread:
                 passed = (time.monotonic() - before) * transport.speed
                 transport.position = min(position, transport.position + passed)
         return False
-
-
-def holds(reader: SessionReader, topic: str) -> bool:
-    """Whether there are blobs or keypoints under ``topic``."""
-    endings = ("/blobs", "/keypoints")
-    return any(n.startswith(topic) and n.endswith(endings) for n in reader.topic_names)
-
-
-def _arrival(message: Message) -> float:
-    return float(getattr(message, "t_arrival", message.t))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from app.engines.engine import ReferenceHand
@@ -73,9 +73,12 @@ class Transport:
 
 
 class ReplayPlayer(Transport):
-    """The `Player` of a replay: its transport, what happened in the file, and the hand beside."""
+    """The `Player` of a replay: its transport, what happened in the file, and the hands beside, by
+    their sides."""
 
-    def __init__(self, path: Path, duration: float, references: References, tracked: bool) -> None:
+    def __init__(
+        self, path: Path, duration: float, references: Mapping[str, References], tracked: bool
+    ) -> None:
         super().__init__(duration)
         self.path, self.tracked = path, tracked
         self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its position in s
@@ -86,8 +89,10 @@ class ReplayPlayer(Transport):
 
         ``shift``: s that its clock is ahead of this one's.
         """
-        self._references.want(path, shift)
+        for references in self._references.values():
+            references.want(path, shift)
         self.seek(self.position)
 
-    def reference(self) -> ReferenceHand | None:
-        return self._references.other_hand
+    def reference(self, side: str) -> ReferenceHand | None:
+        """The hand of that side in the other tracking."""
+        return self._references[side].other_hand

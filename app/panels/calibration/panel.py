@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Signal
@@ -21,6 +22,7 @@ from app.jobs.calibration_commands import CalibrationCommands
 from app.panels.calibration.table import CalibrationTable
 from app.panels.calibration.wearer_row import WearerRow
 from app.panels.panel import Panel
+from app.storage.bound_gloves import bound, with_bound
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerFile, WearerStore
 from app.viewmodels.calibration import camera_time
@@ -42,7 +44,9 @@ class CalibrationPanel(Panel):
         super().__init__(host, parent)
         self._store = store
         self._first: Path | None = None
-        self._worn = WornCalibration(WearerStore(store.path.parent / "wearers"))
+        self._wearers = WearerStore(store.path.parent / "wearers")
+        self._worn = WornCalibration(self._wearers)
+        self._worn_by: dict[str, WornCalibration] = {}  # of each hand, by its side
         self._link = CalibrationCommands(host, self)
         self._link.learned.connect(self._learned)
         self._make_widgets()
@@ -98,6 +102,7 @@ class CalibrationPanel(Panel):
         row.freeze.connect(self._link.freeze)
         row.compare.connect(lambda _on: self._draw())
         self.host.opened.connect(self._open)
+        self.host.hand_changed.connect(self._show_hand)
         self.host.engine_changed.connect(self._engine_changed)
         self.host.running_changed.connect(lambda _on: self._enable())
         self.host.closed.connect(self._enable)
@@ -111,50 +116,75 @@ class CalibrationPanel(Panel):
     # --- the wearer
 
     def _open(self, setup: EngineSetup) -> None:
-        """Put on what was worn last, before the engine starts."""
-        self._worn.open()
+        """Put on what was worn last, before the engine starts; on the hand that is shown last."""
         self.wearer.frozen.setChecked(False)
+        hands = [setup] if setup.other is None else [setup.other, setup]
+        self._worn_by = {hand.side: WornCalibration(self._wearers) for hand in hands}
         first, self._first = self._first, None
-        if first is not None and setup.command is not None:
-            self.take_in(first)
-            return
-        last = self._store.value.wearer
-        self.wearer.set_names(self._worn.names(), last)
-        if self.wearer.name and setup.command is not None:
-            self._put_on(last)
+        for hand in hands:
+            self._show_hand(hand)
+            if first is not None and hand is setup and setup.command is not None:
+                self.take_in(first)
+            elif self.wearer.name and hand.command is not None:
+                self._put_on(self.wearer.name, hand)
 
     def begin_with(self, profile: Path) -> None:
         """A profile that is kept and put on by whoever is tracked next."""
         self._first = profile
 
-    def _put_on(self, name: str) -> None:
-        layout = self._link.layout()
-        if layout is None:
-            return
+    def _show_hand(self, setup: EngineSetup) -> None:
+        """Who wears this glove, and what was learnt of the hand."""
+        self._worn = self._worn_by[setup.side]
+        self.wearer.set_names(self._worn.names(), self._last_wearer(setup))
+        self._draw()
+
+    def _last_wearer(self, setup: EngineSetup) -> str:
+        """Of a glove that is known again its own."""
+        settings = self._store.value
+        own = bound(settings, setup.glove_id)
+        if own is not None:
+            return own.wearer
+        return settings.left_wearer if _is_left_of_two(setup) else settings.wearer
+
+    def _remember(self, name: str) -> None:
+        """Whose calibration the hand that is shown has at the next start."""
+        setup, settings = self.host.setup, self._store.value
+        own = bound(settings, setup.glove_id) if setup is not None else None
+        if setup is not None and setup.glove_id is not None and own is not None:
+            own = replace(own, wearer=name)
+            self._store.update(gloves=with_bound(settings, setup.glove_id, own))
+        if setup is not None and _is_left_of_two(setup):
+            self._store.update(left_wearer=name)
+        else:
+            self._store.update(wearer=name)
+
+    def _put_on(self, name: str, setup: EngineSetup) -> None:
+        layout = self._link.layout_of(setup)
         try:
             self._worn.put_on(name, layout)
         except GlovetrackError as error:
             self.host.error.emit(str(error))
             self.wearer.set_names(self._worn.names(), "")
             return
-        self._give_profile(self._store.value.engine)
+        self._give_profile(self._store.value.engine, self._worn, setup.side)
 
-    def _give_profile(self, engine: str) -> None:
+    def _give_profile(self, engine: str, worn: WornCalibration, side: str) -> None:
         """What the wearer's profile holds, to an engine that can take it."""
-        if engine == PROFILE_ENGINE and self._worn.profile is not None:
-            self._link.put_on(self._worn.profile)
+        if engine == PROFILE_ENGINE and worn.profile is not None:
+            self._link.put_on(worn.profile, side)
 
     def _engine_changed(self, name: str) -> None:
         """A new engine knows nobody."""
         self.wearer.frozen.setChecked(False)
-        self._give_profile(name)
+        for side, worn in self._worn_by.items():
+            self._give_profile(name, worn, side)
 
     def wear(self, name: str) -> None:
         """Put on a kept profile; without a name somebody new wears the glove."""
-        self._store.update(wearer=name)
+        self._remember(name)
         self._worn.take_off()
-        if name:
-            self._put_on(name)
+        if name and self.host.setup is not None:
+            self._put_on(name, self.host.setup)
         else:
             self.reset(None)
         self.wearer.set_names(self._worn.names(), self.wearer.name)
@@ -195,7 +225,7 @@ class CalibrationPanel(Panel):
             self.host.error.emit(str(error))
             return
         if kept:
-            self._store.update(wearer=kept)
+            self._remember(kept)
             self.wearer.set_names(self._worn.names(), kept)
             self._draw()
 
@@ -205,7 +235,7 @@ class CalibrationPanel(Panel):
             self._worn.remove(name)
         except GlovetrackError as error:
             self.host.error.emit(str(error))
-        self._store.update(wearer="")
+        self._remember("")
         self.wearer.set_names(self._worn.names(), "")
 
     def reset(self, segments: list[str] | None) -> None:
@@ -233,3 +263,7 @@ class CalibrationPanel(Panel):
         self.overall.setValue(0 if share != share else round(100 * share))
         self.advice.setText(shown.advice)
         self.table.show_rows(shown.rows)
+
+
+def _is_left_of_two(setup: EngineSetup) -> bool:
+    return setup.other is not None and setup.side == "left"

@@ -9,15 +9,14 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.panels.hand.bodies import HandBodies
 from app.panels.hand.controls import HandControls
+from app.panels.hand.shown_hand import ShownHand
 from app.panels.hand.view_chooser import ViewChooser
 from app.panels.panel import Panel
 from app.platform.tasks import LatestJob, TaskOwner
 from app.storage.settings import SettingsStore
-from app.viewmodels.colours import hue_colours
 from app.viewmodels.gestures import ShownGestures
-from app.viewmodels.hand_scene import HandScene, HandSceneModel, followed, view_direction
+from app.viewmodels.hand_scene import HandScene, followed, view_direction
 from app.viewmodels.hand_skin import HandSkin
 from app.viewmodels.states import VALIDITY
 from app.widgets.measures import NEAR, WIDE
@@ -27,6 +26,8 @@ from tracker.messages import Shed, Validity
 
 FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 """From behind the hand and above it, as its owner sees it."""
+DISTANCE = {1: 0.42, 2: 0.75}
+"""Of the eye from one hand or from the middle of two, at the first look."""
 
 
 class HandPanel(Panel):
@@ -46,12 +47,9 @@ class HandPanel(Panel):
         self.chooser = ViewChooser(self.view, store, tasks, self)
         self.chooser.refused.connect(host.error)
         self.view.scene_changed.connect(self._make_bodies)
-        self._setup: EngineSetup | None = None
-        self._bodies: HandBodies | None = None
-        self._model: HandSceneModel | None = None
+        self._hands: list[ShownHand] = []  # the main one first
         self._gestures: ShownGestures | None = None
-        self._scene: HandScene | None = None
-        self._skin: HandSkin | None = None
+        self._found = False
         self._skins = LatestJob(self.tr("Making the hand's skin"), self)
         self._skins.failed.connect(host.error)
         self.controls = HandControls()
@@ -65,6 +63,7 @@ class HandPanel(Panel):
         column.addWidget(self.view, 1)
         column.addLayout(self._legend())
         host.opened.connect(self._open)
+        host.hand_changed.connect(self._open)
         host.closed.connect(self._clear)
 
     def title(self) -> str:
@@ -114,8 +113,8 @@ class HandPanel(Panel):
             self.host.error.emit(str(error))
 
     def _choose_trail(self, tip: str) -> None:
-        if self._model is not None:
-            self._model.set_trail(tip)
+        for hand in self._hands:
+            hand.model.set_trail(tip)
 
     # --- the engine
 
@@ -125,55 +124,65 @@ class HandPanel(Panel):
 
     def _open(self, setup: EngineSetup) -> None:
         self._clear()
-        self._setup = setup
-        self._model = HandSceneModel(setup)
+        self._hands = [ShownHand(setup, is_main=True)]
+        if setup.other is not None:
+            self._hands.append(ShownHand(setup.other, is_main=False))
         self._gestures = ShownGestures(setup)
-        self.controls.offer(self._model.tip_names, setup.reference_tracking is not None)
+        tips = self._hands[0].model.tip_names
+        self.controls.offer(tips, setup.reference_tracking is not None)
         self.controls.name_other(self.tr("truth") if setup.truth is not None else "")
         if self.controls.engine:
             self._choose_reference(self.controls.engine)
         self.view.orbit.look_from(FIRST_LOOK)
+        self.view.orbit.distance = DISTANCE[len(self._hands)]
         self._make_bodies()
-        self._make_skin(setup)
+        self._make_skins(self._hands)
 
-    def _make_skin(self, setup: EngineSetup) -> None:
-        """It takes a second, so beside the window."""
-        hand, glove = setup.hand, setup.glove
+    def _make_skins(self, hands: list[ShownHand]) -> None:
+        """They take a second each, so beside the window."""
+        models = [(hand.setup.hand, hand.setup.glove) for hand in hands]
 
-        def made(skin: HandSkin) -> None:
-            if self._setup is setup:
-                self._skin = skin
-                if self._bodies is not None:
-                    self._bodies.put_on(skin)
+        def made(skins: list[HandSkin]) -> None:
+            if self._hands is hands:
+                for hand, skin in zip(hands, skins, strict=True):
+                    hand.put_on(skin)
 
-        self._skins.run(lambda _progress: HandSkin(hand, glove), made)
+        self._skins.run(lambda _progress: [HandSkin(*model) for model in models], made)
 
     def _make_bodies(self) -> None:
         """Fill the scene of the view that draws now."""
-        self._bodies = None
-        if self._setup is not None and self.view.scene is not None:
-            colours = hue_colours(self._setup.profile)
-            self._bodies = HandBodies(self.view.scene, self._setup, colours)
-            if self._skin is not None:
-                self._bodies.put_on(self._skin)
+        for hand in self._hands:
+            hand.forget_bodies()
+            if self.view.scene is not None:
+                hand.make_bodies(self.view.scene)
 
     def _clear(self) -> None:
-        self._bodies = self._model = self._scene = self._setup = self._skin = None
-        self._skins.forget()
+        self._hands, self._found = [], False
         self._gestures = None
         self.gesture.setText("")
+        self._skins.forget()
         self.view.set_labels(())
         if self.view.scene is not None:
             self.view.scene.clear()
 
+    @property
+    def _scene(self) -> HandScene | None:
+        """Of the main hand, as it was drawn last."""
+        return self._hands[0].scene if self._hands else None
+
     def refresh(self, view: Snapshot | None) -> None:
-        show, scene = self.controls.shown(), None
+        show = self.controls.shown()
         if self._gestures is not None and view is not None:
             self.gesture.setText(self._gestures.line(view.estimate))
-        if self._model is not None and view is not None:
-            scene = self._model.scene(view, show.reference)
-        if scene is None or self._bodies is None:
-            player = self._setup.player if self._setup is not None else None
+        seen = {hand.setup.side: hand for hand in view.hands} if view is not None else {}
+        looks = [
+            hand.look(seen[hand.setup.side], show)
+            for hand in self._hands
+            if hand.setup.side in seen
+        ]
+        scenes = [scene for scene in looks if scene is not None]
+        if not scenes:
+            player = self._hands[0].setup.player if self._hands else None
             if player is not None and not player.tracked:
                 self.view.caption = self.tr("Not tracked yet: Replay, Track again")
             else:
@@ -181,16 +190,16 @@ class HandPanel(Panel):
             self.view.render_scene()
             return
         orbit = self.view.orbit
-        orbit.target = followed(orbit.target, scene, found_before=self._scene is not None)
-        self._scene = scene
-        self.view.caption = scene.caption
-        self.view.set_labels(self._bodies.update_ground(scene))
-        self._bodies.update(scene, show, orbit)
+        orbit.target = followed(orbit.target, scenes, self._found)
+        self._found = True
+        self.view.caption = " · ".join(dict.fromkeys(s.caption for s in scenes if s.caption))
+        labels = [label for hand in self._hands for label in hand.draw(show, orbit)]
+        self.view.set_labels(labels)
         self.view.render_scene()
         self.chooser.drawn()
 
     def shut_down(self) -> None:
-        self._bodies = None
+        self._hands = []
         self._skins.shut_down()
         self.chooser.shut_down()
         self.view.shut_down()

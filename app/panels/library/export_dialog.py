@@ -89,7 +89,6 @@ class ExportDialog(QDialog):
         self.rate.setSpecialValueText(self.tr("as recorded"))
         self.axes = self._choice(AXES_NAMES)
         self.units = self._choice(tuple(UNITS))
-        self.openxr = QCheckBox(self.tr("OpenXR's 26 in place of ours, where a format has points"))
         self.anonymous = QCheckBox(self.tr("without participant and notes"))
         self._make_dataset_fields()
 
@@ -122,7 +121,6 @@ class ExportDialog(QDialog):
         form.addRow(self.tr("R&ate"), self.rate)
         form.addRow(self.tr("A&xes"), self.axes)
         form.addRow(self.tr("&Units"), self.units)
-        form.addRow(self.tr("&Joints"), self.openxr)
         form.addRow(self.tr("&Privacy"), self.anonymous)
         form.addRow(self.tr("&Task"), self.task)
         form.addRow(self.tr("&Episodes"), self.split)
@@ -169,7 +167,6 @@ class ExportDialog(QDialog):
             anonymous=self.anonymous.isChecked(),
             task=self.task.text(),
             split=self.split.isChecked(),
-            openxr=self.openxr.isChecked(),
         )
 
     def show_choice(self, choice: ExportChoice) -> None:
@@ -183,7 +180,6 @@ class ExportDialog(QDialog):
         self.anonymous.setChecked(choice.anonymous)
         self.task.setText(choice.task)
         self.split.setChecked(choice.split)
-        self.openxr.setChecked(choice.openxr)
 
     # --- the export
 

@@ -63,6 +63,7 @@ class MotionPanel(Panel):
         column.addWidget(both, 1)
         column.addWidget(self.said)
         host.opened.connect(self._open)
+        host.hand_changed.connect(self._open)
         host.closed.connect(self._clear)
         self._clear()
 

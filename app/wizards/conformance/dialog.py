@@ -108,7 +108,7 @@ class ConformanceDialog(QDialog):
         if cue.beat not in (0, self._beat) and self.lead.sound.isChecked():
             QApplication.beep()
         self._beat = cue.beat
-        self.lead.show_run(self.run, self._setup.engine.latest_estimate())
+        self.lead.show_run(self.run, self._setup.tracked.latest_estimate())
 
     def _end_take(self) -> None:
         request = self._host.recording.request

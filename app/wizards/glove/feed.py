@@ -52,7 +52,7 @@ class SessionFeed:
 
     def recent(self) -> Sequence[ImuSample]:
         setup = self._host.setup
-        return setup.engine.recent_imu() if setup is not None else ()
+        return setup.tracked.recent_imu() if setup is not None else ()
 
     def ask(self, part: str) -> None:
         """A real wearer reads it."""

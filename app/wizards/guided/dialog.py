@@ -43,7 +43,7 @@ class GuidedDialog(QDialog):
         self._host, self._setup, self._store = host, setup, store
         self._before: WearerNow | None = None
         self._outcomes = 0
-        judge = LiveJudge(setup.engine.latest_estimate, setup.hand, monotonic)
+        judge = LiveJudge(setup.tracked.latest_estimate, setup.hand, monotonic)
         self.run = GuidedRun(guide, judge)
         self.lead, self.outcome = LeadPage(setup, background), GuidedResultPage()
         self.lead.sound.setChecked(store.value.guided_sound)
@@ -108,7 +108,7 @@ class GuidedDialog(QDialog):
         if held > self._outcomes and self.lead.sound.isChecked():
             QApplication.beep()
         self._outcomes = held
-        self.lead.show_run(self.run, now, self._setup.engine.latest_estimate())
+        self.lead.show_run(self.run, now, self._setup.tracked.latest_estimate())
 
     def _finish(self) -> None:
         self.pages.setCurrentWidget(self.outcome)

@@ -40,7 +40,7 @@ class SessionImages:
         setup = self.host.setup
         if setup is None:
             raise DeviceError(tr("The camera in use was closed: start glove and camera again."))
-        latest = setup.engine.latest_frame()
+        latest = setup.tracked.latest_frame()
         if latest is None or latest[0].index == self._last:
             return None
         frame = latest[0]

@@ -28,6 +28,7 @@ from tracker.session.recording.wire import (
     Ended,
     Failed,
     Item,
+    OfHand,
     PackedState,
     Sink,
 )
@@ -162,6 +163,8 @@ class _Recording:
                 self._readers[item.number] = SlotReader(item)
             case PackedState():
                 self._recorder.write_state(item.t, item.data)
+            case OfHand():
+                self._sink.write(item.message, side=item.side)
             case _:
                 self._sink.write(item)
 

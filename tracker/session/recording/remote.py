@@ -11,7 +11,7 @@ from tracker.errors import GlovetrackError
 from tracker.messages import EngineState, Message, StereoFrame
 from tracker.session import engine_state
 from tracker.session.recording.image_slots import ImageSlots, bytes_of
-from tracker.session.recording.wire import Item, PackedState
+from tracker.session.recording.wire import Item, OfHand, PackedState
 
 
 class Process(Protocol):
@@ -55,9 +55,9 @@ class RemoteRecorder:
         """Of the process that writes."""
         return self._process.pid
 
-    def write(self, message: Message, overloaded: bool = False) -> bool:
+    def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool:
         """Take one message; False where it is an image that there is no room for."""
-        item: Item | None = message
+        item: Item | None = OfHand(side, message) if side else message
         if isinstance(message, StereoFrame):
             item = None if overloaded else self._image(message)
         elif isinstance(message, EngineState):

@@ -21,7 +21,7 @@ from tracker.session.writer import RecorderParams, SessionRecorder
 class Sink(Protocol):
     """Takes messages; a `SessionRecorder`, or something around one."""
 
-    def write(self, message: Message, overloaded: bool = False) -> bool: ...
+    def write(self, message: Message, overloaded: bool = False, side: str = "") -> bool: ...
 
     def close(self) -> None: ...
 
@@ -33,7 +33,14 @@ class PackedState(NamedTuple):
     data: bytes
 
 
-Item = Message | ImageInSlot | SlotsOpened | PackedState
+class OfHand(NamedTuple):
+    """A message of the hand of this side."""
+
+    side: str
+    message: Message
+
+
+Item = Message | OfHand | ImageInSlot | SlotsOpened | PackedState
 
 
 @dataclass(frozen=True)

@@ -51,12 +51,20 @@ class Told:
         return next((r for r in self.rows if r.measure.name == name), None)
 
 
-def tell(path: Path, anonymous: bool = False) -> Told:
-    """Raises FileError where the session holds no estimates."""
+def tell_hands(path: Path, anonymous: bool = False) -> list[Told]:
+    """`tell` of each hand that the session is of."""
     with SessionReader(path) as reader:
+        sides = reader.sides or ("",)
+    return [tell(path, anonymous, side) for side in sides]
+
+
+def tell(path: Path, anonymous: bool = False, side: str = "") -> Told:
+    """Of the hand of that side, in a session of both. Raises FileError where the session holds no
+    estimates."""
+    with SessionReader(path, side=side) as reader:
         take, info = read_take(reader), reader.info
     return Told(
-        name="" if anonymous else path.stem,
+        name="" if anonymous else f"{path.stem} {side}".strip(),
         wearer="" if anonymous else info.participant,
         side=info.side,
         engine=info.engine,

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tracker.errors import ConfigError
 from tracker.files import check_target, whole_files
-from tracker.session.report.measure import Told, tell
+from tracker.session.report.measure import Told, tell_hands
 
 SVG_HEAD = '<?xml version="1.0" encoding="utf-8"?>\n'
 
@@ -32,7 +32,7 @@ def write_report(
     takes = []
     for k, path in enumerate(sessions):
         watch(k / len(sessions))
-        takes.append(tell(path, anonymous))
+        takes += tell_hands(path, anonymous)
     from tracker.session.report.figures import all_figures, png, svg
     from tracker.session.report.page import page
     from tracker.session.report.table import table

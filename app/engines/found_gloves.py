@@ -1,0 +1,143 @@
+"""The gloves that are plugged in, and whose each is: of one hand or of both."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from app.platform.tasks import JobProgress
+from app.storage.bound_gloves import as_bound, bound, bound_of
+from app.storage.settings import AppSettings
+from app.words import tr
+from tracker import library
+from tracker.errors import DeviceError
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
+from tracker.sensors.glove_link import GloveLink, LinkParams
+from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.protocol import BAUD, BAUDS
+
+
+@dataclass(frozen=True)
+class WornGlove:
+    """A glove, there (``report``) or expected, by its files' names; ``glove_id`` None where it told
+    no number."""
+
+    glove_name: str
+    hand_name: str
+    hand: HandModel
+    glove: GloveModel
+    report: PortReport | None
+    glove_id: int | None
+
+    @property
+    def side(self) -> str:
+        return self.glove.side
+
+    def link(self) -> GloveLink:
+        """To where it is; one that is not there is looked for until it comes."""
+        path, baud = (self.report.path, self.report.baud) if self.report else ("", BAUD)
+        place = GlovePort(path, baud, glove_id=self.glove_id)
+        return GloveLink(place, len(self.glove.imus), LinkParams(baud=baud))
+
+
+@dataclass(frozen=True)
+class GlovesFound:
+    """At most one for each side, those that are there first; ``words`` say what is not as usual."""
+
+    gloves: tuple[WornGlove, ...]
+    words: tuple[str, ...]
+
+
+def find_worn(progress: JobProgress, settings: AppSettings) -> GlovesFound:
+    """Look for the gloves. Where both hands' were set up both are looked for, else the first one
+    that answers does. Raises DeviceError if none is there."""
+    both = settings.both_hands or len(set(bound_sides(settings))) > 1
+    reports, troubles = ask_ports(progress, settings.port, settings.baud, not both)
+    if not reports:
+        raise DeviceError(_none(troubles))
+    found, words = _worn(settings, reports)
+    if settings.both_hands:
+        found += _expected(settings, found)
+    return GlovesFound(tuple(found), tuple(words))
+
+
+def bound_sides(settings: AppSettings) -> list[str]:
+    """Of all gloves that were set up."""
+    known = (bound(settings, int(number)) for number in settings.gloves if number.isdecimal())
+    return [glove.side for glove in known if glove is not None]
+
+
+def ask_ports(
+    progress: JobProgress, last: str, baud: int = 0, first_only: bool = True
+) -> tuple[list[PortReport], list[str]]:
+    """Ports with a glove behind them, the last one used first; and why others have none.
+
+    They are asked at ``baud``, or at all that a glove may speak.
+    """
+    # one that is not on USB is on no list, and was chosen by hand
+    ports = [*([last] if last else []), *(p for p in serial_ports() if p != last)]
+    reports, troubles = [], []
+    for i, path in enumerate(ports):
+        progress(0.4 * i / len(ports), path)
+        report = find_gloves([path], bauds=(baud,) if baud else BAUDS)[0]
+        if not report.is_glove:
+            troubles.append(report.trouble)
+            continue
+        reports.append(report)
+        if first_only:
+            break
+    return reports, troubles
+
+
+def _none(troubles: Sequence[str]) -> str:
+    if not troubles:
+        return tr("No glove was found: no USB serial port is there. Is it plugged in?")
+    return tr("No glove was found. {}").format(" ".join(troubles))
+
+
+def _worn(
+    settings: AppSettings, reports: Sequence[PortReport]
+) -> tuple[list[WornGlove], list[str]]:
+    """A glove for each side, and sentences about files that were recalled and gloves too many."""
+    found: list[WornGlove] = []
+    words: list[str] = []
+    for report in reports:
+        number = report.hello.glove_id if report.hello else None
+        if found and bound(settings, number) is None:
+            text = tr("Glove {} at {} is new: choose its hand under Set-up, Glove.")
+            words.append(text.format("–" if number is None else number, report.path))
+            continue
+        own, recalled = as_bound(settings, number)
+        glove = _loaded(own.glove, own.hand, report, number)
+        if glove.side in {other.side for other in found}:
+            text = tr("Glove {} at {} is of the {} hand too, of which there is one already.")
+            words.append(text.format(number, report.path, _side(glove.side)))
+            continue
+        found.append(glove)
+        words += [recalled] if recalled and len(reports) == 1 else []
+    return found, words
+
+
+def _expected(settings: AppSettings, found: Sequence[WornGlove]) -> list[WornGlove]:
+    """The glove of the other hand, which is not there yet."""
+    if len(found) != 1:
+        return []
+    other = "left" if found[0].side == "right" else "right"
+    known = bound_of(settings, other)
+    if known is None:
+        return []
+    number, glove = known
+    return [_loaded(glove.glove, glove.hand, None, number)]
+
+
+def _loaded(
+    glove_name: str, hand_name: str, report: PortReport | None, number: int | None
+) -> WornGlove:
+    hand, glove = library.load(glove_name, hand_name)
+    return WornGlove(glove_name, hand_name, hand, glove, report, number)
+
+
+def _side(side: str) -> str:
+    return tr("left") if side == "left" else tr("right")

@@ -1,0 +1,135 @@
+"""The hands of a session file: each read by its own reader, their messages in one order."""
+
+from __future__ import annotations
+
+import heapq
+from collections import deque
+from collections.abc import Collection, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from app.engines.replay.moment import ReplayMoment
+from app.engines.replay.references import References
+from app.engines.replay.tell_markers import MarkerTeller
+from tracker.applications.stage import ApplicationStage
+from tracker.messages import Calibration, Estimate, Event, ImuSample, Message, Status
+from tracker.session.decode import MESSAGE_KINDS
+from tracker.session.reader import SessionReader
+
+OF_A_HAND = (ImuSample, Estimate, Calibration, Status)
+"""Kinds of messages that are of one hand; all others are of the take."""
+
+
+class OfFile(NamedTuple):
+    """A message, and the side of the hand that it was read with."""
+
+    side: str
+    message: Message
+
+    @property
+    def arrival(self) -> float:
+        """When it was fed, s."""
+        return float(getattr(self.message, "t_arrival", self.message.t))
+
+
+class HandsInFile:
+    """Of one hand or of two. ``main`` reads the one that is shown first, and what is of no hand.
+
+    ``moments``, ``references`` and ``stages`` are by side. Raises FileError where it is unreadable.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.main = SessionReader(path)
+        info = self.main.info
+        self._others = [SessionReader(path, side=info.other.side)] if info.other else []
+        readers = (self.main, *self._others)
+        has_images = any("/image" in name for name in self.main.topic_names)
+        self.moments = {
+            r.info.side: ReplayMoment(len(r.info.glove.markers), has_images, _teller(r))
+            for r in readers
+        }
+        self.stages = {r.info.side: ApplicationStage(r.info.hand, r.info.glove) for r in readers}
+        self.references = {
+            r.info.side: References(path, r.info.side, holds(r, f"/truth/{r.info.side}/"))
+            for r in readers
+        }
+
+    def messages(
+        self,
+        kinds: Collection[type] = MESSAGE_KINDS,
+        start: float | None = None,
+        end: float | None = None,
+    ) -> Iterator[OfFile]:
+        """As those of `SessionReader.messages`, of all hands."""
+        own = tuple(kind for kind in kinds if kind in OF_A_HAND)
+        streams = [_sided(self.main, kinds, start, end)]
+        streams += [_sided(other, own, start, end) for other in self._others if own]
+        return heapq.merge(*streams, key=lambda m: m.arrival) if self._others else streams[0]
+
+    @property
+    def frame(self) -> object:
+        """What is shown of the cameras, to be compared with what was shown before."""
+        return self.moments[self.main.info.side].latest_frame()
+
+    def take(self, read: OfFile) -> None:
+        """Show a message with its hand, or with all."""
+        if isinstance(read.message, OF_A_HAND):
+            self.moments[read.side].take(read.message)
+            return
+        for moment in self.moments.values():
+            moment.take(read.message)
+
+    def forget(self) -> None:
+        """See `ReplayMoment.forget`; applications begin anew."""
+        for moment in self.moments.values():
+            moment.forget()
+        for stage in self.stages.values():
+            stage.begin_anew()
+
+    def advance(self, read: OfFile, due: bool) -> None:
+        """The hands beside, and applications if that is ``due``, to an estimate."""
+        message = read.message
+        if isinstance(message, Estimate):
+            self.references[read.side].advance(message.t)
+            if due:
+                deque(self.stages[read.side].feed(message), maxlen=0)
+
+    def tell(self, event: Event) -> None:
+        """An event of the window's."""
+        self.take(OfFile("", event))
+
+    def take_events(self) -> list[Event]:
+        """Those since the last call: all moments have the same."""
+        first, *_ = [moment.take_events() for moment in self.moments.values()]
+        return first
+
+    def seek(self, t: float) -> None:
+        """Begin anew with the hands beside, at ``t`` s of the monotonic clock."""
+        for references in self.references.values():
+            references.seek(t)
+
+    def close(self) -> None:
+        for reader in (self.main, *self._others):
+            reader.close()
+        for references in self.references.values():
+            references.close()
+        for stage in self.stages.values():
+            stage.close()
+
+
+def _teller(reader: SessionReader) -> MarkerTeller | None:
+    info = reader.info
+    return MarkerTeller(info.hand, info.glove, info.rig) if info.rig is not None else None
+
+
+def _sided(
+    reader: SessionReader, kinds: Collection[type], start: float | None, end: float | None
+) -> Iterator[OfFile]:
+    for message in reader.messages(kinds, start, end):
+        yield OfFile(reader.info.side, message)
+
+
+def holds(reader: SessionReader, topic: str) -> bool:
+    """Whether there are blobs or keypoints under ``topic``."""
+    endings = ("/blobs", "/keypoints")
+    return any(n.startswith(topic) and n.endswith(endings) for n in reader.topic_names)

@@ -1,0 +1,186 @@
+"""Two hands in the window: replayed from a session, and on two gloves that come and go."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from functools import partial
+
+import pytest
+
+from app.engines.engine import RecordingRequest
+from app.storage.bound_gloves import BoundGlove, with_bound
+from app.storage.settings import AppSettings
+from app.viewmodels.camera_overlay import Layers, overlay
+from app.viewmodels.colours import hue_colours
+from tracker import library
+from tracker.offline.options import TrackOptions
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
+from tracker.sensors.glove_port import GlovePort
+from tracker.sensors.serial_line import UsbPort
+from tracker.session.verify import is_ok, verify
+from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
+from tracker.simulation.wiggles import PlayAlong
+
+BOUND = {
+    11: BoundGlove("right", "vist-small", "reference-right"),
+    22: BoundGlove("left", "vist-small-left", "reference-left"),
+}
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory):
+    """Two simulated hands, tracked, with what the sensors gave."""
+    folder = tmp_path_factory.mktemp("both")
+    options = SimulateOptions(hands="both", seed=3, duration=2.5, fps=30.0, images=False)
+    simulate(folder / "both.mcap", options)
+    track(folder / "both.mcap", folder / "tracked.mcap", TrackOptions(with_sensors=True))
+    return folder / "tracked.mcap"
+
+
+@pytest.fixture
+def replay(window, session, qtbot):
+    """Paused where both hands are tracked."""
+    window.sources.open_session(session)
+    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    player = window.host.setup.player
+    player.play(False)
+    player.seek(2.0)
+    qtbot.waitUntil(lambda: all(known(hand, 1.8) for hand in looks(window)), timeout=30_000)
+    return window
+
+
+def looks(window):
+    view = window.host.snapshot()
+    return view.hands if view is not None else ()
+
+
+def known(hand, since: float) -> bool:
+    t, start = hand.estimate, hand.setup.engine.start_t
+    return t is not None and t.t - start > since and hand.frame is not None
+
+
+def test_a_session_of_both_is_seen_whole(replay, qtbot):
+    left, right = looks(replay)
+    assert [left.setup.side, right.setup.side] == ["left", "right"]
+    assert len(left.imu) > 5 and len(right.imu) > 5
+    assert (left.imu[0].gyro != right.imu[0].gyro).all()
+    qtbot.waitUntil(lambda: len(replay.hand._hands) == 2, timeout=10_000)
+    qtbot.waitUntil(lambda: all(h.scene and h.skin for h in replay.hand._hands), timeout=60_000)
+    for hand in replay.hand._hands:
+        view = next(v for v in (left, right) if v.setup.side == hand.setup.side)
+        assert abs(hand.scene.segment_p[0] - view.estimate.segment_p[0]).max() < 0.05
+        assert hand.bodies._hand.shown
+    view = replay.host.snapshot()
+    only = Layers(False, False, False, False, False, skeleton=True)
+    colours = hue_colours(view.setup.profile)
+    alone = [len(overlay(replace(h, other=None), only, colours, False)) for h in view.hands]
+    assert len(overlay(view, only, colours, False)) == sum(alone) and min(alone) > 15
+    qtbot.waitUntil(lambda: replay.bar.other_hand.isVisible(), timeout=10_000)
+    assert replay.bar.tracking.text().startswith("Right: ")
+    assert replay.bar.other_hand.text().startswith("Left: ")
+
+
+def test_panels_of_one_hand_show_the_one_that_is_asked_for(replay, qtbot):
+    assert replay.host.setup.side == "right"
+    replay.run_command("hand_left")
+    assert replay.host.setup.side == "left" and replay.host.setup.other.side == "right"
+    assert replay.motion.model is not None
+    assert replay.hand._hands[0].setup.side == "left"
+    view = replay.host.snapshot()
+    assert view.setup.side == "left" and view.estimate.t == view.hands[0].estimate.t
+    replay.run_command("hand_right")
+    assert replay.host.setup.side == "right"
+
+
+@pytest.fixture
+def gloves():
+    """Two worn gloves on pseudo-terminals, by their numbers."""
+    made = {}
+    for number, known_as in BOUND.items():
+        hand, glove = library.load(known_as.glove, known_as.hand)
+        made[number] = SimulatedGlove(
+            PlayAlong(hand, glove).samples(),
+            len(glove.imus),
+            time.monotonic(),
+            GloveDeviceParams(glove_id=number),
+        )
+    yield made
+    for device in made.values():
+        device.stop()
+
+
+@pytest.fixture
+def two_gloves(window, qtbot, store, gloves, monkeypatch):
+    """The window with two known gloves plugged in as USB adapters of one kind, and no camera."""
+    plugged = set(gloves)
+
+    def ports() -> list[UsbPort]:
+        return [UsbPort(gloves[n].path, 1, 2, None) for n in sorted(plugged)]
+
+    monkeypatch.setattr("app.engines.camera_choice.all_cameras", list)
+    monkeypatch.setattr("app.engines.found_gloves.serial_ports", lambda: [p.path for p in ports()])
+    monkeypatch.setattr("app.engines.found_gloves.GlovePort", partial(GlovePort, ports=ports))
+    settings = AppSettings()
+    for number, known_as in BOUND.items():
+        settings = AppSettings(gloves=with_bound(settings, number, known_as))
+    store.update(port="", camera="", calibration="", gloves=settings.gloves)
+    return plugged
+
+
+def opened(window, qtbot):
+    window.sources.open_devices()
+    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+
+
+def newest(window, side: str) -> float:
+    """Instant (s) of the last packet of that hand's glove."""
+    hand = next((hand for hand in looks(window) if hand.setup.side == side), None)
+    return hand.imu[-1].t if hand is not None and hand.imu else 0.0
+
+
+def goes_on(window, qtbot, side: str) -> None:
+    """New packets of that glove come."""
+    since = newest(window, side)
+    qtbot.waitUntil(lambda: newest(window, side) > since + 0.3, timeout=90_000)
+
+
+def told(window, text: str) -> int:
+    """How often the log has a sentence."""
+    items = (window.log.list.item(i).text() for i in range(window.log.list.count()))
+    return sum(text in item for item in items)
+
+
+def test_gloves_are_unplugged_and_plugged_in_any_order(window, qtbot, gloves, two_gloves, tmp_path):
+    opened(window, qtbot)
+    sides = {hand.setup.glove_id: hand.setup.side for hand in looks(window)}
+    assert sides == {11: "right", 22: "left"}
+    assert window.store.value.both_hands
+    for side in ("left", "right"):
+        goes_on(window, qtbot, side)
+    path = tmp_path / "both.mcap"
+    assert window.host.record(RecordingRequest(path, "", ""))
+    for number, side, other in ((22, "left", "right"), (11, "right", "left")):
+        two_gloves.discard(number)
+        gloves[number].unplug()
+        away = f"{side.capitalize()} glove: The glove was unplugged"
+        qtbot.waitUntil(lambda text=away: told(window, text) == 1, timeout=90_000)
+        goes_on(window, qtbot, other)
+        gloves[number].plug()
+        two_gloves.add(number)
+        goes_on(window, qtbot, side)
+    window.host.stop()
+    window.host.recording.wait()
+    assert is_ok(verify(path))
+
+
+def test_the_other_hands_glove_is_taken_up_when_it_comes(window, qtbot, gloves, two_gloves, store):
+    store.update(both_hands=True)
+    two_gloves.discard(22)
+    opened(window, qtbot)
+    goes_on(window, qtbot, "right")
+    assert newest(window, "left") == 0.0
+    two_gloves.add(22)
+    goes_on(window, qtbot, "left")
+    goes_on(window, qtbot, "right")

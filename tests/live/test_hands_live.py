@@ -1,0 +1,145 @@
+"""Two hands in one live loop, without threads: tracked, recorded, and one that comes and goes."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.test_two_hands import simulated, two
+from tracker.clock import ClockAnchor
+from tracker.config import to_toml
+from tracker.library import text
+from tracker.live.inbox import DetectedFrame, GuidedCommand
+from tracker.live.journal import Journal
+from tracker.live.loop import LiveLoop
+from tracker.live.telemetry import Telemetry
+from tracker.messages import Estimate, ImuSample, StereoFrame, Tracking
+from tracker.offline.track import track
+from tracker.session.description import describe, of_hands
+from tracker.session.reader import SessionReader
+from tracker.session.verify import is_ok, verify
+from tracker.session.writer import SessionRecorder
+from tracker.simulation.two_hands import Sided as Simulated
+from tracker.simulation.two_hands import TwoHandsSimulation
+from tracker.two_hands import Sided
+
+SIDES = ("left", "right")
+FILES = {
+    "left": ("reference-left", "vist-small-left"),
+    "right": ("reference-right", "vist-small"),
+}
+START = 100.0  # s of the clock at the simulation's beginning
+
+
+class Live:
+    """A loop on a simulation, driven message by message."""
+
+    def __init__(self, sim: TwoHandsSimulation) -> None:
+        self.sim, self.now = sim, 0.0
+        self.journal = Journal(lambda: self.now)
+        self.loop = LiveLoop(two(sim), self.journal, Telemetry(), lambda: self.now)
+
+    def feed(self, sided: Simulated) -> None:
+        side, message = sided
+        self.now = max(self.now, message.t_arrival)
+        if isinstance(message, ImuSample):
+            self.loop.feed(Sided(message, side))
+        else:
+            image = StereoFrame(message.t, message.t_arrival, None, None)
+            self.loop.feed(DetectedFrame(image, message))
+
+    def record(self, path: Path) -> None:
+        settings = next(iter(self.loop.hands.pipelines.values())).settings
+        anchor = ClockAnchor(10**18, 0).at(self.now)
+        infos = [
+            describe(
+                text("hands", FILES[side][0]),
+                text("gloves", FILES[side][1]),
+                anchor,
+                rig=self.sim.rig,
+                settings_text=to_toml(settings),
+            )
+            for side in SIDES
+        ]
+        self.loop.set_recorder(SessionRecorder(path, of_hands(infos)))
+
+
+def keypoints(path: Path, side: str) -> np.ndarray:
+    """(n, K, 3) m of each estimate of a hand."""
+    with SessionReader(path, side=side) as reader:
+        return np.array([m.keypoints for m in reader.messages((Estimate,))])
+
+
+@pytest.fixture(scope="module")
+def sim() -> TwoHandsSimulation:
+    return simulated(3, 3.0)
+
+
+def test_a_live_recording_of_both_is_tracked_again_to_the_same_bits(tmp_path, sim) -> None:
+    live, path = Live(sim), tmp_path / "live.mcap"
+    for message in sim.messages():
+        if live.now >= 1.0 and not live.journal.recording:
+            live.record(path)
+        live.feed(message)
+    live.loop.feed(GuidedCommand("flat", True, "left"))
+    live.loop.set_recorder(None)
+    assert all(hand.tracking == Tracking.TRACKING for hand in live.loop.seen.values())
+    assert is_ok(verify(path))
+    track(path, tmp_path / "again.mcap")
+    for side in SIDES:
+        was, again = (keypoints(file, side) for file in (path, tmp_path / "again.mcap"))
+        assert len(was) > 150
+        np.testing.assert_array_equal(was, again)
+    said = [e for e in live.journal.take_events() if e.kind in ("guided", "tracking")]
+    assert said[-1].data == {"pose": "flat", "phase": "begin", "hand": "left"}
+    assert {"The left hand is tracked.", "The right hand is tracked."} <= {e.text for e in said}
+
+
+def test_images_are_searched_around_the_markers_of_both_hands(sim) -> None:
+    live = Live(sim)
+    for message in sim.messages():
+        live.feed(message)
+        predicted = live.loop.predicted
+        hands = [hand.predicted for hand in live.loop.seen.values()]
+        if all(hand is not None for hand in hands):
+            assert predicted is not None
+            assert len(predicted.p_G) == sum(len(h.p_G) for h in hands if h is not None)
+            return
+        assert predicted is None
+    pytest.fail("never were both tracked")
+
+
+def without(side: str, begin: float, end: float, message: Simulated) -> bool:
+    """Whether a message is there while that glove is unplugged from ``begin`` to ``end`` (s)."""
+    return not (message.side == side and begin <= message.message.t_arrival < end)
+
+
+def test_one_glove_comes_and_goes_and_the_other_hand_does_not_care(sim) -> None:
+    live = Live(sim)
+    present = partial(without, "left", 1.5, 2.2)
+    for message in sim.messages():
+        if present(message):
+            live.feed(message)
+        if isinstance(message.message, ImuSample) and 1.5 < live.now < 2.2:
+            assert live.loop.seen["right"].tracking == Tracking.TRACKING
+    for side in SIDES:
+        estimate = live.loop.seen[side].estimate
+        assert estimate is not None and estimate.tracking == Tracking.TRACKING
+        off = estimate.keypoints - sim.hands[side].truth(estimate.t).keypoints
+        assert np.linalg.norm(off, axis=1).mean() < 0.015  # m, of simulated hands that are tracked
+    assert live.loop.status("left").values["imu_lost"] > 50
+    assert live.loop.status("right").values["imu_lost"] == 0
+
+
+def test_a_glove_that_never_comes_leaves_the_other_hand_to_be_searched_for_alone(sim) -> None:
+    live = Live(sim)
+    for message in sim.messages():
+        if message.side != "left":
+            live.feed(message)
+    right = live.loop.seen["right"]
+    assert right.tracking == Tracking.TRACKING
+    assert live.loop.seen["left"].tracking != Tracking.TRACKING
+    assert live.loop.seen["left"].is_gone and live.loop.predicted is right.predicted

@@ -1,0 +1,144 @@
+"""What live tracking knows of one hand of those that it tracks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from tracker.applications.stage import ApplicationStage
+from tracker.gestures.recogniser import GestureRecogniser
+from tracker.live.applications import ApplicationThread
+from tracker.live.frame_results import FrameResults, ShownFrame
+from tracker.live.imu_history import ImuHistory
+from tracker.live.journal import Journal
+from tracker.live.telemetry import Telemetry
+from tracker.messages import Calibration, Estimate, FrameResult, Status, Tracking
+from tracker.pipeline import Pipeline
+from tracker.side_watch import SideWatch
+from tracker.vision.region_prediction import RegionPrediction
+
+SURE_SHARE = 0.5  # of the markers expected; with fewer the whole image is searched
+GONE = 2.0  # s without packets after which nobody searches whole images for a hand that is lost
+OF_ONE = {
+    Tracking.SEARCHING: "Looking for the hand.",
+    Tracking.TRACKING: "The hand is tracked.",
+    Tracking.COASTING: "The hand is out of sight; its place is extrapolated.",
+    Tracking.LOST: "The hand's place is lost; finger angles go on.",
+}
+OF_TWO = {
+    Tracking.SEARCHING: "Looking for the {} hand.",
+    Tracking.TRACKING: "The {} hand is tracked.",
+    Tracking.COASTING: "The {} hand is out of sight; its place is extrapolated.",
+    Tracking.LOST: "The {} hand's place is lost; finger angles go on.",
+}
+
+
+Follower = Callable[[Estimate, float], None]
+"""Hears of each estimate of a packet, and when (s) that came; at once, so it must not wait."""
+
+
+class LiveHand:
+    """Written by the engine's thread, read by any.
+
+    ``estimate``, ``calibration``, ``frames.latest`` and ``predicted`` are the latest there are,
+    None before the first; ``telemetry`` has what is of this hand alone.
+    """
+
+    def __init__(
+        self, pipeline: Pipeline, journal: Journal, clock: Callable[[], float], alone: bool
+    ) -> None:
+        self.side, self._alone = pipeline.glove.side, alone
+        self._clock = clock
+        self.telemetry = Telemetry()
+        self.estimate: Estimate | None = None
+        self.calibration: Calibration | None = None
+        self.frames = FrameResults()
+        self.history = ImuHistory(self.telemetry)
+        self.predicted: RegionPrediction | None = None  # for the vision thread
+        names = pipeline.glove.keypoint_names(pipeline.hand)
+        self.gestures = GestureRecogniser(pipeline.hand, names)
+        self.stage = ApplicationStage(pipeline.hand, pipeline.glove, journal.record)
+        self.applications = ApplicationThread(self.stage, self.telemetry, clock)
+        self.on_used: Callable[[ShownFrame], object] = lambda used: None  # each image, once
+        self.followers: tuple[Follower, ...] = ()
+        self.sides: SideWatch | None = None
+        self.watch_side(pipeline)
+        self._begun = clock()
+        self.telemetry.ask(self.history.figures)
+        self.telemetry.ask(self.applications.figures)
+
+    def watch_side(self, pipeline: Pipeline) -> None:
+        """Whether the glove is made for the other hand; the other hand's own blobs would say so."""
+        self.sides = SideWatch(pipeline) if self._alone else None
+
+    @property
+    def tracking(self) -> Tracking:
+        """How far this hand is known."""
+        return self.estimate.tracking if self.estimate is not None else Tracking.SEARCHING
+
+    @property
+    def words(self) -> str:
+        """The state of tracking in a sentence."""
+        return OF_ONE[self.tracking] if self._alone else OF_TWO[self.tracking].format(self.side)
+
+    def show(self, estimate: Estimate) -> bool:
+        """Take over the newest estimate; whether the state of tracking is another one."""
+        before, self.estimate = self.estimate, estimate
+        self.telemetry.tick("estimate", self._clock())
+        return before is None or before.tracking != estimate.tracking
+
+    def take(self, results: list[FrameResult], pipeline: Pipeline) -> None:
+        """Bring what became of images together with these."""
+        for result in results:
+            found = self.frames.match(result)
+            if found is not None:
+                self.on_used(ShownFrame(found.frame, found.blobs, result))
+                self.telemetry.set("stereo_points", result.stereo_points)
+                self.telemetry.took("total", self._clock() - found.frame.t_arrival)
+                self._predict_regions(result, pipeline)
+        self.frames.forget_old()
+        if self.estimate is not None and self.estimate.tracking == Tracking.SEARCHING:
+            self.frames.show_unmatched(len(pipeline.glove.markers))
+
+    def _predict_regions(self, result: FrameResult, pipeline: Pipeline) -> None:
+        """Tell the vision thread where markers are, as long as that is sure."""
+        matched = np.count_nonzero((result.match_left >= 0) | (result.match_right >= 0))
+        estimate, expected = self.estimate, float(result.visible.sum())
+        before, self.predicted = self.predicted, None
+        if estimate is None or estimate.tracking != Tracking.TRACKING:
+            return
+        if matched >= SURE_SHARE * expected:
+            self.predicted = pipeline.region_prediction(estimate.t, before)
+
+    @property
+    def is_gone(self) -> bool:
+        """Whether its glove is away and nothing is seen of it."""
+        if self.tracking in (Tracking.TRACKING, Tracking.COASTING):
+            return False
+        now = self._clock()
+        return now - self._begun > GONE and self.history.silent(now, GONE)
+
+    def status(self, shared: dict[str, float]) -> Status:
+        """How this hand and the devices are, now; ``shared`` is of all hands."""
+        now = self._clock()
+        return Status(now, self.tracking, shared | self.telemetry.values(now))
+
+
+def camera_figures(pipeline: Pipeline) -> dict[str, float]:
+    """Whether the camera is still as it was calibrated, and how late its images are."""
+    rig, timing = pipeline.rig_state, pipeline.timing
+    out = {
+        "stereo_swapped": float(rig.swapped),
+        "camera_moved": float(rig.moved),
+        "camera_jumps": rig.jumps,
+        "stereo_refused": rig.refused,
+        "camera_offset_applied_ms": 1e3 * timing.applied,
+    }
+    if math.isfinite(rig.row_shift_px):
+        out["stereo_row_shift_px"] = rig.row_shift_px
+    if math.isfinite(timing.offset.value):
+        out["camera_offset_ms"] = 1e3 * timing.offset.value
+        out["camera_offset_sd_ms"] = 1e3 * timing.offset.sd
+    return out
