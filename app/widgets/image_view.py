@@ -176,7 +176,7 @@ class ImageView(QWidget):
             self._paint_image(painter)
         self._paint_title(painter)
         if self.hasFocus():
-            self._paint_focus(painter)
+            _paint_focus(painter, self)
         painter.end()
 
     def _paint_placeholder(self, painter: QPainter) -> None:
@@ -199,12 +199,6 @@ class ImageView(QWidget):
             paint_shape(painter, shape, s, origin)
         painter.setOpacity(1.0)
 
-    def _paint_focus(self, painter: QPainter) -> None:
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        painter.setPen(QPen(self.palette().highlight().color(), 2))
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
-
     def _paint_title(self, painter: QPainter) -> None:
         painter.setFont(self.font())
         width = painter.fontMetrics().horizontalAdvance(self._title) + 16
@@ -214,6 +208,13 @@ class ImageView(QWidget):
         painter.drawRoundedRect(box, 4, 4)
         painter.setPen(QColor("#f2f4f6"))
         painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), self._title)
+
+
+def _paint_focus(painter: QPainter, widget: QWidget) -> None:
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+    painter.setPen(QPen(widget.palette().highlight().color(), 2))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawRect(widget.rect().adjusted(1, 1, -1, -1))
 
 
 def _image(array: NDArray[np.uint8]) -> QImage:

@@ -23,6 +23,7 @@ from app.window.layouts import (
     shares_of,
     title_of,
 )
+from app.window.taken_out import TakenOut
 
 QUIET_MS = 250  # after the last change of the window's size
 
@@ -40,11 +41,9 @@ class LayoutKeeper(QObject):
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self._share_out)  # whatever was laid out since
-        self._docked: dict[str, Shares] = {}  # by the panel that was taken out: as it was before
         for watched in (window, *docks.values()):
             watched.installEventFilter(self)
-        for name, dock in docks.items():
-            dock.topLevelChanged.connect(partial(self._taken_out, name))
+        TakenOut(window, docks, lambda: self._shares)
 
     def list_commands(self, commands: Commands) -> list[QAction]:
         """The menu; returns the actions of the jobs."""
@@ -191,15 +190,6 @@ class LayoutKeeper(QObject):
         """A dock has another size, but not since the window has (of that Qt tells after it)."""
         if not self._rest.isActive():
             self._shares = shares_of(self._window, self._docks)
-
-    def _taken_out(self, name: str, floating: bool) -> None:
-        """A panel that comes back to its place has the share that it had."""
-        if floating:
-            self._docked[name] = dict(self._shares)
-            return
-        before = self._docked.pop(name, {})
-        if name in before:
-            QTimer.singleShot(0, self, lambda: resize(self._window, self._docks, before))
 
     def _share_out(self) -> None:
         resize(self._window, self._docks, self._shares)

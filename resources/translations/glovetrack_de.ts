@@ -33,6 +33,36 @@
       <translation>Die simulierte Kamera ist nicht gestartet.</translation>
     </message>
     <message>
+      <location filename="app/engines/found_gloves.py" />
+      <source>No glove was found: no USB serial port is there. Is it plugged in?</source>
+      <translation>Kein Handschuh gefunden: Es gibt keinen seriellen USB-Anschluss. Ist er eingesteckt?</translation>
+    </message>
+    <message>
+      <location filename="app/engines/found_gloves.py" />
+      <source>left</source>
+      <translation>linken</translation>
+    </message>
+    <message>
+      <location filename="app/engines/found_gloves.py" />
+      <source>right</source>
+      <translation>rechten</translation>
+    </message>
+    <message>
+      <location filename="app/engines/found_gloves.py" />
+      <source>No glove was found. {}</source>
+      <translation>Kein Handschuh gefunden. {}</translation>
+    </message>
+    <message>
+      <location filename="app/engines/found_gloves.py" />
+      <source>Glove {} at {} is new: choose its hand under Set-up, Glove.</source>
+      <translation>Handschuh {} an {} ist neu: seine Hand unter Einrichtung, Handschuh wählen.</translation>
+    </message>
+    <message>
+      <location filename="app/engines/found_gloves.py" />
+      <source>Glove {} at {} is of the {} hand too, of which there is one already.</source>
+      <translation>Handschuh {} an {} ist auch für die Hand {}, von der es schon einen gibt.</translation>
+    </message>
+    <message>
       <location filename="app/engines/hardware.py" />
       <source>engine</source>
       <translation>Verfahren</translation>
@@ -54,18 +84,13 @@
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
-      <source>No glove was found: no USB serial port is there. Is it plugged in?</source>
-      <translation>Kein Handschuh gefunden: Es gibt keinen seriellen USB-Anschluss. Ist er eingesteckt?</translation>
-    </message>
-    <message>
-      <location filename="app/engines/hardware.py" />
       <source>The camera has no stereo calibration yet: make or import one under Set-up, Stereo calibration.</source>
       <translation>Die Kamera hat noch keine Stereokalibrierung: unter Einrichtung, Stereokalibrierung eine machen oder importieren.</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
-      <source>No glove was found. {}</source>
-      <translation>Kein Handschuh gefunden. {}</translation>
+      <source>gloves at {}</source>
+      <translation>Handschuhe an {}</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
@@ -1604,6 +1629,11 @@
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>{} Correlation {:.2f}, elsewhere {:.2f} at most.</source>
+      <translation>{} Korrelation {:.2f}, anderswo höchstens {:.2f}.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
       <source>Joint angle</source>
       <translation>Gelenkwinkel</translation>
     </message>
@@ -1634,6 +1664,21 @@
     </message>
     <message>
       <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>By movement</source>
+      <translation>Nach der Bewegung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>Where the angles of both fit best</source>
+      <translation>Wo die Winkel beider am besten passen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>Begin there the next time; for compare --align too</source>
+      <translation>Beim nächsten Mal dort beginnen; auch für compare --align</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
       <source>The takes have no joint angle in common.</source>
       <translation>Die Aufnahmen haben keinen gemeinsamen Gelenkwinkel.</translation>
     </message>
@@ -1646,6 +1691,11 @@
       <location filename="app/panels/library/two_takes_dialog.py" />
       <source>s from the start of {}</source>
       <translation>s ab Beginn von {}</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/two_takes_dialog.py" />
+      <source>Kept in {}.</source>
+      <translation>Aufgehoben in {}.</translation>
     </message>
     <message>
       <location filename="app/panels/log.py" />
@@ -1999,8 +2049,18 @@
     </message>
     <message>
       <location filename="app/panels/robot/controls.py" />
+      <source>Motion ×</source>
+      <translation>Bewegung ×</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
       <source>Gesture of the clutch</source>
       <translation>Geste der Kupplung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/robot/controls.py" />
+      <source>Clutch by</source>
+      <translation>Kupplung durch</translation>
     </message>
     <message>
       <location filename="app/panels/robot/controls.py" />
@@ -2016,16 +2076,6 @@
       <location filename="app/panels/robot/controls.py" />
       <source>The robot's joints go there as JSON, on this computer</source>
       <translation>Die Gelenke des Roboters gehen als JSON dorthin, auf diesem Rechner</translation>
-    </message>
-    <message>
-      <location filename="app/panels/robot/controls.py" />
-      <source>Motion ×</source>
-      <translation>Bewegung ×</translation>
-    </message>
-    <message>
-      <location filename="app/panels/robot/controls.py" />
-      <source>Clutch by</source>
-      <translation>Kupplung durch</translation>
     </message>
     <message>
       <location filename="app/panels/robot/controls.py" />
@@ -2316,16 +2366,6 @@
       <location filename="app/storage/bound_gloves.py" />
       <source>This is glove {} of the {} hand: its own files {} and {} are used.</source>
       <translation>Das ist Handschuh {} der {} Hand: Seine eigenen Dateien {} und {} werden verwendet.</translation>
-    </message>
-    <message>
-      <location filename="app/storage/bound_gloves.py" />
-      <source>left</source>
-      <translation>linken</translation>
-    </message>
-    <message>
-      <location filename="app/storage/bound_gloves.py" />
-      <source>right</source>
-      <translation>rechten</translation>
     </message>
     <message>
       <location filename="app/storage/image_folder.py" />
@@ -4631,6 +4671,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
+      <source>Show the &amp;left hand</source>
+      <translation>&amp;Linke Hand zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Show the r&amp;ight hand</source>
+      <translation>&amp;Rechte Hand zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
       <source>Stop &amp;recording</source>
       <translation>Aufnahme s&amp;toppen</translation>
     </message>
@@ -4683,6 +4733,11 @@ change {}: {}</source>
       <location filename="app/window/window_commands.py" />
       <source>Glove &amp;firmware…</source>
       <translation>&amp;Firmware des Handschuhs…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Both hands</source>
+      <translation>Beide Hän&amp;de</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -6335,6 +6390,46 @@ change {}: {}</source>
       <translation>Das Licht hat sich geändert: die Farben folgen ihm.</translation>
     </message>
     <message>
+      <location filename="tracker/live/hand.py" />
+      <source>Looking for the hand.</source>
+      <translation>Die Hand wird gesucht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/hand.py" />
+      <source>The hand is tracked.</source>
+      <translation>Die Hand wird verfolgt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/hand.py" />
+      <source>The hand is out of sight; its place is extrapolated.</source>
+      <translation>Die Hand ist außer Sicht; ihr Ort wird fortgeschrieben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/hand.py" />
+      <source>The hand's place is lost; finger angles go on.</source>
+      <translation>Der Ort der Hand ist verloren; die Fingerwinkel laufen weiter.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/hand.py" />
+      <source>Looking for the {} hand.</source>
+      <translation>Die Hand {} wird gesucht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/hand.py" />
+      <source>The {} hand is tracked.</source>
+      <translation>Die Hand {} wird verfolgt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/hand.py" />
+      <source>The {} hand is out of sight; its place is extrapolated.</source>
+      <translation>Die Hand {} ist außer Sicht; ihr Ort wird fortgeschrieben.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/hand.py" />
+      <source>The {} hand's place is lost; finger angles go on.</source>
+      <translation>Der Ort der Hand {} ist verloren; die Fingerwinkel laufen weiter.</translation>
+    </message>
+    <message>
       <location filename="tracker/live/load.py" />
       <source>The computer is too slow: the 3D view is drawn less often.</source>
       <translation>Der Rechner ist zu langsam: die 3D-Ansicht wird seltener gezeichnet.</translation>
@@ -6373,26 +6468,6 @@ change {}: {}</source>
       <location filename="tracker/live/load.py" />
       <source>All images are searched again.</source>
       <translation>Alle Bilder werden wieder durchsucht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/loop.py" />
-      <source>Looking for the hand.</source>
-      <translation>Die Hand wird gesucht.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/loop.py" />
-      <source>The hand is tracked.</source>
-      <translation>Die Hand wird verfolgt.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/loop.py" />
-      <source>The hand is out of sight; its place is extrapolated.</source>
-      <translation>Die Hand ist außer Sicht; ihr Ort wird fortgeschrieben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/loop.py" />
-      <source>The hand's place is lost; finger angles go on.</source>
-      <translation>Der Ort der Hand ist verloren; die Fingerwinkel laufen weiter.</translation>
     </message>
     <message>
       <location filename="tracker/live/loop.py" />
@@ -6760,6 +6835,51 @@ change {}: {}</source>
       <translation>{}: {} in [{}] ist {}, also keine Zahl.</translation>
     </message>
     <message>
+      <location filename="tracker/session/align.py" />
+      <source>Recordings are aligned by {}, not by {}.</source>
+      <translation>Aufnahmen werden nach {} ausgerichtet, nicht nach {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/align.py" />
+      <source>The recordings have no {} s of movement that could be the same.</source>
+      <translation>Die Aufnahmen haben keine {} s Bewegung, die dieselbe sein könnte.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/align.py" />
+      <source>The movements do not fit each other (correlation {}).</source>
+      <translation>Die Bewegungen passen nicht zueinander (Korrelation {}).</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/align.py" />
+      <source>The movements fit at more than one place (correlations {} and {}): they repeat themselves too evenly.</source>
+      <translation>Die Bewegungen passen an mehr als einer Stelle (Korrelationen {} und {}): sie wiederholen sich zu gleichmäßig.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/align.py" />
+      <source>A recording holds too little movement to be aligned by it.</source>
+      <translation>Eine Aufnahme enthält zu wenig Bewegung, um nach ihr auszurichten.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/align.py" />
+      <source>Neither IMUs nor tracked angles are in both recordings.</source>
+      <translation>Weder IMUs noch Winkel aus dem Tracking sind in beiden Aufnahmen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/align.py" />
+      <source>{} is no alignment of two recordings.</source>
+      <translation>{} ist keine Ausrichtung zweier Aufnahmen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/align.py" />
+      <source>By their clocks the recordings were not made at the same time.</source>
+      <translation>Nach ihren Uhren wurden die Aufnahmen nicht zur selben Zeit gemacht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/compare.py" />
+      <source>{} and {} have no hand in common.</source>
+      <translation>{} und {} haben keine gemeinsame Hand.</translation>
+    </message>
+    <message>
       <location filename="tracker/session/compare.py" />
       <source>{} and {} have no instant in common.</source>
       <translation>{} und {} haben keinen gemeinsamen Zeitpunkt.</translation>
@@ -6773,6 +6893,11 @@ change {}: {}</source>
       <location filename="tracker/session/decode_robot.py" />
       <source>What the session says of its robot is no JSON object.</source>
       <translation>Was die Sitzung über ihren Roboter sagt, ist kein JSON-Objekt.</translation>
+    </message>
+    <message>
+      <location filename="tracker/session/decode_robot.py" />
+      <source>What the session says of its robot is no JSON.</source>
+      <translation>Was die Sitzung über ihren Roboter sagt, ist kein JSON.</translation>
     </message>
     <message>
       <location filename="tracker/session/engine_state.py" />
@@ -7113,6 +7238,11 @@ change {}: {}</source>
       <location filename="tracker/shared_memory.py" />
       <source>The system has no {} MB of shared memory left, in which images are handed from one process to the other.</source>
       <translation>Das System hat keine {} MB gemeinsamen Speicher mehr, in dem Bilder von einem Prozess zum anderen gehen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/side_watch.py" />
+      <source>This looks like a glove of the {} hand: its patches are mirrored. The file {} is of the {} hand; choose a {} one.</source>
+      <translation>Das sieht nach einem Handschuh für {} aus: seine Flecken sind gespiegelt. Die Datei {} ist für {}; eine für {} wählen.</translation>
     </message>
     <message>
       <location filename="tracker/streaming/datagram.py" />

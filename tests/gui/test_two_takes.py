@@ -137,13 +137,16 @@ def test_images_of_a_take_are_those_of_the_instant(parts, tmp_path):
 
 
 def test_images_of_both_takes_follow_position_and_offset(beside, window, monkeypatch, qtbot):
-    asked = []
+    asked = {0: np.nan, 1: np.nan}  # s in each take, the latest
     for k, source in enumerate(beside.images._sources):
-        monkeypatch.setattr(source, "at", lambda p, k=k: asked.append((k, round(p, 3))))
-    window.host.setup.player.play(False)
+        monkeypatch.setattr(source, "at", lambda p, k=k: asked.update({k: p}))
+    player = window.host.setup.player
+    player.play(False)
     beside.set_offset(0.25)
-    beside.show_position(0.9)
-    qtbot.waitUntil(lambda: asked[-2:] == [(0, 0.9), (1, 0.65)], timeout=10_000)
+    player.seek(0.9)
+    qtbot.waitUntil(lambda: abs(asked[0] - player.position) < 1e-6, timeout=20_000)
+    assert asked[0] == pytest.approx(0.9, abs=0.1)
+    qtbot.waitUntil(lambda: asked[1] == pytest.approx(asked[0] - 0.25), timeout=20_000)
 
 
 def test_by_movement_the_offset_is_found_and_kept_for_the_next_time(tmp_path):
