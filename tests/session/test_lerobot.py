@@ -401,6 +401,7 @@ def test_films_are_made_by_the_systems_ffmpeg(
     wanted = b"".join(encode_image(m.left, "png", 0) for m in images)
     assert film.read_bytes() == 2 * wanted
     told = film.with_name(f"{film.name}.arguments").read_text()
+    assert "-force_key_frames 0.000000,0.390000" in told
     assert f"-framerate {HZ}" in told and "libx264" in told and "-c:v png" in told
     info = json.loads((tmp_path / "set/meta/info.json").read_text())
     assert info["features"]["observation.images.left"]["dtype"] == "video"

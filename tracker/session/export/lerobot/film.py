@@ -40,7 +40,8 @@ class Film:
         given = ["-f", "image2pipe", "-c:v", codec, "-framerate", str(fps), "-i", "-"]
         even = ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"]
         coded = ["-c:v", "libx264", "-crf", str(QUALITY), "-g", str(KEYFRAMES), "-bf", "0"]
-        keys = ["-force_key_frames", ",".join(f"{k / fps:.6f}" for k in starts)]
+        before = (max(k - 0.5, 0.0) / fps for k in starts)  # the first frame from then on is a key
+        keys = ["-force_key_frames", ",".join(f"{t:.6f}" for t in before)]
         made = [*even, *coded, *keys, "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(path)]
         self._log = path.with_suffix(".log")
         with self._log.open("wb") as log:
