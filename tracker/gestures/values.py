@@ -56,8 +56,11 @@ def values(shape: HandShape, params: GestureParams) -> dict[str, float]:
 
 def _pinch(finger: int) -> Callable[[HandShape, GestureParams], float]:
     def value(s: HandShape, p: GestureParams) -> float:
-        """A finger that is clenched holds its pad to the palm, not to the thumb's."""
-        return _least(p.touching.of(s.gap[finger]), p.not_clenched.of(s.bend[finger]))
+        """In a fist a finger holds its pad to the palm, not to the thumb's; with the others
+        out of the way it may be bent as far, and pinches."""
+        others = float(np.delete(s.bend, finger).mean())
+        bend = float(np.minimum(s.bend[finger], others))  # NaN where one is
+        return _least(p.touching.of(s.gap[finger]), p.not_clenched.of(bend))
 
     return value
 
