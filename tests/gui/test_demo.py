@@ -96,11 +96,10 @@ FIST = 0.08  # m, of `reach`; 0.18 of a flat hand
 
 
 def reach(hand) -> float:
-    """m from the wrist to the middle fingertip, of what has segments' rotations and origins."""
-    row = models()[0].index["middle_distal"]
-    p = getattr(hand, "segment_p", None)
-    p = hand.p_GB if p is None else p
-    return float(np.linalg.norm(p[row] - p[0]))
+    """m from the wrist to the middle fingertip."""
+    model, glove, _ = models()
+    rows = [glove.keypoint_names(model).index(name) for name in ("wrist", "middle_tip")]
+    return float(np.linalg.norm(np.subtract(*hand.keypoints[rows])))
 
 
 @pytest.mark.timeout(180)
