@@ -81,7 +81,7 @@ def test_the_banner_shifts_nothing_is_logged_once_and_goes_with_its_reason(activ
 
 
 def test_a_banner_of_missing_devices_leads_to_the_set_up(window, qtbot, monkeypatch):
-    monkeypatch.setattr("app.engines.hardware.serial_ports", list)
+    monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     monkeypatch.setattr("app.engines.camera_choice.all_cameras", list)
     window.sources.open_devices()
     qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)

@@ -262,7 +262,7 @@ def test_the_window_opens_each_dialog_once_and_closes_them(window, qtbot):
 def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration(
     window, qtbot, monkeypatch, tmp_path
 ):
-    monkeypatch.setattr("app.engines.hardware.serial_ports", list)
+    monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     window.sources.open_devices()
     qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
     assert window.docks["checklist"].isVisible() and window.start_page.isVisible()
@@ -276,7 +276,7 @@ def test_before_devices_are_open_the_list_stands_there_and_knows_the_calibration
 def test_a_new_calibration_is_used_at_once_where_the_devices_are_in_use(
     window, store, qtbot, monkeypatch, tmp_path
 ):
-    monkeypatch.setattr("app.engines.hardware.serial_ports", list)
+    monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     rig = small_rig()
     path = tmp_path / "mine.yml"
     save_calibration(path, rig.left, rig.right, rig.R, rig.T)

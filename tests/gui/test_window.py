@@ -76,7 +76,7 @@ def test_the_skeleton_is_projected_onto_the_hand(live):
 
 
 def test_the_hand_view_draws_the_hand(live, qtbot):
-    qtbot.waitUntil(lambda: live.hand._skin is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: live.hand._hands[0].skin is not None, timeout=30_000)
     live.hand.refresh(live.host.snapshot())
     before = pixels(live.hand.view)
     greenish = (before[..., 1] > before[..., 0] + 25).mean()
@@ -183,7 +183,7 @@ def test_errors_stand_in_the_banner_until_dismissed(window):
 
 
 def test_without_devices_the_window_says_what_is_missing(window, qtbot, monkeypatch):
-    monkeypatch.setattr("app.engines.hardware.serial_ports", list)
+    monkeypatch.setattr("app.engines.found_gloves.serial_ports", list)
     window.sources.open_devices()
     qtbot.waitUntil(lambda: "No glove was found" in window.banner.text(), timeout=60_000)
     assert window.start_page.isVisible()
