@@ -20,6 +20,7 @@ from tracker.applications.registry import kind, make, names, titles
 from tracker.applications.runner import ApplicationRunner
 from tracker.applications.stage import ApplicationStage
 from tracker.cli import main
+from tracker.clock import nanoseconds, seconds
 from tracker.errors import ConfigError, FileError
 from tracker.messages import Event, Tracking
 from tracker.offline.application_sources import simulated
@@ -176,6 +177,9 @@ def test_a_hand_between_two_samples_goes_on_as_it_went() -> None:
     assert np.abs(middle.p - truth).max() < 2e-4  # m: 10 m/s² of acceleration over 5 ms
     assert middle.between
     assert not middle.phases
+    late = [replace(hand, t=31148.44 + hand.t) for hand in (before, now)]
+    t = foretold(*late, 0.005).t
+    assert t == seconds(nanoseconds(t)), "a session would not keep it"
 
 
 def test_a_lost_hand_has_no_place() -> None:
@@ -194,3 +198,12 @@ def test_a_stream_read_back_is_the_hand_that_was_sent() -> None:
     assert (read.keypoint_state == sent.keypoint_state).all()
     with pytest.raises(Exception, match="no message of ours"):
         from_json("{}", hand_names, 1)
+
+
+def test_settings_that_are_rows_of_numbers_are_the_same_again(tmp_path: Path) -> None:
+    options = SimulateOptions(motion="show:touch", duration=3.0, images=False, fps=20.0)
+    out, place = tmp_path / "touched.mcap", {"place": [0.25, 0.0, 0.06]}
+    report = run_into("touch", simulated(options, True), Into(out), place)
+    assert report.samples > 400
+    (again,) = replay(out)
+    assert again.differs == ""

@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
+from tracker.clock import nanoseconds, seconds
 from tracker.geometry import so3
 from tracker.gestures.recogniser import GestureRecogniser, Phase
 from tracker.glove.model import GloveModel
@@ -127,10 +128,10 @@ class HandReader:
 
 def foretold(before: HandSample, now: HandSample, ahead: float) -> HandSample:
     """The hand ``ahead`` s after ``now``, each point going on as it went; gestures stand."""
-    step = now.t - before.t
+    step, t = now.t - before.t, seconds(nanoseconds(now.t + ahead))  # as a session keeps it
     if not 0 < step < 0.1:
-        return replace(now, t=now.t + ahead, phases=(), between=True)
+        return replace(now, t=t, phases=(), between=True)
     velocity = (now.p - before.p) / step
     slow = np.linalg.norm(velocity, axis=1) < FASTEST
     p = np.where(slow[:, None], now.p + ahead * velocity, now.p)
-    return replace(now, t=now.t + ahead, p=p, phases=(), between=True)
+    return replace(now, t=t, p=p, phases=(), between=True)

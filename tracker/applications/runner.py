@@ -6,6 +6,7 @@ takes to run the application again: from the same estimates it gives the same ev
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -85,8 +86,9 @@ class ApplicationRunner:
         out = []
         if not self._begun:
             self._begun = True
-            settings = asdict(self.application.settings)
-            out.append(self._event(hand, Happening(BEGINS, {"settings": settings})))  # type: ignore[dict-item]
+            # as JSON gives them back: tuples are lists in a session
+            settings = json.loads(json.dumps(asdict(self.application.settings)))
+            out.append(self._event(hand, Happening(BEGINS, {"settings": settings})))
         changes, self._changes = self._changes, []  # another thread may add meanwhile
         for key, value in changes:
             settings = changed(self.application.settings, key, value, self.name)
