@@ -71,7 +71,7 @@ def test_a_session_of_both_is_seen_whole(replay, qtbot):
     for hand in replay.hand._hands:
         view = next(v for v in (left, right) if v.setup.side == hand.setup.side)
         assert abs(hand.scene.segment_p[0] - view.estimate.segment_p[0]).max() < 0.05
-        assert hand.bodies._hand.shown
+        qtbot.waitUntil(lambda drawn=hand.bodies._hand: drawn.shown, timeout=30_000)
     view = replay.host.snapshot()
     only = Layers(False, False, False, False, False, skeleton=True)
     colours = hue_colours(view.setup.profile)
