@@ -91,9 +91,11 @@ def stage(source: Path, target: Path) -> None:
         shutil.copy(source / name, target)
     project = (source / "pyproject.toml").read_text("utf-8")
     (target / "pyproject.toml").write_text(installed_project(project), "utf-8")
-    hidden = shutil.ignore_patterns("__pycache__", "firmware", "_compiled*", "_dispatch*")
+    hidden = shutil.ignore_patterns("__pycache__", "_compiled*", "_dispatch*")
     for package in PACKAGES:
         shutil.copytree(source / package, target / NAME / package, ignore=hidden)
+    for sources in ("src", "simulator"):  # the images are what a user needs
+        shutil.rmtree(target / NAME / "resources" / "firmware" / sources)
     shutil.copytree(source / "docs" / "guide", target / NAME / "resources" / "guide")
     for path in (target / NAME).rglob("*.py"):
         path.write_text(with_full_names(path.read_text("utf-8")), "utf-8")

@@ -9,17 +9,6 @@ import trimesh
 from tracker.geometry.triangles import GROUP, nearest, triangles_of
 
 
-def test_of_a_ball_the_distance_and_the_side_are_known() -> None:
-    ball = trimesh.creation.icosphere(subdivisions=3, radius=0.05)
-    mesh = triangles_of(np.array(ball.vertices), np.array(ball.faces))
-    points = np.random.default_rng(1).normal(0, 0.05, (300, 3))
-    found = nearest(mesh, points)
-    radius = np.linalg.norm(points, axis=1)
-    assert np.abs(found.distance - (radius - 0.05)).max() < 5e-4  # m: how far chords lie inside
-    outwards = np.einsum("nk,nk->n", found.normal, points / radius[:, None])
-    assert outwards[np.abs(found.distance) > 0.005].min() > 0.9
-
-
 @pytest.mark.parametrize("make", [trimesh.creation.box, trimesh.creation.annulus])
 def test_it_is_the_point_that_trimesh_finds(make) -> None:
     """At edges and corners, inside and outside, also of what is not convex."""
@@ -56,3 +45,14 @@ def test_triangles_without_area_are_left_out() -> None:
     points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [2, 0, 0]])
     faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3], [0, 1, 4]])
     assert len(triangles_of(points, faces).corners) == 4
+
+
+def test_of_a_ball_the_distance_and_the_side_are_known() -> None:
+    ball = trimesh.creation.icosphere(subdivisions=3, radius=0.05)
+    mesh = triangles_of(np.array(ball.vertices), np.array(ball.faces))
+    points = np.random.default_rng(1).normal(0, 0.05, (300, 3))
+    found = nearest(mesh, points)
+    radius = np.linalg.norm(points, axis=1)
+    assert np.abs(found.distance - (radius - 0.05)).max() < 5e-4  # m: how far chords lie inside
+    outwards = np.einsum("nk,nk->n", found.normal, points / radius[:, None])
+    assert outwards[np.abs(found.distance) > 0.005].min() > 0.9

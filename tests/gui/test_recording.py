@@ -76,7 +76,7 @@ def test_closing_the_window_while_recording_closes_the_file(recording, engine, r
 def test_a_recording_whose_file_takes_no_more_ends_and_the_next_one_may_begin(
     recording, engine, recorders
 ):
-    def full(message, overloaded=False):
+    def full(*_message, **_how):
         raise FileError("The disk is full.")
 
     recorders[0].write = full

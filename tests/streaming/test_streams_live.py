@@ -52,7 +52,7 @@ def test_a_client_reads_the_states_that_were_recorded(hand: HandModel, glove: Gl
         client.bind(("127.0.0.1", 0))
         said: list[str] = []
         udp = UdpPublisher(names, port=client.getsockname()[1])
-        attached = attach(tracker, [Broken(), udp], say=said.append)
+        attached = attach(tracker.hand("right"), [Broken(), udp], say=said.append)
         run_to_the_end(tracker, stream)
         tracker.stop()
         attached.close()

@@ -41,7 +41,7 @@ class ShownKept:
 
     seen: Array  # (M,) s when each marker was seen last
     felt: Array  # (n,) s when each IMU answered last
-    tip_sd: Array  # (A + d,) m of each active segment's end, then of each that these drive
+    tip_sd: Array  # (A + d,) m of each active segment's end, then of each that these drive; or none
     one_camera: bool = False  # started with one camera, and no marker was seen by both since
     doubted: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, bool))
     """(A,) markers do not speak for where each segment is; none in what older versions kept"""
@@ -56,12 +56,13 @@ class ShownHand:
         self._layout, self._noise = layout, noise
         self._ends = EndsSureness(layout, distal)
         self._output = HandOutput(layout, self._ends.driven)
+        self._rows = len(layout.active) + len(self._ends.driven)
         self._digit = digit_of(layout)
         markers, imus = len(layout.glove.markers), len(layout.glove.imus)
         self.kept = ShownKept(
             seen=np.full(markers, -np.inf),
             felt=np.full(imus, -np.inf),
-            tip_sd=np.zeros(len(layout.active) + len(self._ends.driven)),
+            tip_sd=np.zeros(0),
         )
 
     def wear(self, gains: Array, aside: Array) -> None:
@@ -74,9 +75,8 @@ class ShownHand:
 
     def restore(self, kept: ShownKept, state: ChainState) -> None:
         """Go on from what was kept of ``state``, which is taken over; older versions kept less."""
-        short = len(kept.tip_sd) < len(self.kept.tip_sd)
         self.kept = kept
-        if short:
+        if 0 < len(kept.tip_sd) < self._rows:
             self.kept.tip_sd = self._ends(state)
 
     # ---- what was sensed
@@ -131,6 +131,11 @@ class ShownHand:
 
     # ---- how sure
 
+    @property
+    def tip_sd(self) -> Array:
+        """(A + d,) m, zeros before the first image."""
+        return self.kept.tip_sd if len(self.kept.tip_sd) else np.zeros(self._rows)
+
     def unsure(self, state: ChainState, pose: CameraPose, size_is_known: bool) -> None:
         """Take how sure each segment's end is; one camera alone does not know the distance."""
         self.kept.tip_sd = self._ends(state)
@@ -150,7 +155,7 @@ class ShownHand:
     ) -> Estimate:
         """The hand of a nominal state at ``t``, which was carried there from ``past``."""
         ahead = ahead_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
-        sd = np.sqrt(self.kept.tip_sd**2 + ahead)
+        sd = np.sqrt(self.tip_sd**2 + ahead)
         return called_measured(self.estimate_of(state, t, self.sensed(t, tracking), sd))
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:
@@ -161,7 +166,7 @@ class ShownHand:
     def markers(self, state: ChainState) -> tuple[Array, Array, IntArray]:
         """Markers of a nominal state in G (M, 3), their sd (M,) m and ids (M,)."""
         p_G = marker_positions(state, self._layout)
-        return p_G, self.kept.tip_sd[self._layout.marker_segment], np.arange(len(p_G))
+        return p_G, self.tip_sd[self._layout.marker_segment], np.arange(len(p_G))
 
 
 def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, tau: float) -> float:

@@ -82,7 +82,7 @@ class ChainTracker:
         end = self.filter.step(way, first, last_good, held=self.wearer.calibration.is_frozen)
         if self._tape is not None and self._buffer.is_packet(self.state.t):
             sensed = self.shown.sensed(self.state.t, self.tracking)
-            self._tape.shown(self.state, sensed, self.shown.kept.tip_sd)
+            self._tape.shown(self.state, sensed, self.shown.tip_sd)
         return end
 
     def carry(self, state: ChainState, t: float) -> None:
