@@ -179,7 +179,7 @@ class Run:
         return [m for m in self.tape.messages if isinstance(m, kind)]
 
 
-@pytest.fixture(scope="module", params=[1, 2])
+@pytest.fixture(scope="module", params=[2])
 def run(
     request: pytest.FixtureRequest, hand: HandModel, glove: GloveModel
 ) -> tuple[Run, Simulation]:
