@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tracker.fusion.time import timeline
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Estimate, ImuSample, Tracking, Validity
@@ -133,6 +134,34 @@ def test_late_packets_lead_to_the_state_of_those_in_order(
     assert a.t == b.t
     # The same images met the same packets; only where the way was cut into intervals differs.
     assert np.abs(a.keypoints - b.keypoints).max() < 5e-4
+
+
+@pytest.mark.parametrize("stall", [4.0, 1.0])
+def test_packets_that_come_seconds_late_are_no_lie(
+    hand: HandModel, glove: GloveModel, monkeypatch: pytest.MonkeyPatch, stall: float
+) -> None:
+    """Whether or not there is a way back to before the images that were used without them.
+
+    4 s: there is one. 1 s with a way back of 0.5 s: what is shown of the packets' instants is what
+    the hand was later, which is said to be inferred."""
+    if stall == 1.0:
+        monkeypatch.setattr(timeline, "LONGEST_AHEAD", 0.5)
+    sim = Simulation(hand, glove, RandomPostures(hand, 7, duration=3.5 + stall), 7, fps=30)
+    late = [
+        replace(m, t_arrival=3.0 + stall)
+        if isinstance(m, ImuSample) and 2.0 < m.t_arrival < 3.0 + stall
+        else m
+        for m in sim.feed()
+        # the port kept a second of packets, those after it were lost
+        if not (isinstance(m, ImuSample) and 3.0 < m.t_arrival < 3.0 + stall)
+    ]
+    estimates = feed(Pipeline(hand, glove, sim.rig), sorted(late, key=lambda m: m.t_arrival))
+    truth = [x.keypoints for x in sim.truths(np.array([e.t for e in estimates]))]
+    error, sd, measured = judged(estimates, truth, rows(glove, hand))
+    stale = np.array([2.0 < e.t < 3.0 for e in estimates])
+    assert np.any(error[stale] > 0.02) == (stall == 1.0)  # what is tested does happen
+    assert not np.any(measured & (error > 0.05))
+    assert np.mean((error <= 3 * sd)[stale]) >= 0.98
 
 
 @pytest.mark.parametrize("engine", ["chain", "vist"])

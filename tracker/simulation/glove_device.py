@@ -35,6 +35,7 @@ from tracker.sensors.protocol import (
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two looks at the clock
+SYSTEM_KEEPS = 65536  # bytes that a system holds of a line nobody reads, as Linux does
 
 
 @dataclass
@@ -103,6 +104,7 @@ class SimulatedGlove:
         os.set_blocking(self._master, False)
         self.path = os.ttyname(slave)
         self._slave = slave  # held open, so that the line survives a host that comes and goes
+        self._unsent = bytearray()
         self._decoder = FrameDecoder()
 
     def unplug(self) -> None:
@@ -147,6 +149,7 @@ class SimulatedGlove:
                     sample = self._skip(sample, now)
                     continue
                 self._listen()
+                self._write()
                 if not self._streaming:
                     sample = self._skip(sample, now)
                     if now - last_hello >= 1.0:
@@ -203,6 +206,7 @@ class SimulatedGlove:
         for frame in self._decoder.feed(data):
             match frame:
                 case HelloRequest():
+                    self._unsent.clear()  # a system keeps nothing for a port that was closed
                     self._greet()
                 case Start():
                     self._streaming = True
@@ -211,12 +215,14 @@ class SimulatedGlove:
                 case _:
                     continue
 
-    def _write(self, data: bytes) -> None:
-        """Bytes that find the line full are lost, as they are on a wire."""
-        if self._master < 0 or not data:
+    def _write(self, data: bytes = b"") -> None:
+        """Bytes wait for a host that does not read, `SYSTEM_KEEPS` of them; more are lost."""
+        if len(self._unsent) + len(data) <= SYSTEM_KEEPS:
+            self._unsent += data
+        if self._master < 0 or not self._unsent:
             return
-        with contextlib.suppress(BlockingIOError, OSError):
-            os.write(self._master, data)
+        with contextlib.suppress(BlockingIOError, OSError):  # full, or the host has just gone
+            del self._unsent[: os.write(self._master, self._unsent)]
 
     def complain(self, text: str) -> None:
         """Send an ERROR frame."""

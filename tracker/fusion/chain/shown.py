@@ -18,6 +18,7 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence, digit_of
 from tracker.fusion.chain.tracking import DOUBT_AFTER
 from tracker.fusion.output.output import HandOutput, Sensed, sensed_lately
+from tracker.fusion.time.timeline import behind_variance
 from tracker.messages import (
     SEEN_LATELY,
     Array,
@@ -155,7 +156,7 @@ class ShownHand:
     ) -> Estimate:
         """The hand of a nominal state at ``t``, which was carried there from ``past``."""
         ahead = ahead_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
-        sd = np.sqrt(self.tip_sd**2 + ahead)
+        sd = np.sqrt(self.tip_sd**2 + ahead + behind_variance(state.t, t))
         return called_measured(self.estimate_of(state, t, self.sensed(t, tracking), sd))
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:

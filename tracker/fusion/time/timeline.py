@@ -26,7 +26,16 @@ from tracker.records import record
 
 LATE_MARGIN = 0.03  # s beyond the latest image so far
 LONGEST_LAG = 0.5  # s
-LONGEST_AHEAD = 3.0  # s of images used without packets, beyond which there is no way back
+LONGEST_AHEAD = 20.0  # s of images used without packets, beyond which there is no way back
+HAND_SPEED = 0.5  # m/s an axis, sd: what a hand does while it is shown where it will be only later
+
+
+def behind_variance(shown: float, t: float) -> float:
+    """m² an axis of a state of instant ``shown`` (s) that is given out as that of ``t``, before it.
+
+    Packets that came too late for the way back tell of instants that the filter has left.
+    """
+    return (HAND_SPEED * max(shown - t, 0.0)) ** 2
 
 
 class TimedState(Protocol):
