@@ -7,6 +7,7 @@ writes to.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
@@ -301,7 +302,8 @@ class RobotState(_Frozen):
 
     command (n,) rad that joints are told, joints (n,) rad where they are; palm (7,) and objects
     (m, 7) m and xyzw in the robot's world W (z up); force (5,) N on each fingertip, thumb first.
-    ``holding``: it stands still, because the hand is lost.
+    ``holding``: it stands still, because the hand is lost. ``t_told`` s: when the command left for
+    the robot; NaN of one that a recording drives.
     """
 
     t: float
@@ -313,6 +315,7 @@ class RobotState(_Frozen):
     force: Array
     engaged: bool
     holding: bool
+    t_told: float = math.nan
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -13,13 +13,14 @@ from dataclasses import asdict, replace
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from app.engines.engine import EngineSetup
+from app.engines.engine import EngineSetup, FollowedHand
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.outputs import remembered
 from app.jobs.robot_playback import RobotPlayback
 from app.storage.settings import SettingsStore
 from app.viewmodels.robot import RobotFigures, RobotView
+from tracker.clock import monotonic
 from tracker.errors import GlovetrackError
 from tracker.messages import Estimate, RobotModel, RobotState
 from tracker.robot.command import ENGAGE, RELEASE, RESET, SCALE, RobotCommand
@@ -53,6 +54,7 @@ class RobotLink(QObject):
         self.view: RobotView | None = None
         """What there is to draw; None before the robot is there."""
         self._process: RobotProcess | None = None
+        self._followed: FollowedHand | None = None
         self._playback: RobotPlayback | None = None
         self._model: RobotModel | None = None
         self._touch: TouchMotors | None = None
@@ -62,6 +64,7 @@ class RobotLink(QObject):
         host.opened.connect(lambda _setup: self._follow())
         host.closed.connect(self._end)
         host.running_changed.connect(lambda on: self._follow() if on else None)
+        host.hand_changed.connect(lambda _setup: self._change_hand())
         self._heard_failure.connect(self._fail, Qt.ConnectionType.QueuedConnection)
 
     # --- what the user asks
@@ -133,7 +136,14 @@ class RobotLink(QObject):
         if self._process is None:
             self._begin(setup)
         if setup.followed is not None and self._process is not None:
-            setup.followed.follow(self._process.feed)
+            self._followed = setup.followed
+            self._followed.follow(self._process.feed)
+
+    def _change_hand(self) -> None:
+        """A robot of the other side for the hand that is shown now."""
+        if self.on:
+            self._end()
+            self._follow()
 
     def _begin(self, setup: EngineSetup) -> None:
         try:
@@ -159,9 +169,9 @@ class RobotLink(QObject):
 
     def _end(self) -> None:
         process, self._process = self._process, None
-        setup = self._host.setup
-        if setup is not None and setup.followed is not None:
-            setup.followed.follow(None)
+        followed, self._followed = self._followed, None
+        if followed is not None:
+            followed.follow(None)
         if process is not None:
             process.close()
         playback, self._playback = self._playback, None
@@ -220,15 +230,17 @@ class RobotLink(QObject):
             self.view.show(answer.state, answer.placed, float("nan"))
 
     def _tell(self, moved: RobotMoved) -> None:
-        setup = self._host.setup
-        for message in moved.said:
-            if setup is not None and setup.followed is not None:
-                setup.followed.record(message)
-            if isinstance(message, RobotState):
-                self._act(message)
-                self.engaged = message.engaged
+        followed = self._followed
+        for said in moved.said:
+            message = said
+            if isinstance(said, RobotState):
+                self._act(said)
+                message = replace(said, t_told=monotonic())
+                self.engaged = said.engaged
                 if self.view is not None:
-                    self.view.show(message, moved.placed, moved.error)
+                    self.view.show(said, moved.placed, moved.error)
+            if followed is not None:
+                followed.record(message)
 
     def _act(self, state: RobotState) -> None:
         """Motors and streams."""

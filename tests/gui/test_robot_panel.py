@@ -13,6 +13,7 @@ from gui_fakes import ScriptedEngine, models, scripted_setup
 from app.jobs.robot_playback import RobotPlayback
 from app.viewmodels.robot import RobotFigures, RobotView
 from tests.session.conftest import ANCHOR, RESOURCES
+from tracker import library
 from tracker.clock import monotonic, seconds
 from tracker.messages import Estimate, Message, RobotModel, RobotState
 from tracker.robot.look import Placed, RobotShape
@@ -70,6 +71,39 @@ def test_a_robot_follows_the_hand_is_recorded_and_holds_when_released(window, qt
     assert [command[0] for command in felt] == [1]  # the index finger's motor
     controls.connect_robot.click()
     assert followed.follower is None and link.view is None
+
+
+class Process:
+    """In place of a robot's: who it is of, and whether it has ended."""
+
+    def __init__(self, settings, hand, names, heard) -> None:
+        self.side, self.hand, self.closed, self.missed = settings.side, hand, False, 0
+
+    def feed(self, hand: Estimate, t_arrival: float) -> None: ...
+
+    def close(self) -> None:
+        self.closed = True
+
+
+@needs_mujoco
+def test_another_hand_that_is_chosen_has_a_robot_of_its_side(window, monkeypatch) -> None:
+    made: list[Process] = []
+
+    def make(*given) -> Process:
+        made.append(Process(*given))
+        return made[-1]
+
+    monkeypatch.setattr("app.jobs.robot.RobotProcess", make)
+    right, left = Followed(), Followed()
+    hand, glove = library.load("vist-small-left")
+    setup = dataclasses.replace(scripted_setup(ScriptedEngine()), followed=right)
+    other = dataclasses.replace(setup, hand=hand, glove=glove, followed=left)
+    window.host.adopt(dataclasses.replace(setup, other=other))
+    window.robot_link.switch(True)
+    assert made[0].side == "right" and right.follower == made[0].feed
+    window.host.show_hand("left")
+    assert made[0].closed and right.follower is None
+    assert made[1].side == "left" and left.follower == made[1].feed
 
 
 class _Feed:

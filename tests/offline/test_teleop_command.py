@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import socket
 import threading
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,7 +17,7 @@ from tracker.cli import main
 from tracker.clock import ClockAnchor, seconds
 from tracker.geometry import so3
 from tracker.glove.files import load_glove
-from tracker.messages import Estimate, Tracking, Validity
+from tracker.messages import Estimate, RobotState, Tracking, Validity
 from tracker.offline.teleop import DriveFigures, drive_again
 from tracker.offline.teleop_live import follow_stream
 from tracker.robot.command import RobotCommand
@@ -30,7 +31,8 @@ from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.simulation.gestures import FIST
 from tracker.simulation.postures import posture
 from tracker.streaming.payload import to_json
-from tracker.streaming.publisher import Names
+from tracker.streaming.publisher import Names, StreamError
+from tracker.streaming.websocket import WebSocketPublisher
 
 RESOURCES = Path(__file__).parents[2] / "resources"
 ANCHOR = ClockAnchor(wall_ns=1_760_000_000_123_456_789, monotonic_ns=5_000_000_321)
@@ -135,33 +137,58 @@ def test_a_robot_whose_record_was_changed_is_found_out(session: Path, tmp_path: 
     assert main(["teleop", str(path), "--check"]) == 1
 
 
+def followed(
+    address: str,
+    send: Callable[[Estimate], None],
+    seconds: float = 0.7,
+    watch: Callable[[RobotState], None] = lambda state: None,
+) -> list[RobotState]:
+    """What a robot does that follows ``address``, to which a hand is sent on and on."""
+    figures, states, ended = DriveFigures(), [], threading.Event()
+
+    def see(state: RobotState) -> None:
+        states.append(state)
+        watch(state)
+
+    def go_on() -> None:
+        k, shown = 0, estimates(50)
+        while not ended.wait(0.01):
+            send(replace(shown[k % 50], t=10.0 + 0.01 * k))
+            k += 1
+
+    driver, sender = RobotDriver(Teleop(RobotSettings())), threading.Thread(target=go_on)
+    sender.start()
+    try:
+        follow_stream(driver, address, seconds, figures, see)
+    finally:
+        ended.set()
+        sender.join()
+    assert len(states) == len(figures.times_ms)
+    return states
+
+
 def test_a_live_stream_by_udp_drives_a_robot() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    about = info()
-    names = Names.of(about.hand, about.glove)
-    figures, ended = DriveFigures(), threading.Event()
+    names = Names.of(info().hand, info().glove)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
 
-    def send() -> None:
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
-            k, shown = 0, estimates(50)
-            while not ended.wait(0.01):
-                out.sendto(b"not a hand", ("127.0.0.1", port))
-                one = replace(shown[k % 50], t=10.0 + 0.01 * k)
-                out.sendto(to_json(one, names).encode(), ("127.0.0.1", port))
-                k += 1
+        def send(estimate: Estimate) -> None:
+            out.sendto(b"not a hand", ("127.0.0.1", port))
+            out.sendto(to_json(estimate, names).encode(), ("127.0.0.1", port))
 
-    sender = threading.Thread(target=send)
-    sender.start()
-    try:
-        states = []
-        follow_stream(RobotDriver(Teleop(RobotSettings())), port, 0.7, figures, states.append)
-    finally:
-        ended.set()
-        sender.join()
-    assert len(states) == len(figures.times_ms) > 3
-    assert not any(state.holding for state in states)
+        states = followed(str(port), send)
+    assert len(states) > 3 and not any(state.holding for state in states)
+
+
+def test_a_live_stream_by_websocket_drives_a_robot_until_it_ends() -> None:
+    server = WebSocketPublisher(Names.of(info().hand, info().glove), port=0)
+    address = f"ws://127.0.0.1:{server.port}"
+    states = followed(address, server.send, 0.0, lambda state: server.close())
+    assert states and not any(state.holding for state in states)
+    with pytest.raises(StreamError, match="Nothing answers"):
+        follow_stream(RobotDriver(Teleop(RobotSettings())), address, 0.0, DriveFigures(), print)
 
 
 def test_what_is_asked_wrongly_is_told_in_words(
@@ -171,5 +198,7 @@ def test_what_is_asked_wrongly_is_told_in_words(
     assert "one of three" in capsys.readouterr().err
     assert main(["teleop", str(session), "--check"]) == 1
     assert "has no robot in it" in capsys.readouterr().err
+    assert main(["teleop", "--listen", "somewhere"]) == 1
+    assert "not to 'somewhere'" in capsys.readouterr().err
     assert main(["teleop", str(session), "--objects", "teapot"]) == 1
     assert "teapot" in capsys.readouterr().err

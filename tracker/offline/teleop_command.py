@@ -24,7 +24,9 @@ def add_teleop(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", "--out", type=Path, help="the session with the robot in it")
     parser.add_argument("--check", action="store_true", help="drive the session's robot again")
     parser.add_argument(
-        "--listen", type=int, metavar="PORT", help="to a live stream by UDP, until it is stopped"
+        "--listen",
+        metavar="PORT|ws://HOST:PORT",
+        help="to a live stream by UDP or WebSocket, until it is stopped",
     )
     parser.add_argument("--seconds", type=float, default=0.0, help="of a live stream, at most")
     parser.add_argument(

@@ -27,6 +27,10 @@ def add_commands(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]
             command.add_argument("files", type=Path, nargs="+", metavar="FILE")
         else:
             command.add_argument("file", type=Path, metavar="FILE")
+        if name == "info":
+            command.add_argument(
+                "--latency", action="store_true", help="and how late motors and robots were told"
+            )
         add_json(command)
         command.set_defaults(func=func)
         if name == "recover":
@@ -170,6 +174,11 @@ def _info(args: argparse.Namespace) -> int:
         f"  {name}  {t['count']}  {t['rate_hz']:g} Hz  {t['type']}"
         for name, t in found["topics"].items()
     ]
+    if args.latency:
+        from tracker.session.latency import latencies_of, latency_lines
+
+        found["latency"] = latencies_of(args.file)
+        lines += latency_lines(found["latency"])
     finish(args, found, lines, [args.file])
     return 0
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -74,7 +75,7 @@ class _RobotDecoder:
             case "scene":
                 self._scene = motion.unpack_poses(raw.data)
             case "contact":
-                return self._state(motion.unpack_numbers(raw.data))
+                return self._state(motion.unpack_numbers(raw.data), raw.log_time)
         return None
 
     def _model(self, raw: RawMessage) -> RobotModel:
@@ -93,7 +94,7 @@ class _RobotDecoder:
             json.dumps(said.get("settings", {}), sort_keys=True),
         )
 
-    def _state(self, felt: np.ndarray) -> RobotState | None:
+    def _state(self, felt: np.ndarray, log_time: int) -> RobotState | None:
         """None where a part is missing: of a recording that begins within a state."""
         joints, commands, scene = self._joints, self._commands, self._scene
         if joints is None or commands is None or scene is None or len(felt) != FELT:
@@ -105,4 +106,5 @@ class _RobotDecoder:
             self._t(joints.stamp), self._name, np.array(commands.position),
             np.array(joints.position), poses[0], poses[1:], np.array(felt[2:]),
             bool(felt[0]), bool(felt[1]),
+            self._t(log_time) if log_time != joints.stamp else math.nan,
         )  # fmt: skip

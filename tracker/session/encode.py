@@ -132,10 +132,12 @@ class Encoder:
             yield from (m for m in messages if exact or m.topic == topics.TF)
 
     def robot(self, m: RobotModel | RobotState | RobotMemory) -> Iterator[Out]:
-        """Of a robot that follows the hand."""
-        stamp = self._wall(m.t)
+        """Of a robot that follows the hand; the log time of a state is when its command left."""
+        stamp = log = self._wall(m.t)
+        if isinstance(m, RobotState) and math.isfinite(m.t_told):
+            log = self._wall(m.t_told)
         for topic, kind, data in self._robots.parts(m):
-            yield Out(topic, kind, stamp, stamp, data)
+            yield Out(topic, kind, log, stamp, data)
 
     def images(self, m: StereoFrame) -> Iterator[Out]:
         """Both images, compressed, after the pose of a camera that moves."""

@@ -1,0 +1,119 @@
+"""``python -m app.tools.command_latency``: how late motors and a robot are told, in the window.
+
+Runs the demo off-screen with an object to touch and a robot hand that follows, both in sight, and
+records it; the figures are those that the session itself tells (`tracker.session.latency`).
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+from PySide6.QtWidgets import QApplication
+
+from app.engines.demo_camera import DemoChoice, start_camera
+from app.engines.engine import RecordingRequest
+from app.platform.process_tuning import tune_process
+
+if TYPE_CHECKING:
+    from app.window.main_window import MainWindow
+
+SIZE = (1440, 900)
+START_TIMEOUT = 300.0
+SETTLE_S = 5.0  # after the start: a process that has just begun takes the machine
+THING = {"size": 0.2}  # m: so large that fingers which move at random are at its surface often
+PARTS = ("touch", "robot")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="app.tools.command_latency", description=__doc__)
+    parser.add_argument("--seconds", type=float, default=60.0, help="that are recorded")
+    parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
+    parser.add_argument("--motion", default="", help="of the hand: as in the demo")
+    parser.add_argument("--only", choices=PARTS, default="", help="leave the other one out")
+    parser.add_argument("--hidden", action="store_true", help="their panels are not in sight")
+    parser.add_argument("-o", "--output", type=Path, default=None, help="a folder for the session")
+    args = parser.parse_args(argv)
+    tune_process()
+    app = QApplication.instance() or QApplication(["glovetrack"])
+    app.setApplicationName("glovetrack")
+    with tempfile.TemporaryDirectory() as folder:
+        print(json.dumps(measure(args, args.output or Path(folder)), indent=2))
+    return 0
+
+
+def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
+    """What the session says, and what the window did meanwhile."""
+    choice = DemoChoice(args.fps, motion=args.motion)
+    camera = start_camera(choice=choice)
+    from app.storage.settings import SettingsStore
+    from app.window.headless_report import wait_until
+    from app.window.main_window import MainWindow
+    from app.window.sources import demo_factory
+    from tracker.session.latency import latencies_of
+
+    folder.mkdir(parents=True, exist_ok=True)
+    window = MainWindow(SettingsStore(folder / "window.json"))
+    window.resize(*SIZE)
+    window.show()
+    path = folder / "latency.mcap"
+    try:
+        window.host.open("demo", demo_factory(choice, camera=camera))
+        if not wait_until(lambda: window.host.running, START_TIMEOUT):
+            raise SystemExit("The demo did not start.")
+        _begin(window, [args.only] if args.only else PARTS, not args.hidden)
+        wait_until(lambda: False, SETTLE_S)
+        path.unlink(missing_ok=True)
+        window.host.record(RecordingRequest(path, "", ""))
+        ticks = window.ticker.ticks
+        wait_until(lambda: False, args.seconds)
+        drawn = (window.ticker.ticks - ticks) / args.seconds
+        setup = window.host.setup
+        values = dict(setup.tracked.status().values) if setup is not None else {}
+        missed = window.robot_link.figures.tip
+        window.host.stop()
+        window.host.recording.wait()
+    finally:
+        window.close()
+    shown = {k: round(v, 2) for k, v in values.items() if k.startswith("latency")}
+    return {
+        **latencies_of(path),
+        "window_hz": round(drawn, 1),
+        "stages_ms": shown,
+        "application_missed": values.get("application_missed", 0.0),
+        "robot": missed,
+        "load": round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else None,
+    }
+
+
+def _begin(window: MainWindow, parts: Sequence[str], shown: bool) -> None:
+    """Let applications and robot run."""
+    from app.window.headless_report import wait_until
+
+    if "touch" in parts:
+        if shown:
+            window.show_panel("applications")
+        window.applications.choose("touch", THING)
+    if "robot" in parts:
+        if shown:
+            window.show_panel("robot")
+        link = window.robot_link
+        problems: list[str] = []
+        link.failed.connect(problems.append)
+        link.switch(True)
+        if not wait_until(lambda: link.view is not None or bool(problems), START_TIMEOUT):
+            problems.append("The robot did not start.")
+        if problems:
+            raise SystemExit(" ".join(problems))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

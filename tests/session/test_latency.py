@@ -1,0 +1,71 @@
+"""How late commands left, told by a session that holds known delays."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from tests.session.conftest import at
+from tests.session.test_robot_topics import MODEL, state
+from tracker.cli import main
+from tracker.messages import Event, Message, RobotState
+from tracker.session.decode_robot import read_robot
+from tracker.session.latency import latencies_of
+from tracker.session.reader import SessionReader
+
+
+def motor(of: float, late: float) -> Event:
+    """A motor is told ``late`` ms after the sample of ``of`` ms."""
+    return Event(at(of + late), "motor", "", {"channel": 0, "amplitude": 90, "of": at(of)})
+
+
+def driven(of: float, late: float) -> RobotState:
+    return replace(state(of, 1), t_told=at(of + late))
+
+
+@pytest.fixture
+def session(tmp_path: Path, record: Callable[..., Path]) -> Path:
+    told: list[Message] = [MODEL, Event(at(0), "note", "no latency", {})]
+    for k in range(1, 100):
+        told += [motor(10.0 * k, 5.0), driven(10.0 * k, 8.0)]
+    told += [
+        motor(1000.0, 25.0),
+        driven(1000.0, 30.0),
+        state(1050.0, 1),
+    ]  # the last: driven offline
+    return record(tmp_path / "late.mcap", told)
+
+
+def test_a_session_tells_how_late_motors_and_robots_were_told(session: Path) -> None:
+    found = latencies_of(session)
+    assert set(found) == {"motor", "robot claw_left"}
+    motors, robot = found["motor"], found["robot claw_left"]
+    assert motors["count"] == robot["count"] == 100
+    assert motors["median_ms"] == pytest.approx(5.0, abs=1e-3)
+    assert robot["median_ms"] == pytest.approx(8.0, abs=1e-3)
+    assert (motors["most_ms"], robot["most_ms"]) == pytest.approx((25.0, 30.0), abs=1e-3)
+    assert 5.0 < motors["p99_ms"] < 25.0
+
+
+def test_when_a_command_left_is_read_back_and_is_unknown_of_one_that_a_recording_drove(
+    session: Path,
+) -> None:
+    with SessionReader(session) as reader:
+        states = [m for m in read_robot(reader, "claw_left") if isinstance(m, RobotState)]
+    assert [s.t_told == pytest.approx(s.t + 0.008) for s in states[:99]] == [True] * 99
+    assert states[-1].t_told != states[-1].t_told  # NaN
+
+
+def test_the_command_tells_it_to_people_and_programs(
+    session: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["info", "--latency", str(session)]) == 0
+    assert "motor: 5.0 ms after the sample (99 %: 5.2, most 25.0; 100 times)" in (
+        capsys.readouterr().out
+    )
+    assert main(["info", "--latency", str(session), "--json", "-"]) == 0
+    assert json.loads(capsys.readouterr().out)["latency"]["motor"]["count"] == 100
