@@ -17,7 +17,9 @@ WORDS = {
     "point": mark("point"),
     "open_palm": mark("open palm"),
     "grasp": mark("grasp"),
+    "poke": mark("poke"),
 }
+UNSURE = 0.5  # a confidence: below it is said that a gesture is inferred
 LONGEST_GAP = 0.5  # s between two estimates after which what was shown is forgotten
 
 
@@ -42,5 +44,10 @@ class ShownGestures:
         if estimate.t > self._t:
             self._recogniser.feed(estimate)
             self._t = estimate.t
-        values = self._recogniser.values
-        return ", ".join(f"{tr(WORDS[n])} {100 * values[n]:.0f} %" for n in self._recogniser.active)
+        values, sure = self._recogniser.values, self._recogniser.confidences
+        return ", ".join(_said(n, values[n], sure[n]) for n in self._recogniser.active)
+
+
+def _said(name: str, value: float, sure: float) -> str:
+    text = f"{tr(WORDS[name])} {100 * value:.0f} %"
+    return text if sure >= UNSURE else tr("{} (unsure)").format(text)

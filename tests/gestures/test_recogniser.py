@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
 
+from tests.applications.hands import estimates
 from tracker import library
 from tracker.evaluation.gestures.score import as_estimate, score
 from tracker.gestures.recogniser import KIND, GestureRecogniser, gesture_event
 from tracker.messages import Estimate, Tracking, Validity
+from tracker.simulation.gestures import pinch
 from tracker.simulation.postures import posture
 from tracker.simulation.scenario import Truth
+from tracker.simulation.scripted import Key
 
 HAND, GLOVE = library.load()
 NAMES = GLOVE.keypoint_names(HAND)
@@ -129,6 +133,61 @@ def test_a_pinch_that_is_not_known_well_does_not_begin() -> None:
         assert (("pinch_index", True) in told(frames)) == wanted
 
 
+POINTING = [Key(0.0, "point", (0.17, 0.0, 0.1)), Key(0.6, "point", (0.17, 0.0, 0.1))]
+WAYS = {  # where the pointing finger goes, and in how many s
+    "ahead": ((0.24, 0.0, 0.1), 0.4, True),
+    "aside": ((0.17, 0.07, 0.1), 0.4, False),
+    "slowly ahead": ((0.24, 0.0, 0.1), 2.0, False),
+    "back": ((0.10, 0.0, 0.1), 0.4, False),
+}
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_poke_is_a_pointing_finger_that_is_thrust_ahead(way: str) -> None:
+    there, seconds, pokes = WAYS[way]
+    after = [Key(0.6 + seconds, "point", there), Key(1.4 + seconds, "point", there)]
+    found = told(estimates([*POINTING, *after]))
+    expected = [("point", True), *([("poke", True), ("poke", False)] if pokes else [])]
+    assert found == expected
+
+
+def test_an_open_hand_that_is_thrust_ahead_pokes_nothing() -> None:
+    keys = [Key(k.t, "open_palm", k.palm) for k in POINTING]
+    assert told(estimates([*keys, Key(1.0, "open_palm", (0.24, 0.0, 0.1))])) == [
+        ("open_palm", True)
+    ]
+
+
+@cache
+def pinching(finger: str) -> Estimate:
+    """The hand of the file, known within a millimetre."""
+    angles = pinch(HAND, finger)
+    R, p = HAND.forward(angles, np.eye(3), np.array([0.1, 0.2, 0.3]))
+    return as_estimate(0.0, Truth(GLOVE.keypoint_positions(HAND, R, p), angles, R, p), HAND, GLOVE)
+
+
+@pytest.mark.parametrize("finger", FINGERS)
+def test_the_finger_whose_pad_is_nearest_pinches(finger: str) -> None:
+    """Its neighbours bend with it, and are near enough for pinches of their own."""
+    frames = [replace(pinching(finger), t=0.01 * i) for i in range(20)]
+    found = {name for name, begins in told(frames) if begins and name.startswith("pinch_")}
+    assert found == {f"pinch_{finger}"}
+
+
+def test_a_pinch_of_a_finger_that_is_only_inferred_is_told_less_surely() -> None:
+    """Its neighbour's tip may be as near: the odds are those of the claimed deviations."""
+    recogniser = GestureRecogniser(HAND, NAMES)
+    inferred = np.array([n.startswith(("ring", "little")) for n in NAMES])
+    sure = {}
+    for k, sd in enumerate((0.001, 0.010)):
+        one = replace(pinching("ring"), keypoint_sd=np.where(inferred, sd, 1e-3))
+        for i in range(20):
+            recogniser.feed(replace(one, t=k + 0.01 * i))
+        sure[sd] = recogniser.confidences["pinch_ring"]
+    assert sure[0.001] > 0.99
+    assert 0.5 < sure[0.010] < 0.95
+
+
 def test_simulated_people_are_understood() -> None:
     """On the true hand the rules leave nothing: each held gesture right, none false in 20 s."""
     wearer = score(4, free=20.0, on_truth=True)
@@ -142,4 +201,6 @@ def test_events_say_what_sessions_hold() -> None:
     (phase,) = [p for e in lasting(SHAPES["fist"], 0.0, 0.2) for p in recogniser.feed(e)]
     event = gesture_event(phase, recogniser.side)
     assert (event.kind, event.t) == (KIND, phase.t)
-    assert event.data == {"hand": "right", "gesture": "fist", "phase": "begin", "value": 1.0}
+    assert event.data == {
+        "hand": "right", "gesture": "fist", "phase": "begin", "value": 1.0, "confidence": 1.0,
+    }  # fmt: skip

@@ -103,4 +103,4 @@ def test_gestures_are_told_with_their_values() -> None:
     assert value.startswith(b"/Glovetrack/Gesture")
     lost = replace(estimate, tracking=Tracking.SEARCHING, t=estimate.t + 1.0)
     said = json.loads(to_json(lost, names, gestures))
-    assert said["gestures"] == {"shown": [], "values": dict.fromkeys(GESTURES)}
+    assert said["gestures"] == {"shown": [], "values": dict.fromkeys(GESTURES), "confidence": {}}

@@ -2,31 +2,42 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-import numpy as np
-
-from tracker.gestures.shape import ShapeReader
-from tracker.gestures.values import GESTURES, PINCHES, POSTURES, GestureParams, values
+from tracker.gestures.confidence import confidence
+from tracker.gestures.shape import HandShape, ShapeReader
+from tracker.gestures.values import (
+    BEGINS_AT,
+    ENDS_AT,
+    GESTURES,
+    PINCHES,
+    POKE,
+    POSTURES,
+    GestureParams,
+    values,
+)
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, Event, Tracking
 
 KIND = "gesture"
-BEGINS_AT, ENDS_AT = 0.6, 0.3  # values
 WAIT = 0.03  # s that a value must last, to begin and to end: three packets
-MUCH_MORE = 0.4  # by which another gesture's value must exceed that of the one that stands
+MUCH_MORE = 0.4  # by which another posture's value must exceed that of the one that stands
+NEARER = 0.006  # m by which another finger's pad must be nearer than that of the pinch that stands
 LOSES_AFTER = 0.1  # s that a gesture outlives the sight of what it is told by
 LARGEST_SD = 0.012  # m, of the gap of a pinch that is believed to begin
 
 
 class Phase(NamedTuple):
-    """A gesture begins or ends; ``value`` 0 to 1 as it was then."""
+    """A gesture begins or ends; ``value`` 0 to 1 as it was then, ``confidence`` 0 to 1 of what is
+    measured and not inferred (`tracker.gestures.confidence`); 0 of a hand that is lost."""
 
     gesture: str
     begins: bool
     t: float
     value: float
+    confidence: float = 1.0
 
 
 @dataclass
@@ -34,9 +45,9 @@ class _One:
     """Where one gesture stands."""
 
     active: bool = False
-    since: float = np.nan  # when what speaks for a change began
-    known: float = -np.inf  # when the value was last known
-    value: float = field(default=np.nan)
+    since: float = math.nan  # when what speaks for a change began
+    known: float = -math.inf  # when the value was last known
+    value: float = field(default=math.nan)
 
 
 class GestureRecogniser:
@@ -52,11 +63,20 @@ class GestureRecogniser:
         self._shapes = ShapeReader(hand, keypoint_names)
         self._params = params or GestureParams()
         self._ones = {name: _One() for name in GESTURES}
+        self._shape: HandShape | None = None
 
     @property
     def active(self) -> tuple[str, ...]:
         """Gestures that are shown now."""
         return tuple(name for name, one in self._ones.items() if one.active)
+
+    @property
+    def confidences(self) -> dict[str, float]:
+        """How surely each that is shown now is told, 0 to 1."""
+        shape = self._shape
+        if shape is None:
+            return dict.fromkeys(self.active, 0.0)
+        return {name: confidence(name, shape, self._params) for name in self.active}
 
     @property
     def values(self) -> dict[str, float]:
@@ -66,69 +86,90 @@ class GestureRecogniser:
     def feed(self, estimate: Estimate) -> list[Phase]:
         """What begins and ends with an estimate."""
         t, found = estimate.t, self._values(estimate)
-        leader = _leader(found, self._ones)
+        leader = _leader(found, self._ones, self._gaps())
         phases = []
         for name, one in self._ones.items():
             one.value = found[name]
-            if np.isfinite(one.value):
+            if math.isfinite(one.value):
                 one.known = t
             may = name in leader
             if self._changes(one, t, may):
                 one.active = not one.active
-                one.since = np.nan
-                phases.append(Phase(name, one.active, t, _shown(one.value)))
+                one.since = math.nan
+                sure = confidence(name, self._shape, self._params) if self._shape else 0.0
+                phases.append(Phase(name, one.active, t, _shown(one.value), sure))
         return sorted(phases, key=lambda phase: phase.begins)  # one ends before the next begins
 
+    def _gaps(self) -> dict[str, float]:
+        """m between pads, by pinch; infinite where that is not known."""
+        gaps = self._shape.gap if self._shape else (math.inf,) * len(PINCHES)
+        return {n: math.inf if math.isnan(g) else g for n, g in zip(PINCHES, gaps, strict=True)}
+
     def _values(self, estimate: Estimate) -> dict[str, float]:
+        self._shape = None
         if estimate.tracking == Tracking.SEARCHING:
-            return dict.fromkeys(GESTURES, np.nan)
-        shape = self._shapes.read(estimate)
+            return dict.fromkeys(GESTURES, math.nan)
+        shape = self._shape = self._shapes.read(estimate)
         found = values(shape, self._params)
         for name, sd in zip(PINCHES, shape.gap_sd, strict=True):
             if sd > LARGEST_SD and not self._ones[name].active:
-                found[name] = np.nan  # too little is known of the gap
+                found[name] = math.nan  # too little is known of the gap
         return found
 
     def _changes(self, one: _One, t: float, may_begin: bool) -> bool:
         """Whether a gesture begins or ends now."""
-        if one.active and np.isnan(one.value):
+        if one.active and math.isnan(one.value):
             return t - one.known > LOSES_AFTER
         if one.active:
             wanted = one.value < ENDS_AT or not may_begin
         else:
             wanted = may_begin and one.value > BEGINS_AT
         if not wanted:
-            one.since = np.nan
+            one.since = math.nan
             return False
-        if np.isnan(one.since):
+        if math.isnan(one.since):
             one.since = t
         return t - one.since >= WAIT - 1e-9
 
 
-def _leader(found: dict[str, float], ones: dict[str, _One]) -> set[str]:
-    """At most one pinch and, where there is none, one posture: that which stands, or has most.
+def _leader(found: dict[str, float], ones: dict[str, _One], gap: dict[str, float]) -> set[str]:
+    """At most one pinch and, where there is none, one posture: that which stands, or has most; and
+    a poke of a hand that points.
 
-    A pinch stands before a grasp, which it looks like; a fist and a thumb up before a pinch.
+    Of two pinches it is that whose pads, by their ``gap`` (m), are the nearer. A pinch stands
+    before a grasp, which it looks like; a fist and a thumb up before a pinch.
     """
-
-    def best(names: tuple[str, ...]) -> str | None:
-        strong = next((n for n in names if found[n] > BEGINS_AT), None)
-        standing = next((n for n in names if ones[n].active and not found[n] < ENDS_AT), None)
-        if strong and standing and _shown(found[strong]) > _shown(found[standing]) + MUCH_MORE:
-            return strong
-        return standing or strong
-
-    by_value = tuple(sorted(PINCHES, key=lambda n: -_shown(found[n])))
-    pinch, posture = best(by_value), best(POSTURES)
+    pinch, posture = _pinch(found, ones, gap), _posture(found, ones)
     if pinch and posture in ("thumb_up", "fist"):
         pinch = None
     if pinch and posture == "grasp":
         posture = None
-    return {name for name in (pinch, posture) if name}
+    poke = POKE if posture == "point" else None
+    return {name for name in (pinch, posture, poke) if name}
+
+
+def _pinch(found: dict[str, float], ones: dict[str, _One], gap: dict[str, float]) -> str | None:
+    strong = min((n for n in PINCHES if found[n] > BEGINS_AT), key=gap.__getitem__, default=None)
+    standing = _standing(PINCHES, found, ones)
+    if strong and standing and gap[strong] < gap[standing] - NEARER:
+        return strong
+    return standing or strong
+
+
+def _posture(found: dict[str, float], ones: dict[str, _One]) -> str | None:
+    strong = next((n for n in POSTURES if found[n] > BEGINS_AT), None)
+    standing = _standing(POSTURES, found, ones)
+    if strong and standing and found[strong] > _shown(found[standing]) + MUCH_MORE:
+        return strong
+    return standing or strong
+
+
+def _standing(names: tuple[str, ...], found: dict[str, float], ones: dict[str, _One]) -> str | None:
+    return next((n for n in names if ones[n].active and not found[n] < ENDS_AT), None)
 
 
 def _shown(value: float) -> float:
-    return 0.0 if np.isnan(value) else value
+    return 0.0 if math.isnan(value) else value
 
 
 def gesture_event(phase: Phase, side: str) -> Event:
@@ -142,5 +183,6 @@ def gesture_event(phase: Phase, side: str) -> Event:
             "gesture": phase.gesture,
             "phase": "begin" if phase.begins else "end",
             "value": round(phase.value, 3),
+            "confidence": round(phase.confidence, 3),
         },
     )

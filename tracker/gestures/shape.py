@@ -1,120 +1,186 @@
 """What of a hand's shape gestures are told by, and how surely.
 
 Numbers of the wearer's own hand in its own frame: neither where the hand is nor how it is turned
-counts, so a gesture holds while the place is lost and the fingers are known.
+counts, so a gesture holds while the place is lost and the fingers are known. A thrust alone is of
+the hand's way through the room.
 """
 
 from __future__ import annotations
 
+import math
+from collections import deque
 from itertools import pairwise
 from typing import NamedTuple
 
-import numpy as np
-
 from tracker.hand.model import HandModel
 from tracker.hand.names import CHAINS, FINGERS
-from tracker.messages import Array, Estimate, IntArray, Validity
+from tracker.messages import Estimate, Validity
 
-UNKNOWN = np.nan
+UNKNOWN = math.nan
+NONE = -1  # the row of what a hand has not
+LOST, MEASURED = int(Validity.LOST), int(Validity.MEASURED)
 PAD = 0.004  # m before the tip: the middle of the pad, where thumb and finger meet
+FLEXIONS = ("mcp", "pip", "dip")
+THRUST = 0.2  # s that the way of a thrust is measured over
+MOMENT = 1e-6  # s
+SHORTEST = 1e-6  # m
 
 
 class HandShape(NamedTuple):
     """One instant's; NaN where unknown, rows in the order of `FINGERS`.
 
-    bend (4,) rad: sum of a finger's three flexions. thumb_bend rad: of the thumb's two outer
-    joints. gap (4,) m: from the thumb's end to each finger's, between surfaces, with gap_sd (4,) m.
+    bend (4,) rad: sum of a finger's three flexions; measured (4,): sensors tell one of them, else
+    all are inferred. thumb_bend rad: of the thumb's two outer joints. gap (4,) m: from the thumb's
+    end to each finger's, between surfaces, with gap_sd (4,) m.
     thumb_off m: from the thumb's tip to the nearest of the index finger's bones.
-    across m: from the thumb's tip to the middle fingertip.
+    across m: from the thumb's tip to the middle fingertip. thrust m: how much farther the index
+    fingertip went along its finger than to a side, in the last `THRUST` s.
     """
 
-    bend: Array
+    bend: tuple[float, ...]
+    measured: tuple[bool, ...]
     thumb_bend: float
-    gap: Array
-    gap_sd: Array
+    gap: tuple[float, ...]
+    gap_sd: tuple[float, ...]
     thumb_off: float
     across: float
+    thrust: float
+
+
+class _Rows(NamedTuple):
+    """An estimate in plain numbers: so few are told here that arrays would take ten times as long
+    as the sums, in the thread that tracks."""
+
+    t: float
+    p: list[list[float]]
+    state: list[int]
+    sd: list[float]
+    angle: list[float]
+    angle_state: list[int]
 
 
 class ShapeReader:
-    """Reads shapes out of the estimates of one hand."""
+    """Reads shapes out of the estimates of one hand, in order."""
 
     def __init__(self, hand: HandModel, keypoint_names: tuple[str, ...]) -> None:
-        self._angle = hand.angle_index
-        self._row = {name: i for i, name in enumerate(keypoint_names)}
+        row = {name: i for i, name in enumerate(keypoint_names)}
         self._radius = {s.name: s.radius for s in hand.segments}
+
+        def angles(finger: str, *joints: str) -> tuple[int, ...]:
+            return tuple(hand.angle_index.get(f"{finger}_{j}_flexion", NONE) for j in joints)
+
+        def points(finger: str, *parts: str) -> tuple[int, ...]:
+            return tuple(row.get(f"{finger}_{part}", NONE) for part in parts)
+
+        self._bends = [angles(f, *FLEXIONS) for f in FINGERS]
+        self._thumb_bend = angles("thumb", "mcp", "ip")
+        self._ends = {f: points(f, "ip" if f == "thumb" else "dip", "tip") for f in CHAINS}
+        self._index = points("index", "mcp", "pip", "dip", "tip")
+        self._way: deque[tuple[float, list[float]]] = deque()  # of the index fingertip
 
     def read(self, estimate: Estimate) -> HandShape:
         """The shape that an estimate tells; a finger whose parts are lost is unknown."""
-        gaps = [self._gap(estimate, finger) for finger in FINGERS]
+        e = _Rows(
+            estimate.t,
+            estimate.keypoints.tolist(),
+            estimate.keypoint_state.tolist(),
+            estimate.keypoint_sd.tolist(),
+            estimate.angles.tolist(),
+            estimate.angle_state.tolist(),
+        )
+        thumb = self._bone(e, "thumb")
+        gaps = [_between(thumb, self._bone(e, finger)) for finger in FINGERS]
         return HandShape(
-            bend=np.array([self._bend(estimate, f, ("mcp", "pip", "dip")) for f in FINGERS]),
-            thumb_bend=self._bend(estimate, "thumb", ("mcp", "ip")),
-            gap=np.array([gap for gap, _ in gaps]),
-            gap_sd=np.array([sd for _, sd in gaps]),
-            thumb_off=self._thumb_off(estimate),
-            across=self._distance(estimate, "thumb_tip", "middle_tip"),
+            bend=tuple(_bend(e, columns) for columns in self._bends),
+            measured=tuple(_measured(e, columns) for columns in self._bends),
+            thumb_bend=_bend(e, self._thumb_bend),
+            gap=tuple(gap for gap, _ in gaps),
+            gap_sd=tuple(sd for _, sd in gaps),
+            thumb_off=self._thumb_off(e),
+            across=self._distance(e, "thumb", "middle"),
+            thrust=self._thrust(e),
         )
 
-    def _bend(self, estimate: Estimate, finger: str, joints: tuple[str, ...]) -> float:
-        columns = [self._angle.get(f"{finger}_{joint}_flexion", -1) for joint in joints]
-        if min(columns) < 0 or _lost(estimate.angle_state[columns]):
-            return UNKNOWN
-        return float(estimate.angles[columns].sum())
-
-    def _gap(self, estimate: Estimate, finger: str) -> tuple[float, float]:
-        thumb = self._bone(estimate, "thumb_ip", "thumb_tip", "thumb_distal")
-        other = self._bone(estimate, f"{finger}_dip", f"{finger}_tip", f"{finger}_distal")
-        if thumb is None or other is None:
-            return UNKNOWN, UNKNOWN
-        near = float(np.linalg.norm(thumb.pad - other.pad)) - thumb.radius - other.radius
-        return near, float(np.hypot(thumb.sd, other.sd))
-
-    def _bone(self, estimate: Estimate, start: str, tip: str, segment: str) -> _Bone | None:
-        rows = [self._row.get(start, -1), self._row.get(tip, -1)]
-        if min(rows) < 0 or _lost(estimate.keypoint_state[rows]):
+    def _bone(self, e: _Rows, finger: str) -> _Bone | None:
+        rows = self._ends[finger]
+        if _lost(rows, e.state):
             return None
-        a, b = estimate.keypoints[rows]
-        along = (a - b) / max(float(np.linalg.norm(a - b)), 1e-6)
-        sd = float(estimate.keypoint_sd[rows[1]])
-        return _Bone(b + PAD * along, self._radius[segment], sd)
+        a, b = e.p[rows[0]], e.p[rows[1]]
+        length = max(math.dist(a, b), SHORTEST)
+        pad = [y + PAD * (x - y) / length for x, y in zip(a, b, strict=True)]
+        return _Bone(pad, self._radius[f"{finger}_distal"], e.sd[rows[1]])
 
-    def _thumb_off(self, estimate: Estimate) -> float:
+    def _thumb_off(self, e: _Rows) -> float:
         """From the thumb's tip to the chain of the index finger's bones."""
-        chain = [self._row.get(f"index_{part}", -1) for part in ("mcp", "pip", "dip", "tip")]
-        thumb = self._row.get("thumb_tip", -1)
-        if min(*chain, thumb) < 0 or _lost(estimate.keypoint_state[[*chain, thumb]]):
+        thumb = self._ends["thumb"][1]
+        if _lost((*self._index, thumb), e.state):
             return UNKNOWN
-        p, nodes = estimate.keypoints[thumb], estimate.keypoints[chain]
-        return min(_from_line(p, a, b) for a, b in pairwise(nodes))
+        nodes = [e.p[i] for i in self._index]
+        return min(_from_line(e.p[thumb], a, b) for a, b in pairwise(nodes))
 
-    def _distance(self, estimate: Estimate, one: str, other: str) -> float:
-        rows = [self._row.get(one, -1), self._row.get(other, -1)]
-        if min(rows) < 0 or _lost(estimate.keypoint_state[rows]):
+    def _distance(self, e: _Rows, one: str, other: str) -> float:
+        """m between two fingertips."""
+        rows = self._ends[one][1], self._ends[other][1]
+        return UNKNOWN if _lost(rows, e.state) else math.dist(e.p[rows[0]], e.p[rows[1]])
+
+    def _thrust(self, e: _Rows) -> float:
+        """Unknown until the fingertip has been seen for that long."""
+        rows, way, t = (self._index[0], self._index[-1]), self._way, e.t
+        if _lost(rows, e.state):
+            way.clear()
             return UNKNOWN
-        a, b = estimate.keypoints[rows]
-        return float(np.linalg.norm(a - b))
+        base, tip = e.p[rows[0]], e.p[rows[1]]
+        if way and not way[-1][0] < t < way[-1][0] + THRUST:
+            way.clear()
+        way.append((t, tip))
+        while len(way) > 1 and way[1][0] <= t - THRUST + MOMENT:
+            way.popleft()
+        if t - way[0][0] < THRUST - MOMENT:
+            return UNKNOWN
+        return _ahead(way[0][1], tip, base)
 
 
 class _Bone(NamedTuple):
     """A fingertip's bone: the middle of its pad's axis (3,) m, radius and sd m."""
 
-    pad: Array
+    pad: list[float]
     radius: float
     sd: float
 
 
-def fingers_of(hand: HandModel) -> tuple[str, ...]:
-    """Fingers (not the thumb) that a hand has whole."""
-    return tuple(f for f in FINGERS if all(segment in hand.index for segment in CHAINS[f]))
+def _lost(rows: tuple[int, ...], states: list[int]) -> bool:
+    """Whether one of them is, or is no part of the hand."""
+    return min(rows) < 0 or any(states[row] == LOST for row in rows)
 
 
-def _lost(states: IntArray) -> bool:
-    return bool((states == Validity.LOST).any())
+def _bend(e: _Rows, columns: tuple[int, ...]) -> float:
+    return UNKNOWN if _lost(columns, e.angle_state) else sum(e.angle[i] for i in columns)
 
 
-def _from_line(p: Array, a: Array, b: Array) -> float:
+def _measured(e: _Rows, columns: tuple[int, ...]) -> bool:
+    return any(i >= 0 and e.angle_state[i] == MEASURED for i in columns)
+
+
+def _between(thumb: _Bone | None, other: _Bone | None) -> tuple[float, float]:
+    """m between surfaces, and its sd."""
+    if thumb is None or other is None:
+        return UNKNOWN, UNKNOWN
+    near = math.dist(thumb.pad, other.pad) - thumb.radius - other.radius
+    return near, math.hypot(thumb.sd, other.sd)
+
+
+def _ahead(before: list[float], tip: list[float], base: list[float]) -> float:
+    """m that a point went along its finger, less what it went to a side."""
+    length = max(math.dist(tip, base), SHORTEST)
+    went = [x - y for x, y in zip(tip, before, strict=True)]
+    along = sum(w * (x - y) / length for w, x, y in zip(went, tip, base, strict=True))
+    aside = math.sqrt(max(sum(w * w for w in went) - along * along, 0.0))
+    return along - aside
+
+
+def _from_line(p: list[float], a: list[float], b: list[float]) -> float:
     """m from a point to the piece of line between two."""
-    d = b - a
-    share = float(np.clip((p - a) @ d / max(float(d @ d), 1e-12), 0.0, 1.0))
-    return float(np.linalg.norm(p - a - share * d))
+    d = [y - x for x, y in zip(a, b, strict=True)]
+    share = sum((z - x) * w for z, x, w in zip(p, a, d, strict=True))
+    share = min(max(share / max(sum(w * w for w in d), 1e-12), 0.0), 1.0)
+    return math.dist(p, [x + share * w for x, w in zip(a, d, strict=True)])

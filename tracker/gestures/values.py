@@ -7,10 +7,9 @@ of an angle is a little more of a value and no threshold stands in two places.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
-
-import numpy as np
 
 from tracker.gestures.shape import HandShape
 from tracker.hand.names import FINGERS
@@ -18,7 +17,11 @@ from tracker.hand.names import FINGERS
 PINCHES = tuple(f"pinch_{finger}" for finger in FINGERS)
 POSTURES = ("thumb_up", "fist", "point", "open_palm", "grasp")
 """Of these a hand shows one at a time; the earlier is the more particular."""
-GESTURES = (*PINCHES, *POSTURES)
+POKE = "poke"
+"""What a hand does while it points."""
+GESTURES = (*PINCHES, *POSTURES, POKE)
+BEGINS_AT, ENDS_AT = 0.6, 0.3
+"""Values at which a gesture begins and ends."""
 
 
 class Ramp(NamedTuple):
@@ -29,24 +32,26 @@ class Ramp(NamedTuple):
 
     def of(self, x: float) -> float:
         """NaN of NaN."""
-        return float(np.clip((x - self.none) / (self.full - self.none), 0.0, 1.0))
+        share = (x - self.none) / (self.full - self.none)
+        return share if math.isnan(share) else min(max(share, 0.0), 1.0)
 
 
 class GestureParams(NamedTuple):
     """Angles are sums of a finger's flexions. What is asked of a wearer in the guided poses (a fist
     of 235° and straight fingers within 15°) lies well inside; free motion mostly between."""
 
-    clenched: Ramp = Ramp(np.deg2rad(140.0), np.deg2rad(195.0))
-    curled: Ramp = Ramp(np.deg2rad(110.0), np.deg2rad(165.0))  # beside a pointing finger
-    straight: Ramp = Ramp(np.deg2rad(75.0), np.deg2rad(35.0))
-    around: Ramp = Ramp(np.deg2rad(40.0), np.deg2rad(90.0))  # about an object
-    not_clenched: Ramp = Ramp(np.deg2rad(205.0), np.deg2rad(165.0))
-    thumb_straight: Ramp = Ramp(np.deg2rad(65.0), np.deg2rad(35.0))
+    clenched: Ramp = Ramp(math.radians(140.0), math.radians(195.0))
+    curled: Ramp = Ramp(math.radians(110.0), math.radians(165.0))  # beside a pointing finger
+    straight: Ramp = Ramp(math.radians(75.0), math.radians(35.0))
+    around: Ramp = Ramp(math.radians(40.0), math.radians(90.0))  # about an object
+    not_clenched: Ramp = Ramp(math.radians(205.0), math.radians(165.0))
+    thumb_straight: Ramp = Ramp(math.radians(65.0), math.radians(35.0))
     thumb_away: Ramp = Ramp(0.040, 0.058)  # m from the index finger's bones
     thumb_near: Ramp = Ramp(0.060, 0.048)
     opposed: Ramp = Ramp(0.110, 0.085)  # m between the tips of thumb and middle finger
     apart: Ramp = Ramp(0.015, 0.030)  # and not yet closed
     touching: Ramp = Ramp(0.030, 0.004)  # m between pads
+    thrust: Ramp = Ramp(0.010, 0.025)  # m ahead in 0.2 s
 
 
 def values(shape: HandShape, params: GestureParams) -> dict[str, float]:
@@ -58,8 +63,8 @@ def _pinch(finger: int) -> Callable[[HandShape, GestureParams], float]:
     def value(s: HandShape, p: GestureParams) -> float:
         """In a fist a finger holds its pad to the palm, not to the thumb's; with the others
         out of the way it may be bent as far, and pinches."""
-        others = float(np.delete(s.bend, finger).mean())
-        bend = float(np.minimum(s.bend[finger], others))  # NaN where one is
+        others = (sum(s.bend) - s.bend[finger]) / (len(s.bend) - 1)
+        bend = _least(s.bend[finger], others)
         return _least(p.touching.of(s.gap[finger]), p.not_clenched.of(bend))
 
     return value
@@ -79,6 +84,11 @@ def _point(s: HandShape, p: GestureParams) -> float:
     return _least(p.straight.of(s.bend[0]), *(p.curled.of(bend) for bend in s.bend[1:]))
 
 
+def _poke(s: HandShape, p: GestureParams) -> float:
+    """The pointing finger is thrust ahead."""
+    return _least(_point(s, p), p.thrust.of(s.thrust))
+
+
 def _open_palm(s: HandShape, p: GestureParams) -> float:
     return _least(*(p.straight.of(bend) for bend in s.bend), p.thumb_straight.of(s.thumb_bend))
 
@@ -91,7 +101,7 @@ def _grasp(s: HandShape, p: GestureParams) -> float:
 
 def _least(*conditions: float) -> float:
     """NaN where one is unknown."""
-    return float(np.min(conditions))
+    return math.nan if any(math.isnan(c) for c in conditions) else min(conditions)
 
 
 _RULES: dict[str, Callable[[HandShape, GestureParams], float]] = {
@@ -101,4 +111,5 @@ _RULES: dict[str, Callable[[HandShape, GestureParams], float]] = {
     "point": _point,
     "open_palm": _open_palm,
     "grasp": _grasp,
+    POKE: _poke,
 }

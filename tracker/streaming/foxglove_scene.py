@@ -112,7 +112,7 @@ def estimate_schema(names: Names) -> Json:
     """
     numbers = _array(NUMBER)
     point = _object(state=STRING, position=numbers, orientation_xyzw=numbers, sd=NUMBER)
-    angle = _object(state=STRING, value=NUMBER)
+    angle, of_each = _object(state=STRING, value=NUMBER), _object(**dict.fromkeys(GESTURES, NUMBER))
     joint = _object(state=STRING, position=numbers, orientation_xyzw=numbers, radius=NUMBER)
     if names.openxr:
         points = {"joints": _object(**dict.fromkeys(JOINTS, joint))}
@@ -126,7 +126,7 @@ def estimate_schema(names: Names) -> Json:
         tracking=STRING,
         **points,
         angles=_object(**dict.fromkeys(names.angles, angle)),
-        gestures=_object(shown=_array(STRING), values=_object(**dict.fromkeys(GESTURES, NUMBER))),
+        gestures=_object(shown=_array(STRING), values=of_each, confidence=of_each),
     )
 
 

@@ -4,7 +4,8 @@
      "keypoints": {"wrist": {"state": "measured", "position": [x, y, z],
                              "orientation_xyzw": [x, y, z, w], "sd": 0.002}, ...},
      "angles": {"index_mcp_flexion": {"state": "measured", "value": 0.5}, ...},
-     "gestures": {"shown": ["pinch_index"], "values": {"pinch_index": 0.93, ...}}}
+     "gestures": {"shown": ["pinch_index"], "values": {"pinch_index": 0.93, ...},
+                  "confidence": {"pinch_index": 0.99}}}
 
 With OpenXR's joints there is "joints" in place of "keypoints", in OpenXR's world (y up, -z
 forward):
@@ -56,9 +57,10 @@ def to_json(estimate: Estimate, names: Names, gestures: GestureRecogniser | None
 
 
 def _gestures(found: GestureRecogniser) -> dict[str, Any]:
-    """Those that are shown, and how much of each there is; null where that is lost."""
+    """Those that are shown and how surely, and how much of each there is; null where it is lost."""
     values = {n: _number(v, False) for n, v in found.values.items()}
-    return {"shown": list(found.active), "values": values}
+    sure = {n: round(c, 3) for n, c in found.confidences.items()}
+    return {"shown": list(found.active), "values": values, "confidence": sure}
 
 
 def openxr_of(estimate: Estimate, names: Names) -> OpenXrHand:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 from collections import defaultdict
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tracker.terminal import add_json, check_json, finish, progress_line
@@ -22,6 +23,9 @@ def add_evaluate_gestures(
     parser.add_argument("--seed", type=int, default=1, help="of the first of them")
     parser.add_argument("--glove", default="", help="name or file")
     parser.add_argument("--on-truth", action="store_true", help="as if the hand were known")
+    parser.add_argument(
+        "--motion", type=Path, nargs="+", default=[], metavar="FILE", help="recorded hands instead"
+    )
     add_json(parser)
     parser.set_defaults(func=_evaluate)
 
@@ -29,7 +33,9 @@ def add_evaluate_gestures(
 def _evaluate(args: argparse.Namespace) -> int:
     from tracker.evaluation.gestures.score import score
 
-    check_json(args, [])
+    check_json(args, args.motion)
+    if args.motion:
+        return _evaluate_recorded(args)
     watch = progress_line("evaluating")
     scores = []
     for i in range(args.people):
@@ -37,6 +43,19 @@ def _evaluate(args: argparse.Namespace) -> int:
         watch((i + 1) / args.people)
     report = _report(scores)
     finish(args, report, _lines(report), [])
+    return 0
+
+
+def _evaluate_recorded(args: argparse.Namespace) -> int:
+    from tracker.evaluation.gestures.recorded import score_recorded, together
+
+    watch = progress_line("evaluating")
+    scores = []
+    for i, path in enumerate(args.motion):
+        scores.append(score_recorded(path, args.seed + i, args.seconds, args.glove))
+        watch((i + 1) / len(args.motion))
+    found = [*scores, together(scores)] if len(scores) > 1 else scores
+    finish(args, {"recordings": [s.to_json() for s in found]}, [s.line() for s in found], [])
     return 0
 
 

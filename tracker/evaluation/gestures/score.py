@@ -7,6 +7,7 @@ begins in free motion is false unless the true hand shows it too.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -14,12 +15,12 @@ import numpy as np
 
 from tracker import library
 from tracker.geometry import so3
-from tracker.gestures.recogniser import ENDS_AT, GestureRecogniser, Phase
+from tracker.gestures.recogniser import GestureRecogniser, Phase
 from tracker.gestures.shape import ShapeReader
-from tracker.gestures.values import GestureParams, values
+from tracker.gestures.values import ENDS_AT, GESTURES, GestureParams, values
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import Array, Estimate, Event, ImuSample, Tracking, Validity
+from tracker.messages import Array, Estimate, Event, ImuSample, Message, Tracking, Validity
 from tracker.pipeline import Pipeline
 from tracker.simulation.guided import GuidedPoses, HeldPose, with_events
 from tracker.simulation.random_postures import RandomPostures
@@ -30,6 +31,7 @@ SHOWN_BY = {"flat": "open_palm", "spread": "open_palm"}
 """The gesture that a guided pose shows, where it is not called the same."""
 WHOLLY = 0.9  # a value: of a pinch, pads 7 mm apart
 JUDGED_FROM = 0.2  # s after the pose is reached
+STEP = 0.01  # s
 
 
 class Held(NamedTuple):
@@ -65,14 +67,15 @@ def score(
     wearer = Wearer.random(hand, glove, seed)
     motion = GuidedPoses(wearer, RandomPostures(hand, seed, duration=free), seed)
     simulation = Simulation(hand, glove, motion, seed)
-    estimates = _true(simulation) if on_truth else _tracked(simulation)
-    recogniser = GestureRecogniser(hand, glove.keypoint_names(hand))
+    true, names = true_hand(simulation), glove.keypoint_names(hand)
+    estimates = true if on_truth else tracked(simulation)
+    recogniser = GestureRecogniser(hand, names)
     phases, shown = [], []
     for estimate in estimates:
         phases += recogniser.feed(estimate)
         shown.append(recogniser.active)
     t = np.array([e.t for e in estimates])
-    truth = _TrueValues(simulation)
+    truth = TrueValues(true, hand, names)
     out = GestureScore(free_time=simulation.duration - motion.free_from)
     for pose in motion.held:
         out.held.append(_judged(pose, t, shown, phases, truth))
@@ -87,7 +90,7 @@ def _judged(
     t: Array,
     shown: list[tuple[str, ...]],
     phases: list[Phase],
-    truth: _TrueValues,
+    truth: TrueValues,
 ) -> Held:
     gesture = SHOWN_BY.get(pose.name, pose.name)
     during = np.flatnonzero((t >= pose.reached + JUDGED_FROM) & (t <= pose.left))
@@ -98,36 +101,39 @@ def _judged(
     return Held(gesture, right, begins[0] - first if begins else np.nan)
 
 
-class _TrueValues:
-    """What the true hand shows."""
+class TrueValues:
+    """What the true hand shows, from the start in steps of `STEP`."""
 
-    def __init__(self, simulation: Simulation) -> None:
-        self._simulation = simulation
-        hand, glove = simulation.hand, simulation.glove
-        self._reader = ShapeReader(hand, glove.keypoint_names(hand))
+    def __init__(self, hand: Sequence[Estimate], model: HandModel, names: tuple[str, ...]) -> None:
+        reader, params = ShapeReader(model, names), GestureParams()
+        rows = [values(reader.read(estimate), params) for estimate in hand]
+        self._values = {name: np.array([row[name] for row in rows]) for name in GESTURES}
 
-    def at(self, gesture: str, t: float) -> float:
-        """The gesture's value."""
-        last = self._simulation.duration - 0.02
-        true = self._simulation.truth(float(np.clip(t, 0.0, last)))
-        estimate = as_estimate(t, true, self._simulation.hand, self._simulation.glove)
-        return values(self._reader.read(estimate), GestureParams())[gesture]
+    def _rows(self, gesture: str, t: Array) -> Array:
+        values = self._values[gesture]
+        return values[np.clip(np.round(t / STEP).astype(int), 0, len(values) - 1)]
 
     def shows(self, gesture: str, t: float) -> bool:
         """Whether it is there, or was in the last tenth of a second."""
-        return any(self.at(gesture, t - back) >= ENDS_AT for back in (0.0, 0.05, 0.1))
+        return bool((self._rows(gesture, t - np.array([0.0, 0.05, 0.1])) >= ENDS_AT).any())
 
     def first(self, gesture: str, start: float, stop: float) -> float:
         """When the true hand first shows it wholly; NaN where it never does."""
-        instants = (float(t) for t in np.arange(start, stop, 0.01))
-        return next((t for t in instants if self.at(gesture, t) > WHOLLY), float("nan"))
+        instants = np.arange(start, stop, STEP)
+        wholly = instants[self._rows(gesture, instants) > WHOLLY]
+        return float(wholly[0]) if len(wholly) else float("nan")
 
 
-def _tracked(simulation: Simulation) -> list[Estimate]:
+def tracked(simulation: Simulation, end: float = np.inf) -> list[Estimate]:
+    """What tracking makes of a simulated hand, up to ``end`` s; it hears what a wearer is asked."""
     pipeline = Pipeline(simulation.hand, simulation.glove, simulation.rig)
+    messages: Iterable[Message] = simulation.feed()
+    if isinstance(simulation.motion, GuidedPoses):
+        messages = with_events(simulation.feed(), simulation.motion.events)
     out = []
-    assert isinstance(simulation.motion, GuidedPoses)
-    for message in with_events(simulation.feed(), simulation.motion.events):
+    for message in messages:
+        if message.t >= end:
+            break
         if isinstance(message, ImuSample):
             out.append(pipeline.feed_imu(message))
         elif isinstance(message, Event):
@@ -137,13 +143,22 @@ def _tracked(simulation: Simulation) -> list[Estimate]:
     return out
 
 
-def _true(simulation: Simulation) -> list[Estimate]:
-    t = np.arange(0.0, simulation.duration - 0.02, 0.01)
+def true_hand(simulation: Simulation) -> list[Estimate]:
+    """The hand as it is, 100 times a second."""
+    t = np.arange(0.0, simulation.duration - 0.02, STEP)
     truths = simulation.truths(t)
     return [
         as_estimate(float(s), true, simulation.hand, simulation.glove)
         for s, true in zip(t, truths, strict=True)
     ]
+
+
+def phases_of(
+    estimates: Sequence[Estimate], hand: HandModel, names: tuple[str, ...]
+) -> list[Phase]:
+    """What begins and ends in them."""
+    recogniser = GestureRecogniser(hand, names)
+    return [phase for estimate in estimates for phase in recogniser.feed(estimate)]
 
 
 def as_estimate(t: float, true: Truth, hand: HandModel, glove: GloveModel) -> Estimate:
