@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from app.engines.engine import EngineSetup
@@ -36,10 +37,12 @@ class ApplicationsModel:
 
     @property
     def recorded(self) -> tuple[str, dict[str, Any]]:
-        """Name and settings of the application that a session holds; empty where there is none."""
-        player = self._setup.player
+        """Name and settings of the application of this hand that a session holds; empty where there
+        is none."""
+        player, side = self._setup.player, self._setup.hand.side
         for _, event in player.events if player is not None else ():
-            if event.kind == KIND and event.data.get("what") == BEGINS:
+            begins = event.kind == KIND and event.data.get("what") == BEGINS
+            if begins and event.data.get("hand") == side:
                 settings: Any = event.data.get("settings", {})
                 return str(event.data["application"]), dict(settings)
         return "", {}
@@ -74,6 +77,16 @@ class ApplicationsModel:
         except ConfigError as error:
             return told(str(error))
         return ""
+
+    def leave(self) -> tuple[str, dict[str, Any]]:
+        """End what runs, for another hand to take it over: its name and settings."""
+        stage = self.stage
+        if stage is None or not stage.name:
+            return "", {}
+        left = stage.name, json.loads(json.dumps(asdict(stage.settings)))  # rows as lists
+        self.show_page(False)
+        stage.show("")
+        return left
 
     def show_page(self, on: bool) -> str:
         """Serve the page on this machine, or end it: where it is, or why it cannot be, in words."""

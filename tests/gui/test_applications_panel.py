@@ -9,6 +9,7 @@ import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup
 
 from app.viewmodels.application_drawing import DrawingForms, bounds
+from tracker import library
 from tracker.applications import registry
 from tracker.applications.drawing import Line, Mesh, Points, Text
 from tracker.applications.hand import HandSample
@@ -117,6 +118,24 @@ def test_settings_are_changed_in_the_form(staged):
     assert panel.form.fields["place"].text() == ""
     changed = [e.data["key"] for e in told if e.data["what"] == "setting"]
     assert changed == ["size", "loud", "place"]
+
+
+def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
+    panel, right, engine, told = staged
+    hand, glove = library.load("vist-small-left")
+    left = ApplicationStage(hand, glove)
+    there = replace(scripted_setup(engine), hand=hand, glove=glove, stage=left)
+    window.host.adopt(replace(window.host.setup, other=there))
+    panel.choose("compass", {"size": 0.2, "place": [1.0, 2.0, 3.0]})
+    show(panel, right, engine)
+    window.host.show_hand("left")
+    assert (right.name, left.name) == ("", "compass")
+    assert left.settings == CompassSettings(0.2, True, (1.0, 2.0, 3.0), "north")
+    assert panel.choice.currentData() == "compass" and panel.model.stage is left
+    show(panel, right, engine)
+    assert told[-1].data == {"application": "compass", "hand": "right", "what": "ends"}
+    window.host.show_hand("right")
+    assert (right.name, left.name) == ("compass", "")
 
 
 def test_forms_are_where_the_drawing_says():

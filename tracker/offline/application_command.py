@@ -24,6 +24,9 @@ def add_apps(parser: argparse.ArgumentParser) -> None:
     """Arguments of the command."""
     parser.add_argument("name", metavar="NAME", help="of an application; list shows all")
     parser.add_argument("source", type=Path, nargs="?", metavar="SESSION", help="its hand is used")
+    parser.add_argument(
+        "--hand", choices=("left", "right"), default="", help="of a session of both; else the right"
+    )
     parser.add_argument("--simulate", type=float, metavar="S", help="a simulated hand for so long")
     parser.add_argument(
         "--motion", default="", help="of the simulated hand: a recording, or show:NAME"
@@ -116,7 +119,7 @@ def _source(args: argparse.Namespace, stack: ExitStack) -> Any:
     if sum(asked) != 1:
         raise ConfigError("Tell one of SESSION, --simulate and --live: where the hand comes from.")
     if args.source is not None:
-        return stack.enter_context(recorded(args.source))
+        return stack.enter_context(recorded(args.source, args.hand))
     if args.live:
         return streamed(args.live, args.glove)
     options = SimulateOptions(

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from tracker import library
 from tracker.clock import ClockAnchor
-from tracker.errors import ConfigError
+from tracker.errors import ConfigError, FileError
 from tracker.messages import Estimate, ImuSample, Message
 from tracker.offline.simulate import SimulateOptions, truth_message
 from tracker.offline.simulate import build as build_simulation
@@ -33,10 +33,19 @@ class Source(NamedTuple):
 
 
 @contextmanager
-def recorded(path: Path) -> Iterator[Source]:
-    """The estimates of a session, and all else that is in it. Raises FileError."""
-    with SessionReader(path) as reader:
+def recorded(path: Path, side: str = "") -> Iterator[Source]:
+    """The estimates of a session's hand, and all else that is in it; ``side``: which of two, else
+    the main one. Raises FileError where the session has no such hand."""
+    with SessionReader(path, side=side if sides_of(path) else "") as reader:
+        if side and reader.info.side != side:
+            raise FileError(f"{path} has no {side} hand.")
         yield Source(reader.info, reader.packed_messages())
+
+
+def sides_of(path: Path) -> tuple[str, ...]:
+    """The hands of a session of both; empty where there is one. Raises FileError."""
+    with SessionReader(path) as reader:
+        return reader.sides
 
 
 def simulated(options: SimulateOptions, on_truth: bool) -> Source:

@@ -146,13 +146,15 @@ def replay(path: Path) -> list[ApplicationReport]:
     Raises FileError where it holds none.
     """
     with recorded(path) as source:
-        events = [m for m in source.messages if isinstance(m, Event) and m.kind == KIND]
-    begun = [i for i, e in enumerate(events) if e.data["what"] == BEGINS]
-    if not begun:
+        told = [m for m in source.messages if isinstance(m, Event) and m.kind == KIND]
+    runs = []
+    for side in dict.fromkeys(str(e.data["hand"]) for e in told):
+        events = [e for e in told if e.data["hand"] == side]
+        begun = [i for i, e in enumerate(events) if e.data["what"] == BEGINS]
+        runs += [events[i:j] for i, j in zip(begun, [*begun[1:], len(events)], strict=True)]
+    if not runs:
         raise FileError(f"{path} holds no application.")
-    return [
-        _again(path, events[i:j]) for i, j in zip(begun, [*begun[1:], len(events)], strict=True)
-    ]
+    return [_again(path, run) for run in runs]
 
 
 def _again(path: Path, events: Sequence[Event]) -> ApplicationReport:
@@ -162,7 +164,7 @@ def _again(path: Path, events: Sequence[Event]) -> ApplicationReport:
     changes = [e for e in events if e.data["what"] == SETTING]
     wanted = [e for e in events if e.data["what"] != ENDS and e.data["application"] == name]
     report = ApplicationReport(name)
-    with recorded(path) as source:
+    with recorded(path, str(first.data["hand"])) as source:
         runner = ApplicationRunner(name, source.info.hand, source.info.glove, settings)
         for message in source.messages:
             if not isinstance(message, Estimate) or message.t < first.t:

@@ -72,6 +72,7 @@ class ApplicationsPanel(Panel):
         self._lay_out()
         host.opened.connect(self._open)
         host.closed.connect(self._clear)
+        host.hand_changed.connect(self._follow_hand)
         self._clear()
 
     def title(self) -> str:
@@ -174,6 +175,15 @@ class ApplicationsPanel(Panel):
         if name in self.model.titles:
             self.choose(name, settings)
         self._make_bodies()
+
+    def _follow_hand(self, setup: EngineSetup) -> None:
+        """What runs goes on with the hand that is shown now, page and all."""
+        name, settings = self.model.leave() if self.model is not None else ("", {})
+        page = self.page.isChecked()
+        self._open(setup)
+        if name:
+            self.choose(name, settings)
+            self.page.setChecked(page)
 
     def _clear(self) -> None:
         self._setup = self.model = self._hand_model = self._bodies = self._skin = None
