@@ -65,11 +65,9 @@ def demo_setup(
     ``camera``: one that was started before, for the same seed and choice.
     """
     progress(0.1, tr("a simulated wearer and camera"))
-    camera = camera or start_camera(
-        seed, choice.fps, choice.hands
-    )  # its own process gets ready beside us
+    camera = camera or start_camera(seed, choice)  # its own process gets ready beside us
     try:
-        return _setup_with(progress, demo_spec(seed, choice.fps, choice.hands), camera)
+        return _setup_with(progress, demo_spec(seed, choice), camera)
     except BaseException:  # Ctrl+C too must not leave the camera's process behind
         camera.close()
         raise

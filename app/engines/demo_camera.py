@@ -22,19 +22,23 @@ HANDS = ("right", "left", "both")
 
 @dataclass(frozen=True)
 class DemoChoice:
-    """Images a second of the simulated camera, and which hands of `HANDS` it sees."""
+    """Images a second of the simulated camera, which hands of `HANDS` it sees, and what one hand
+    does: see `DemoSpec.motion`."""
 
     fps: float = FPS
     hands: str = "right"
+    motion: str = ""
 
 
-def demo_spec(seed: int = SEED, fps: float = FPS, hands: str = "right") -> DemoSpec:
-    """The simulated wearer or wearers, and the camera; ``hands`` of `HANDS`."""
+def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
+    """The simulated wearer or wearers, and the camera."""
+    choice = choice or DemoChoice()
+    hands = choice.hands
     worn = {side: _texts(side) for side in ("right", "left") if hands in (side, "both")}
     (main, *others) = worn.values()
     other = others[0] if others else None
     light = LIGHT if other is None else ""  # two are drawn before a plain wall
-    return DemoSpec(*main, seed, DURATION, fps, light=light, other=other)
+    return DemoSpec(*main, seed, DURATION, choice.fps, choice.motion, light=light, other=other)
 
 
 def _texts(side: str) -> WornTexts:
@@ -42,6 +46,6 @@ def _texts(side: str) -> WornTexts:
     return WornTexts(library.text("hands", hand), library.text("gloves", glove))
 
 
-def start_camera(seed: int = SEED, fps: float = FPS, hands: str = "right") -> SimulatedCamera:
+def start_camera(seed: int = SEED, choice: DemoChoice | None = None) -> SimulatedCamera:
     """A process that draws; whoever gets it has to close it."""
-    return SimulatedCamera(demo_spec(seed, fps, hands))
+    return SimulatedCamera(demo_spec(seed, choice))

@@ -76,7 +76,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def measure(fps: float, seconds: float, folder: Path) -> list[Load]:
     """The demo, first as it is, then while it records."""
-    camera = start_camera(fps=fps)
+    camera = start_camera(choice=DemoChoice(fps))
     from app.storage.settings import SettingsStore
     from app.window.headless_report import wait_until
     from app.window.main_window import MainWindow

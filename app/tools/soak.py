@@ -177,7 +177,7 @@ def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
 
 def soak(minutes: float, folder: Path) -> Soak:
     """The demo with everything visible for ``minutes``, then a while without the 3D view."""
-    camera = start_camera(fps=FPS)
+    camera = start_camera(choice=DemoChoice(FPS))
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
     from app.window.sources import demo_factory

@@ -70,14 +70,14 @@ def open_window(argv: Sequence[str]) -> int:
 
 
 def _report(app: QApplication, args: argparse.Namespace) -> int:
-    camera = start_camera(fps=args.fps, hands=args.hands)  # before the window is even imported
+    camera = start_camera(choice=_demo(args))  # before the window is even imported
     from app.window.headless_report import headless_report
 
     return headless_report(
         app,
         args.headless_report,
         args.out,
-        DemoChoice(args.fps, args.hands),
+        _demo(args),
         camera,
         args.streams,
         args.wearer,
@@ -102,7 +102,7 @@ def _run(app: QApplication, args: argparse.Namespace) -> int:
 def _show(
     app: QApplication, args: argparse.Namespace, crashes: CrashWatch, instance: Instance
 ) -> int:
-    camera = start_camera(fps=args.fps, hands=args.hands) if args.demo else None
+    camera = start_camera(choice=_demo(args)) if args.demo else None
     from app.platform.translation import install
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
@@ -122,12 +122,16 @@ def _show(
         window.calibration.begin_with(args.wearer)
     window.show()
     if args.demo:
-        window.sources.open_demo(DemoChoice(args.fps, args.hands), camera)
+        window.sources.open_demo(_demo(args), camera)
     elif args.session is not None:
         window.sources.open_session(args.session)
     elif args.devices:
         window.sources.open_devices()
     return app.exec()
+
+
+def _demo(args: argparse.Namespace) -> DemoChoice:
+    return DemoChoice(args.fps, args.hands, args.motion)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -171,6 +175,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
     parser.add_argument("--hands", choices=HANDS, default="right", help="simulated in the demo")
+    parser.add_argument(
+        "--motion", default="", help="of the demo's hand: a recording, or show:NAME, an application"
+    )
     parser.add_argument(
         "--headless-report",
         type=float,

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tracker.glove.files import parse_glove
+from tracker.glove.model import GloveModel
 from tracker.hand.files import parse_hand
 from tracker.hand.model import HandModel
 from tracker.simulation.asked import Asked, AskedMotion
@@ -16,6 +17,7 @@ from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
+from tracker.simulation.wearer import Wearer
 
 
 class WornTexts(NamedTuple):
@@ -30,7 +32,8 @@ BACKGROUNDS = 6  # of a desk, drawn once: half the time an image takes goes into
 
 @dataclass(frozen=True)
 class DemoSpec:
-    """Texts of the hand's and the glove's file; ``motion`` a recording or empty.
+    """Texts of the hand's and the glove's file; ``motion`` a recording, ``show:`` and the name of
+    an application that is used again and again, or empty.
 
     With an ``other`` glove, of the other side, two hands meet before a plain wall.
     """
@@ -50,9 +53,8 @@ def build(spec: DemoSpec) -> Simulation:
     """The simulation that a spec describes: the same in every process."""
     hand = parse_hand(spec.hand_text)
     glove = parse_glove(spec.glove_text, hand)
-    motion: Motion
     if spec.motion:
-        motion = _recorded(Path(spec.motion), hand)
+        motion: Motion = _told(spec, hand, glove)
     else:
         own = RandomPostures(hand, spec.seed, duration=spec.duration)
         motion = AskedMotion(own, spec.seed)
@@ -93,8 +95,12 @@ def asked_for(simulation: Simulation) -> tuple[Asked, ...]:
     return simulation.motion.asked if isinstance(simulation.motion, AskedMotion) else ()
 
 
-def _recorded(path: Path, hand: HandModel) -> Motion:
-    """Imported when asked for: its filters bring all of scipy.signal, and the demo starts first."""
+def _told(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
+    """Imported when asked for: what these need brings all of scipy, and the demo starts first."""
     from tracker.simulation.recorded import load_motion
+    from tracker.simulation.scripted import WORD, show
 
-    return load_motion(path, hand)
+    if spec.motion.startswith(WORD):
+        wearer = Wearer.random(hand, glove, spec.seed)
+        return AskedMotion(show(spec.motion, hand, wearer, spec.duration), spec.seed)
+    return load_motion(Path(spec.motion), hand)

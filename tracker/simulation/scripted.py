@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -18,6 +19,7 @@ from tracker.simulation.postures import posture
 from tracker.simulation.smooth import minimum_jerk
 from tracker.simulation.wearer import Wearer
 
+PAUSE = 1.5  # s from the end of a show to its beginning
 PALM = 0.625  # of the way from the wrist to the knuckles: the palm's middle
 RELAXED = {f"{f}_{joint}_flexion": 32.0 for f in FINGERS for joint in ("mcp", "pip")}
 THUMB_UP = {
@@ -94,9 +96,18 @@ def _angles(hand: HandModel, gesture: str, wearer: Wearer | None) -> Array:
     return posture(hand, POSTURES[gesture])
 
 
-def show(name: str, hand: HandModel, wearer: Wearer | None = None) -> ScriptedHand:
-    """A wearer who uses an application: `WORD` and its name. Raises ConfigError for no such one."""
-    return ScriptedHand(hand, show_keys(name), wearer)
+def show(
+    name: str, hand: HandModel, wearer: Wearer | None = None, least: float = 0.0
+) -> ScriptedHand:
+    """A wearer who uses an application: `WORD` and its name; again and again for ``least`` s.
+
+    Raises ConfigError for no such one.
+    """
+    keys, once = [], show_keys(name)
+    again = once[-1].t + PAUSE
+    for k in range(max(1, math.ceil(least / again))):
+        keys += [key._replace(t=key.t + k * again) for key in once]
+    return ScriptedHand(hand, keys, wearer)
 
 
 def show_keys(name: str) -> list[Key]:
