@@ -118,7 +118,9 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
     """(J,) rad as the hand file defines them: the thumb's tip at the tip of ``finger``, the other
     tips further away.
 
-    Middle, ring and little finger bend together, as synergies have them.
+    Middle, ring and little finger bend together, as synergies have them. The other tips are further
+    away in the hand of the file, too: what a glove does not measure of a finger is inferred from
+    that, so a wearer is to show the pinch as clearly.
     """
     moved = [n for n in hand.joint_names if n.startswith("thumb_") and n not in _given(hand)]
     group = ("index",) if finger == "index" else FINGERS[1:]
@@ -136,12 +138,20 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
         return hand.apply_synergies(out, np.asarray(known | ~_sourced(hand), float))[0]
 
     def cost(x: Array) -> float:
-        reach = tip_distances(hand, angles_of(x), wearer)
-        near = reach.pop(finger)
-        other = sum(max(near + APART - d, 0.0) ** 2 for d in reach.values())
-        return float(1e4 * ((near - TOUCH) ** 2 + other) + 1e-3 * np.sum((x - start) ** 2))
+        angles = angles_of(x)
+        reach = tip_distances(hand, angles, wearer)
+        seen = reach if wearer is None else tip_distances(hand, angles)
+        other = _too_near(reach, finger) + (0.0 if seen is reach else _too_near(seen, finger))
+        miss = (reach[finger] - TOUCH) ** 2
+        return float(1e4 * (miss + other) + 1e-3 * np.sum((x - start) ** 2))
 
     return angles_of(minimize(cost, start, bounds=limits, options={"maxiter": 40}).x)
+
+
+def _too_near(reach: dict[str, float], finger: str) -> float:
+    """m²: by how much other tips are nearer than `APART` beyond that of ``finger``."""
+    others = (d for name, d in reach.items() if name != finger)
+    return sum(max(reach[finger] + APART - d, 0.0) ** 2 for d in others)
 
 
 def tip_distances(hand: HandModel, angles: Array, wearer: Wearer | None = None) -> dict[str, float]:
