@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import subprocess
 import sys
+import zipfile
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -46,15 +47,21 @@ LINE = [
 ]
 
 
+BUILD = "import sys; from setuptools import build_meta; build_meta.build_wheel(sys.argv[1])"
+"""What pip has done by the build system that the example names."""
+
+
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder into which pip has installed the example."""
+    """A folder with the wheel of the example unpacked in it, as pip installs one."""
     source, target = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("site")
     for file in EXAMPLE.glob("*.*"):
         (source / file.name).write_bytes(file.read_bytes())
-    options = ["--quiet", "--no-deps", "--no-build-isolation", "--no-index"]
-    command = [sys.executable, "-m", "pip", "install", *options, "--target", target, source]
-    subprocess.run(command, check=True, timeout=120)
+    command = [sys.executable, "-c", BUILD, target]
+    subprocess.run(command, cwd=source, check=True, timeout=120, capture_output=True)
+    (wheel,) = target.glob("*.whl")
+    with zipfile.ZipFile(wheel) as packed:
+        packed.extractall(target)
     return target
 
 
@@ -108,15 +115,14 @@ def test_settings_are_checked_and_a_change_is_an_event(installed: None) -> None:
 
 def test_a_session_holds_what_it_takes_to_run_it_again(installed: None, tmp_path: Path) -> None:
     """Tracked from simulated sensors, recorded, read back: the same events to the last bit."""
-    source = simulated(SimulateOptions(seed=3, duration=12.0, images=False, fps=20.0), False)
+    options = SimulateOptions(seed=3, motion="show:swarm", duration=6.4, images=False, fps=20.0)
+    source = simulated(options, False)
     out = tmp_path / "drawn.mcap"
     report = run_into("air-drawing", source, Into(out), {"width": 2.0})
     assert report.to_json()["events"]["line"] > 0
     with SessionReader(out) as reader:
         told = [m for m in reader.messages((Event,)) if isinstance(m, Event)]
     assert [(e.t, dict(e.data)) for e in told[:-1]] == [(e.t, e.data) for e in report.events]
-    (again,) = replay(out)
-    assert again.differs == ""
     assert main(["apps", "air-drawing", str(out), "--check"]) == 0
 
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
-import time
+import threading
 import urllib.error
 import urllib.request
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import connect
 
 from tests.applications.hands import GLOVE, HAND, estimates
 from tracker.applications.page import PageServer
@@ -70,57 +70,57 @@ def test_a_message_has_the_hand_in_openxr_axes_and_meshes_once(page: PageServer)
 
 
 class Browser:
-    """A headless one, by its debugging protocol."""
+    """A headless one with one page, by its debugging protocol."""
 
     def __init__(self, folder: Path, url: str) -> None:
         assert BROWSER is not None
         self._process = subprocess.Popen(
             [BROWSER, "--headless=new", "--no-sandbox", "--remote-debugging-port=0",
              "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--window-size=900,600",
-             f"--user-data-dir={folder}", url],
-            stderr=subprocess.DEVNULL,
+             f"--user-data-dir={folder}", "about:blank"],
+            stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
-        self._wait(lambda: (folder / "DevToolsActivePort").exists())
-        port = (folder / "DevToolsActivePort").read_text().split()[0]
-        self._link: ClientConnection | None = None
+        self._number, self._page = 0, ""
+        self._link = connect(self._address(), max_size=None)
+        target = self.ask("Target.createTarget", url=url)["targetId"]
+        attached = self.ask("Target.attachToTarget", targetId=target, flatten=True)
+        self._page = attached["sessionId"]
 
-        def page_found() -> bool:
-            with urllib.request.urlopen(f"http://127.0.0.1:{port}/json") as answer:
-                pages = [p for p in json.load(answer) if p["type"] == "page"]
-            if pages:
-                self._link = connect(pages[0]["webSocketDebuggerUrl"], max_size=None).__enter__()
-            return bool(pages)
-
-        self._wait(page_found)
-        self._number = 0
-
-    def _wait(self, ready: Callable[[], bool], patience: float = 60.0) -> None:
-        until = time.monotonic() + patience
-        while not ready():
-            assert time.monotonic() < until, "the browser takes too long"
-            time.sleep(0.1)
+    def _address(self) -> str:
+        """It tells that where others tell their errors; what follows there is read away."""
+        assert self._process.stderr is not None
+        for line in self._process.stderr:
+            if "listening on ws://" in line:
+                threading.Thread(target=self._process.stderr.read, daemon=True).start()
+                return line.split()[-1]
+        raise AssertionError("the browser has ended")
 
     def ask(self, method: str, **params: Any) -> dict[str, Any]:
-        assert self._link is not None
         self._number += 1
-        self._link.send(json.dumps({"id": self._number, "method": method, "params": params}))
+        said: dict[str, Any] = {"id": self._number, "method": method, "params": params}
+        self._link.send(json.dumps(said | ({"sessionId": self._page} if self._page else {})))
         while True:
             answer = json.loads(self._link.recv(60))
             if answer.get("id") == self._number:
+                assert "error" not in answer, answer
                 return dict(answer["result"])
 
     def value(self, script: str) -> Any:
+        """Of an expression; of a promise, what it comes to."""
         result = self.ask(
-            "Runtime.evaluate", expression=script, returnByValue=True, userGesture=True
-        )
+            "Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True,
+            userGesture=True,
+        )  # fmt: skip
+        assert "exceptionDetails" not in result, result
         return result["result"].get("value")
 
     def until(self, script: str) -> None:
-        self._wait(lambda: bool(self.value(script)))
+        """The page looks until an expression is true."""
+        look = f"const look = () => ({script}) ? done(true) : setTimeout(look, 20); look()"
+        assert self.value(f"new Promise(done => {{ {look} }})") is True
 
     def close(self) -> None:
-        if self._link is not None:
-            self._link.close()
+        self._link.close()
         self._process.terminate()
         self._process.wait(20)
 

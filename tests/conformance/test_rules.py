@@ -17,13 +17,13 @@ from tracker.conformance.run import Verdict, cues, judge, read_take
 from tracker.conformance.take import Step, Take, labels_beside, read_labels, take_of, write_labels
 from tracker.geometry import so3
 from tracker.hand.files import load_hand
-from tracker.hand.openxr import joint_radii, openxr_joints
+from tracker.hand.openxr import OpenXrHand, joint_radii, openxr_joints
 from tracker.isaac.record import HandRecord, Stamps, joints_of
 from tracker.isaac.writer import write_records
 from tracker.simulation.gestures import Gestures, tip_distances
 
 SIDES = ("right", "left")
-HZ = 50
+HZ = 30
 
 
 @pytest.fixture(scope="module")
@@ -35,16 +35,17 @@ def scripted() -> dict[str, tuple[list[HandRecord], list[Step]]]:
         shown, labels = cues(side)
         motion = Gestures(hand, shown, seed=4)
         t = np.arange(int(motion.duration * HZ)) / HZ
-        poses = motion.poses(t)
+        poses = zip(*motion.poses(t), strict=True)
+        placed = [hand.forward(angles, R, p + [0.0, 0.0, 1.0]) for angles, R, p in poses]
+        q = so3.quat_from_matrix(np.array([R for R, _ in placed]))[:, list(hand.keypoint_segment)]
+        points, state = np.array([hand.keypoints(*one) for one in placed]), np.full(q.shape[:2], 2)
+        xr = openxr_joints(points, q, state, hand.keypoint_names, joint_radii(hand))
         records = []
-        for k, (angles, R, p) in enumerate(zip(*poses, strict=True)):
-            R_GB, p_GB = hand.forward(angles, R, p + [0.0, 0.0, 1.0])
-            q = so3.quat_from_matrix(R_GB)[list(hand.keypoint_segment)]
-            points, state = hand.keypoints(R_GB, p_GB), np.full(len(q), 2)
-            xr = openxr_joints(points, q, state, hand.keypoint_names, joint_radii(hand))
+        each = zip(xr.position, xr.orientation, xr.state, xr.radius, strict=True)
+        for k, joints in enumerate(each):
             sample = round(k / HZ * 1e9)
             stamps = Stamps(sample + 2_000_000, sample, sample)
-            records.append(HandRecord(stamps, joints_of(xr)))
+            records.append(HandRecord(stamps, joints_of(OpenXrHand(t[k], *joints))))
         steps = [
             Step(label, round(start * 1e9), round((start + cue.hold) * 1e9))
             for cue, label, start in zip(shown, labels, motion.starts, strict=True)
@@ -125,8 +126,9 @@ def _gap(take: Take) -> Take:
 
 def _jitter(take: Take) -> Take:
     rng = np.random.default_rng(3)
-    late = rng.integers(0, 15_000_000, len(take))
-    return replace(take, sample=take.sample + late, available=take.available + 20_000_000)
+    period = round(1e9 / HZ)
+    late = rng.integers(0, 3 * period // 4, len(take))
+    return replace(take, sample=take.sample + late, available=take.available + period)
 
 
 def _wxyz(take: Take) -> Take:

@@ -96,7 +96,7 @@ class ScriptedEngine:
             truth.p_GB.copy(),
         )
 
-    def latest_frame(self):
+    def latest_frame(self, t: float | None = None):
         frame, blobs = frame_and_blobs(self.frame)
         return frame, blobs, self.result(blobs)
 

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -21,8 +22,16 @@ from tracker.messages import Estimate, Tracking
 from tracker.session.description import SessionInfo
 from tracker.session.writer import RecorderParams, SessionRecorder
 from tracker.simulation.gestures import Gestures
+from tracker.simulation.motion import Poses
 
-HZ = 50
+HZ = 25
+
+
+@cache
+def poses_of_script(hand, shown) -> Poses:
+    """At `HZ`, made once for all tests."""
+    motion = Gestures(hand, shown, seed=4)
+    return motion.poses(np.arange(0.0, motion.duration, 1 / HZ))
 
 
 class Clock:
@@ -42,7 +51,7 @@ class Follower(ScriptedEngine):
         hand, self.glove, _ = models()
         shown, _ = cues(hand.side)
         self.hand, self.clock, self.began, self.lazy = hand, clock, np.inf, False
-        self.motion = Gestures(hand, shown[len(WARM_UP) :], seed=4)
+        self.poses = poses_of_script(hand, tuple(shown[len(WARM_UP) :]))
         self.told = 0
 
     def go_on(self) -> None:
@@ -54,7 +63,8 @@ class Follower(ScriptedEngine):
             self.told += 1
 
     def estimate(self, t: float) -> Estimate:
-        angles, R, p = (x[0] for x in self.motion.poses(np.array([0.0 if self.lazy else t])))
+        row = 0 if self.lazy else min(round(t * HZ), len(self.poses.angles) - 1)
+        angles, R, p = (x[row] for x in self.poses)
         R_GB, p_GB = self.hand.forward(angles, R, p + [0.0, 0.0, 1.0])
         names = self.glove.keypoint_names(self.hand)
         points = self.glove.keypoint_positions(self.hand, R_GB, p_GB, np.ones((len(R_GB), 3)))

@@ -19,11 +19,26 @@ from tracker.robot.settings import RobotSettings
 PATIENCE = 60.0  # s, for a process that is just starting on a busy machine
 
 
-def wait_for(fact: Callable[[], bool]) -> bool:
-    end = time.monotonic() + PATIENCE
-    while not fact() and time.monotonic() < end:
-        time.sleep(0.01)
-    return fact()
+class Heard:
+    """What a robot has answered, and how long to wait for a fact about it."""
+
+    def __init__(self) -> None:
+        self.answers: list[Answer] = []
+        self._new = threading.Condition()
+
+    def __call__(self, answer: Answer, took: float) -> None:
+        with self._new:
+            self.answers.append(answer)
+            self._new.notify_all()
+
+    def until(self, fact: Callable[[], bool]) -> bool:
+        with self._new:
+            return self._new.wait_for(fact, PATIENCE)
+
+    @property
+    def states(self) -> list[RobotState]:
+        said = [m for a in self.answers if isinstance(a, RobotMoved) for m in a.said]
+        return [m for m in said if isinstance(m, RobotState)]
 
 
 def estimate(t: float) -> Estimate:
@@ -37,38 +52,30 @@ def estimate(t: float) -> Estimate:
 
 
 def test_the_newest_hand_counts_commands_come_before_it_and_a_sudden_end_is_told() -> None:
-    answers: list[Answer] = []
-    hand = worn_model()
-    robot = RobotProcess(
-        RobotSettings(objects=""), hand, hand.keypoint_names, lambda a, took: answers.append(a)
-    )
+    heard, hand = Heard(), worn_model()
+    robot = RobotProcess(RobotSettings(objects=""), hand, hand.keypoint_names, heard)
     try:
         for k in range(50):  # before it is there: one of them is kept
             robot.feed(estimate(0.01 * k), time.monotonic())
-        assert wait_for(lambda: len(answers) > 1)
-        assert isinstance(answers[0], RobotReady)
-        assert _states(answers)[0].t == 0.49
+        assert heard.until(lambda: len(heard.answers) > 1)
+        assert isinstance(heard.answers[0], RobotReady)
+        assert heard.states[0].t == 0.49
         assert robot.missed == 49
         robot.ask(RobotCommand("release"))
         robot.feed(estimate(0.5), time.monotonic())
-        assert wait_for(lambda: _states(answers)[-1].t == 0.5)
-        assert not _states(answers)[-1].engaged
+        assert heard.until(lambda: heard.states[-1].t == 0.5)
+        assert not heard.states[-1].engaged
         os.kill(robot.pid, signal.SIGKILL)
-        assert wait_for(lambda: isinstance(answers[-1], RobotFailed))
+        assert heard.until(lambda: isinstance(heard.answers[-1], RobotFailed))
         robot.feed(estimate(0.6), time.monotonic())  # nobody is hurt by it
     finally:
         robot.close()
     assert not [t for t in threading.enumerate() if t.name == "glovetrack-robot"]
 
 
-def _states(answers: list[Answer]) -> list[RobotState]:
-    said = [m for a in answers if isinstance(a, RobotMoved) for m in a.said]
-    return [m for m in said if isinstance(m, RobotState)]
-
-
 def test_a_robot_that_is_not_there_yet_is_ended_without_waiting_for_it() -> None:
-    hand, answers = worn_model(), []
-    robot = RobotProcess(RobotSettings(), hand, hand.keypoint_names, lambda *a: answers.append(a))
+    hand, heard = worn_model(), Heard()
+    robot = RobotProcess(RobotSettings(), hand, hand.keypoint_names, heard)
     robot.close()
-    assert answers == []
+    assert heard.answers == []
     robot.close()

@@ -23,7 +23,7 @@ EXAMPLE = Path(__file__).parents[2] / "docs" / "examples" / "ros2"
 DOMAIN = 77
 
 LISTENER = """
-import json, sys, time
+import json, sys
 sys.path.insert(0, sys.argv[1])
 import os
 import glovetrack_dds as dds
@@ -31,19 +31,13 @@ os.environ.setdefault("CYCLONEDDS_URI", dds.LOOPBACK)
 from cyclonedds.domain import DomainParticipant
 from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
+from cyclonedds.util import duration
 participant = DomainParticipant(int(sys.argv[2]))
 kinds = {"hand/right/joint_states": dds.JointState_, "hand/right/openxr": dds.PoseArray_,
          "tf": dds.TFMessage_}
 readers = {name: DataReader(participant, Topic(participant, f"rt/{name}", kind, qos=dds.QOS),
                             qos=dds.QOS) for name, kind in kinds.items()}
-heard = {}
-end = time.monotonic() + 60
-while len(heard) < len(readers) and time.monotonic() < end:
-    for name, reader in readers.items():
-        for sample in reader.take():
-            heard[name] = sample
-    time.sleep(0.02)
-state, array, tf = (heard[name] for name in kinds)
+state, array, tf = (reader.take_one(timeout=duration(seconds=60)) for reader in readers.values())
 print(json.dumps({
     "angles": dict(zip(state.name, state.position)),
     "poses": [[p.position.x, p.position.y, p.position.z, p.orientation.x, p.orientation.y,
