@@ -8,7 +8,8 @@ import subprocess
 import threading
 import urllib.error
 import urllib.request
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -81,10 +82,15 @@ class Browser:
             stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
         self._number, self._page = 0, ""
-        self._link = connect(self._address(), max_size=None)
-        target = self.ask("Target.createTarget", url=url)["targetId"]
+        self._stack = ExitStack()
+        self._link = self._stack.enter_context(connect(self._address(), max_size=None))
+        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
         attached = self.ask("Target.attachToTarget", targetId=target, flatten=True)
         self._page = attached["sessionId"]
+        self.ask("Page.enable")
+        self._number += 1
+        self._send("Page.navigate", url=url)
+        self._hear(lambda said: said.get("method") == "Page.loadEventFired")
 
     def _address(self) -> str:
         """It tells that where others tell their errors; what follows there is read away."""
@@ -97,13 +103,21 @@ class Browser:
 
     def ask(self, method: str, **params: Any) -> dict[str, Any]:
         self._number += 1
+        self._send(method, **params)
+        answer = self._hear(lambda said: said.get("id") == self._number)
+        assert "error" not in answer, answer
+        return dict(answer["result"])
+
+    def _send(self, method: str, **params: Any) -> None:
         said: dict[str, Any] = {"id": self._number, "method": method, "params": params}
         self._link.send(json.dumps(said | ({"sessionId": self._page} if self._page else {})))
+
+    def _hear(self, wanted: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+        """The next thing it says that is wanted."""
         while True:
-            answer = json.loads(self._link.recv(60))
-            if answer.get("id") == self._number:
-                assert "error" not in answer, answer
-                return dict(answer["result"])
+            said = json.loads(self._link.recv(60))
+            if wanted(said):
+                return dict(said)
 
     def value(self, script: str) -> Any:
         """Of an expression; of a promise, what it comes to."""
@@ -120,7 +134,7 @@ class Browser:
         assert self.value(f"new Promise(done => {{ {look} }})") is True
 
     def close(self) -> None:
-        self._link.close()
+        self._stack.close()
         self._process.terminate()
         self._process.wait(20)
 
