@@ -66,7 +66,7 @@ def test_a_small_run_writes_rows_figures_and_a_page(tmp_path, capsys):
 
 
 def test_json_on_standard_output_is_json_alone(monkeypatch, capsys):
-    monkeypatch.setattr("tracker.evaluation.vist.run.run_cases", lambda *a: [])
+    monkeypatch.setattr("tracker.evaluation.vist.run.run_cases", lambda *a, **k: [])
     monkeypatch.setattr("tracker.evaluation.vist.command.cases_of", lambda args: [])
     args = parse("--json", "-")
     assert args.func(args) == 0

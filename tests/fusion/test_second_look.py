@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -37,7 +38,8 @@ def posed(hand: HandModel, layout: ChainLayout) -> Posed:
     R, _ = hand.forward(angles, np.eye(3), np.zeros(3))
     state.R_GB = R[layout.active]
     p_G = marker_positions(state, layout)
-    points = SeenPoints(p_G, layout.glove.marker_hue, np.array([0.05, 0.0, 0.5]))
+    hue = layout.glove.marker_hue
+    points = SeenPoints(p_G, hue, np.ones(len(hue), bool), np.array([0.05, 0.0, 0.5]))
     return Posed(state, DigitSearch(layout), points)
 
 
@@ -83,11 +85,11 @@ def test_support_counts_markers_and_fades_with_distance(
     right = posed(hand, layout)
     there = right.digits.support(right.state, INDEX, right.points)
     aside = right.points.p_G + [0.0, 0.0, 0.5 * RADIUS]
-    half = SeenPoints(aside, right.points.hue, right.points.p_GC)
+    half = replace(right.points, p_G=aside)
     assert there > 2.5
     seen = right.digits.support(right.state, INDEX, half)
     assert seen == pytest.approx(0.75 * there, rel=0.02)  # 1 - (1/2)²; the way to the camera same
-    nothing = SeenPoints(aside[:0], right.points.hue[:0], right.points.p_GC)
+    nothing = right.points.within(aside[0] + 1.0, 0.1)
     assert right.digits.support(right.state, INDEX, nothing) == 0.0
 
 
@@ -96,8 +98,20 @@ def test_without_points_or_with_fewer_than_it_has_nothing_else_is_tried(
 ) -> None:
     right = posed(hand, layout)
     wrong = turned(right, layout, INDEX, np.deg2rad(20.0))
-    far = SeenPoints(right.points.p_G + 1.0, right.points.hue, right.points.p_GC)
+    far = replace(right.points, p_G=right.points.p_G + 1.0)
     assert right.digits.other(wrong, INDEX, far) is None
+
+
+def test_points_that_are_all_somebodys_are_not_searched(
+    hand: HandModel, layout: ChainLayout
+) -> None:
+    """A digit moves to markers that nothing explains, of which one is enough to look."""
+    right = posed(hand, layout)
+    wrong = turned(right, layout, INDEX, np.deg2rad(20.0))
+    known = replace(right.points, fresh=np.zeros(len(right.points.hue), bool))
+    assert right.digits.other(wrong, INDEX, known) is None
+    known.fresh[np.flatnonzero(digit_of(layout)[layout.marker_segment] == INDEX)[0]] = True
+    assert right.digits.other(wrong, INDEX, known) is not None
 
 
 def evidence(matched: int, chance: float = 0.0, crowd: float = 0.0) -> Evidence:

@@ -52,6 +52,9 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
     p.add_argument("--seed", type=int, default=0)
     p.add_argument("--processes", type=_count, default=1, metavar="N")
     p.add_argument("--quick", action="store_true", help="two people, twenty seconds each")
+    p.add_argument(
+        "--keep", type=Path, metavar="DIR", help="finished trials: a run that was ended goes on"
+    )
     p.add_argument("--motion", nargs="+", type=Path, default=(), metavar="FILE")
     add_json(p)
     p.add_argument("--out", type=Path, metavar="DIR", help="figures and one HTML report")
@@ -81,17 +84,17 @@ _positive = _number(float, 0.1)
 
 def run(args: argparse.Namespace) -> int:
     """Runs the cases, prints the table, writes what was asked for."""
+    from tracker.evaluation.vist.kept import KeptTrials
     from tracker.evaluation.vist.run import run_cases
     from tracker.evaluation.vist.table import row_of
 
     check_json(args)
     cases = cases_of(args)
     participants = QUICK_PARTICIPANTS if args.quick else args.participants
-    results = [
-        (case, trials)
-        for case, trials in zip(cases, run_cases(cases, participants, args.processes), strict=True)
-        if trials  # there are none of a case that Ctrl+C prevented
-    ]
+    kept = KeptTrials(args.keep) if args.keep else None
+    done_of = run_cases(cases, participants, args.processes, kept=kept)
+    # there are no trials of a case that Ctrl+C prevented
+    results = [(case, trials) for case, trials in zip(cases, done_of, strict=True) if trials]
     table = sys.stderr if args.json == "-" else sys.stdout
     _print_table(results, table)
     rows = [row_of(case, trials) for case, trials in results]

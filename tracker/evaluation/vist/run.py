@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from typing import TextIO
 
 from tracker.evaluation.vist.cases import Case
+from tracker.evaluation.vist.kept import KeptTrials
 from tracker.evaluation.vist.metrics import Trial
 from tracker.evaluation.vist.trial import run_trial
 
@@ -18,25 +19,47 @@ Job = tuple[int, Case, int]
 
 
 def run_cases(
-    cases: Sequence[Case], participants: int, processes: int = 1, progress: Progress | None = None
+    cases: Sequence[Case],
+    participants: int,
+    processes: int = 1,
+    progress: Progress | None = None,
+    kept: KeptTrials | None = None,
 ) -> list[list[Trial]]:
     """Trials of each case, by participant; the same for any number of processes.
 
-    After Ctrl+C those that were finished; then some cases have fewer trials, or none.
+    What is ``kept`` is not done again, what is done is kept. After Ctrl+C those that were finished;
+    then some cases have fewer trials, or none.
     """
-    jobs = [(i, case, k) for i, case in enumerate(cases) for k in range(participants)]
-    out: list[list[Trial]] = [[] for _ in cases]
+    wanted = [(i, case, k) for i, case in enumerate(cases) for k in range(participants)]
+    out, jobs = _done_before(wanted, len(cases), kept)
     progress = progress or Progress()
     try:
         progress.show(0, len(jobs))
         for done, (i, trial) in enumerate(_results(jobs, processes), start=1):
             out[i].append(trial)
+            if kept:
+                kept.add(cases[i], trial)
             progress.show(done, len(jobs))
     except KeyboardInterrupt:
         progress.end()
     for trials in out:
         trials.sort(key=lambda t: t.participant)
     return out
+
+
+def _done_before(
+    wanted: Sequence[Job], cases: int, kept: KeptTrials | None
+) -> tuple[list[list[Trial]], list[Job]]:
+    """Trials of each case that are ``kept``, and which are left to do."""
+    out: list[list[Trial]] = [[] for _ in range(cases)]
+    left = []
+    for i, case, participant in wanted:
+        trial = kept.find(case, participant) if kept else None
+        if trial is None:
+            left.append((i, case, participant))
+        else:
+            out[i].append(trial)
+    return out, left
 
 
 def _results(jobs: Sequence[Job], processes: int) -> Iterator[tuple[int, Trial]]:

@@ -19,7 +19,7 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import digit_of
 from tracker.geometry import so3
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
+from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, IntArray
 
 STEPS = {"flexion": 5, "abduction": 3, "twist": 1}  # of the grid, each joint axis
@@ -40,27 +40,31 @@ MOST_TURN = 1.2  # rad by which a posture is turned to the tilt that is felt
 
 class DigitPostures(NamedTuple):
     """K postures of one digit in the root's B, its base joint at the origin: marker (K, m, 3) m,
-    normal (K, m, 3), up to scale; R (K, a, 3, 3) of its segments; rows of both in the layout."""
+    normal (K, m, 3), up to scale; R (K, a, 3, 3) of its segments; rows of both in the layout;
+    reach (m) of the farthest marker from the base joint."""
 
     marker: Stack
     normal: Stack
     R: Array
     markers: IntArray
     segments: IntArray
+    reach: float
 
 
 @dataclass(frozen=True, eq=False)
 class SeenPoints:
-    """Stereo points that may be the digit's: p_G (n, 3) m, hue (n,); camera at p_GC (3,)."""
+    """Stereo points that may be the digit's: p_G (n, 3) m, hue (n,), fresh (n,) where a camera's
+    blob is no marker's yet; camera at p_GC (3,)."""
 
     p_G: Array
     hue: IntArray
+    fresh: BoolVector
     p_GC: Array
 
     def within(self, p: Array, reach: float) -> SeenPoints:
         """Those at most ``reach`` m from p (3,) m."""
-        near = np.linalg.norm(self.p_G - p, axis=1) <= reach
-        return SeenPoints(self.p_G[near], self.hue[near], self.p_GC)
+        near = np.einsum("ni,ni->n", self.p_G - p, self.p_G - p) <= reach * reach
+        return SeenPoints(self.p_G[near], self.hue[near], self.fresh[near], self.p_GC)
 
     def way(self, p: Array) -> Array:
         """(3,) unit vector from p (3,) m to the camera."""
@@ -83,8 +87,9 @@ class DigitSearch:
         grid = self._postures_of(digit)
         root, base = state.R_GB[0], segment_positions(state, self._layout)[grid.segments[0]]
         length = float(state.scale[grid.segments, 0].mean())
-        reach = length * float(np.sqrt((grid.marker**2).sum(axis=2).max(initial=0.0))) + RADIUS
-        seen = seen.within(base, reach)
+        seen = seen.within(base, length * grid.reach + RADIUS)
+        if not seen.fresh.any():
+            return None
         hue = self._layout.glove.marker_hue[grid.markers]
         least = self.support(state, digit, seen) + BETTER
         if _at_most(hue, seen.hue) <= least:
@@ -180,7 +185,8 @@ def _made(layout: ChainLayout, segments: IntArray) -> DigitPostures:
     at = np.einsum("kmij,mj->kmi", rotation[:, rows], glove.marker_position[markers])
     normal = np.einsum("kmij,mj->kmi", rotation[:, rows], glove.marker_normal[markers])
     marker = place[:, rows] + at - place[:, :1]
-    return DigitPostures(marker, normal, rotation, markers, segments)
+    reach = float(np.sqrt((marker**2).sum(axis=2).max(initial=0.0)))
+    return DigitPostures(marker, normal, rotation, markers, segments, reach)
 
 
 def _joint_grid(layout: ChainLayout, segment: int) -> Array:

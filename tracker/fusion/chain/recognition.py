@@ -24,7 +24,9 @@ from tracker.fusion.chain.support import Evidence, digit_of, evidence
 from tracker.messages import Array, BlobFrame, CameraPose, FrameResult, IntArray, Tracking
 from tracker.records import record
 from tracker.vision.rig import StereoRig
-from tracker.vision.stereo import all_pairs
+from tracker.vision.stereo import StereoMatches, all_pairs
+
+NOBODY = -2  # whose blob one is that no marker is matched with
 
 
 class SeenImage(NamedTuple):
@@ -116,18 +118,38 @@ class Recognition:
             *evidence(found.prediction, found.match, left, right, hue, of_marker, digits)
         )
 
-    def free_points(self, image: SeenImage, found: Recognised, digit: int) -> SeenPoints:
-        """Stereo points of the blobs that no marker but those of ``digit`` is matched with."""
-        others = self.digit[self._layout.marker_segment] != digit
-        sides = []
+    def pairs(self, image: SeenImage) -> StereoMatches:
+        """All stereo points that its blobs may be."""
+        left, right = image.blobs
+        return all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
+
+    def free_points(
+        self, image: SeenImage, pairs: StereoMatches, found: Recognised, digit: int
+    ) -> SeenPoints:
+        """Those ``pairs`` of an image of whose blobs no marker but those of ``digit`` is matched
+        with."""
+        left, right = self._owners(image, found)
+        ends = left[pairs.left_index], right[pairs.right_index]
+        free = np.ones(len(pairs), bool)
+        for owner in ends:
+            free &= (owner == digit) | (owner == NOBODY)
+        fresh = ((ends[0] == NOBODY) | (ends[1] == NOBODY))[free]
+        p_G = pairs.p_C[free] @ image.pose.R_GC.T + image.pose.p_GC
+        hue = image.blobs[0].hue[pairs.left_index[free]]
+        return SeenPoints(p_G, hue, fresh, image.pose.p_GC)
+
+    def _owners(self, image: SeenImage, found: Recognised) -> list[IntArray]:
+        """Of each side's blobs the digit whose marker it is matched with, -1 for the root's."""
+        digit, out = self.digit[self._layout.marker_segment], []
         for seen, match in zip(image.blobs, found.match, strict=True):
-            free = np.ones(len(seen.uv), bool)
-            free[match[others & (match >= 0)]] = False
-            sides.append(SeenBlobs(seen.uv[free], seen.hue[free], seen.source[free]))
-        left, right = sides
-        pairs = all_pairs(left.uv, left.hue, right.uv, right.hue, self._rig)
-        p_G = pairs.p_C @ image.pose.R_GC.T + image.pose.p_GC
-        return SeenPoints(p_G, left.hue[pairs.left_index], image.pose.p_GC)
+            owner = np.full(len(seen.uv), NOBODY)
+            owner[match[match >= 0]] = digit[match >= 0]
+            out.append(owner)
+        return out
+
+    def is_all_known(self, image: SeenImage, found: Recognised) -> bool:
+        """Whether every blob is a marker's."""
+        return not any(np.any(owner == NOBODY) for owner in self._owners(image, found))
 
     def misfit_px(self, image: SeenImage, found: Recognised) -> float:
         """Median distance of the recognised blobs from where they were expected."""

@@ -16,6 +16,7 @@ from tracker.fusion.chain.recognition import Recognised, Recognition, SeenImage
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence
+from tracker.vision.stereo import StereoMatches
 
 SHIFT_SD = 0.008  # m, of a shift that all markers have voted for
 FITTED = 2  # corrections of a copy before it is judged
@@ -91,33 +92,44 @@ class SecondLook:
         """Put digits whose markers are not where they should be where they are.
 
         Each is asked: one that has taken its neighbour's markers for its own hides the rest from
-        itself, and lacks none.
+        itself, and lacks none. Only blobs that are nobody's can show that it does: where there are
+        none nothing is asked.
         """
+        if self._recognition.is_all_known(image, found):
+            return found
+        pairs = self._recognition.pairs(image)
         for digit in range(self._digits.count):
-            found = self._with_digit(image, found, digit)
+            found = self._with_digit(image, pairs, found, digit)
         return found
 
-    def _with_digit(self, image: SeenImage, found: Recognised, digit: int) -> Recognised:
+    def _with_digit(
+        self, image: SeenImage, pairs: StereoMatches, found: Recognised, digit: int
+    ) -> Recognised:
         """Move a digit to where the image supports it better, if it does anywhere."""
         state = self._filter.state
-        points = self._recognition.free_points(image, found, digit)
+        points = self._recognition.free_points(image, pairs, found, digit)
         R = self._digits.other(state, digit, points)
         if R is None:
             return found
         moved = state.copy()
         moved.R_GB = R
         self._digits.doubtful(moved.P, digit)
-        there, stays = self._fit(image, moved), self._fit(image, state)
-        most = max(stays.matched, found.tally.matched)
-        closer = self._support(image, there, digit) - self._support(image, stays, digit)
-        if there.matched < most or (there.matched == most and closer < CLOSER):
+        there = self._fit(image, moved)
+        if there.matched < found.tally.matched:
             return found
+        stays = self._fit(image, state)
+        if there.matched < stays.matched:
+            return found
+        if there.matched == max(stays.matched, found.tally.matched):
+            closer = [self._support(image, pairs, fit, digit) for fit in (there, stays)]
+            if closer[0] - closer[1] < CLOSER:
+                return found
         self._filter.move(moved)
         return Recognised(self._recognition.look(moved, image).prediction, there.found.match)
 
-    def _support(self, image: SeenImage, fit: Fit, digit: int) -> float:
+    def _support(self, image: SeenImage, pairs: StereoMatches, fit: Fit, digit: int) -> float:
         """Markers of a digit that stereo points support."""
-        points = self._recognition.free_points(image, fit.found, digit)
+        points = self._recognition.free_points(image, pairs, fit.found, digit)
         return self._digits.support(fit.state, digit, points)
 
     def _fitted(self, image: SeenImage, state: ChainState) -> tuple[Recognised, Evidence]:

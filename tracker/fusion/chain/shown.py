@@ -11,13 +11,13 @@ from tracker import GRAVITY
 from tracker.fusion.chain.distal import DistalSegments, Synergies
 from tracker.fusion.chain.driven_ends import EndsSureness
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, V
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_unsure_distance
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence, digit_of
 from tracker.fusion.chain.tracking import DOUBT_AFTER
-from tracker.fusion.output.output import HandOutput, Sensed, sensed_lately
+from tracker.fusion.output.output import INFERRED, MEASURED, HandOutput, Sensed, sensed_lately
 from tracker.fusion.time.timeline import behind_variance
 from tracker.messages import (
     SEEN_LATELY,
@@ -27,7 +27,6 @@ from tracker.messages import (
     ImuSample,
     IntArray,
     Tracking,
-    Validity,
 )
 from tracker.records import record
 
@@ -177,26 +176,22 @@ def ahead_variance(state: ChainState, layout: ChainLayout, noise: NoiseParams, t
     Velocity's error grows with time; a tilt's error takes gravity for motion, and so does an
     accelerometer's bias, both with its square.
     """
-    variance = np.diagonal(state.P)
-    velocity = float(variance[3:6].mean())
-    tilt = float(variance[layout.blocks.theta : layout.blocks.theta + 3].mean())
-    bias = (
-        float(variance[layout.blocks.ba : layout.blocks.ba + 3].mean())
-        if layout.imu_of[0] >= 0
-        else 0.0
-    )
+    at = layout.blocks
+    velocity, tilt = _mean_variance(state.P, V), _mean_variance(state.P, at.theta)
+    bias = _mean_variance(state.P, at.ba) if layout.imu_of[0] >= 0 else 0.0
     pull = GRAVITY**2 * tilt + bias
     return velocity * tau**2 + pull * tau**4 / 4 + noise.accel**2 * tau**3 / 3
 
 
+def _mean_variance(P: Array, first: int) -> float:
+    """Of three error states in P (N, N)."""
+    return float(P[first, first] + P[first + 1, first + 1] + P[first + 2, first + 2]) / 3
+
+
 def called_measured(estimate: Estimate) -> Estimate:
     """What is too unsure to be called measured is inferred, whatever saw it lately."""
-    unsure = estimate.keypoint_sd > MEASURED_SD
+    state = estimate.keypoint_state
+    unsure = (estimate.keypoint_sd > MEASURED_SD) & (state == MEASURED)
     if not unsure.any():
         return estimate
-    state = np.where(
-        unsure & (estimate.keypoint_state == int(Validity.MEASURED)),
-        int(Validity.INFERRED),
-        estimate.keypoint_state,
-    )
-    return replace(estimate, keypoint_state=state)
+    return replace(estimate, keypoint_state=np.where(unsure, INFERRED, state))
