@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,7 @@ from tracker.messages import (
 )
 from tracker.online.camera_tilt import CameraTilt, CameraTiltKept
 from tracker.online.frame_timing import FrameTiming, FrameTimingKept
+from tracker.online.pair_offset import PairOffset, PairOffsetKept
 from tracker.online.rig_watch import RigState, RigWatch
 from tracker.online.time_offset import TimeOffset
 from tracker.records import record
@@ -75,6 +76,7 @@ class PipelineKept:
     engine: Any
     timing: FrameTimingKept
     camera: CameraTiltKept
+    pair: PairOffsetKept = field(default_factory=PairOffsetKept)
 
 
 class Pipeline:
@@ -94,7 +96,7 @@ class Pipeline:
     ) -> None:
         self.hand, self.glove, self.calibrated_rig = hand, glove, rig
         self.settings = settings or Settings()
-        check_lenses(self.settings.lenses, self.settings.engine)
+        check_lenses(self.settings.lenses, self.settings.engine, rig)
         self._engine = build_engine(hand, glove, rig, self.settings)
         self._uses_images = self.settings.engine not in WITHOUT_IMAGES
         self.rig = rig = rig or ideal_rig()
@@ -102,6 +104,7 @@ class Pipeline:
         self._camera = CameraTilt(rig.pose)
         offset = TimeOffset(hand, glove, rig)
         self._timing = FrameTiming(offset, self.settings.timing)
+        self._pair = PairOffset(rig)
         self._results: list[FrameResult] = []
         self._words: list[str] = []
         self._told = False
@@ -140,6 +143,8 @@ class Pipeline:
             self._results += self._engine.take_results()
             return
         frame = through(frame, self.settings.lenses)
+        self._pair.remember(frame)
+        frame = self._in_step(frame)
         if self._watch.usable(frame):
             self._engine.feed_frame(self._posed(self._timing.corrected(frame)))
             self._collect()
@@ -173,11 +178,23 @@ class Pipeline:
         pose = frame.pose or self._camera.pose(frame.t)
         return frame if pose is frame.pose else replace(frame, pose=pose)
 
+    def _in_step(self, frame: BlobFrame) -> BlobFrame:
+        """The image as if both cameras had exposed when the left one did."""
+        late, t = self._pair.applied, frame.t - self._timing.applied
+        if late == 0.0:
+            return frame
+        then, after = (self._engine.expected(at) for at in (t, t + late))
+        if then is None or after is None:
+            return frame
+        return self._pair.moved_back(frame, then.p_G, after.p_G)
+
     def _collect(self) -> None:
         """Learn from results as they come, so that it does not matter when they are taken."""
         for result in self._engine.take_results():
             self._watch.check(result)
-            self._results.append(self._timing.restored(result))
+            restored = self._timing.restored(result)
+            self._pair.learn(restored)
+            self._results.append(restored)
 
     def take_results(self) -> list[FrameResult]:
         """What was made of images since the last call, oldest first."""
@@ -193,6 +210,11 @@ class Pipeline:
     def timing(self) -> FrameTiming:
         """How late images are stamped, and what is taken off."""
         return self._timing
+
+    @property
+    def pair_offset(self) -> PairOffset:
+        """How much later than the left camera the right one exposes, and what is taken off."""
+        return self._pair
 
     def take_words(self) -> list[str]:
         """Sentences about the camera and guided poses since the last call, for the log."""
@@ -226,6 +248,7 @@ class Pipeline:
             size=self.glove.marker_size[ids],
             hue=self.glove.marker_hue[ids],
             hue_names=self.glove.hues,
+            right_late=self._pair.applied,
         ).after(before)
 
     def in_view(self, frame: BlobFrame) -> HandInView | None:
@@ -247,10 +270,11 @@ class Pipeline:
     def get_state(self) -> PipelineKept:
         """Everything that changes and that estimates depend on; `set_state` goes on identically."""
         timing, camera = self._timing.get_state(), self._camera.get_state()
-        return PipelineKept(self._engine.get_state(), timing, camera)
+        return PipelineKept(self._engine.get_state(), timing, camera, self._pair.get_state())
 
     def set_state(self, state: PipelineKept) -> None:
         """Go on from `get_state`."""
         self._engine.set_state(state.engine)
         self._timing.set_state(state.timing)
         self._camera.set_state(state.camera)
+        self._pair.set_state(state.pair)

@@ -2,7 +2,8 @@
 
 ``""`` the first camera; ``name:NAME`` a camera by its name, so that it is found on another port;
 ``pair:LEFT|RIGHT`` two cameras by name; a number an index; ``driver://id`` a plug-in's camera;
-anything else a file or an address.
+anything else a file or an address. ``one:`` before it says that its images are one camera's,
+``two:`` that they are two side by side; else the calibration tells, or their shape.
 """
 
 from __future__ import annotations
@@ -20,11 +21,12 @@ from tracker.sensors.image_input import (
     CaptureFormat,
     ImageInput,
     Pair,
-    SideBySideInput,
+    StreamInput,
     TwoCameraInput,
 )
 
 NAME, PAIR = "name:", "pair:"
+ONE, TWO = "one:", "two:"
 
 
 @dataclass(frozen=True)
@@ -49,14 +51,16 @@ class Exchanged:
 
     def read(self) -> Pair | None:
         pair = self._inner.read()
-        return None if pair is None else (pair[1], pair[0])
+        if pair is None or pair[1] is None:
+            return pair  # one camera alone has nothing to exchange
+        return pair[1], pair[0]
 
     def close(self) -> None:
         self._inner.close()
 
 
 def by_name(camera: CameraName) -> str:
-    """The settings' text for one camera."""
+    """The settings' text for a camera by its name."""
     return NAME + camera.name
 
 
@@ -67,47 +71,68 @@ def by_names(left: CameraName, right: CameraName) -> str:
     return f"{PAIR}{left.name}|{right.name}"
 
 
+def told_count(camera: str) -> tuple[int, str]:
+    """How many cameras' images the settings' text says that there are, 0 where it says nothing,
+    and the text without that."""
+    for count, prefix in ((1, ONE), (2, TWO)):
+        if camera.startswith(prefix):
+            return count, camera.removeprefix(prefix)
+    return 0, camera
+
+
 def choose(
     settings: AppSettings,
     width: int,
     height: int,
     fps: float,
     cameras: list[CameraName] | None = None,
+    count: int = 0,
 ) -> ChosenCamera:
     """The camera that the settings name, for images of ``width`` by ``height`` px each.
 
-    Raises DeviceError where it is not there.
+    ``count`` is how many cameras its calibration is for, 0 where there is none. Raises DeviceError
+    where it is not there.
     """
     known = all_cameras() if cameras is None else cameras
-    locks = locks_from(settings.camera_locks)
-    found = _choose(settings.camera, width, height, fps, locks, known)
+    told, chosen = told_count(settings.camera)
+    wanted = _Wanted(CaptureFormat(width, height, fps), told or count)
+    found = _choose(chosen, wanted, locks_from(settings.camera_locks), known)
     if not settings.camera_exchanged:
         return found
     return replace(found, source=Exchanged(found.source))
 
 
-def _choose(
-    chosen: str, width: int, height: int, fps: float, locks: Locks, known: list[CameraName]
-) -> ChosenCamera:
-    side_by_side = CaptureFormat(2 * width, height, fps)
+@dataclass(frozen=True)
+class _Wanted:
+    """The format of one camera's image, and how many cameras' images come: 0 for unknown."""
+
+    each: CaptureFormat
+    count: int
+
+    def stream(self, source: int | str, backend: int = 0, live: bool = True) -> StreamInput:
+        """The input of a stream that holds them."""
+        beside = 1 if self.count == 1 else 2
+        want = replace(self.each, width=beside * self.each.width, backend=backend)
+        return StreamInput(source, want, live, self.count)
+
+
+def _choose(chosen: str, wanted: _Wanted, locks: Locks, known: list[CameraName]) -> ChosenCamera:
     if chosen.startswith(PAIR):
         left, _, right = chosen.removeprefix(PAIR).partition("|")
         pair = [_find(name, known) for name in (left, right)]
-        one_eye = CaptureFormat(width, height, fps, backend=pair[0].backend)
-        two = TwoCameraInput(pair[0].index, pair[1].index, one_eye)
+        each = replace(wanted.each, backend=pair[0].backend)
+        two = TwoCameraInput(pair[0].index, pair[1].index, each)
         controls = ControlledInput(two, locks)
         return ChosenCamera(controls, f"{pair[0].name} and {pair[1].name}", controls)
-    one_eye = CaptureFormat(width, height, fps)
     if is_plugin(chosen):
-        return ChosenCamera(open_plugin(chosen, one_eye), chosen, None)
+        return ChosenCamera(open_plugin(chosen, wanted.each), chosen, None)
     if chosen and not chosen.isdigit() and not chosen.startswith(NAME):
         live = not Path(chosen).is_file()
-        return ChosenCamera(SideBySideInput(chosen, side_by_side, live), chosen, None)
+        return ChosenCamera(wanted.stream(chosen, live=live), chosen, None)
     camera = _find(chosen.removeprefix(NAME), known)
     if is_plugin(camera.path):
-        return ChosenCamera(open_plugin(camera.path, one_eye), camera.name, None)
-    wanted = replace(side_by_side, backend=camera.backend)
-    controls = ControlledInput(SideBySideInput(camera.index, wanted), locks)
+        return ChosenCamera(open_plugin(camera.path, wanted.each), camera.name, None)
+    controls = ControlledInput(wanted.stream(camera.index, camera.backend), locks)
     return ChosenCamera(controls, camera.name, controls)
 
 

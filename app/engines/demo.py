@@ -28,7 +28,7 @@ from tracker.sensors.glove_link import GloveLink, serial_port
 from tracker.session.description import SessionInfo, describe, of_hands
 from tracker.session.recording.process import RecorderProcesses
 from tracker.settings import Settings
-from tracker.simulation.camera_device import SimulatedCamera
+from tracker.simulation.camera_device import DemoCamera
 from tracker.simulation.demo import DemoSpec, WornTexts, asked_for, build_scene, hands_of
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.scenario import Simulation
@@ -36,6 +36,7 @@ from tracker.simulation.truth_recorder import Prepare, WithTruth
 from tracker.two_hands import OneHand, TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector
+from tracker.vision.rig import StereoRig
 
 LEAD = 0.25  # s until the devices begin: a recording asked for at once misses nothing
 CAMERA_TIMEOUT = 120.0
@@ -58,7 +59,7 @@ def demo_setup(
     progress: JobProgress,
     seed: int,
     choice: DemoChoice,
-    camera: SimulatedCamera | None = None,
+    camera: DemoCamera | None = None,
 ) -> EngineSetup:
     """Build everything; takes a minute or so the first time where no kernel is compiled.
 
@@ -67,13 +68,15 @@ def demo_setup(
     progress(0.1, tr("a simulated wearer and camera"))
     camera = camera or start_camera(seed, choice)  # its own process gets ready beside us
     try:
-        return _setup_with(progress, demo_spec(seed, choice), camera)
+        return _setup_with(progress, demo_spec(seed, choice), choice.has_camera, camera)
     except BaseException:  # Ctrl+C too must not leave the camera's process behind
         camera.close()
         raise
 
 
-def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) -> EngineSetup:
+def _setup_with(
+    progress: JobProgress, spec: DemoSpec, has_camera: bool, camera: DemoCamera
+) -> EngineSetup:
     wearers = hands_of(build_scene(spec))
     first = next(iter(wearers.values()))
     colours_text = library.text("colours", library.DEFAULT_COLOURS)
@@ -93,8 +96,10 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
     for glove in gloves.values():
         glove.device.begin(t_0)
     links = {side: glove.link for side, glove in gloves.items()}
-    tracker = LiveTracker(_hands(wearers), profile, make_detector, links, camera)
-    info = _info(spec, wearers, colours_text, tracker.settings)
+    hands = _hands(wearers, has_camera)
+    tracker = LiveTracker(hands, profile, make_detector, links, camera)
+    rig = spec.rig if has_camera else None
+    info = _info(spec, rig, colours_text, tracker.settings)
     recorders = RecorderProcesses(Prepare(spec))
     recorders.warm()
 
@@ -114,15 +119,15 @@ def _setup_with(progress: JobProgress, spec: DemoSpec, camera: SimulatedCamera) 
         companion = WithTruth(spec, t_0, asked_for(first))
         return recorders.record(path, about, companion=companion)
 
-    shared = SharedSetup(
-        profile, info.anchor, close, recorder_maker(tracker, info, record), spec.fps, guide
-    )
+    make_recorder = recorder_maker(tracker, info, record)
+    fps = spec.fps if has_camera else 0.0
+    shared = SharedSetup(profile, info.anchor, close, make_recorder, fps, guide)
     return seen_from_main([_seen_from(g, tracker, t_0, shared) for g in gloves.values()])
 
 
 @dataclass(frozen=True, eq=False)
 class SharedSetup:
-    """What of an `EngineSetup` is the same for both hands."""
+    """What of an `EngineSetup` is the same for both hands; ``fps`` is 0 without a camera."""
 
     profile: ColourProfile
     anchor: ClockAnchor
@@ -162,19 +167,26 @@ def _seen_from(
         guide=shared.guide or WearersGuide(tracked),
         command=tracked.command,
         stage=stage,
-        reference_tracking=tracked,
-        camera=CAMERA,
-        image_rate=lambda: shared.fps,
+        reference_tracking=tracked if shared.fps else None,
+        camera=CAMERA if shared.fps else "",
+        image_rate=(lambda: shared.fps) if shared.fps else None,
+        has_camera=bool(shared.fps),
+        camera_calibrated=bool(shared.fps),
+        missing="" if shared.fps else tr("The hand is shown by its IMUs alone, without a place."),
     )
 
 
-def _hands(wearers: Mapping[str, Simulation]) -> OneHand | TwoHands:
-    make = {side: partial(Pipeline, s.hand, s.glove, s.rig) for side, s in wearers.items()}
+def _hands(wearers: Mapping[str, Simulation], has_camera: bool) -> OneHand | TwoHands:
+    settings = Settings() if has_camera else Settings(engine="inertial")
+    make = {
+        side: partial(Pipeline, s.hand, s.glove, s.rig if has_camera else None, settings)
+        for side, s in wearers.items()
+    }
     return TwoHands(make) if len(make) == 2 else OneHand(next(iter(make.values()))())
 
 
 def _info(
-    spec: DemoSpec, wearers: Mapping[str, Simulation], colours_text: str, settings: Settings
+    spec: DemoSpec, rig: StereoRig | None, colours_text: str, settings: Settings
 ) -> SessionInfo:
     """What a recording of the demo is about."""
     anchor = ClockAnchor(time.time_ns(), time.monotonic_ns())
@@ -184,7 +196,7 @@ def _info(
             texts.hand,
             texts.glove,
             anchor,
-            rig=next(iter(wearers.values())).rig,
+            rig=rig,
             colours_text=colours_text,
             settings_text=to_toml(settings),
             engine=settings.engine,

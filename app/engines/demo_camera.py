@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tracker import library
-from tracker.simulation.camera_device import SimulatedCamera
+from tracker.simulation.camera_device import DemoCamera, NoSimulatedCamera, SimulatedCamera
 from tracker.simulation.demo import DemoSpec, WornTexts
 
 DURATION = 900.0
@@ -18,16 +18,22 @@ FILES = {
 SEED, FPS = 1, 30.0
 LIGHT = ""  # of a desk, one of `tracker.simulation.desk.lights.LIGHTS`; empty: a plain wall
 HANDS = ("right", "left", "both")
+LENSES = ("both", "one", "none")
 
 
 @dataclass(frozen=True)
 class DemoChoice:
-    """Images a second of the simulated camera, which hands of `HANDS` it sees, and what one hand
-    does: see `DemoSpec.motion`."""
+    """Images a second of the simulated camera, which hands of `HANDS` it sees, what one hand does,
+    see `DemoSpec.motion`, and whether the camera has both lenses, one or none, as `LENSES`."""
 
     fps: float = FPS
     hands: str = "right"
     motion: str = ""
+    lenses: str = "both"
+
+    @property
+    def has_camera(self) -> bool:
+        return self.lenses != "none"
 
 
 def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
@@ -38,7 +44,16 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
     (main, *others) = worn.values()
     other = others[0] if others else None
     light = LIGHT if other is None else ""  # two are drawn before a plain wall
-    return DemoSpec(*main, seed, DURATION, choice.fps, choice.motion, light=light, other=other)
+    return DemoSpec(
+        *main,
+        seed,
+        DURATION,
+        choice.fps,
+        choice.motion,
+        light=light,
+        other=other,
+        one_camera=choice.lenses != "both",
+    )
 
 
 def _texts(side: str) -> WornTexts:
@@ -46,6 +61,7 @@ def _texts(side: str) -> WornTexts:
     return WornTexts(library.text("hands", hand), library.text("gloves", glove))
 
 
-def start_camera(seed: int = SEED, choice: DemoChoice | None = None) -> SimulatedCamera:
-    """A process that draws; whoever gets it has to close it."""
-    return SimulatedCamera(demo_spec(seed, choice))
+def start_camera(seed: int = SEED, choice: DemoChoice | None = None) -> DemoCamera:
+    """A process that draws, where there is a camera; whoever gets it has to close it."""
+    choice = choice or DemoChoice()
+    return SimulatedCamera(demo_spec(seed, choice)) if choice.has_camera else NoSimulatedCamera()

@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from app.engines.guide import HoldingEngine, WearersGuide
 from tracker.simulation.asked import AHEAD, MOVE, Asked
-from tracker.simulation.camera_device import SimulatedCamera
+from tracker.simulation.camera_device import DemoCamera
 from tracker.simulation.demo import ask
 from tracker.simulation.guided import HeldHand, HoldParams
 from tracker.simulation.scenario import Simulation
@@ -24,7 +24,7 @@ class DemoGuide(WearersGuide):
         self,
         engine: HoldingEngine,
         simulation: Simulation,
-        camera: SimulatedCamera,
+        camera: DemoCamera,
         clock: Callable[[], float],
     ) -> None:
         super().__init__(engine)

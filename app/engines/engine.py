@@ -223,6 +223,13 @@ class EngineSetup:
         return self.has_glove and self.has_camera and self.camera_calibrated
 
 
+def one_camera(setup: EngineSetup, frame: StereoFrame | None) -> bool:
+    """Whether there is one camera alone, by its calibration, or without one by its images."""
+    if setup.camera_calibrated:
+        return setup.rig.one_camera
+    return frame is not None and frame.right is None
+
+
 def seen_from_main(setups: Sequence[EngineSetup]) -> EngineSetup:
     """One engine's setups, of one hand or of both, seen from the main one."""
     main = next((setup for setup in setups if setup.side == MAIN), setups[0])

@@ -1,4 +1,4 @@
-"""The real devices: gloves on serial ports, a stereo camera, or what there is of them."""
+"""The real devices: gloves on serial ports, a camera or two, or what there is of them."""
 
 from __future__ import annotations
 
@@ -155,7 +155,8 @@ def find_devices(progress: JobProgress, settings: AppSettings) -> Found:
     progress(0.5, tr("camera"))
     rig = _unless_missing(lambda: rig_of(settings.calibration), missing)
     width, height = (rig.left.width, rig.left.height) if rig else (WIDTH, HEIGHT)
-    camera = _unless_missing(lambda: choose(settings, width, height, FPS), missing)
+    count = len(rig.sides) if rig else 0
+    camera = _unless_missing(lambda: choose(settings, width, height, FPS, count=count), missing)
     if not gloves and camera is None:
         raise DeviceError(" ".join(missing))
     if gloves and not (rig and camera):
@@ -193,12 +194,12 @@ def _info(worn: Sequence[WornGlove], pipeline: Pipeline, colours_text: str) -> S
 
 
 def rig_of(calibration: str) -> StereoRig:
-    """The stereo calibration that the user chose."""
+    """The calibration that the user chose, of a stereo camera or of one camera."""
     if not calibration:
         raise DeviceError(
             tr(
-                "The camera has no stereo calibration yet: make or import one under "
-                "Set-up, Stereo calibration."
+                "The camera has no calibration yet: make or import one under "
+                "Set-up, Camera calibration."
             )
         )
     return load_rig(Path(calibration), ImportForm(WIDTH, HEIGHT))

@@ -11,6 +11,7 @@ from app.engines.engine_host import EngineHost
 from app.words import tr
 from tracker.errors import ConfigError
 from tracker.fusion.chain.calibration.control import renewed
+from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.layout import ChainLayout
@@ -66,6 +67,10 @@ class CalibrationCommands(QObject):
             chain.put_on(renewed(profile, chain.layout))
 
         return self._host.command(work, side)
+
+    def measured(self, length: float) -> bool:
+        """Begin anew with a hand that is so long (m)."""
+        return self._command(lambda e: e.put_on(measured_profile(e.layout, length)))
 
     def ask(self) -> bool:
         """Have what has been learned sent by `learned`."""

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSplitter, QToolButton, QVBoxLayout, QWidget
 
-from app.engines.engine import EngineSetup
+from app.engines.engine import EngineSetup, one_camera
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
@@ -35,6 +35,7 @@ class CamerasPanel(Panel):
         self.left = ImageView(self.tr("Left"), waiting)
         self.right = ImageView(self.tr("Right"), waiting)
         self._shown: object = None
+        self._alone = False
         self._view: Snapshot | None = None  # what is shown, or held while frozen
         self.hue_boxes: dict[str, QToolButton] = {}
         column = QVBoxLayout(self)
@@ -127,6 +128,7 @@ class CamerasPanel(Panel):
             box.toggled.connect(self._redraw)
             self._controls.addWidget(box)
         self._toggle_masks(self.masks.isChecked())
+        self._show_sides(one_camera(setup, None))
 
     def _toggle_masks(self, on: bool) -> None:
         for box in self.hue_boxes.values():
@@ -157,10 +159,17 @@ class CamerasPanel(Panel):
             self.left.fit()
             self.right.fit()
 
-    def _choose_sides(self, choice: int) -> None:
-        self.left.setVisible(choice != RIGHT_ONLY)
-        self.right.setVisible(choice != LEFT_ONLY)
+    def _choose_sides(self, _choice: int) -> None:
+        self._show_sides(self._alone)
         self._redraw()
+
+    def _show_sides(self, alone: bool) -> None:
+        """The images that were chosen; there is nothing to choose of one camera ``alone``."""
+        choice = self.sides.currentIndex()
+        self._alone = alone
+        self.sides.setVisible(not alone)
+        self.left.setVisible(alone or choice != RIGHT_ONLY)
+        self.right.setVisible(not alone and choice != LEFT_ONLY)
 
     # --- what it shows
 
@@ -172,6 +181,9 @@ class CamerasPanel(Panel):
             return
         if not self.freeze.isChecked() or self._view is None:
             self._view = view
+        alone = one_camera(view.setup, view.frame)
+        if alone != self._alone:
+            self._show_sides(alone)
         self._redraw()
 
     def _redraw(self) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from app.engines.engine import one_camera
 from app.engines.snapshot import Snapshot
 from app.viewmodels.calibration import SETTLED, calibration_view
 from app.viewmodels.colours import seen_rows
@@ -135,6 +136,8 @@ def _camera(view: Snapshot | None) -> SetUpStep:
         reason = tr("The camera was here and is silent. Is it plugged in?")
         return SetUpStep(name, False, reason, "hardware", tr("Look again"))
     if view is not None and view.frame is not None:
+        if view.frame.left is not None and one_camera(view.setup, view.frame):
+            return SetUpStep(name, True, tr("images of one camera arrive"))
         if view.frame.left is not None and view.frame.right is not None:
             return SetUpStep(name, True, tr("both images arrive"))
         if view.frame.left is None:
@@ -151,11 +154,13 @@ def _stereo(view: Snapshot | None, calibration: str) -> SetUpStep:
         return SetUpStep(name, True, Path(calibration).name)
     if view is None:
         return SetUpStep(
-            name, False, tr("Show a printed board to both lenses."), "stereo", tr("Calibrate")
+            name, False, tr("Show a printed board to the camera."), "stereo", tr("Calibrate")
         )
     if not view.setup.camera_calibrated:
-        reason = tr("Show a printed board to both lenses.")
+        reason = tr("Show a printed board to the camera.")
         return SetUpStep(name, False, reason, "stereo", tr("Calibrate"))
+    if view.setup.rig.one_camera:
+        return SetUpStep(name, True, tr("one camera: distances are as sure as the hand's size"))
     baseline = view.setup.rig.baseline * 1000
     return SetUpStep(name, True, tr("baseline {:.1f} mm").format(baseline))
 

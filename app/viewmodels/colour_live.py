@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 
-from app.engines.engine import EngineSetup
+from app.engines.engine import EngineSetup, one_camera
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_fits import Fit, FitWork
 from app.words import tr
@@ -56,7 +56,9 @@ class LiveImages:
         """Take the latest images and all packets that came meanwhile."""
         self._take_packets(view)
         frame = view.frame
-        if frame is None or frame.left is None or frame.right is None:
+        if frame is None or frame.left is None:
+            return
+        if frame.right is None and not one_camera(self._setup, frame):
             return
         if self._frames and not 0 <= frame.t - self._frames[-1].t <= MOST_IMAGES * GAP:
             self._frames.clear()  # a replay was moved, or the panel was out of sight

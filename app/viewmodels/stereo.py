@@ -109,11 +109,10 @@ def view_name(index: int, view: StereoView, error_px: float) -> str:
 
 @dataclass(frozen=True)
 class ViewRow:
-    """Reprojection errors of one view."""
+    """Reprojection errors of one view, in each image."""
 
     name: str
-    left: str
-    right: str
+    errors: tuple[str, ...]
     look: StateLook
     state: str
 
@@ -124,12 +123,11 @@ def view_rows(solution: Solution) -> list[ViewRow]:
     return [
         ViewRow(
             str(i + 1),
-            f"{left:.2f}",
-            f"{right:.2f}",
+            tuple(f"{e:.2f}" for e in errors),
             GOOD if i in used else BAD,
             tr("used") if i in used else tr("dropped: it does not fit the others"),
         )
-        for i, (left, right) in enumerate(solution.error.tolist())
+        for i, errors in enumerate(solution.error.tolist())
     ]
 
 
@@ -145,13 +143,17 @@ def problems(solution: Solution, cover: Coverage, baseline: float = 0.0) -> list
 
 def solution_figures(solution: Solution) -> list[tuple[str, str]]:
     """Name and value of what was found."""
-    turn_deg = np.rad2deg(np.linalg.norm(so3.log(solution.R)))
     focal = [
         f"{camera.K[0, 0]:.1f} px ± {100 * sd:.2f} %"
-        for camera, sd in zip((solution.left, solution.right), solution.focal_sd, strict=True)
+        for camera, sd in zip(solution.cameras, solution.focal_sd, strict=True)
     ]
+    views = tr("{} used, {} dropped").format(len(solution.used), len(solution.dropped))
+    corners = (tr("Error of all corners"), f"{solution.rms_px:.3f} px")
+    if solution.right is None:
+        return [corners, (tr("Focal length"), focal[0]), (tr("Views"), views)]
+    turn_deg = np.rad2deg(np.linalg.norm(so3.log(solution.R)))
     return [
-        (tr("Error of all corners"), f"{solution.rms_px:.3f} px"),
+        corners,
         (
             tr("Distance of the lenses"),
             f"{1000 * float(np.linalg.norm(solution.T)):.2f} mm",
@@ -159,12 +161,17 @@ def solution_figures(solution: Solution) -> list[tuple[str, str]]:
         (tr("Turned against each other"), f"{turn_deg:.2f}°"),
         (tr("Focal length, left"), focal[0]),
         (tr("Focal length, right"), focal[1]),
-        (tr("Views"), tr("{} used, {} dropped").format(len(solution.used), len(solution.dropped))),
+        (tr("Views"), views),
     ]
 
 
 def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
     """The same of a calibration from a file."""
+    if rig.one_camera:
+        return [
+            (tr("Image"), tr("{} by {} px").format(rig.left.width, rig.left.height)),
+            (tr("Focal length"), f"{rig.left.K[0, 0]:.1f} px"),
+        ]
     return [
         (tr("Image"), tr("{} by {} px").format(rig.left.width, rig.left.height)),
         (tr("Distance of the lenses"), f"{1000 * rig.baseline:.2f} mm"),
@@ -175,8 +182,10 @@ def rig_figures(rig: StereoRig) -> list[tuple[str, str]]:
 
 def check_figures(found: Verification) -> list[tuple[str, str]]:
     """What all fresh views together say; a shift of all rows means that a camera was tilted."""
-    if len(found.epipolar) == 0:
+    if len(found.off_px) == 0:
         return []
+    if found.one_camera:
+        return [(tr("Worst corner"), f"{found.worst_px:.2f} px")]
     return [
         (tr("Worst corner"), f"{found.worst_px:.2f} px"),
         (tr("All rows shifted by"), f"{found.offset_px:+.2f} px"),
@@ -184,8 +193,8 @@ def check_figures(found: Verification) -> list[tuple[str, str]]:
 
 
 def check_rows(found: Verification) -> list[tuple[str, str]]:
-    """Each fresh view and its epipolar error."""
-    return [(str(i + 1), f"{e:.2f} px") for i, e in enumerate(found.epipolar.tolist())]
+    """Each fresh view and how far its corners are off."""
+    return [(str(i + 1), f"{e:.2f} px") for i, e in enumerate(found.off_px.tolist())]
 
 
 def split_fresh(views: Sequence[StereoView]) -> tuple[list[StereoView], list[StereoView]]:

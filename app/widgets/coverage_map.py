@@ -1,4 +1,4 @@
-"""Two small maps: which parts of the left and right image the board has covered."""
+"""Small maps: which parts of left and right image, or of the only one, the board has covered."""
 
 from __future__ import annotations
 
@@ -17,19 +17,20 @@ GAP = 14
 class CoverageMap(QWidget):
     """Each cell holds how many views have corners there: a number, and a fill."""
 
-    def __init__(self, titles: tuple[str, str], parent: QWidget | None = None) -> None:
+    def __init__(self, titles: tuple[str, str], alone: str, parent: QWidget | None = None) -> None:
+        """``titles`` of left and right, ``alone`` of an only one."""
         super().__init__(parent)
-        self._titles = titles
+        self._titles, self._alone = titles, alone
         self._counts: tuple[NDArray[np.int64], ...] = ()
         self.setMinimumSize(220, 90)
 
     def sizeHint(self) -> QSize:
         return QSize(300, 118)
 
-    def show_counts(self, left: NDArray[np.int64], right: NDArray[np.int64]) -> None:
-        """Both (rows, columns)."""
-        self._counts = (left, right)
-        empty = int((left == 0).sum() + (right == 0).sum())
+    def show_counts(self, maps: tuple[NDArray[np.int64], ...]) -> None:
+        """One or two (rows, columns)."""
+        self._counts = maps
+        empty = sum(int((counts == 0).sum()) for counts in maps)
         self.setAccessibleName(self.tr("{} empty cells").format(empty))
         self.update()
 
@@ -38,7 +39,7 @@ class CoverageMap(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         width = (self.width() - GAP) / 2
         head = painter.fontMetrics().height() + 4
-        for k, title in enumerate(self._titles):
+        for k, title in enumerate(self._titles if len(self._counts) != 1 else (self._alone,)):
             x = k * (width + GAP)
             painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
             where = QRectF(x, 0, width, head)

@@ -24,7 +24,7 @@ from app.window.main_window import MainWindow
 from app.window.sources import demo_factory
 from tracker.messages import Array, Tracking
 from tracker.session.description import SIDES
-from tracker.simulation.camera_device import SimulatedCamera
+from tracker.simulation.camera_device import DemoCamera
 from tracker.streaming.params import StreamParams
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
@@ -47,7 +47,7 @@ def headless_report(
     duration: float,
     out: Path,
     demo: DemoChoice,
-    camera: SimulatedCamera,
+    camera: DemoCamera,
     streams: StreamParams,
     wearer: Path | None = None,
 ) -> int:

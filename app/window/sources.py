@@ -22,11 +22,11 @@ from app.viewmodels.recording import RecordingPlan
 from app.window.message_bar import MessageBar
 
 if TYPE_CHECKING:
-    from tracker.simulation.camera_device import SimulatedCamera
+    from tracker.simulation.camera_device import DemoCamera
 
 
 def demo_factory(
-    choice: DemoChoice | None = None, seed: int = 1, camera: SimulatedCamera | None = None
+    choice: DemoChoice | None = None, seed: int = 1, camera: DemoCamera | None = None
 ) -> SetupFactory:
     """Simulated wearers, gloves and camera; ``camera`` may have been started for it before."""
     wanted = choice or DemoChoice()
@@ -81,9 +81,7 @@ class Sources(QObject):
         self.looking_for_devices = False
         host.opened.connect(self._choose_engine)
 
-    def open_demo(
-        self, choice: DemoChoice | None = None, camera: SimulatedCamera | None = None
-    ) -> None:
+    def open_demo(self, choice: DemoChoice | None = None, camera: DemoCamera | None = None) -> None:
         self._open(self.tr("Starting the demo"), demo_factory(choice, camera=camera))
 
     def open_devices(self) -> None:

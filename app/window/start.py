@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
-from app.engines.demo_camera import HANDS, DemoChoice, start_camera
+from app.engines.demo_camera import HANDS, LENSES, DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
 from app.platform.screens import PLATFORM, has_screen
 from resources import folder
@@ -131,7 +131,7 @@ def _show(
 
 
 def _demo(args: argparse.Namespace) -> DemoChoice:
-    return DemoChoice(args.fps, args.hands, args.motion)
+    return DemoChoice(args.fps, args.hands, args.motion, args.lenses)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -177,6 +177,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--hands", choices=HANDS, default="right", help="simulated in the demo")
     parser.add_argument(
         "--motion", default="", help="of the demo's hand: a recording, or show:NAME, an application"
+    )
+    parser.add_argument(
+        "--lenses", choices=LENSES, default="both", help="of the simulated camera, or no camera"
     )
     parser.add_argument(
         "--headless-report",

@@ -110,7 +110,7 @@ def _set_up(on: Targets) -> list[Command]:
             ticked=lambda: w.store.value.both_hands,
         ),
         Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
-        Command("stereo", menu, w.tr("&Stereo calibration…"), on.set_up.open_stereo),
+        Command("stereo", menu, w.tr("Camera c&alibration…"), on.set_up.open_stereo),
         Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
         Command("conformance", menu, w.tr("Con&formance…"), on.set_up.open_conformance),
         Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), on.set_up.lock_camera),

@@ -22,7 +22,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.engines.camera_choice import NAME, PAIR, by_name, by_names
+from app.engines.camera_choice import NAME, ONE, PAIR, TWO, by_name, by_names, told_count
+from app.engines.engine import one_camera
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
@@ -143,11 +144,15 @@ class CameraSetup(QDialog):
         self.left.clear()
         self.left.addItem(self.tr("The first one found"), "")
         self.right.clear()
-        self.right.addItem(self.tr("the same image, side by side"), None)
+        self.right.addItem(self.tr("the same image, if it is wide enough for two"), "")
+        self.right.addItem(self.tr("none: this is one camera"), ONE)
+        self.right.addItem(self.tr("the same image, side by side"), TWO)
         for camera in cameras:
             title = f"{camera.name} ({camera.path or camera.index})"
             self.left.addItem(title, camera)
             self.right.addItem(title, camera)
+        count, chosen = told_count(chosen)
+        self.right.setCurrentIndex(count)
         if chosen.startswith(PAIR):
             first, _, second = chosen.removeprefix(PAIR).partition("|")
             _select(self.left, first)
@@ -165,12 +170,13 @@ class CameraSetup(QDialog):
 
     def choice(self) -> str:
         """As the settings hold it."""
-        if self.other.text().strip():
-            return self.other.text().strip()
         left, right = self.left.currentData(), self.right.currentData()
+        count = "" if isinstance(right, CameraName) else str(right or "")
+        if self.other.text().strip():
+            return count + self.other.text().strip()
         if not isinstance(left, CameraName):
-            return ""
-        return by_names(left, right) if isinstance(right, CameraName) else by_name(left)
+            return count
+        return by_names(left, right) if isinstance(right, CameraName) else count + by_name(left)
 
     def _use(self) -> None:
         exchanged = self.exchanged.isChecked()
@@ -199,13 +205,18 @@ class CameraSetup(QDialog):
             for widget in self.images:
                 widget.show_image(None)
             return ""
+        alone = one_camera(view.setup, view.frame)
+        self.images[1].setHidden(alone)
         for widget, each in zip(self.images, (view.frame.left, view.frame.right), strict=True):
             widget.show_image(each)
         image = view.frame.left if view.frame.left is not None else view.frame.right
         rate = view.status.values.get("frame_rate_hz", 0.0) if view.status is not None else 0.0
         if image is None:
             return ""
-        words = self.tr("Arriving: {} by {} px for each eye, {} images a second")
+        if alone:
+            words = self.tr("Arriving: {} by {} px of one camera, {} images a second")
+        else:
+            words = self.tr("Arriving: {} by {} px for each eye, {} images a second")
         return words.format(image.shape[1], image.shape[0], f"{rate:.0f}")
 
     def _lock(self, locks: Locks) -> None:

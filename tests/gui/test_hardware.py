@@ -114,7 +114,7 @@ def test_a_glove_without_a_camera_is_shown_by_its_imus(glove_alone, qtbot):
     window = glove_alone
     qtbot.waitUntil(lambda: window.hand._scene is not None, timeout=60_000)
     assert "No camera was found" in window.banner.text()
-    assert "no stereo calibration" in window.banner.text()
+    assert "The camera has no calibration" in window.banner.text()
     for name in ("Glove found", "All IMUs answer"):
         qtbot.waitUntil(lambda n=name: _done(window, n), timeout=30_000)
     assert not _done(window, "Camera found") and not _done(window, "Camera calibrated")

@@ -18,7 +18,7 @@ from tracker.sensors.image_input import (
     Image,
     Pair,
     SequenceInput,
-    SideBySideInput,
+    StreamInput,
     TwoCameraInput,
     list_cameras,
     split,
@@ -158,7 +158,7 @@ def test_video_file_is_paced_and_ends(tmp_path: Path) -> None:
     def sleep(dt: float) -> None:
         t[0] += dt
 
-    source = SideBySideInput(str(video(tmp_path / "a.avi")), live=False)
+    source = StreamInput(str(video(tmp_path / "a.avi")), live=False)
     camera = StereoCamera(source, RIG, clock=lambda: t[0], sleep=sleep)
     frames = []
     while len(frames) < 5 and t[0] < 10:
@@ -228,7 +228,7 @@ def stream() -> Iterator[str]:
 
 
 def test_http_stream(stream: str) -> None:
-    source = SideBySideInput(stream, CaptureFormat(timeout_ms=3000))
+    source = StreamInput(stream, CaptureFormat(timeout_ms=3000))
     source.open()
     pairs = [source.read() for _ in range(8)]
     source.close()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tracker.errors import ConfigError
+from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile, read_wearer, write_wearer
 from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.engine import Engine
@@ -15,6 +16,12 @@ def put_on(engine: Engine, profile: Path) -> None:
     profile, FileError for a file that is none."""
     chain = _chain(engine)
     chain.put_on(read_wearer(profile, chain.layout).profile)
+
+
+def measure(engine: Engine, length: float) -> None:
+    """Begin with a hand that is ``length`` m long and anybody's otherwise. Raises as `put_on`."""
+    chain = _chain(engine)
+    chain.put_on(measured_profile(chain.layout, length))
 
 
 def keep(engine: Engine, profile: Path) -> None:

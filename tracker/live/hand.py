@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from tracker.applications.stage import ApplicationStage
+from tracker.fusion.chain.engine import ChainEngine
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.live.applications import ApplicationThread
 from tracker.live.frame_results import FrameResults, ShownFrame
@@ -136,6 +137,13 @@ def camera_figures(pipeline: Pipeline) -> dict[str, float]:
         "stereo_refused": rig.refused,
         "camera_offset_applied_ms": 1e3 * timing.applied,
     }
+    late = pipeline.pair_offset.estimate
+    if math.isfinite(late.value):
+        out["right_camera_late_ms"] = 1e3 * late.value
+        out["right_camera_late_applied_ms"] = 1e3 * pipeline.pair_offset.applied
+    engine = pipeline.engine
+    if isinstance(engine, ChainEngine) and engine.tracking == Tracking.LOST:
+        out["heading_sd_deg"] = math.degrees(engine.heading_sd)
     if math.isfinite(rig.row_shift_px):
         out["stereo_row_shift_px"] = rig.row_shift_px
     if math.isfinite(timing.offset.value):

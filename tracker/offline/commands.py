@@ -64,6 +64,19 @@ def _add_simulate(parser: argparse.ArgumentParser) -> None:
         help="over the desk: daylight, a lamp of 2700 K, LEDs, or a dim room (window)",
     )
     parser.add_argument(
+        "--lenses",
+        choices=("both", "one", "none"),
+        default="both",
+        help="a camera with one lens alone, or a glove without a camera",
+    )
+    parser.add_argument(
+        "--right-late-ms",
+        type=float,
+        default=0.0,
+        metavar="MS",
+        help="the right camera exposes so much later than the left one",
+    )
+    parser.add_argument(
         "--camera",
         choices=("stand", "head", "head-imu"),
         default="stand",
@@ -94,6 +107,9 @@ def _add_track(parser: argparse.ArgumentParser) -> None:
         "--lenses", default="", choices=("left", "right"), help="use the images of one lens alone"
     )
     parser.add_argument("--wearer", default="", metavar="FILE", help="the wearer's profile, .toml")
+    parser.add_argument(
+        "--hand-length", type=float, default=0.0, metavar="MM", help="of the wearer, by a ruler"
+    )
     parser.add_argument(
         "--keep-wearer", default="", metavar="FILE", help="write what was learned of the wearer"
     )
@@ -192,6 +208,8 @@ def _simulate(args: argparse.Namespace) -> int:
         scene=args.scene,
         photo=args.photo,
         light=args.light,
+        lenses=args.lenses,
+        right_late=args.right_late_ms / 1000,
         camera=args.camera,
         guided=args.guided,
     )
@@ -214,6 +232,7 @@ def _track(args: argparse.Namespace) -> int:
         lenses=args.lenses,
         guided=not args.no_guided,
         wearer=args.wearer,
+        hand_length=args.hand_length / 1000,
         keep_wearer=args.keep_wearer,
     )
     jobs = plan(args.sources, args.out)

@@ -21,4 +21,5 @@ class TrackOptions:
     guided: bool = True  # learn from guided poses that the session holds
     wearer: str = ""  # path of a wearer's profile
     keep_wearer: str = ""  # path of the profile to be written of what was learned
+    hand_length: float = 0.0  # m, of the wearer by a ruler; 0 where it is not known
     lenses: str = ""  # left or right: track with that one alone

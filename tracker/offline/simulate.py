@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -21,13 +21,16 @@ from tracker.simulation.head import MOVING, HeadParams
 from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
-from tracker.simulation.scenario import Simulation, SimulationParams, Truth
+from tracker.simulation.scenario import Message, Simulation, SimulationParams, Truth
 from tracker.simulation.scripted import WORD, show
 from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
+from tracker.vision.lenses import with_one_camera
+from tracker.vision.rig import StereoRig, ideal_rig
 
 EPOCH_NS = 1_735_689_600 * 10**9  # 2025-01-01: a simulated session has no clock of its own
 MONOTONIC_NS = 0
+MOST_LATE = 0.05  # s
 GLOVES = {"left": "vist-small-left", "right": library.DEFAULT_GLOVE}
 """What a simulated hand of each side wears if not told."""
 
@@ -50,6 +53,8 @@ class SimulateOptions:
     hands: str = "right"  # or left, or both
     person: int | None = None  # another seed for whose hand it is
     guided: str = ""  # "well" or "badly": guided poses are held first, and told of
+    right_late: float = 0.0  # s that the right camera exposes after the left one
+    lenses: str = "both"  # or one, or none: a glove without a camera
     camera: str = "stand"  # or head, head-imu: on the wearer's head, telling its pose or its IMU
 
 
@@ -65,13 +70,23 @@ def build(options: SimulateOptions) -> tuple[Simulation, SessionInfo]:
     info = _info(options, library.texts(glove, options.hand or None))
     room = room_of(options.scene, options.light, options.photo, options.seed)
     head = _head(options.camera)
-    params = SimulationParams(head=head, render=room.render, person=options.person)
+    params = SimulationParams(
+        head=head, render=room.render, person=options.person, right_late=options.right_late
+    )
     motion = _led(options, info, _motion(options, info))
-    seed, extras = options.seed, room.extras
-    sim = Simulation(info.hand, info.glove, motion, seed, params, options.fps, extras=extras)
-    if options.images:
+    seed, rig = options.seed, _rig(options)
+    sim = Simulation(info.hand, info.glove, motion, seed, params, options.fps, rig, room.extras)
+    if options.images and rig is not None:
         sim.renderer  # noqa: B018  what cannot be drawn is said before a file is begun
-    return sim, replace(info, rig=sim.rig, moving_camera=options.camera == "head")
+    return sim, replace(info, rig=rig, moving_camera=options.camera == "head")
+
+
+def _rig(options: SimulateOptions) -> StereoRig | None:
+    """What looks on, if anything."""
+    known = {"both": ideal_rig(), "one": with_one_camera(ideal_rig()), "none": None}
+    if options.lenses not in known:
+        raise ConfigError(f"The lenses can be {', '.join(known)}, not {options.lenses!r}.")
+    return known[options.lenses]
 
 
 def _check_numbers(options: SimulateOptions) -> None:
@@ -79,6 +94,8 @@ def _check_numbers(options: SimulateOptions) -> None:
         raise ConfigError("The duration must lie between 1 s and 10 h.")
     if not 5 <= options.fps <= 240:
         raise ConfigError("The frame rate must lie between 5 and 240 a second.")
+    if not 0 <= options.right_late <= MOST_LATE:
+        raise ConfigError("The right camera may be late by 0 to 50 ms.")
 
 
 def _info(options: SimulateOptions, texts: tuple[str, str]) -> SessionInfo:
@@ -142,7 +159,7 @@ def simulate(
     end = min(sim.duration, options.duration + (led.free_from if led else 0.0))
     events = led.events if led else []
     with new_session(out, info, force, params=params) as recorder:
-        for message in with_events(sim.messages(images=options.images), events):
+        for message in with_events(_sensed(sim, info, options.images), events):
             if message.t > end:
                 break
             recorder.write(message)
@@ -153,19 +170,26 @@ def simulate(
     return info
 
 
+def _sensed(sim: Simulation, info: SessionInfo, images: bool) -> Iterator[Message]:
+    """What the sensors say; the glove alone where there is no camera."""
+    return sim.messages(images) if info.rig is not None else sim.imu_samples()
+
+
 def build_both(options: SimulateOptions) -> tuple[TwoHandsSimulation, SessionInfo]:
     """`build` for two hands that meet before a camera that stands."""
-    if options.motion or options.guided or options.hand or options.camera != "stand":
+    asked = options.motion or options.guided or options.hand
+    if asked or options.camera != "stand" or options.lenses == "none":
         raise ConfigError(
             "Both hands are simulated with random postures before a camera that stands: leave out "
-            "--motion, --guided, --hand and --camera."
+            "--motion, --guided, --hand, --camera and --lenses none."
         )
     _check_numbers(options)
     infos = {side: _info(options, library.texts(glove)) for side, glove in GLOVES.items()}
     dressed = {side: Dressed(info.hand, info.glove) for side, info in infos.items()}
     room = room_of(options.scene, options.light, options.photo, options.seed)
     params = SimulationParams(render=room.render)
-    sim = TwoHandsSimulation(dressed, options.seed, options.duration, options.fps, params)
+    seed, rig = options.seed, _rig(options)
+    sim = TwoHandsSimulation(dressed, seed, options.duration, options.fps, params, rig)
     hues = tuple(dict.fromkeys(h for info in infos.values() for h in info.glove.hues))
     left, right = (replace(infos[side], rig=sim.rig, hues=hues) for side in SIDES)
     return sim, replace(right, other=left)

@@ -17,7 +17,7 @@ from tracker.errors import ConfigError, FileError
 from tracker.files import check_target, sha256
 from tracker.fusion.engine import Engine
 from tracker.fusion.worn import keep as keep_worn
-from tracker.fusion.worn import put_on
+from tracker.fusion.worn import measure, put_on
 from tracker.messages import (
     BlobFrame,
     CameraImuSample,
@@ -148,17 +148,17 @@ def _run(
     _check_for_both(info, options)
     output = outputs[info.side]
     if options.smooth:
-        if settings.lenses != "both":
+        if settings.lenses != "both" or (info.rig is not None and info.rig.one_camera):
             raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
         if changes:
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
         smoother = Smoother(info, settings)
-        _put_on(smoother.engine, options.wearer)
+        _put_on(smoother.engine, options)
         return SmoothRun(smoother, output, CameraTilt(reader.rig().pose))
 
     def make(engine: str, rig: StereoRig | None, worn: SessionInfo = info) -> Pipeline:
         pipeline = Pipeline(worn.hand, worn.glove, rig, replace(settings, engine=engine))
-        _put_on(pipeline.engine, options.wearer)
+        _put_on(pipeline.engine, options)
         return pipeline
 
     def make_both(engine: str, rig: StereoRig | None) -> TwoHands:
@@ -166,7 +166,8 @@ def _run(
 
     same = not options.settings and settings == _settings(reader, TrackOptions())
     same = same and info.version == __version__
-    replaced = options.hand or options.glove or options.colours or options.wearer
+    others = (options.hand, options.glove, options.colours, options.wearer, options.hand_length)
+    replaced = any(others)
     if same and options.guided and not replaced:
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
@@ -182,6 +183,7 @@ def _check_for_both(info: SessionInfo, options: TrackOptions) -> None:
         "--hand": options.hand,
         "--glove": options.glove,
         "--wearer": options.wearer,
+        "--hand-length": options.hand_length,
         "--keep-wearer": options.keep_wearer,
     }
     wrong = [name for name, value in asked.items() if value]
@@ -198,10 +200,15 @@ def _truth(reader: SessionReader, side: str) -> Iterator[Estimate]:
         yield from other.truth()
 
 
-def _put_on(engine: Engine, wearer: str) -> None:
-    """Begin with a wearer's profile, if there is one. Raises as `tracker.fusion.worn.put_on`."""
-    if wearer:
-        put_on(engine, Path(wearer))
+def _put_on(engine: Engine, options: TrackOptions) -> None:
+    """Begin with a wearer's profile, or what a ruler says, if there is either. Raises as
+    `tracker.fusion.worn.put_on`."""
+    if options.wearer and options.hand_length:
+        raise ConfigError("A profile knows how long the hand is: leave out --hand-length.")
+    if options.wearer:
+        put_on(engine, Path(options.wearer))
+    if options.hand_length:
+        measure(engine, options.hand_length)
 
 
 def _rig(reader: SessionReader, settings: Settings) -> StereoRig | None:
@@ -228,8 +235,15 @@ def _settings(reader: SessionReader, options: TrackOptions) -> Settings:
         settings = from_toml(Settings, read_text(Path(options.settings)), options.settings)
     else:
         settings = _recorded_settings(reader, options.settings == USUAL)
-    changes: dict[str, Any] = {"engine": options.engine, "lenses": options.lenses}
+    blind = not reader.info.engine and not any(_camera_topics(reader))
+    engine = options.engine or ("inertial" if blind else "")
+    changes: dict[str, Any] = {"engine": engine, "lenses": options.lenses}
     return replace(settings, **{name: value for name, value in changes.items() if value})
+
+
+def _camera_topics(reader: SessionReader) -> Iterator[str]:
+    """Of what cameras tell: none in a session of a glove alone."""
+    return (name for name in reader.topic_names if name.startswith("/camera/"))
 
 
 def _recorded_settings(reader: SessionReader, engine_alone: bool) -> Settings:

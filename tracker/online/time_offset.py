@@ -1,7 +1,8 @@
 """How late the camera's stamps are against the glove's, from the motion of the back of the hand.
 
-Markers on the root segment that both cameras see give its orientation R_GB without any IMU; the
-root's gyroscope gives how it turned since a moment before. Where images are stamped late by o,
+Markers on the root segment that both cameras see give its orientation R_GB without any IMU, as do
+more of them in the image of one camera, by perspective; the root's gyroscope gives how it turned
+since a moment before. Where images are stamped late by o,
 
     log(D_gyro^T D_markers) = o (D_gyro^T w_0 - w_1)
 
@@ -17,6 +18,7 @@ from collections import deque
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import cv2
 import numpy as np
 
 from tracker.geometry.kernels import exp3, log3, mul3, nearest_rotation, rotate, rotate_back, tmul3
@@ -42,6 +44,7 @@ class TimeOffsetParams:
     packet_gap: float = 0.05  # a longer one breaks the gyroscope's integral
     memory: float = 180.0  # over which older pairs are forgotten
     markers: int = 4  # that an image needs
+    markers_of_one: int = 5  # that the image of one camera needs
     misfit: float = 0.004  # m, RMS of the markers about the rigid root
     huber: float = 2.0  # standard deviations
     limit: float = 0.1  # beyond it the estimate is not believed
@@ -181,9 +184,9 @@ class TimeOffset:
     # ---- markers
 
     def _view(self, frame: BlobFrame, result: FrameResult) -> _RootView | None:
-        """The root's markers that both images show; None where they are few or do not fit."""
+        """The root's markers that all images show; None where they are few or do not fit."""
         if frame.left is None or frame.right is None:
-            return None
+            return self._view_of_one(frame, result)
         marker, left, right = _in_both(self._markers, result.match_left, result.match_right)
         if len(marker) < self._params.markers:
             return None
@@ -193,6 +196,25 @@ class TimeOffset:
             rig.intrinsics, pose.R_GC, self._nominal[marker],
         )  # fmt: skip
         return _RootView(frame.t, marker, p_G, R_GB) if misfit < self._params.misfit else None
+
+    def _view_of_one(self, frame: BlobFrame, result: FrameResult) -> _RootView | None:
+        """The same of one camera; its markers are placed as the root's pose has them."""
+        blobs, match = frame.left, result.match_left
+        camera = self._rig.left
+        if blobs is None:
+            blobs, match, camera = frame.right, result.match_right, self._rig.right
+        marker = self._markers[match[self._markers] >= 0]
+        if blobs is None or len(marker) < self._params.markers_of_one:
+            return None
+        uv, rig = camera.rectify(blobs.uv[match[marker]]), self._rig
+        seen = (uv - [rig.cx, rig.cy]) / [rig.fx, rig.fy]
+        found = posed(self._nominal[marker], seen)
+        if found is None or found[2] > self._params.misfit:
+            return None
+        R_CB, p_CB, _ = found
+        R_GC = (frame.pose or rig.pose).R_GC
+        p_G = (self._nominal[marker] @ R_CB.T + p_CB) @ R_GC.T
+        return _RootView(frame.t, marker, p_G, R_GC @ R_CB)
 
     # ---- pairs
 
@@ -244,6 +266,22 @@ class TimeOffset:
         self._atb = keep * self._atb + weight * float(a @ e)
         self._rss = keep * self._rss + weight * float(r @ r)
         self._count = keep * self._count + 1.0
+
+
+def posed(points: Array, seen: Array) -> tuple[Array, Array, float] | None:
+    """R_CB (3, 3), p_CB (3,) m of points (n, 3) m in B that are seen in the directions (n, 2), at
+    depth 1 in C; beside it the misfit, m RMS across the rays. None where there is none."""
+    found, turn, place = cv2.solvePnP(
+        points.reshape(-1, 1, 3), seen.reshape(-1, 1, 2), np.eye(3), None, flags=cv2.SOLVEPNP_SQPNP
+    )
+    if not found:
+        return None
+    R_CB, p_CB = cv2.Rodrigues(turn)[0], place.reshape(3)
+    p_C = points @ R_CB.T + p_CB
+    if p_C[:, 2].min() <= 0:
+        return None
+    off = (p_C[:, :2] / p_C[:, 2:] - seen) * p_CB[2]
+    return R_CB, p_CB, float(np.sqrt(np.mean(np.sum(off**2, axis=1))))
 
 
 def rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:

@@ -30,7 +30,7 @@ class StereoCamera:
 
     A dark side is None in the frame, and an image that is the last one again is left out: neither
     is passed off as a new exposure. Files are paced by their own frame rate. Without a ``rig``
-    images of any size are taken.
+    images of any size are taken. A device with one camera gives frames without a right image.
     """
 
     def __init__(
@@ -140,7 +140,11 @@ class StereoCamera:
     def _check_size(self, pair: Pair) -> None:
         if self.rig is None:
             return
+        if (pair[1] is None) != self.rig.one_camera:
+            raise DeviceError(ONE_FOR_TWO if pair[1] is None else TWO_FOR_ONE)
         for image, camera, side in zip(pair, (self.rig.left, self.rig.right), SIDES, strict=True):
+            if image is None:
+                continue
             height, width = image.shape[:2]
             if (width, height) != (camera.width, camera.height):
                 raise DeviceError(
@@ -155,7 +159,7 @@ class StereoCamera:
         self._count_missed(arrival)
         self._arrivals.append(arrival)
         self._watch_rate()
-        sides = [self._judge(k, pair[k], arrival) for k in range(2)]
+        sides = [self._judge(k, image, arrival) for k, image in enumerate(pair)]
         if self._source.live and any(w.repeated and not w.black for w in self._watch):
             self.repeated += 1
             return None
@@ -172,8 +176,10 @@ class StereoCamera:
             intervals = (arrival - self._arrivals[-1]) * self._source.fps
             self.missed += round(intervals) - 1 if intervals > 2.5 else 0
 
-    def _judge(self, k: int, image: Image, t: float) -> Image | None:
-        """The image, or None where it is black."""
+    def _judge(self, k: int, image: Image | None, t: float) -> Image | None:
+        """The image, or None where it is black, or there is none."""
+        if image is None:
+            return None
         watch = self._watch[k]
         watch.look(image, t)
         if watch.black:
@@ -209,3 +215,10 @@ class StereoCamera:
 
 
 SIDES = ("left", "right")
+ONE_FOR_TWO = (
+    "The camera gives one image, but the calibration is for two: calibrate it as one camera."
+)
+TWO_FOR_ONE = (
+    "The camera gives two images, but the calibration is for one camera: calibrate both, or "
+    "choose one camera in its set-up."
+)

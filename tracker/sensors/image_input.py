@@ -17,7 +17,9 @@ from tracker.sensors.camera_systems import exposure_switch, is_device_path
 from tracker.sensors.camera_systems import list_cameras as list_cameras
 
 Image = NDArray[np.uint8]
-Pair = tuple[Image, Image]
+Pair = tuple[Image, Image | None]
+"""Left and right; a device with one camera has no right one."""
+LEAST_PAIR = 1.9  # width over height
 
 
 @dataclass(frozen=True)
@@ -39,7 +41,7 @@ class CaptureFormat:
 
 
 class ImageInput(Protocol):
-    """Gives pairs of BGR images (h, w, 3) as fast as they come."""
+    """Gives BGR images (h, w, 3), left and right or one alone, as fast as they come."""
 
     name: str
     live: bool  # whether images come by themselves, in real time
@@ -54,14 +56,22 @@ class ImageInput(Protocol):
     def close(self) -> None: ...
 
 
-class SideBySideInput:
-    """One stream with the left image beside the right one: a ZED Mini, a video file, a URL."""
+class StreamInput:
+    """One stream of images: a device, a video file, a URL.
+
+    With ``cameras`` 1 it is a camera alone, which counts as the left one; with 2 each image holds
+    the left one's beside the right one's, as of a ZED Mini; with 0 its shape tells (`is_pair`).
+    """
 
     def __init__(
-        self, source: int | str, want: CaptureFormat | None = None, live: bool = True
+        self,
+        source: int | str,
+        want: CaptureFormat | None = None,
+        live: bool = True,
+        cameras: int = 0,
     ) -> None:
         self.name, self.live, self._source = str(source), live, source
-        self._want = want or CaptureFormat()
+        self._want, self._cameras = want or CaptureFormat(), cameras
         self._capture: cv2.VideoCapture | None = None
         self.fps = self._want.fps
 
@@ -72,8 +82,12 @@ class SideBySideInput:
     def read(self) -> Pair | None:
         if self._capture is None:
             return None
-        ok, image = self._capture.read()
-        return split(image) if ok else None
+        ok, read = self._capture.read()
+        if not ok:
+            return None
+        image = np.asarray(read, np.uint8)
+        two = is_pair(image) if self._cameras == 0 else self._cameras == 2
+        return split(image) if two else (image, None)
 
     def captures(self) -> list[cv2.VideoCapture]:
         """The open device, for its controls."""
@@ -123,18 +137,21 @@ class TwoCameraInput:
 
 
 class SequenceInput:
-    """Numbered image files, one for each side and exposure."""
+    """Numbered image files, one for each side and exposure; ``right`` is None of one camera."""
 
     live = False
 
-    def __init__(self, left: Sequence[Path], right: Sequence[Path], fps: float = 30.0) -> None:
-        if len(left) != len(right) or not left:
+    def __init__(
+        self, left: Sequence[Path], right: Sequence[Path] | None, fps: float = 30.0
+    ) -> None:
+        if not left or (right is not None and len(left) != len(right)):
             raise DeviceError(
-                f"There are {len(left)} left and {len(right)} right images; "
+                f"There are {len(left)} left and {len(right or ())} right images; "
                 "a sequence needs as many of one as of the other."
             )
         self.name, self.fps = str(left[0].parent), fps
-        self._pairs, self._next = list(zip(left, right, strict=True)), 0
+        others: Sequence[Path | None] = [None] * len(left) if right is None else right
+        self._pairs, self._next = list(zip(left, others, strict=True)), 0
 
     def open(self) -> None:
         self._next = 0
@@ -142,15 +159,21 @@ class SequenceInput:
     def read(self) -> Pair | None:
         if self._next >= len(self._pairs):
             return None
-        left, right = (_image(path) for path in self._pairs[self._next])
+        left, right = self._pairs[self._next]
         self._next += 1
-        return left, right
+        return _image(left), None if right is None else _image(right)
 
     def close(self) -> None:
         self._next = len(self._pairs)
 
 
-def split(image: Image) -> Pair:
+def is_pair(image: Image) -> bool:
+    """Whether an image (h, w, 3) is wide enough for two beside each other: single ones have at most
+    16:9, two squares 2:1."""
+    return image.shape[1] > LEAST_PAIR * image.shape[0]
+
+
+def split(image: Image) -> tuple[Image, Image]:
     """The halves of a side-by-side image (h, 2w, 3). Raises DeviceError for an odd width."""
     width = image.shape[1]
     if width % 2:

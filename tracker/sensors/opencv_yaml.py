@@ -2,7 +2,8 @@
 
 Either one file holds everything, or ``intrinsics.yml`` has M1, D1, M2, D2 and ``extrinsics.yml``
 beside it R and T, as OpenCV's stereo_calib sample makes them. T is in the unit of the calibration
-board's squares, which the file does not tell; the caller does.
+board's squares, which the file does not tell; the caller does. A file that has K and D of one
+camera and nothing else is of a camera alone, as OpenCV's calibration sample and ROS write it.
 """
 
 from __future__ import annotations
@@ -14,18 +15,24 @@ import numpy as np
 
 from tracker.errors import FileError
 from tracker.messages import Array, CameraPose
-from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
+from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one
 from tracker.toml_reader import read_text
 from tracker.vision.rig import StereoRig
 
 NAMES = {
-    "K of the left camera": ("M1", "K1", "cameraMatrix1", "camera_matrix_left"),
-    "D of the left camera": ("D1", "distCoeffs1", "dist_coeffs_left"),
+    "K of the left camera": ("M1", "K1", "cameraMatrix1", "camera_matrix_left", "camera_matrix"),
+    "D of the left camera": (
+        "D1",
+        "distCoeffs1",
+        "dist_coeffs_left",
+        "distortion_coefficients",
+    ),
     "K of the right camera": ("M2", "K2", "cameraMatrix2", "camera_matrix_right"),
     "D of the right camera": ("D2", "distCoeffs2", "dist_coeffs_right"),
     "the rotation R": ("R",),
     "the translation T": ("T",),
 }
+OF_ONE = frozenset(("K of the left camera", "D of the left camera"))
 MOST_NUMBERS = 100  # of a matrix
 MAX_COEFFICIENTS = 5  # plumb bob
 
@@ -36,8 +43,11 @@ def load_opencv_stereo(
     height: int,
     unit: float = 1.0,
     pose: CameraPose | None = None,
+    right_size: tuple[int, int] | None = None,
 ) -> StereoRig:
     """The rig of one or two files; ``unit`` is the length of T's unit, m.
+
+    ``right_size`` (px) is where the right images have another size.
 
     Raises FileError where something is missing or is not a plumb-bob calibration.
     """
@@ -45,10 +55,13 @@ def load_opencv_stereo(
     for path in paths:
         found |= _matrices(path)
     where = " and ".join(str(p) for p in paths)
+    if found.keys() == OF_ONE:
+        return rig_of_one(_intrinsics(found, "left", (width, height), where), pose)
     for what in NAMES:
         if what not in found:
             raise FileError(f"{where} does not hold {what} ({' or '.join(NAMES[what])}).")
-    left, right = (_intrinsics(found, side, width, height, where) for side in ("left", "right"))
+    sizes = {"left": (width, height), "right": right_size or (width, height)}
+    left, right = (_intrinsics(found, side, size, where) for side, size in sizes.items())
     R = _shaped(found["the rotation R"], (3, 3), "the rotation R", where)
     T = _shaped(found["the translation T"].reshape(-1), (3,), "the translation T", where)
     if not np.allclose(R @ R.T, np.eye(3), atol=1e-3):
@@ -57,16 +70,24 @@ def load_opencv_stereo(
 
 
 def _intrinsics(
-    found: dict[str, Array], side: str, width: int, height: int, where: str
+    found: dict[str, Array], side: str, size: tuple[int, int], where: str
 ) -> Intrinsics:
     K = _shaped(found[f"K of the {side} camera"], (3, 3), f"K of the {side} camera", where)
-    return Intrinsics(width, height, K, _distortion(found[f"D of the {side} camera"], side, where))
+    return Intrinsics(*size, K, _distortion(found[f"D of the {side} camera"], side, where))
+
+
+def opencv_text(path: Path) -> str:
+    """A file's text with the first line that OpenCV wants and ROS leaves out. Raises FileError."""
+    text = read_text(path)
+    is_ros = path.suffix.lower() in (".yml", ".yaml") and not text.lstrip().startswith("%")
+    return f"%YAML:1.0\n---\n{text}" if is_ros else text
 
 
 def _matrices(path: Path) -> dict[str, Array]:
-    text = read_text(path)
     try:
-        storage = cv2.FileStorage(text, cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
+        storage = cv2.FileStorage(
+            opencv_text(path), cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY
+        )
     except (cv2.error, SystemError) as error:
         raise FileError(f"{path} is no calibration that OpenCV can read.") from error
     try:

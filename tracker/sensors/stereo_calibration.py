@@ -1,4 +1,4 @@
-"""A rig out of two cameras and the rigid motion between them."""
+"""A rig out of two cameras and the rigid motion between them, or out of one camera."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 
 from tracker.messages import Array, CameraPose
+from tracker.vision.lenses import one_camera_rig
 from tracker.vision.rig import Camera, StereoRig, default_pose
 
 
@@ -33,7 +34,7 @@ def rectified_rig(
     R1, R2, P1, P2, *_ = cv2.stereoRectify(
         left.K,
         left.D,
-        right.K,
+        _as_large(right, left),
         right.D,
         size,
         np.asarray(R, float),
@@ -46,3 +47,20 @@ def rectified_rig(
         Camera(right.width, right.height, right.K, right.D, R2, P2),
         pose or default_pose(),
     )
+
+
+def _as_large(camera: Intrinsics, other: Intrinsics) -> Array:
+    """K (3, 3) of the camera as if its images were scaled and cropped to the other's size: OpenCV
+    rectifies images of one size, and ours need not be."""
+    scale = other.width / camera.width
+    K = camera.K.copy()
+    K[:2] *= scale
+    K[1, 2] += (other.height - scale * camera.height) / 2
+    return K
+
+
+def rig_of_one(camera: Intrinsics, pose: CameraPose | None = None) -> StereoRig:
+    """The rig of a camera alone; ``pose`` as in `rectified_rig`."""
+    P = np.column_stack([camera.K, np.zeros(3)])
+    alone = Camera(camera.width, camera.height, camera.K, camera.D, np.eye(3), P)
+    return one_camera_rig(alone, pose or default_pose())

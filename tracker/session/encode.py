@@ -273,9 +273,10 @@ class Encoder:
         yield Out(topics.EVENTS, motion.STRING, stamp, stamp, motion.pack_string(text))
 
     def rig(self, rig: StereoRig, t: float) -> Iterator[Out]:
-        """Both cameras; where they stand too, unless frames bring that."""
+        """The cameras that there are; where they stand too, unless frames bring that."""
         now = self._wall(t)
-        for camera, intrinsics in (("left", rig.left), ("right", rig.right)):
+        for camera in rig.sides:
+            intrinsics = rig.left if camera == "left" else rig.right
             data = sensors.pack_camera_info(now, topics.camera_frame(camera), intrinsics)
             yield Out(topics.camera_info(camera), sensors.CAMERA_INFO, now, now, data)
         right = motion.Transform(
@@ -285,8 +286,9 @@ class Encoder:
             np.array([rig.baseline, 0, 0]),
             np.array([0.0, 0, 0, 1]),
         )
+        beside = [] if rig.one_camera else [right]
         moving = self._info.moving_camera
-        yield from pose_messages(topics.TF_STATIC, None if moving else rig.pose, now, now, [right])
+        yield from pose_messages(topics.TF_STATIC, None if moving else rig.pose, now, now, beside)
 
 
 CALIBRATION_ROWS = tuple(

@@ -14,6 +14,7 @@ from tracker.session.mcap.input import McapInput, RawMessage
 from tracker.session.mcap.ordering import ordered
 from tracker.session.ros import motion, sensors, topics
 from tracker.session.ros.cdr import in_words
+from tracker.vision.lenses import one_camera_rig
 from tracker.vision.rig import Camera, StereoRig
 
 _INFOS = {topics.camera_info(c): c for c in topics.SIDES}
@@ -60,30 +61,45 @@ class _Start:
                     self.first = self.first or pose_of(t)
 
 
+def cameras_told(source: McapInput) -> int:
+    """How many cameras a session tells of: one where nothing in it is of a right one."""
+    there = {channel.topic for channel in source.contents.channels.values()}
+    of_right = (topics.camera_info("right"), topics.image("right"), topics.blobs("right"))
+    return 2 if there.intersection(of_right) else 1
+
+
+def _rig_of(cameras: dict[str, Camera], pose: CameraPose, count: int) -> StereoRig:
+    """Raises ConfigError where left and right are not of one calibration."""
+    if count == 1:
+        return one_camera_rig(cameras["left"], pose)
+    return StereoRig(cameras["left"], cameras["right"], pose)
+
+
 def first_rig(source: McapInput) -> tuple[StereoRig | None, bool]:
     """The rig at the start, None where it is not all there, and whether its camera moves.
 
     Raises FileError where left and right are not of one calibration.
     """
-    start = _Start()
+    start, count = _Start(), cameras_told(source)
     wanted = frozenset([*_INFOS, topics.TF_STATIC, topics.TF, topics.CAMERA_POSE])
     for n, raw in enumerate(ordered(source, wanted)):
         start.hear(raw)
-        if (len(start.cameras) == 2 and start.first is not None) or n > _LOOK_FOR_RIG:
+        if (len(start.cameras) == count and start.first is not None) or n > _LOOK_FOR_RIG:
             break
     pose, moving = start.exact or start.fixed or start.first, start.fixed is None
-    if len(start.cameras) < 2 or pose is None:
+    if len(start.cameras) < count or pose is None:
         return None, moving
     try:
-        return StereoRig(start.cameras["left"], start.cameras["right"], pose), moving
+        return _rig_of(start.cameras, pose, count), moving
     except ConfigError as error:
         raise FileError(f"{source.path}: {error}") from error
 
 
 @dataclass
 class _Standing:
-    """What has been said of the camera so far."""
+    """What has been said so far of a device with ``count`` cameras."""
 
+    count: int = 2
     cameras: dict[str, Camera] = field(default_factory=dict)
     pose: CameraPose | None = None
     exact_at: int = -1  # log time of a pose to the last bit, which a transform does not replace
@@ -114,10 +130,10 @@ class _Standing:
 
     def rig(self) -> StereoRig | None:
         """None where something is missing, or left and right are not of one calibration yet."""
-        if len(self.cameras) < 2 or self.pose is None:
+        if len(self.cameras) < self.count or self.pose is None:
             return None
         try:
-            return StereoRig(self.cameras["left"], self.cameras["right"], self.pose)
+            return _rig_of(self.cameras, self.pose, self.count)
         except ConfigError:
             return None
 
@@ -128,7 +144,7 @@ def rig_changes(source: McapInput, moving: CameraPose | None) -> Iterator[tuple[
     ``moving`` is the pose at the start of a camera whose poses come with the images.
     """
     pose_topics = [] if moving is not None else [topics.TF_STATIC, topics.CAMERA_POSE]
-    standing, changed = _Standing(pose=moving), -1
+    standing, changed = _Standing(cameras_told(source), pose=moving), -1
     for raw in ordered(source, frozenset([*_INFOS, *pose_topics])):
         if 0 <= changed < raw.log_time and (rig := standing.rig()) is not None:
             yield changed, rig

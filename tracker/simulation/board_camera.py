@@ -1,4 +1,4 @@
-"""A stereo camera before which somebody holds a board, one pose after the other: for the demo."""
+"""A camera, or two, before which somebody holds a board, one pose after the other: for the demo."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ PERIOD = 0.25  # s between images
 
 
 class BoardCamera:
-    """An `ImageInput` of the board ``spec`` seen by the cameras of ``rig``."""
+    """An `ImageInput` of the board ``spec`` seen by the cameras of ``rig``, or by its only one."""
 
     live = True
     name = "simulated camera"
@@ -54,8 +54,9 @@ class BoardCamera:
             self._clean = self._renderer.pair(drawn, rng)
         else:
             self._sleep(PERIOD)
-        left, right = (_noisy(image, rng) for image in self._clean)
-        return left, right
+        left, right = self._clean
+        noisy = _noisy(left, rng)
+        return noisy, None if right is None else _noisy(right, rng)
 
     def close(self) -> None:
         self._renderer = None

@@ -28,10 +28,10 @@ INK = 30
 
 @dataclass(frozen=True, eq=False)
 class TrueRig:
-    """X_right = R X_left + T, T (3,) m."""
+    """X_right = R X_left + T, T (3,) m; ``right`` is None of a camera alone."""
 
     left: Intrinsics
-    right: Intrinsics
+    right: Intrinsics | None
     R: Array
     T: Array
 
@@ -55,14 +55,19 @@ class BoardRenderer:
             inked, *(SQUARE_PX,) * 4, cv2.BORDER_CONSTANT, value=float(PAPER)
         )
         self._sheet = np.asarray(sheet, np.float32)
-        self._rays = (_rays(rig.left), _rays(rig.right))
+        self._rays = [_rays(c) for c in (rig.left, rig.right) if c is not None]
 
-    def pair(self, pose: BoardPose, rng: np.random.Generator) -> tuple[Image, Image]:
-        """BGR images (h, w, 3) of both cameras."""
+    def pair(self, pose: BoardPose, rng: np.random.Generator) -> tuple[Image, Image | None]:
+        """BGR images (h, w, 3) of both cameras, or of the only one."""
+        left, other = self._draw(0, self.rig.left, pose, rng), self.rig.right
+        if other is None:
+            return left, None
         right = BoardPose(self.rig.R @ pose.R_CB, self.rig.R @ pose.p_CB + self.rig.T)
-        return self._draw(0, pose, rng), self._draw(1, right, rng)
+        return left, self._draw(1, other, right, rng)
 
-    def _draw(self, side: int, pose: BoardPose, rng: np.random.Generator) -> Image:
+    def _draw(
+        self, side: int, camera: Intrinsics, pose: BoardPose, rng: np.random.Generator
+    ) -> Image:
         """Where rays meet the paper: [R_x R_y p]⁻¹ ray is the point there, up to its scale."""
         plane = np.column_stack([pose.R_CB[:, 0], pose.R_CB[:, 1], pose.p_CB])
         on_plane = self._rays[side] @ np.linalg.inv(plane).T.astype(np.float32)
@@ -79,7 +84,6 @@ class BoardRenderer:
             borderMode=cv2.BORDER_CONSTANT,
             borderValue=float(WALL),
         )
-        camera = self.rig.left if side == 0 else self.rig.right
         grey = cv2.resize(fine, (camera.width, camera.height), interpolation=cv2.INTER_AREA)
         grey = grey + rng.normal(0, self._noise, grey.shape).astype(np.float32)
         return np.repeat(np.clip(grey, 0, 255).astype(np.uint8)[..., None], 3, axis=2)

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from tracker.clock import nanoseconds, seconds
 from tracker.messages import Event, StereoFrame
+from tracker.sensors.sources import NoCamera
 from tracker.shared_memory import attached, forget_name, new_memory
 from tracker.simulation.asked import Asked, asked_event
 from tracker.simulation.demo import DemoSpec, ask, build_scene
@@ -45,7 +46,8 @@ class SimulatedCamera:
     """
 
     def __init__(self, spec: DemoSpec, width: int = 1280, height: int = 720) -> None:
-        self._t_0, self._shape = 0.0, (SLOTS, 2, height, width, 3)
+        cameras = 1 if spec.one_camera else 2
+        self._t_0, self._shape = 0.0, (SLOTS, cameras, height, width, 3)
         self._memory = new_memory(int(np.prod(self._shape)))
         self._events: list[Event] = []
         self._asked: deque[Asked] = deque()  # of other threads, to be sent by the one that reads
@@ -109,7 +111,7 @@ class SimulatedCamera:
             t=seconds(nanoseconds(self._t_0 + drawn.t)),
             t_arrival=seconds(nanoseconds(arrival)),
             left=images[0].copy(),
-            right=images[1].copy(),
+            right=images[1].copy() if len(images) == 2 else None,
             index=drawn.number,
         )
 
@@ -139,6 +141,32 @@ class SimulatedCamera:
         self._memory.close()
 
 
+class NoSimulatedCamera(NoCamera):
+    """Stands for it where a wearer is simulated without a camera; his events are told."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._events: list[Event] = []
+
+    def wait_ready(self, timeout: float) -> bool:
+        """It is, at once."""
+        return True
+
+    def begin(self, t_0: float) -> None:
+        """Nothing begins."""
+
+    def ask(self, asked: Asked, pose: str) -> None:
+        """As `SimulatedCamera.ask`, for the recording alone."""
+        self._events.append(asked_event(asked, pose, seconds(time.monotonic_ns())))
+
+    def take_events(self) -> Sequence[Event]:
+        out, self._events = self._events, []
+        return out
+
+
+DemoCamera = SimulatedCamera | NoSimulatedCamera
+
+
 def _draw_for_ever(spec: DemoSpec, name: str, shape: tuple[int, ...], pipe: Connection) -> None:
     """The other process: draws until the pipe closes."""
     memory = attached(name)
@@ -154,7 +182,7 @@ def _draw_for_ever(spec: DemoSpec, name: str, shape: tuple[int, ...], pipe: Conn
 
 def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
     sim = build_scene(spec)
-    sim.renderer.pair(0.1)  # compiles what is compiled
+    sim.renderer.images(0.1)  # compiles what is compiled
     pipe.send(READY)
     t_0: float = pipe.recv()
     free = list(range(len(images)))
@@ -168,6 +196,6 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
             else:
                 free.append(told)
         slot = free.pop(0)
-        left, right = sim.renderer.pair(t)
-        images[slot, 0], images[slot, 1] = left, right
+        for image, drawn in zip(images[slot], sim.renderer.images(t), strict=True):
+            image[:] = drawn
         pipe.send(_Drawn(slot, index, t, arrival))

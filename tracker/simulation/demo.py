@@ -18,6 +18,8 @@ from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
 from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
+from tracker.vision.lenses import with_one_camera
+from tracker.vision.rig import StereoRig, ideal_rig
 
 
 class WornTexts(NamedTuple):
@@ -47,6 +49,13 @@ class DemoSpec:
     exposures: int = 1  # per image: no motion blur, half the time to draw
     light: str = ""  # over a desk with things on it; before a plain wall if empty
     other: WornTexts | None = None
+    one_camera: bool = False  # of two: the left one alone
+
+    @property
+    def rig(self) -> StereoRig:
+        """What looks at the scene."""
+        rig = ideal_rig()
+        return with_one_camera(rig) if self.one_camera else rig
 
 
 def build(spec: DemoSpec) -> Simulation:
@@ -63,7 +72,9 @@ def build(spec: DemoSpec) -> Simulation:
     if isinstance(render, DeskParams):
         render = replace(render, backgrounds=BACKGROUNDS)
     params = SimulationParams(render=render)
-    return Simulation(hand, glove, motion, spec.seed, params, fps=spec.fps, extras=room.extras)
+    return Simulation(
+        hand, glove, motion, spec.seed, params, fps=spec.fps, rig=spec.rig, extras=room.extras
+    )
 
 
 def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
@@ -76,7 +87,7 @@ def build_scene(spec: DemoSpec) -> Simulation | TwoHandsSimulation:
         dressed[hand.side] = Dressed(hand, parse_glove(texts.glove, hand))
     room = room_of("plain", "", seed=spec.seed)
     params = SimulationParams(render=replace(room.render, exposures=spec.exposures))
-    return TwoHandsSimulation(dressed, spec.seed, spec.duration, spec.fps, params)
+    return TwoHandsSimulation(dressed, spec.seed, spec.duration, spec.fps, params, spec.rig)
 
 
 def hands_of(scene: Simulation | TwoHandsSimulation) -> dict[str, Simulation]:

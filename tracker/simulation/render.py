@@ -69,19 +69,25 @@ class Renderer:
         return np.array(fabric_bgr(hue)) * self.params.gain
 
     def frame(self, t: float, t_arrival: float | None = None, index: int = -1) -> StereoFrame:
-        """Both images of the exposure whose middle is t (s), and the camera's reported pose."""
-        left, right = self.pair(t)
+        """The images of the exposure whose middle is t (s), and the camera's reported pose."""
+        left, *right = self.images(t)
         arrival = t if t_arrival is None else t_arrival
-        return StereoFrame(t, arrival, left, right, self.scene.reported_pose(t), index)
+        pose = self.scene.reported_pose(t)
+        return StereoFrame(t, arrival, left, right[0] if right else None, pose, index)
 
     def pair(self, t: float) -> tuple[Image, Image]:
-        """The left and the right image (h, w, 3) uint8 BGR."""
+        """The left and the right image (h, w, 3) uint8 BGR, of two cameras."""
+        left, right = self.images(t)
+        return left, right
+
+    def images(self, t: float) -> tuple[Image, ...]:
+        """That of each camera that there is, (h, w, 3) uint8 BGR, the left one first."""
         moments = moments_of(
             self.scene, t, self.params.shutter, min(self.params.exposures, len(JITTER_PX))
         )
         ns = nanoseconds(t)
         rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
-        return self._image(moments, False, rng), self._image(moments, True, rng)
+        return tuple(self._image(moments, side == "right", rng) for side in self.scene.rig.sides)
 
     def _image(self, moments: list[Instant], right: bool, rng: np.random.Generator) -> Image:
         side = int(right)

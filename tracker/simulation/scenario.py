@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -47,6 +47,7 @@ class SimulationParams:
     camera_imu: CameraImuParams = field(default_factory=CameraImuParams)
     delay_least: float = 0.030  # s from the middle of an exposure to its arrival
     delay_most: float = 0.050
+    right_late: float = 0.0  # s that the right camera exposes after the left one
 
 
 class Truth(NamedTuple):
@@ -95,7 +96,8 @@ class Simulation:
         """(index, exposure midpoint, arrival) of each frame, s; whole nanoseconds."""
         rng = rng_for(self.seed, "frames")
         phase, arrival = float(rng.uniform(0, 1 / self.fps)), 0.0
-        for k in range(int((self.duration - MARGIN - phase) * self.fps) + 1):
+        end = self.duration - MARGIN - self.params.right_late
+        for k in range(int((end - phase) * self.fps) + 1):
             t = seconds(nanoseconds(phase + k / self.fps))
             delay = rng.uniform(self.params.delay_least, self.params.delay_most)
             arrival = max(seconds(nanoseconds(t + delay)), arrival)
@@ -106,8 +108,10 @@ class Simulation:
         return self._images() if images else self._blob_frames()
 
     def _blob_frames(self) -> Iterator[BlobFrame]:
+        late = self.params.right_late
         for index, t, arrival in self.exposures():
-            yield self.scene.blobs(t, arrival, index)
+            frame = self.scene.blobs(t, arrival, index)
+            yield replace(frame, right=self.scene.blobs(t + late).right) if late else frame
 
     @cached_property
     def renderer(self) -> Renderer | DeskRenderer:
@@ -118,8 +122,10 @@ class Simulation:
         return Renderer(self.scene, how)
 
     def _images(self) -> Iterator[StereoFrame]:
+        late = self.params.right_late
         for index, t, arrival in self.exposures():
-            yield self.renderer.frame(t, arrival, index)
+            frame = self.renderer.frame(t, arrival, index)
+            yield replace(frame, right=self.renderer.frame(t + late).right) if late else frame
 
     def feed(self, images: bool = False) -> Iterator[ImuSample | BlobFrame | StereoFrame]:
         """All messages in the order of arrival; IMU packets first where two arrive together."""

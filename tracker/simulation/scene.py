@@ -137,7 +137,8 @@ class SimulatedScene:
         """What a good detector finds in the exposure at t (s)."""
         now = self.instant(t)
         rng = rng_for(self.seed, "blobs", nanoseconds(t) % 2**32, nanoseconds(t) // 2**32)
-        left, right = (self._side(now, t, right, rng) for right in (False, True))
+        left = self._side(now, t, False, rng)
+        right = None if self.rig.one_camera else self._side(now, t, True, rng)
         arrival = t if t_arrival is None else t_arrival
         hues = self.wearer.glove.hues
         return BlobFrame(t, arrival, hues, left, right, self.reported_pose(t), index=index)

@@ -18,12 +18,16 @@ LENSES = ("both", "left", "right")
 UNUSED_BASELINE = 0.06  # m, of the camera that is not there
 
 
-def check_lenses(lenses: str, engine: str) -> None:
-    """Raises ConfigError for a word that is none of `LENSES`, and for `vist` with one camera."""
+def check_lenses(lenses: str, engine: str, rig: StereoRig | None = None) -> None:
+    """Raises ConfigError for a word that is none of `LENSES`, for `vist` with one camera, and for
+    the right camera where there is only one."""
     if lenses not in LENSES:
         raise ConfigError(f"lenses is {lenses!r}; it may be {', '.join(LENSES)}.")
-    if lenses != "both" and engine == "vist":
+    one_camera = rig is not None and rig.one_camera
+    if (lenses != "both" or one_camera) and engine == "vist":
         raise ConfigError("The engine vist needs both lenses; with one, use the engine chain.")
+    if lenses == "right" and one_camera:
+        raise ConfigError("There is only one camera, which counts as the left one.")
 
 
 def through(frame: BlobFrame, lenses: str) -> BlobFrame:
@@ -36,8 +40,15 @@ def through(frame: BlobFrame, lenses: str) -> BlobFrame:
 
 
 def one_camera_rig(camera: Camera, pose: CameraPose) -> StereoRig:
-    """A rig for a device with one camera, the left one; R of ``camera`` has to be the identity."""
+    """A rig for a device with one camera, the left one, whose pose is that of ``camera.R``'s
+    axes."""
     P_left = np.column_stack([camera.P[:, :3], np.zeros(3)])
     P_right = P_left.copy()
     P_right[0, 3] = -UNUSED_BASELINE * P_left[0, 0]
-    return StereoRig(replace(camera, P=P_left), replace(camera, P=P_right), pose)
+    left, right = (replace(camera, P=P) for P in (P_left, P_right))
+    return StereoRig(left, right, pose, one_camera=True)
+
+
+def with_one_camera(rig: StereoRig) -> StereoRig:
+    """What is left of a stereo camera whose right one is taken away."""
+    return one_camera_rig(rig.left, rig.pose)

@@ -56,6 +56,7 @@ class RegionPrediction:
     size: Array
     hue: IntArray
     hue_names: tuple[str, ...]
+    right_late: float = 0.0  # s that the right camera exposes later than the left one
 
     def after(self, before: RegionPrediction | None) -> RegionPrediction:
         """The same, moving as it has since ``before`` where that is a little while ago."""
@@ -81,11 +82,12 @@ class RegionPrediction:
         """
         hue = hue_rows(self.hue_names, hue_names)[self.hue]
         sides, markers = [], MovingMarkers(self.p_G, self.v_G, self.sd, self.size)
-        for camera, shift in ((rig.left, 0.0), (rig.right, rig.baseline)):
+        eyes = ((rig.left, 0.0, 0.0), (rig.right, rig.baseline, self.right_late))
+        for camera, shift, late in eyes:
             view = PosedCamera(
                 pose.R_GC, pose.p_GC, shift, rig.intrinsics, camera.width, camera.height
             )
-            uv, radius, rows = seen_soon(markers, t - self.t, view)
+            uv, radius, rows = seen_soon(markers, t + late - self.t, view)
             sides.append(DetectionHints(camera.unrectify(uv), radius, hue[rows]))
         return sides[0], sides[1]
 
@@ -105,6 +107,7 @@ def together(predictions: Sequence[RegionPrediction]) -> RegionPrediction:
         size=np.concatenate([p.size for p in moved]),
         hue=np.concatenate([p.hue for p in moved]),
         hue_names=names,
+        right_late=moved[0].right_late,
     )
 
 

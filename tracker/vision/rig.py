@@ -70,11 +70,16 @@ class StereoIntrinsics(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class StereoRig:
-    """Two cameras and, for a fixed rig, where it stands in G."""
+    """Two cameras and, for a fixed rig, where it stands in G.
+
+    A device with ``one_camera`` has the left one alone; the right one then stands for none, see
+    `tracker.vision.lenses.one_camera_rig`.
+    """
 
     left: Camera
     right: Camera
     pose: CameraPose
+    one_camera: bool = False
 
     def __post_init__(self) -> None:
         if self.baseline <= 1e-4:
@@ -84,6 +89,11 @@ class StereoRig:
             )
         if not np.allclose(self.left.P[:, :3], self.right.P[:, :3], rtol=1e-6, atol=1e-6):
             raise ConfigError("The two rectified cameras must share one matrix P[:, :3].")
+
+    @property
+    def sides(self) -> tuple[str, ...]:
+        """Of the cameras that there are, the left one first."""
+        return ("left",) if self.one_camera else ("left", "right")
 
     @cached_property
     def intrinsics(self) -> StereoIntrinsics:

@@ -98,6 +98,7 @@ class CalibrationPanel(Panel):
         row.export.connect(self.export)
         row.take_in.connect(self.take_in)
         row.guided.connect(self.guided_asked)
+        row.measured.connect(self._link.measured)
         row.reset.connect(self.reset)
         row.freeze.connect(self._link.freeze)
         row.compare.connect(lambda _on: self._draw())

@@ -19,8 +19,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.widgets.one_line import OneLine
+from tracker.fusion.chain.calibration.measured import LONGEST, SHORTEST
 
 PATTERN = "*.toml"
+USUAL_MM = 185.0
 NEW = 0  # row of "somebody new"
 
 
@@ -32,6 +34,7 @@ class WearerRow(OneLine):
     remove = Signal(str)
     export = Signal(object)  # the Path of the file to be written
     take_in = Signal(object)  # the Path of a file to be kept and put on
+    measured = Signal(float)  # length of the hand by a ruler, m
     guided = Signal()  # poses that the wearer holds on request
     reset = Signal(object)  # a list of one segment, or None for all
     freeze = Signal(bool)
@@ -64,6 +67,11 @@ class WearerRow(OneLine):
             self.tr("Guided poses…"), self.tr("Half a minute of poses that show your fingertips")
         )
         self.guided_button.clicked.connect(self.guided)
+        self.length_button = self._plain(
+            self.tr("Hand length…"),
+            self.tr("Measured with a ruler: one camera cannot tell a small hand from a far one"),
+        )
+        self.length_button.clicked.connect(self.ask_length)
         self._segments: tuple[str, ...] = ()
         who = QLabel(self.tr("Wearer"))
         who.setBuddy(self.choice)
@@ -71,6 +79,7 @@ class WearerRow(OneLine):
             who,
             self.choice,
             self.guided_button,
+            self.length_button,
             self.save_button,
             self.import_button,
             self.export_button,
@@ -128,6 +137,16 @@ class WearerRow(OneLine):
         if path:
             self.take_in.emit(Path(path))
 
+    def ask_length(self) -> None:
+        """How long the hand is; what was learned of the wearer is begun anew from there."""
+        words = self.tr("From the crease of the wrist to the tip of the middle finger, mm")
+        low, high = 1000 * SHORTEST, 1000 * LONGEST
+        length_mm, ok = QInputDialog.getDouble(
+            self, self.tr("Hand length"), words, USUAL_MM, low, high, 0
+        )
+        if ok:
+            self.measured.emit(length_mm / 1000)
+
     @property
     def name(self) -> str:
         """The profile chosen; empty for somebody new."""
@@ -158,6 +177,7 @@ class WearerRow(OneLine):
         """Off where no engine takes commands; ``guided``: it can be told of poses too."""
         for widget in (
             self.choice,
+            self.length_button,
             self.save_button,
             self.import_button,
             self.export_button,

@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from app.platform.tasks import TaskOwner
 from app.words import told
 from tracker.calibration.stereo.collect import Answer, Collector
 from tracker.calibration.stereo.solve import CalibrationError, SolveParams, solve
-from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
+from tracker.calibration.stereo.views import (
+    BoardFinder,
+    BoardLook,
+    Size,
+    StereoView,
+    sizes_of,
+)
 from tracker.errors import GlovetrackError
 from tracker.sensors.image_input import ImageInput, Pair
 
@@ -110,15 +116,15 @@ class BoardWatcher:
         self._number += 1
         self._seen = BoardSeen(self._number, pair, look, answer)
         if answer is Answer.TAKEN:
-            self._judge(pair[0].shape[1], pair[0].shape[0])
+            self._judge(sizes_of(pair))
 
-    def _judge(self, width: int, height: int) -> None:
+    def _judge(self, sizes: Sequence[Size]) -> None:
         """Tells a bad view while there is time to take a better one."""
         views = self.views()
         if len(views) < SolveParams().least_views:
             return
         try:
-            found = solve(views, width, height)
+            found = solve(views, sizes)
         except CalibrationError:
             return  # the result page says why
         self._errors = dict(zip(views, found.error.max(axis=1).tolist(), strict=True))

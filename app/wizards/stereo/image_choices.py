@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from app.engines.camera_choice import NAME, PAIR, choose
+from app.engines.engine import one_camera
 from app.engines.engine_host import EngineHost
 from app.engines.hardware import FPS, HEIGHT, WIDTH
 from app.storage.settings import AppSettings
@@ -45,7 +46,7 @@ class SessionImages:
             return None
         frame = latest[0]
         self._last = frame.index
-        if frame.left is None or frame.right is None:
+        if frame.left is None or (frame.right is None and not one_camera(setup, frame)):
             return None
         return frame.left, frame.right
 
@@ -83,7 +84,8 @@ def image_choices(
 
 
 def folder_choice(folder: Path) -> ImageChoice:
-    """Images on disk: names with left and right in them, in the order of their names."""
+    """Images on disk: names with left and right in them, in the order of their names; all of them
+    one camera's where no name has either."""
     return ImageChoice(tr("Folder {}").format(folder.name), lambda _spec: folder_input(folder))
 
 
@@ -91,4 +93,6 @@ def folder_input(folder: Path) -> ImageInput:
     """Raises DeviceError where there are not as many left as right images."""
     files = sorted(p for p in folder.iterdir() if p.suffix.lower() in SUFFIXES)
     sides = [[p for p in files if side in p.name.lower()] for side in ("left", "right")]
+    if not any(sides):
+        return SequenceInput(files, None, fps=0.0)
     return SequenceInput(sides[0], sides[1], fps=0.0)

@@ -122,7 +122,11 @@ class ResultPage(QWidget):
     def _show_views(self, solution: Solution) -> None:
         rows = view_rows(solution)
         self.table.setRowCount(len(rows))
+        self.table.setColumnHidden(2, solution.right is None)
+        first = self.tr("Error, px") if solution.right is None else self.tr("Left, px")
+        self.table.setHorizontalHeaderItem(1, QTableWidgetItem(first))
         for i, row in enumerate(rows):
             state = f"{row.look.sign} {row.state}"
-            for j, text in enumerate((row.name, row.left, row.right, state)):
+            texts = (row.name, row.errors[0], row.errors[-1], state)
+            for j, text in enumerate(texts):
                 self.table.setItem(i, j, QTableWidgetItem(text))

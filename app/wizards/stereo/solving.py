@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from app.words import told
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
 from tracker.calibration.stereo.solve import CalibrationError, Solution, solve
-from tracker.calibration.stereo.views import StereoView
+from tracker.calibration.stereo.views import Size, StereoView
 from tracker.files import free_path, slug
 from tracker.vision.rig import StereoRig
 
@@ -36,13 +36,12 @@ class Solving(QObject):
     def start(
         self,
         views: tuple[StereoView, ...],
-        width: int,
-        height: int,
+        sizes: Sequence[Size],
         done: Callable[[Solution | str], None],
     ) -> None:
         """``done`` gets the solution, or why there is none."""
-        job = _solving(views, width, height)
-        self._task = self._tasks.run(self.tr("Stereo calibration"), job, done, self._ended)
+        job = _solving(views, sizes)
+        self._task = self._tasks.run(self.tr("Camera calibration"), job, done, self._ended)
         self._task.progressed.connect(self.progressed)
 
     def cancel(self) -> None:
@@ -55,13 +54,13 @@ class Solving(QObject):
 
 
 def _solving(
-    views: tuple[StereoView, ...], width: int, height: int
+    views: tuple[StereoView, ...], sizes: Sequence[Size]
 ) -> Callable[[JobProgress], Solution | str]:
     """The job; what cannot be solved is a result too, shown on the page."""
 
     def job(progress: JobProgress) -> Solution | str:
         try:
-            return solve(views, width, height, progress=progress)
+            return solve(views, sizes, progress=progress)
         except CalibrationError as error:
             return told(str(error))
 

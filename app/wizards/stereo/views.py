@@ -34,18 +34,20 @@ from app.viewmodels.stereo import (
     view_name,
 )
 from app.widgets.coverage_map import CoverageMap
+from app.widgets.image_shapes import Shape
 from app.widgets.image_view import ImageView
 from app.widgets.measures import TIGHT, WIDE
 from app.wizards.stereo.board_watcher import BoardSeen
 from tracker.calibration.stereo.collect import Answer
 from tracker.calibration.stereo.coverage import coverage
 from tracker.calibration.stereo.verify import Verification, verify
-from tracker.calibration.stereo.views import Image, StereoView
+from tracker.calibration.stereo.views import Image, StereoView, sizes_of
+from tracker.sensors.image_input import Pair
 from tracker.vision.rig import Camera, StereoRig
 
 
 class ImagePair(QSplitter):
-    """Both images side by side."""
+    """Both images side by side, or that of a camera alone."""
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
@@ -55,6 +57,13 @@ class ImagePair(QSplitter):
         self.setChildrenCollapsible(False)
         for view in (self.left, self.right):
             self.addWidget(view)
+
+    def show_pair(self, images: Pair, shapes: Sequence[Sequence[Shape]]) -> None:
+        """Images with what is drawn over each."""
+        self.right.setVisible(images[1] is not None)
+        for view, image, drawn in zip((self.left, self.right), images, shapes, strict=True):
+            if image is not None:
+                view.show_image(image, drawn)
 
     def wait(self, words: str) -> None:
         for view in (self.left, self.right):
@@ -73,7 +82,7 @@ class CollectPage(QWidget):
         self.words = QLabel()
         self.words.setProperty("role", "figure")
         self.words.setWordWrap(True)
-        self.map = CoverageMap((self.tr("Left image"), self.tr("Right image")))
+        self.map = CoverageMap((self.tr("Left image"), self.tr("Right image")), self.tr("Image"))
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("Views taken"))
         self.list.setMinimumHeight(60)
@@ -120,15 +129,11 @@ class CollectPage(QWidget):
             return
         self._shown = (seen, len(views))
         good = seen.answer in (Answer.TAKEN, Answer.KNOWN, Answer.FULL)
-        for widget, image, corners in (
-            (self.images.left, seen.pair[0], seen.look.left),
-            (self.images.right, seen.pair[1], seen.look.right),
-        ):
-            widget.show_image(image, corner_shapes(corners, good))
-        height, width = seen.pair[0].shape[:2]
-        cover = coverage(views, width, height)
+        found = (seen.look.left, seen.look.right)
+        self.images.show_pair(seen.pair, [corner_shapes(corners, good) for corners in found])
+        cover = coverage(views, sizes_of(seen.pair))
         self.words.setText(trouble or say(seen.answer, seen.look.trouble, cover))
-        self.map.show_counts(cover.left, cover.right)
+        self.map.show_counts(cover.maps)
         self._show_meters(meters(cover))
 
     def _show_meters(self, rows: Sequence[Meter]) -> None:
@@ -176,7 +181,7 @@ class CheckPage(QWidget):
         self.figures = QLabel()
         self.figures.setProperty("role", "faint")
         self.table = QTableWidget(0, 2)
-        self.table.setHorizontalHeaderLabels([self.tr("View"), self.tr("Rows differ by")])
+        self._name_columns(one_camera=False)
         self.table.verticalHeader().hide()
         self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
         self.table.horizontalHeader().setStretchLastSection(True)
@@ -198,7 +203,12 @@ class CheckPage(QWidget):
         """Check this one from now on."""
         self._rig, self.found, self._seen = rig, None, None
         self._maps = tuple(_rectify_map(c) for c in (rig.left, rig.right))
+        self._name_columns(rig.one_camera)
         self.show_views(())
+
+    def _name_columns(self, one_camera: bool) -> None:
+        off = self.tr("Corners are off by") if one_camera else self.tr("Rows differ by")
+        self.table.setHorizontalHeaderLabels([self.tr("View"), off])
 
     def show_seen(self, seen: BoardSeen | None, views: Sequence[StereoView], trouble: str) -> None:
         """The latest exposure through the rig, and the fresh views so far."""
@@ -207,7 +217,7 @@ class CheckPage(QWidget):
         elif seen is not self._seen:
             self._seen = seen
             self._show_images(seen)
-        if self.found is None or len(self.found.epipolar) != len(views):
+        if self.found is None or len(self.found.off_px) != len(views):
             self.show_views(views)
 
     def show_views(self, views: Sequence[StereoView]) -> None:
@@ -229,9 +239,10 @@ class CheckPage(QWidget):
     def _show_images(self, seen: BoardSeen) -> None:
         assert self._rig is not None
         rig, lines = self._rig, []
-        if seen.look.view is not None:
+        if seen.look.view is not None and not rig.one_camera:
             # the left image's rows on both: they must meet the same corners
             lines = row_lines(rig.left, seen.look.left, rig.left.width)
+        self.images.right.setVisible(not rig.one_camera)
         for widget, image, camera, maps in zip(
             (self.images.left, self.images.right),
             seen.pair,
@@ -239,7 +250,7 @@ class CheckPage(QWidget):
             self._maps,
             strict=True,
         ):
-            if image.shape[:2] != (camera.height, camera.width):
+            if image is None or image.shape[:2] != (camera.height, camera.width):
                 widget.set_placeholder(self.tr("The image has another size."))
                 widget.show_image(None)
             else:

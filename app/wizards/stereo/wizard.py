@@ -1,7 +1,8 @@
-"""The stereo calibration: board, views, result, check, file."""
+"""The calibration of a stereo camera or of one camera: board, views, result, check, file."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QTimer, Signal
@@ -31,7 +32,7 @@ from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.coverage import coverage
 from tracker.calibration.stereo.files import ImportForm, load_rig
 from tracker.calibration.stereo.solve import Solution, SolveParams
-from tracker.calibration.stereo.views import BoardFinder, StereoView
+from tracker.calibration.stereo.views import BoardFinder, Size, StereoView, sizes_of
 from tracker.errors import GlovetrackError
 from tracker.vision.rig import StereoRig
 
@@ -75,7 +76,7 @@ class StereoWizard(QDialog):
     # --- making
 
     def _lay_out(self) -> None:
-        self.setWindowTitle(self.tr("Stereo calibration"))
+        self.setWindowTitle(self.tr("Camera calibration"))
         self.setObjectName("stereo_wizard")
         fit_to_screen(self, 980, 680)
         self._steps = QLabel()
@@ -210,21 +211,19 @@ class StereoWizard(QDialog):
         if not watcher.live:
             kept, self._fresh = split_fresh(views)
             views = tuple(kept)
-        height, width = seen.pair[0].shape[:2]
+        sizes = sizes_of(seen.pair)
         self._usable = False
         self._go(RESULT)
         self.outcome.show_working(0.0, "")
-        self._solving.start(
-            views, width, height, lambda found: self._solved(found, views, width, height)
-        )
+        self._solving.start(views, sizes, lambda found: self._solved(found, views, sizes))
 
     def _solved(
-        self, found: Solution | str, views: tuple[StereoView, ...], width: int, height: int
+        self, found: Solution | str, views: tuple[StereoView, ...], sizes: Sequence[Size]
     ) -> None:
         if isinstance(found, str):
             self.outcome.show_failure(found)
             return
-        cover, baseline = coverage(views, width, height), self.board.baseline_mm.value() / 1000
+        cover, baseline = coverage(views, sizes), self.board.baseline_mm.value() / 1000
         self._usable = self.outcome.show_solution(found, cover, baseline)
         self._rig = found.rig if self._usable else None
 

@@ -19,8 +19,6 @@ from tracker.messages import Array
 from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.vision.rig import StereoRig
 
-SIDES = ("left", "right")
-
 
 @dataclass(frozen=True)
 class RigLimits:
@@ -34,7 +32,7 @@ class RigLimits:
     focal_least: float = 0.35  # of the image's width: 110° across
     focal_most: float = 4.0  # 14° across
     aspect: float = 0.06  # |fy / fx - 1|
-    focal_ratio: float = 0.15  # |fx right / fx left - 1|
+    focal_ratio: float = 1.6  # of the fields of view: colour and infrared of one device differ
     centre: float = 0.15  # of the principal point from the middle, of the width
     distortion: float = 0.6  # |shift| at the corner, of its distance from the middle
 
@@ -51,17 +49,26 @@ class QualityLimits:
 
 @dataclass(frozen=True, eq=False)
 class Extrinsics:
-    """Intrinsics and X_right = R X_left + T."""
+    """Intrinsics and X_right = R X_left + T; ``right`` is None of a camera alone."""
 
     left: Intrinsics
-    right: Intrinsics
+    right: Intrinsics | None
     R: Array
     T: Array
+
+    @property
+    def cameras(self) -> tuple[tuple[str, Intrinsics], ...]:
+        """By their words in sentences: one of two, or the only one."""
+        if self.right is None:
+            return (("", self.left),)
+        return (("left ", self.left), ("right ", self.right))
 
 
 def extrinsics_of(rig: StereoRig) -> Extrinsics:
     """The motion between the raw cameras of a rectified rig: R1, R2 turn them parallel."""
     left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
+    if rig.one_camera:
+        return Extrinsics(left, None, np.eye(3), np.zeros(3))
     T = rig.right.R.T @ np.array([-rig.baseline, 0.0, 0.0])
     return Extrinsics(left, right, rig.right.R.T @ rig.left.R, T)
 
@@ -72,6 +79,8 @@ def rig_problems(rig: Extrinsics, limits: RigLimits | None = None) -> list[str]:
     checks: tuple[Callable[[Extrinsics, RigLimits], list[str]], ...] = (
         _finite, _sides, _baseline, _turn, _focal, _centre, _distortion,
     )  # fmt: skip
+    if rig.right is None:
+        checks = (_finite, _focal, _centre, _distortion)
     for check in checks[:2]:  # the rest would only repeat these in other words
         if found := check(rig, p):
             return found
@@ -86,7 +95,7 @@ def known_baseline_problems(
     Only this finds squares that are not as large as was said: everything else scales with them.
     """
     found, p = float(np.linalg.norm(rig.T)), limits or RigLimits()
-    if not baseline or abs(found / baseline - 1) <= p.baseline_known:
+    if not baseline or rig.right is None or abs(found / baseline - 1) <= p.baseline_known:
         return []
     return [
         f"The lenses would stand {1000 * found:.1f} mm apart, but {1000 * baseline:.1f} mm are "
@@ -125,7 +134,7 @@ def require_plausible(rig: StereoRig, name: str) -> None:
 
 
 def _finite(rig: Extrinsics, p: RigLimits) -> list[str]:
-    arrays = (rig.left.K, rig.left.D, rig.right.K, rig.right.D, rig.R, rig.T)
+    arrays = (rig.R, rig.T, *(a for _, camera in rig.cameras for a in (camera.K, camera.D)))
     if not all(np.all(np.isfinite(a)) for a in arrays):
         return ["The calibration holds values that are no numbers."]
     if np.linalg.det(rig.R) < 0:
@@ -174,33 +183,36 @@ def _turn(rig: Extrinsics, p: RigLimits) -> list[str]:
 
 def _focal(rig: Extrinsics, p: RigLimits) -> list[str]:
     out = []
-    for side, camera in zip(SIDES, (rig.left, rig.right), strict=True):
+    for side, camera in rig.cameras:
         fx, fy = float(camera.K[0, 0]), float(camera.K[1, 1])
         if not p.focal_least <= fx / camera.width <= p.focal_most:
             out.append(
-                f"The {side} lens would have a focal length of {fx:.0f} px for an image "
+                f"The {side}lens would have a focal length of {fx:.0f} px for an image "
                 f"{camera.width} px wide, which no usual lens has."
             )
         elif abs(fy / fx - 1) > p.aspect:
             out.append(
-                f"The {side} lens would have pixels that are not square ({fx:.0f} by {fy:.0f})."
+                f"The {side}lens would have pixels that are not square ({fx:.0f} by {fy:.0f})."
             )
-    ratio = float(rig.right.K[0, 0] / rig.left.K[0, 0])
-    if not out and abs(ratio - 1) > p.focal_ratio:
+    if out or rig.right is None:
+        return out
+    left, right = (camera.K[0, 0] / camera.width for _, camera in rig.cameras)
+    ratio = float(right / left)
+    if not 1 / p.focal_ratio <= ratio <= p.focal_ratio:
         out.append(
             f"The right lens would magnify {ratio:.2f} times as much as the left one: "
-            "are both cameras of one kind, with the same zoom?"
+            "are the squares the same for both, and is one of them zoomed?"
         )
     return out
 
 
 def _centre(rig: Extrinsics, p: RigLimits) -> list[str]:
     out = []
-    for side, camera in zip(SIDES, (rig.left, rig.right), strict=True):
+    for side, camera in rig.cameras:
         off = camera.K[:2, 2] - [(camera.width - 1) / 2, (camera.height - 1) / 2]
         if np.linalg.norm(off) > p.centre * camera.width:
             out.append(
-                f"The middle of the {side} lens would lie {np.linalg.norm(off):.0f} px from the "
+                f"The middle of the {side}lens would lie {np.linalg.norm(off):.0f} px from the "
                 "middle of the image: is the image cropped, or of another size?"
             )
     return out
@@ -209,14 +221,14 @@ def _centre(rig: Extrinsics, p: RigLimits) -> list[str]:
 def _distortion(rig: Extrinsics, p: RigLimits) -> list[str]:
     """How far the lens shifts the image's corner."""
     out = []
-    for side, camera in zip(SIDES, (rig.left, rig.right), strict=True):
+    for side, camera in rig.cameras:
         x = (camera.width / 2) / camera.K[0, 0]
         y = (camera.height / 2) / camera.K[1, 1]
         k1, k2, _, _, k3 = camera.D
         r2 = x * x + y * y
         if abs(k1 * r2 + k2 * r2**2 + k3 * r2**3) > p.distortion:
             out.append(
-                f"The {side} lens would bend the image's corners beyond recognition: show the "
+                f"The {side}lens would bend the image's corners beyond recognition: show the "
                 "board in the corners too, or use a lens that is no fisheye."
             )
     return out

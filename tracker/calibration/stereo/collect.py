@@ -60,9 +60,11 @@ class Collector:
 
 
 def _motion(view: StereoView, before: StereoView) -> float:
-    """Median motion of the corners, px, the larger of both images."""
+    """Median motion of the corners, px, the largest of all images."""
     _, i, j = np.intersect1d(view.ids, before.ids, return_indices=True)
     if len(i) == 0:
         return float("inf")
-    moved = [view.left[i] - before.left[j], view.right[i] - before.right[j]]
+    if len(view.sides) != len(before.sides):
+        return float("inf")
+    moved = [now[i] - then[j] for now, then in zip(view.sides, before.sides, strict=True)]
     return max(float(np.median(np.linalg.norm(m, axis=1))) for m in moved)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracker.calibration.stereo.views import StereoView
+from tracker.calibration.stereo.views import Size, StereoView
 from tracker.messages import Array, IntArray
 
 GRID = (4, 6)
@@ -16,7 +16,7 @@ GRID = (4, 6)
 
 @dataclass(frozen=True)
 class CoverageParams:
-    """What makes a good set of views; shares are of the cells of both images."""
+    """What makes a good set of views; shares are of the cells of all images."""
 
     views: int = 15
     area: float = 0.7
@@ -27,38 +27,36 @@ class CoverageParams:
 
 @dataclass(frozen=True, eq=False)
 class Coverage:
-    """``left`` and ``right`` (rows, columns): how many views have corners in each cell.
+    """``maps`` (rows, columns), of each camera: how many views have corners in each cell.
 
     ``area`` share of cells with any; ``tilted`` how many views are tilted, ``distances`` the ratio
     of the farthest to the nearest.
     """
 
     views: int
-    left: IntArray
-    right: IntArray
+    maps: tuple[IntArray, ...]
     area: float
     tilted: int
     distances: float
 
 
 def coverage(
-    views: Sequence[StereoView], width: int, height: int, params: CoverageParams | None = None
+    views: Sequence[StereoView], sizes: Sequence[Size], params: CoverageParams | None = None
 ) -> Coverage:
-    """Of views of images ``width`` by ``height`` px."""
+    """Of views in images of these sizes, of each camera."""
     p = params or CoverageParams()
-    maps = [
-        sum((_cells(getattr(v, side), width, height) for v in views), np.zeros(GRID, np.int64))
-        for side in ("left", "right")
-    ]
+    maps = tuple(
+        sum((_cells(v.sides[k], *size) for v in views), np.zeros(GRID, np.int64))
+        for k, size in enumerate(sizes)
+    )
     shapes = [shape_of(v) for v in views]
-    sizes = [s.size_px for s in shapes]
+    scales = [s.size_px for s in shapes]
     return Coverage(
         views=len(views),
-        left=maps[0],
-        right=maps[1],
+        maps=maps,
         area=float(np.mean(np.stack(maps) > 0)),
         tilted=sum(s.tilt >= np.deg2rad(p.tilt_deg) for s in shapes),
-        distances=max(sizes) / min(sizes) if sizes else 1.0,
+        distances=max(scales) / min(scales) if scales else 1.0,
     )
 
 
@@ -120,7 +118,7 @@ def _cells(uv: Array, width: int, height: int) -> IntArray:
 
 def _emptiest(cover: Coverage) -> str:
     """Words for the ninth of the images with the fewest views."""
-    both = (cover.left > 0).astype(float) + (cover.right > 0)
+    both = np.sum([counts > 0 for counts in cover.maps], axis=0, dtype=float)
     rows = np.array_split(np.arange(GRID[0]), 3)
     columns = np.array_split(np.arange(GRID[1]), 3)
     filled = np.array([[both[np.ix_(r, c)].mean() for c in columns] for r in rows])

@@ -16,10 +16,9 @@ from tracker.calibration.stereo.checks import require_plausible
 from tracker.errors import ConfigError, FileError
 from tracker.files import write_kept
 from tracker.messages import Array
-from tracker.sensors.opencv_yaml import load_opencv_stereo
+from tracker.sensors.opencv_yaml import load_opencv_stereo, opencv_text
 from tracker.sensors.stereo_calibration import Intrinsics
 from tracker.sensors.zed_files import load_zed
-from tracker.toml_reader import read_text
 from tracker.vision.rig import StereoRig
 
 ZED_SUFFIX = ".conf"
@@ -36,9 +35,15 @@ class ImportForm:
 
 
 def save_calibration(
-    path: Path, left: Intrinsics, right: Intrinsics, R: Array, T: Array, note: str = ""
+    path: Path,
+    left: Intrinsics,
+    right: Intrinsics | None = None,
+    R: Array | None = None,
+    T: Array | None = None,
+    note: str = "",
 ) -> None:
-    """Write X_right = R X_left + T (m) so that OpenCV reads it too. Replaces the file at once.
+    """Write X_right = R X_left + T (m), or a camera alone, so that OpenCV reads it too. Replaces
+    the file at once.
 
     Raises FileError where the file cannot be written.
     """
@@ -46,7 +51,12 @@ def save_calibration(
     storage.write("image_width", left.width)
     storage.write("image_height", left.height)
     storage.write("note", note)
-    matrices = {"M1": left.K, "D1": left.D, "M2": right.K, "D2": right.D, "R": R, "T": T}
+    matrices = {"M1": left.K, "D1": left.D}
+    if right is not None and R is not None and T is not None:
+        matrices |= {"M2": right.K, "D2": right.D, "R": R, "T": T}
+        if (right.width, right.height) != (left.width, left.height):
+            storage.write("image_width_right", right.width)
+            storage.write("image_height_right", right.height)
     for name, matrix in matrices.items():
         rows = matrix if matrix.ndim == 2 else matrix.reshape(-1, 1)
         storage.write(name, np.ascontiguousarray(rows, float))
@@ -73,27 +83,28 @@ def load_rig(path: Path, form: ImportForm | None = None) -> StereoRig:
 
 
 def _load_opencv(path: Path, form: ImportForm) -> StereoRig:
-    size = _size(path)
+    size, right_size = _size(path), _size(path, "_right")
     width, height = size or (form.width, form.height)
     beside = path.with_name("extrinsics" + path.suffix)
     paths = [path, beside] if path.stem == "intrinsics" and beside.is_file() else [path]
     # our own files are in metres, whatever the form says of others'
     unit = 1.0 if size else form.unit
     try:
-        return load_opencv_stereo(paths, width, height, unit)
+        return load_opencv_stereo(paths, width, height, unit, right_size=right_size)
     except ConfigError as error:
         raise ConfigError(f"{path} is refused. {error}") from error
 
 
-def _size(path: Path) -> tuple[int, int] | None:
-    """The images' size that the file names; None where it does not."""
+def _size(path: Path, side: str = "") -> tuple[int, int] | None:
+    """The images' size that the file names, or that of one side; None where it does not."""
     try:
         flags = cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY
-        storage = cv2.FileStorage(read_text(path), flags)
+        storage = cv2.FileStorage(opencv_text(path), flags)
     except (cv2.error, SystemError) as error:
         raise FileError(f"{path} is no calibration that OpenCV can read.") from error
     try:
-        width, height = (storage.getNode(n) for n in ("image_width", "image_height"))
+        names = (f"image_width{side}", f"image_height{side}")
+        width, height = (storage.getNode(n) for n in names)
         if width.empty() or height.empty():
             return None
         return int(width.real()), int(height.real())

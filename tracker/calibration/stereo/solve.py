@@ -1,4 +1,5 @@
-"""Two cameras and the motion between them from views of a board (Zhang 2000, through OpenCV)."""
+"""One camera, or two and the motion between them, from views of a board (Zhang 2000, through
+OpenCV)."""
 
 from __future__ import annotations
 
@@ -8,10 +9,10 @@ from dataclasses import dataclass, field
 import cv2
 import numpy as np
 
-from tracker.calibration.stereo.views import StereoView
+from tracker.calibration.stereo.views import Size, StereoView
 from tracker.errors import GlovetrackError
 from tracker.messages import Array
-from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig
+from tracker.sensors.stereo_calibration import Intrinsics, rectified_rig, rig_of_one
 from tracker.vision.rig import StereoRig
 
 Progress = Callable[[float, str], None]
@@ -35,15 +36,14 @@ class SolveParams:
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """X_right = R X_left + T, R (3, 3), T (3,) m.
+    """X_right = R X_left + T, R (3, 3), T (3,) m; ``right`` is None of a camera alone.
 
-    ``used`` are rows of the views given, ``error`` (views, 2) px the RMS of each in the left and
-    right image, also of those dropped. ``focal_sd`` (2,) is the relative deviation of each
-    focal length.
+    ``used`` are rows of the views given, ``error`` (views, n) px the RMS of each in the n images,
+    also of those dropped. ``focal_sd`` (n,) is the relative deviation of each focal length.
     """
 
     left: Intrinsics
-    right: Intrinsics
+    right: Intrinsics | None
     R: Array
     T: Array
     rms_px: float
@@ -53,7 +53,14 @@ class Solution:
 
     @property
     def rig(self) -> StereoRig:
+        if self.right is None:
+            return rig_of_one(self.left)
         return rectified_rig(self.left, self.right, self.R, self.T)
+
+    @property
+    def cameras(self) -> tuple[Intrinsics, ...]:
+        """One or two."""
+        return (self.left,) if self.right is None else (self.left, self.right)
 
     @property
     def dropped(self) -> tuple[int, ...]:
@@ -75,14 +82,14 @@ class _Rig:
 
 def solve(
     views: Sequence[StereoView],
-    width: int,
-    height: int,
+    sizes: Sequence[Size],
     params: SolveParams | None = None,
     progress: Progress = lambda _share, _text: None,
 ) -> Solution:
     """Calibrate, drop views that do not fit, calibrate again.
 
-    ``progress`` may raise to cancel. Raises CalibrationError where views are too few or too poor.
+    ``sizes`` are of each camera's images. ``progress`` may raise to cancel. Raises
+    CalibrationError where views are too few or too poor.
     """
     p = params or SolveParams()
     used = list(range(len(views)))
@@ -92,20 +99,20 @@ def solve(
                 f"{len(used)} usable views are too few: at least {p.least_views} are needed."
             )
         chosen = [views[i] for i in used]
-        rig = _solve_once(chosen, (width, height), p, _part(progress, k / p.rounds, 1 / p.rounds))
+        rig = _solve_once(chosen, sizes, p, _part(progress, k / p.rounds, 1 / p.rounds))
         bad = _bad_views(rig.error.max(axis=1), len(views) - len(used), len(views), p)
         if not bad.any():
             break
         used = [i for i, b in zip(used, bad, strict=True) if not b]
     else:
         chosen = [views[i] for i in used]
-        rig = _solve_once(chosen, (width, height), p, progress)
+        rig = _solve_once(chosen, sizes, p, progress)
     progress(1.0, "")
-    cameras = [Intrinsics(width, height, rig.K[s], rig.D[s]) for s in range(2)]
-    error = view_errors(cameras[0], cameras[1], rig.R, rig.T, views)
-    return Solution(
-        cameras[0], cameras[1], rig.R, rig.T, rig.rms_px, tuple(used), error, np.array(rig.focal_sd)
-    )
+    cameras = [Intrinsics(*size, rig.K[s], rig.D[s]) for s, size in enumerate(sizes)]
+    right = cameras[1] if len(cameras) == 2 else None
+    error = view_errors(cameras[0], right, rig.R, rig.T, views)
+    focal_sd = np.array(rig.focal_sd)
+    return Solution(cameras[0], right, rig.R, rig.T, rig.rms_px, tuple(used), error, focal_sd)
 
 
 def _part(progress: Progress, start: float, share: float) -> Progress:
@@ -114,26 +121,25 @@ def _part(progress: Progress, start: float, share: float) -> Progress:
 
 
 def _solve_once(
-    views: Sequence[StereoView], size: tuple[int, int], p: SolveParams, progress: Progress
+    views: Sequence[StereoView], sizes: Sequence[Size], p: SolveParams, progress: Progress
 ) -> _Rig:
     points = [v.points.astype(np.float32) for v in views]
-    sides = [
-        [v.left.astype(np.float32) for v in views],
-        [v.right.astype(np.float32) for v in views],
-    ]
+    sides = [[v.sides[s].astype(np.float32) for v in views] for s in range(len(sizes))]
     criteria = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, p.iterations, 1e-7)
     rig = _Rig()
     try:
-        for s, word in enumerate(("left lens", "right lens")):
-            progress(0.25 * s, word)
-            _, K, D, _, _, sd, _, _ = cv2.calibrateCameraExtended(
-                points, sides[s], size, np.eye(3), np.zeros(5), criteria=criteria
+        for s, word in zip(range(len(sizes)), ("left lens", "right lens"), strict=False):
+            progress(0.25 * s, word if len(sizes) == 2 else "the lens")
+            rms, K, D, _, _, sd, _, each = cv2.calibrateCameraExtended(
+                points, sides[s], sizes[s], np.eye(3), np.zeros(5), criteria=criteria
             )
             rig.K.append(K)
             rig.D.append(D.reshape(-1)[:5])
             rig.focal_sd.append(float(sd.reshape(-1)[0] / K[0, 0]))
-        progress(0.5, "both together")
-        _solve_pair(rig, points, sides, size, criteria)
+            rig.rms_px, rig.error = float(rms), each.reshape(-1, 1)
+        if len(sizes) == 2:
+            progress(0.5, "both together")
+            _solve_pair(rig, points, sides, sizes[0], criteria)
     except cv2.error as error:
         raise CalibrationError(
             "The views do not fit any camera: check the board's kind and its numbers of squares."
@@ -145,7 +151,7 @@ def _solve_pair(
     rig: _Rig,
     points: list[np.ndarray],
     sides: list[list[np.ndarray]],
-    size: tuple[int, int],
+    size: Size,
     criteria: tuple[int, int, float],
 ) -> None:
     """Both cameras and the motion between them at once, from each camera alone."""
@@ -179,17 +185,18 @@ def _bad_views(error: Array, dropped: int, total: int, p: SolveParams) -> np.nda
 
 
 def view_errors(
-    left: Intrinsics, right: Intrinsics, R: Array, T: Array, views: Sequence[StereoView]
+    left: Intrinsics, right: Intrinsics | None, R: Array, T: Array, views: Sequence[StereoView]
 ) -> Array:
-    """(views, 2) px RMS of each view in both images, the board's pose fitted to the left one."""
-    out = np.full((len(views), 2), np.nan)
+    """(views, n) px RMS of each view in the n images, the board's pose fitted to the left one."""
+    cameras = [left] if right is None else [left, right]
+    out = np.full((len(views), len(cameras)), np.nan)
     for i, view in enumerate(views):
         found, rvec, tvec = cv2.solvePnP(view.points, view.left, left.K, left.D)
         if not found:
             continue
         R_CB, p_CB = cv2.Rodrigues(rvec)[0], tvec.reshape(3)
         seen = view.points @ R_CB.T + p_CB
-        for s, (camera, uv) in enumerate(((left, view.left), (right, view.right))):
+        for s, (camera, uv) in enumerate(zip(cameras, view.sides, strict=True)):
             p_C = seen if s == 0 else seen @ R.T + T
             expected, _ = cv2.projectPoints(p_C, np.zeros(3), np.zeros(3), camera.K, camera.D)
             out[i, s] = np.sqrt(np.mean(np.sum((expected.reshape(-1, 2) - uv) ** 2, axis=1)))

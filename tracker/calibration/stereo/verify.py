@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 
 from tracker.calibration.stereo.views import StereoView
 from tracker.messages import Array
-from tracker.vision.rig import StereoRig
+from tracker.vision.rig import Camera, StereoRig
 
 
 @dataclass(frozen=True)
@@ -24,24 +25,28 @@ class VerifyParams:
 
 @dataclass(frozen=True, eq=False)
 class Verification:
-    """``epipolar`` (views,) px RMS: how far a corner's rows in the two rectified images differ.
+    """``off_px`` (views,) px RMS: how far a corner's rows in the two rectified images differ, or,
+    of a camera alone, how far corners are from where the board's best pose has them.
 
     ``shape`` is the median relative error of the distances between corners in 3D, ``offset_px`` the
-    median signed difference of rows.
+    median signed difference of rows; both are 0 of a camera alone.
     """
 
-    epipolar: Array
+    off_px: Array
     rms_px: float
     worst_px: float
     offset_px: float
     shape: float
+    one_camera: bool = False
 
     def verdict(self, params: VerifyParams | None = None) -> tuple[str, str]:
         """("good" | "usable" | "refused" | "waiting", a sentence)."""
         p = params or VerifyParams()
-        missing = p.least_views - len(self.epipolar)
+        missing = p.least_views - len(self.off_px)
         if missing > 0:
             return "waiting", f"{missing} more fresh views are needed."
+        if self.one_camera:
+            return self._verdict_of_one(p)
         if self.rms_px > p.usable_px or self.shape > 2 * p.shape:
             return "refused", (
                 f"Rows disagree by {self.rms_px:.2f} px and sizes by {100 * self.shape:.1f} %: "
@@ -56,25 +61,60 @@ class Verification:
             f"Rows agree to {self.rms_px:.2f} px and sizes to {100 * self.shape:.2f} %."
         )
 
+    def _verdict_of_one(self, p: VerifyParams) -> tuple[str, str]:
+        if self.rms_px > p.usable_px:
+            return "refused", (
+                f"Corners are off by {self.rms_px:.2f} px: calibrate again with more, and more "
+                "different, views."
+            )
+        if self.rms_px > p.good_px:
+            return "usable", (
+                f"Corners are off by {self.rms_px:.2f} px. It can be used; a new calibration would "
+                "place the hand better."
+            )
+        return "good", f"Corners are where they should be within {self.rms_px:.2f} px."
+
 
 def verify(rig: StereoRig, views: Sequence[StereoView]) -> Verification:
-    """What fresh views say of ``rig``; NaN figures without any."""
+    """What fresh views say of ``rig``; NaN figures without any. Views of another number of images
+    than it has cameras say nothing."""
+    views = [v for v in views if len(v.sides) == len(rig.sides)]
     if not views:
         nan = float("nan")
-        return Verification(np.zeros(0), nan, nan, nan, nan)
+        return Verification(np.zeros(0), nan, nan, nan, nan, rig.one_camera)
+    if rig.one_camera:
+        return _verify_one(rig.left, views)
     rows, shapes = [], []
     for view in views:
+        assert view.right is not None
         left, right = rig.left.rectify(view.left), rig.right.rectify(view.right)
         rows.append(left[:, 1] - right[:, 1])
         shapes.append(_shape_error(view.points, rig.triangulate(left, right)))
-    epipolar = np.array([np.sqrt(np.mean(r**2)) for r in rows])
     every = np.concatenate(rows)
     return Verification(
-        epipolar=epipolar,
+        off_px=np.array([np.sqrt(np.mean(r**2)) for r in rows]),
         rms_px=float(np.sqrt(np.mean(every**2))),
         worst_px=float(np.max(np.abs(every))),
         offset_px=float(np.median(every)),
         shape=float(np.median(shapes)),
+    )
+
+
+def _verify_one(camera: Camera, views: Sequence[StereoView]) -> Verification:
+    """Each view's board is fitted by its pose alone: a wrong lens cannot place tilted ones."""
+    off = []
+    for view in views:
+        _, turn, place = cv2.solvePnP(view.points, view.left, camera.K, camera.D)
+        expected, _ = cv2.projectPoints(view.points, turn, place, camera.K, camera.D)
+        off.append(np.linalg.norm(expected.reshape(-1, 2) - view.left, axis=1))
+    every = np.concatenate(off)
+    return Verification(
+        off_px=np.array([np.sqrt(np.mean(o**2)) for o in off]),
+        rms_px=float(np.sqrt(np.mean(every**2))),
+        worst_px=float(np.max(every)),
+        offset_px=0.0,
+        shape=0.0,
+        one_camera=True,
     )
 
 

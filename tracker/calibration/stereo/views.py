@@ -1,7 +1,8 @@
-"""The board in one image, and in both images of an exposure."""
+"""The board in one image, and in both images of an exposure, or in that of one camera alone."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import cv2
@@ -14,6 +15,8 @@ from tracker.messages import Array, IntArray
 LEAST_CORNERS = 12
 """Fewer say too little of a pose."""
 Image = NDArray[np.uint8]
+Size = tuple[int, int]
+"""Width and height of an image, px."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,12 +32,20 @@ class Corners:
 
 @dataclass(frozen=True, eq=False)
 class StereoView:
-    """Corners seen in both images: ids (n,), points (n, 3) m on the board, uv (n, 2) px each."""
+    """Corners seen in all images: ids (n,), points (n, 3) m on the board, uv (n, 2) px each.
+
+    ``right`` is None of a camera alone.
+    """
 
     ids: IntArray
     points: Array
     left: Array
-    right: Array
+    right: Array | None
+
+    @property
+    def sides(self) -> tuple[Array, ...]:
+        """uv (n, 2) px of each image that there is."""
+        return (self.left,) if self.right is None else (self.left, self.right)
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +65,10 @@ class BoardFinder:
         self.spec = spec
         self._charuco = cv2.aruco.CharucoDetector(spec.charuco) if spec.kind == "charuco" else None
 
-    def look(self, left: Image, right: Image) -> BoardLook:
-        """Both images of an exposure, BGR or grey."""
+    def look(self, left: Image, right: Image | None = None) -> BoardLook:
+        """Both images of an exposure, BGR or grey; that of a camera alone."""
+        if right is None:
+            return self._look_alone(_grey(left))
         pair = [_grey(p) for p in (left, right)]
         found = [self.find(grey) for grey in pair]
         for side, corners, grey in zip(("left", "right"), found, pair, strict=True):
@@ -67,6 +80,13 @@ class BoardFinder:
             words = "Both images must show the same part of the board."
             return BoardLook(found[0], found[1], None, words)
         return BoardLook(found[0], found[1], view)
+
+    def _look_alone(self, grey: Image) -> BoardLook:
+        found = self.find(grey)
+        if found is None:
+            return BoardLook(None, None, None, self._absence("", grey))
+        view = StereoView(found.ids, self.spec.points_of(found.ids), found.uv, None)
+        return BoardLook(found, None, view)
 
     def find(self, image: Image) -> Corners | None:
         """The board's corners in one image; None where it is not seen well enough."""
@@ -96,13 +116,20 @@ class BoardFinder:
 
     def _absence(self, side: str, grey: Image) -> str:
         if self._charuco is not None and self.find(np.ascontiguousarray(grey[:, ::-1])):
-            return f"The {side} image is mirrored: turn off the camera's mirror setting."
+            which = f"The {side} image" if side else "The image"
+            return f"{which} is mirrored: turn off the camera's mirror setting."
         whole = "" if self._charuco is not None else " whole"
-        return f"The board is not seen{whole} in the {side} image."
+        where = f" in the {side} image" if side else ""
+        return f"The board is not seen{whole}{where}."
 
     def _common(self, left: Corners, right: Corners) -> StereoView:
         ids, i, j = np.intersect1d(left.ids, right.ids, return_indices=True)
         return StereoView(ids, self.spec.points_of(ids), left.uv[i], right.uv[j])
+
+
+def sizes_of(images: Iterable[Image | None]) -> tuple[Size, ...]:
+    """Of those images that there are."""
+    return tuple((image.shape[1], image.shape[0]) for image in images if image is not None)
 
 
 def _upright(grid: Array, grey: Image) -> Array:

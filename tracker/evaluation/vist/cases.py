@@ -48,6 +48,12 @@ class Case:
     guided: str = ""  # one of `GUIDED`: poses are held first, and free motion after them judged
     glove: str = PAPERS_GLOVE
     wearer: str = ""  # path of a profile that every participant begins with
+    lenses: str = "both"  # or one, or none: a glove without a camera
+    measured: bool = False  # the length of each participant's hand is known, by a ruler
+
+    @property
+    def has_camera(self) -> bool:
+        return self.lenses != "none"
 
     @property
     def is_led(self) -> bool:
@@ -223,6 +229,7 @@ ABLATIONS: dict[str, Ablation] = {
         _outage(5.0),
         _outage(10.0),
         _outage(30.0),
+        _outage(60.0),
     )
 }
 

@@ -14,6 +14,8 @@ from tracker.terminal import add_json, check_json, write_json
 
 QUICK_PARTICIPANTS = 2
 QUICK_MINUTES = 0.35
+ENGINES_OF = {"both": ("chain", "vist"), "one": ("chain",), "none": ("inertial",)}
+"""What is judged with so many lenses if no engine is named."""
 
 
 def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -21,7 +23,24 @@ def add_evaluate_vist(subparsers: argparse._SubParsersAction[argparse.ArgumentPa
     p = subparsers.add_parser("vist", help="hand tracking: three experiments, simulated")
     p.add_argument("--participants", type=_count, default=15, metavar="N")
     p.add_argument("--minutes", type=_positive, metavar="M", help="of each trial (3, 2 and 2)")
-    p.add_argument("--engines", type=_words, default=("chain", "vist"), metavar="A,B")
+    p.add_argument(
+        "--engines",
+        type=_words,
+        metavar="A,B",
+        help="chain and vist if not told; with one lens chain, without any inertial",
+    )
+    p.add_argument(
+        "--lenses",
+        choices=tuple(ENGINES_OF),
+        default="both",
+        help="of the camera; without any, joint angles are judged, and where joints are in the "
+        "dorsum's frame",
+    )
+    p.add_argument(
+        "--measured",
+        action="store_true",
+        help="the length of each hand is known, by a ruler (2 mm)",
+    )
     p.add_argument(
         "--experiments",
         type=_words,
@@ -130,27 +149,43 @@ def cases_of(args: argparse.Namespace) -> list[Any]:
     from tracker.evaluation.vist.cases import EXPERIMENTS, MINUTES, Case
     from tracker.pipeline import ENGINES
 
-    _known(args.engines, ENGINES, "engine")
+    engines = args.engines or ENGINES_OF[args.lenses]
+    _known(engines, ENGINES, "engine")
+    _check_lenses(args.lenses, engines)
     _known(args.experiments, EXPERIMENTS, "experiment")
     missing = [str(f) for f in args.motion if not f.is_file()]
     if missing:
         raise ConfigError(f"There is no motion file {missing[0]}.")
     if args.wearer is not None:
-        _check_wearer(args.wearer, args.engines)
+        _check_wearer(args.wearer, engines)
     experiments = ("free",) if args.quick or args.motion else args.experiments
     out: list[Case] = []
     for experiment in experiments:
-        for engine in args.engines:
+        for engine in engines:
             minutes = args.minutes or MINUTES[experiment]
             case = Case(experiment, engine, args.level, None, minutes, args.fps, args.seed)
             if args.quick and not args.minutes:
                 case = replace(case, minutes=QUICK_MINUTES)
             files = tuple(map(str, args.motion))
-            case = replace(case, wearer=str(args.wearer or ""))
+            case = replace(case, wearer=str(args.wearer or ""), lenses=args.lenses)
+            case = replace(case, measured=args.measured and engine != "vist")
             out.append(replace(case, motion_files=files, distractors=max(args.distractors, 0)))
-    first = out[: len(args.engines)]
+    first = out[: len(engines)]
     guided = _guided(first[0]) if args.guided else []
     return [*out, *_lit(args, out), *guided, *_ablations(args.ablations, first)]
+
+
+def _check_lenses(lenses: str, engines: Sequence[str]) -> None:
+    """Raises ConfigError where an engine cannot do with so few, or looks through none."""
+    from tracker.settings import WITHOUT_IMAGES
+
+    blind = [e for e in engines if e in WITHOUT_IMAGES]
+    if lenses == "none" and len(blind) < len(engines):
+        raise ConfigError("Without a camera only the engine inertial can be judged.")
+    if lenses != "none" and blind:
+        raise ConfigError("The engine inertial looks at no image: add --lenses none.")
+    if lenses == "one" and "vist" in engines:
+        raise ConfigError("The engine vist needs both lenses: add --engines chain.")
 
 
 def _check_wearer(path: Path, engines: Sequence[str]) -> None:
@@ -159,7 +194,7 @@ def _check_wearer(path: Path, engines: Sequence[str]) -> None:
     from tracker.fusion.chain.calibration.profile_file import read_wearer
     from tracker.fusion.chain.layout import ChainLayout
 
-    if tuple(engines) != ("chain",):
+    if tuple(engines) not in (("chain",), ("inertial",)):
         raise ConfigError("Only the engine chain takes a wearer's profile: add --engines chain.")
     read_wearer(path, ChainLayout(*models()))
 
@@ -183,8 +218,11 @@ def _guided(case: Any) -> list[Any]:
     """What guided poses are worth, beside markers on the fingertips."""
     from tracker.evaluation.vist.cases import DISTAL_GLOVE, GUIDED
 
-    case = replace(case, experiment="free", engine="chain")
+    engine = "inertial" if case.lenses == "none" else "chain"
+    case = replace(case, experiment="free", engine=engine)
     rows = [replace(case, guided=how) for how in GUIDED]
+    if case.lenses == "none":
+        return rows
     return [*rows, replace(case, guided="untold", glove=DISTAL_GLOVE, wearer="")]
 
 

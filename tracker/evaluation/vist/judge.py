@@ -1,9 +1,9 @@
 """What a trial's estimates are worth: errors of the four keypoints against the truth.
 
-They are judged in G, with two exceptions: in an outage in the dorsum's frame, since an unseen
-hand's position is a double integral; and with a camera on the head in the camera's, as a wearer of
-glasses sees the hand: the estimate is brought to C with the pose that the tracker goes by, the
-truth with the true one.
+They are judged in G, with two exceptions: in an outage, and where there is no camera, in the
+dorsum's frame, since an unseen hand's position is a double integral; and with a camera on the head
+in the camera's, as a wearer of glasses sees the hand: the estimate is brought to C with the pose
+that the tracker goes by, the truth with the true one.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.evaluation.vist.cases import SETTLING, judged_in_outage
-from tracker.evaluation.vist.metrics import KEYPOINTS, Trial
+from tracker.evaluation.vist.metrics import DIGITS, KEYPOINTS, Trial
 from tracker.messages import Array, CameraPose, Estimate, Tracking
 from tracker.pipeline import Pipeline
 from tracker.simulation.scenario import Simulation, Truth
@@ -37,13 +37,14 @@ class TrialRecord:
 class Judge:
     """``columns`` are the rows in an estimate of the judged keypoints and, after them, of joints.
 
-    Judged is what comes after ``begin`` (s), once the hand has been found.
+    ``place`` is where they are judged: world, camera or dorsum. Judged is what comes after
+    ``begin`` (s), once the hand has been found.
     """
 
     simulation: Simulation
     pipeline: Pipeline
     columns: list[int]
-    in_camera: bool
+    place: str = "world"
     begin: float = 0.0
 
     def trial(self, record: TrialRecord, participant: int, outage: float) -> Trial:
@@ -52,7 +53,8 @@ class Judge:
         rows = np.flatnonzero(self._judged(t, outage))
         estimates = [record.estimates[i] for i in rows]
         truths = self.simulation.truths(t[rows])
-        if outage:
+        unplaced = self.place == "dorsum"
+        if unplaced:
             error = self._articulation(estimates, truths)
         else:
             error = self._place(estimates, truths, [record.poses[i] for i in rows])
@@ -64,14 +66,23 @@ class Judge:
             hand_length=self.simulation.hand.length * float(wearer.scale[:, 0].mean()),
             t=t[rows],
             error=error[:, :n],
-            sd=np.full_like(sd[:, :n], np.nan) if outage else sd[:, :n],
+            sd=np.full_like(sd[:, :n], np.nan) if unplaced else sd[:, :n],
             joints=error[:, n:],
             seen=np.array(record.seen, np.int64)[rows],
             matches=record.matches,
             wrong_matches=record.wrong,
             core_s=record.core_s,
             duration=self.simulation.duration,
+            angles=self._angles(estimates, truths),
         )
+
+    def _angles(self, estimates: list[Estimate], truths: list[Truth]) -> Array:
+        """(n, j) rad: how far the joint angles of the judged digits are off."""
+        names = self.pipeline.hand.joint_names
+        rows = [i for i, name in enumerate(names) if name.startswith(DIGITS)]
+        given = np.array([e.angles[rows] for e in estimates]).reshape(-1, len(rows))
+        true = np.array([x.angles[rows] for x in truths]).reshape(-1, len(rows))
+        return np.abs(given - true)
 
     def _judged(self, t: Array, outage: float) -> NDArray[np.bool_]:
         """(n,) bool: which of the instants count. Some recordings are short."""
@@ -87,7 +98,7 @@ class Judge:
         shape = (len(estimates), len(self.columns), 3)
         given = np.array([e.keypoints[self.columns] for e in estimates]).reshape(shape)
         true = np.array([x.keypoints[self.columns] for x in truths]).reshape(shape)
-        if self.in_camera:
+        if self.place == "camera":
             for i, (e, pose) in enumerate(zip(estimates, poses, strict=True)):
                 given[i] = _in_camera(given[i], pose)
                 true[i] = _in_camera(true[i], self.simulation.scene.pose(e.t))

@@ -7,7 +7,7 @@ bound. Means are over all keypoints and instants, so that long trials do not out
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy import stats
@@ -27,6 +27,9 @@ JOINTS = (
 )
 """Joints of the digits that the paper's glove measures."""
 
+DIGITS = ("thumb", "index", "middle")
+"""Whose joint angles are judged."""
+
 PCK_BOUNDS_MM = np.arange(0.0, 51.0)
 
 
@@ -35,7 +38,7 @@ class Trial:
     """One participant tracked once; n instants judged, columns in the order of `KEYPOINTS`.
 
     error (n, 4) m, NaN where the engine says that it is lost; joints (n, 9) m the same of
-    `JOINTS`; sd (n, 4) m the engine's own
+    `JOINTS`; angles (n, j) rad the same of joint angles of `DIGITS`; sd (n, 4) m the engine's own
     standard deviation of a coordinate; seen (n,) markers matched in both images of the latest
     exposure; matches and wrong_matches count blobs; core_s is processor time of the tracker alone.
     """
@@ -51,6 +54,7 @@ class Trial:
     wrong_matches: int
     core_s: float
     duration: float
+    angles: Array = field(default_factory=lambda: np.zeros((0, 0)))
 
 
 @dataclass(frozen=True)
@@ -72,6 +76,9 @@ class Summary:
     matched_mean: float
     wrong_match_rate: float  # share, 0..1
     nees_per_dof: float
+    within_3sd: float  # share of keypoints, 0..1, see `within_3sd`
+    angles_deg: float
+    worst_angles_deg: float  # of the participant whose angles are worst
     core_s_per_s: float
     lost: float  # share of instants without an estimate, 0..1
 
@@ -85,6 +92,7 @@ def summarise(trials: Sequence[Trial]) -> Summary:
     means = np.array([e.mean() for e in of_each])
     by_keypoint = np.array([e.mean(axis=0) for e in of_each]).reshape(-1, len(KEYPOINTS))
     instants = sum(len(t.t) for t in trials)
+    angles = _finite(np.rad2deg([_mean(_finite(t.angles.ravel())) for t in trials]))
     matches = sum(t.matches for t in trials)
     return Summary(
         participants=len(trials),
@@ -104,6 +112,9 @@ def summarise(trials: Sequence[Trial]) -> Summary:
         matched_mean=_mean(np.concatenate([t.seen for t in trials]).astype(float)),
         wrong_match_rate=sum(t.wrong_matches for t in trials) / matches if matches else np.nan,
         nees_per_dof=nees_per_dof(trials),
+        within_3sd=within_3sd(trials),
+        angles_deg=_mean(angles),
+        worst_angles_deg=float(angles.max()) if angles.size else np.nan,
         core_s_per_s=sum(t.core_s for t in trials) / sum(t.duration for t in trials),
         lost=1 - len(pooled) / instants if instants else np.nan,
     )
@@ -151,6 +162,18 @@ def nees_per_dof(trials: Sequence[Trial]) -> float:
     )
     ratio = ratio[np.isfinite(ratio)]
     return _mean(ratio)
+
+
+def within_3sd(trials: Sequence[Trial]) -> float:
+    """Share of keypoints no farther off than three of the engine's own standard deviations.
+
+    ``sd`` is the root mean variance over three axes; an error along one of them alone, as of one
+    camera along its ray, has the root of three times that.
+    """
+    off = np.concatenate(
+        [(t.error / (np.sqrt(3) * np.maximum(t.sd, 1e-9))).ravel() for t in trials]
+    )
+    return _mean((_finite(off) <= 3.0).astype(float))
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,6 +22,8 @@ from tracker.simulation.scene import Extra
 from tracker.simulation.smooth import rng_for
 from tracker.simulation.solids import Solids
 from tracker.simulation.wearer import Wearer
+from tracker.vision.lenses import with_one_camera
+from tracker.vision.rig import ideal_rig
 
 POSTURE_EVERY = 3.0  # s, as in the paper
 EACH_HELD = 40.0  # s: three objects in a trial of two minutes
@@ -83,7 +85,8 @@ def simulation_of(
     if variant is not None:
         head = replace(head, tells=variant.camera)
     params = SimulationParams(head=head, render=room.render, person=person)
-    return Simulation(hand, glove, motion, seed, params, fps=fps, extras=extras)
+    rig = with_one_camera(ideal_rig()) if case.lenses == "one" else ideal_rig()
+    return Simulation(hand, glove, motion, seed, params, fps=fps, rig=rig, extras=extras)
 
 
 def extras_of(case: Case, hand: HandModel, seed: int) -> Sequence[Extra]:

@@ -30,6 +30,8 @@ def row_of(case: Case, trials: Sequence[Trial]) -> dict[str, Any]:
         "guided": case.guided,
         "glove": case.glove,
         "wearer": case.wearer,
+        "lenses": case.lenses,
+        "measured": case.measured,
     }
     row.update(asdict(summary))
     row["paper"] = PAPER.get(case.experiment)
@@ -49,7 +51,7 @@ def _plain(value: Any) -> Any:
 
 HEAD = (
     "experiment  engine  variant                            mean ± sd       tips joints  pck20"
-    "  pck35  seen  wrong%  nees  core"
+    "  pck35  seen  wrong%  nees  3sd%   deg  core"
 )
 
 
@@ -61,6 +63,7 @@ def line_of(case: Case, summary: Summary) -> str:
         f"{summary.tips_mm:6.2f} {summary.joints_mm:6.2f} {summary.pck20:6.1f} "
         f"{summary.pck35:6.1f} {summary.matched_mean:5.1f} "
         f"{_known(100 * summary.wrong_match_rate, 7)} {_known(summary.nees_per_dof, 5)} "
+        f"{_known(100 * summary.within_3sd, 5)} {_known(summary.angles_deg, 5)} "
         f"{summary.core_s_per_s:5.3f}"
     )
 
@@ -72,6 +75,10 @@ def _known(value: float, width: int) -> str:
 
 def _variant(case: Case) -> str:
     parts = [case.ablation] if case.ablation else []
+    if case.lenses != "both":
+        parts.append(f"{case.lenses} lens")
+    if case.measured:
+        parts.append("hand measured")
     if case.guided:
         parts.append(GUIDED[case.guided])
     if case.wearer:

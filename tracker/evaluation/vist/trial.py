@@ -17,7 +17,10 @@ from tracker.evaluation.vist.cases import PAPERS_GLOVE, Ablation, Case, ablation
 from tracker.evaluation.vist.judge import Judge, TrialRecord
 from tracker.evaluation.vist.metrics import JOINTS, KEYPOINTS, Trial
 from tracker.evaluation.vist.scenes import guided_motion, motion_of, simulation_of
-from tracker.fusion.worn import keep, put_on
+from tracker.fusion import worn
+from tracker.fusion.chain.calibration.measured import LONGEST, RULER_SD, SHORTEST
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.reports import length_gain
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
@@ -35,6 +38,8 @@ from tracker.pipeline import Pipeline
 from tracker.settings import Settings
 from tracker.simulation.guided import with_events
 from tracker.simulation.scenario import Simulation
+from tracker.simulation.smooth import rng_for
+from tracker.simulation.wearer import Wearer
 from tracker.vision.colours import load_profile
 from tracker.vision.detector import Detector, detect_frame
 from tracker.vision.region_prediction import RegionPrediction, SearchPlan
@@ -70,17 +75,29 @@ def run_trial(case: Case, participant: int) -> Trial:
     settings = replace(Settings(), engine=case.engine)
     if variant is not None:
         settings = variant.settings(settings)
-    pipeline = Pipeline(hand, glove, simulation.rig, settings)
+    pipeline = Pipeline(hand, glove, simulation.rig if case.has_camera else None, settings)
+    if case.measured:
+        measure(pipeline, simulation.wearer, seed)
     if case.wearer:
-        put_on(pipeline.engine, Path(case.wearer))
+        worn.put_on(pipeline.engine, Path(case.wearer))
     if case.guided == "known":
         meet_again(pipeline, case, seed)
     record = _track(case, simulation, pipeline, variant, events)
     outage = variant.outage if variant is not None else 0.0
     columns = [pipeline.keypoint_names.index(k) for k in (*KEYPOINTS, *JOINTS)]
-    in_camera = case.experiment == "head"
-    judge = Judge(simulation, pipeline, columns, in_camera, judged_from)
+    place = "camera" if case.experiment == "head" else "world"
+    if outage or not case.has_camera:
+        place = "dorsum"
+    judge = Judge(simulation, pipeline, columns, place, judged_from)
     return judge.trial(record, participant, outage)
+
+
+def measure(pipeline: Pipeline, wearer: Wearer, seed: int) -> None:
+    """Put on what a ruler says of the wearer's hand."""
+    layout = ChainLayout(pipeline.hand, pipeline.glove)
+    true = float(length_gain(layout) @ wearer.scale[list(layout.active), 0])
+    read = true + rng_for(seed, "ruler").normal(0.0, RULER_SD)
+    worn.measure(pipeline.engine, float(np.clip(read, SHORTEST, LONGEST)))
 
 
 def meet_again(pipeline: Pipeline, case: Case, person: int) -> None:
@@ -90,12 +107,14 @@ def meet_again(pipeline: Pipeline, case: Case, person: int) -> None:
     hand, glove = models(case.glove)
     motion = guided_motion(first, hand, glove, motion_of(first, hand, seed, None), person)
     simulation = simulation_of(first, hand, glove, motion, seed, None, person)
-    before = Pipeline(hand, glove, simulation.rig, pipeline.settings)
+    before = Pipeline(hand, glove, simulation.rig if case.has_camera else None, pipeline.settings)
+    if case.measured:
+        measure(before, simulation.wearer, person)
     _track(first, simulation, before, None, motion.events)
     with TemporaryDirectory() as folder:
         profile = Path(folder) / "wearer.toml"
-        keep(before.engine, profile)
-        put_on(pipeline.engine, profile)
+        worn.keep(before.engine, profile)
+        worn.put_on(pipeline.engine, profile)
 
 
 def _track(
@@ -108,7 +127,8 @@ def _track(
     record = TrialRecord()
     check = MatchCheck(simulation)
     search, images = ImageSearch(simulation), case.level == "images"
-    feed = with_events(simulation.messages(images), events)
+    sensed = simulation.messages(images) if case.has_camera else simulation.imu_samples()
+    feed = with_events(sensed, events)
     for message in feed if variant is None else variant.feed(feed):
         begin = time.process_time()
         if isinstance(message, ImuSample):

@@ -56,6 +56,7 @@ class InertialTracker(ChainTracker):
         """Held together by anatomy, and about where it was; what is shown follows."""
         if self.filter.constrain(self.state.t):
             self.filter.stay()
+        self.wearer.learn()
         return True
 
 

@@ -48,16 +48,21 @@ def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
 
 def hand_length(layout: ChainLayout, state: ChainState) -> tuple[float, float]:
     """The hand's length (m) and its standard deviation, from the length scales."""
-    hand = layout.hand
-    gain = np.zeros(len(layout.active))
-    last = 0
-    for row in hand.length_path:
-        last = layout.row_of.get(row, last)
-        gain[last] += hand.segments[row].length
+    gain = length_gain(layout)
     P = state.P[
         layout.blocks.scale : layout.blocks.joint : 2, layout.blocks.scale : layout.blocks.joint : 2
     ]
     return float(gain @ state.scale[:, 0]), max(float(gain @ P @ gain), 0.0) ** 0.5
+
+
+def length_gain(layout: ChainLayout) -> Array:
+    """(A,) m of the hand's length for each segment's length scale."""
+    hand, last = layout.hand, 0
+    gain = np.zeros(len(layout.active))
+    for row in hand.length_path:
+        last = layout.row_of.get(row, last)
+        gain[last] += hand.segments[row].length
+    return gain
 
 
 def frame_result(

@@ -126,7 +126,8 @@ class DeskRenderer:
             light.leak,
         )
         rig = self.scene.rig
-        self._views = (self._view(desk, rig.left, 0.0), self._view(desk, rig.right, rig.baseline))
+        eyes = {"left": (rig.left, 0.0), "right": (rig.right, rig.baseline)}
+        self._views = tuple(self._view(desk, *eyes[side]) for side in rig.sides)
 
     def _view(self, desk: Desk, camera: Camera, shift: float) -> _View:
         rays, eye = ray_map(camera), np.array([shift, 0.0, 0.0])
@@ -145,18 +146,23 @@ class DeskRenderer:
     # ---- images
 
     def frame(self, t: float, t_arrival: float | None = None, index: int = -1) -> StereoFrame:
-        """Both images of the exposure whose middle is t (s)."""
-        left, right = self.pair(t)
-        return StereoFrame(t, t if t_arrival is None else t_arrival, left, right, index=index)
+        """The images of the exposure whose middle is t (s)."""
+        left, *right = self.images(t)
+        arrival = t if t_arrival is None else t_arrival
+        return StereoFrame(t, arrival, left, right[0] if right else None, index=index)
 
     def pair(self, t: float) -> tuple[Image, Image]:
-        """The left and the right image (h, w, 3) uint8 BGR."""
+        """The left and the right image (h, w, 3) uint8 BGR, of two cameras."""
+        left, right = self.images(t)
+        return left, right
+
+    def images(self, t: float) -> tuple[Image, ...]:
+        """That of each camera that there is, (h, w, 3) uint8 BGR, the left one first."""
         p, ns = self.params, nanoseconds(t)
         moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
         shadow = self._shadow(moments[len(moments) // 2])
         rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
-        left, right = (self._image(view, moments, shadow, rng) for view in self._views)
-        return left, right
+        return tuple(self._image(view, moments, shadow, rng) for view in self._views)
 
     def _shadow(self, now: Instant) -> tuple[CastShadow, Array]:
         """What the hand keeps from the lamp, and points around its shadow on the desk."""

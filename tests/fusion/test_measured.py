@@ -1,0 +1,33 @@
+"""A hand that was measured with a ruler."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tracker.errors import ConfigError
+from tracker.fusion.chain.calibration.measured import RULER_SD, measured_profile
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import PriorParams
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.reports import length_gain
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+
+
+def test_the_length_is_the_rulers_and_as_sure(hand: HandModel, glove: GloveModel) -> None:
+    layout = ChainLayout(hand, glove)
+    gain, n = length_gain(layout), layout.n_dynamic
+    profile = measured_profile(layout, 0.170)
+    lengths = slice(layout.blocks.scale - n, layout.blocks.joint - n, 2)
+    prior = initial_covariance(layout, PriorParams())[n:, n:]
+    before = float(gain @ prior[lengths, lengths] @ gain) ** 0.5
+    after = float(gain @ profile.P[lengths, lengths] @ gain) ** 0.5
+    assert gain @ profile.scale[:, 0] == pytest.approx(0.170, abs=RULER_SD / 2)
+    assert after == pytest.approx(1 / np.hypot(1 / before, 1 / RULER_SD), rel=1e-6)
+    assert np.array_equal(profile.scale[:, 1], np.ones(len(profile.scale)))  # girths: anybody's
+
+
+def test_no_hand_is_a_metre_long(hand: HandModel, glove: GloveModel) -> None:
+    with pytest.raises(ConfigError, match="18 mm is no hand's"):
+        measured_profile(ChainLayout(hand, glove), 0.018)

@@ -1,0 +1,43 @@
+"""A wearer of whom nothing is known but how long his hand is: measured with a ruler.
+
+One camera cannot tell a small hand that is near from a large one farther away; a ruler can.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from tracker.errors import ConfigError
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import PriorParams
+from tracker.fusion.chain.prior import initial_covariance
+from tracker.fusion.chain.profile import WearerProfile, profile_of
+from tracker.fusion.chain.reports import length_gain
+from tracker.fusion.chain.state import initial_state
+
+RULER_SD = 0.002  # m: where the wrist ends, and a ruler beside a hand
+SHORTEST, LONGEST = 0.13, 0.24  # m, of people's hands from the wrist to the middle fingertip
+
+
+def measured_profile(layout: ChainLayout, length: float, sd: float = RULER_SD) -> WearerProfile:
+    """The profile of a hand ``length`` m long, known to ``sd`` m, and otherwise anybody's.
+
+    The Kalman update of the prior (docs/chain.md, eq. 19) with one number. Raises ConfigError where
+    nobody's hand is that long.
+    """
+    if not SHORTEST <= length <= LONGEST:
+        raise ConfigError(
+            f"A hand is {1000 * SHORTEST:.0f} to {1000 * LONGEST:.0f} mm long, from the crease of "
+            f"the wrist to the tip of the middle finger; {1000 * length:.0f} mm is no hand's."
+        )
+    state = initial_state(layout)
+    P = initial_covariance(layout, PriorParams())
+    h = np.zeros(len(P))
+    h[layout.blocks.scale : layout.blocks.joint : 2] = length_gain(layout)
+    gain = P @ h / (h @ P @ h + sd**2)
+    change = gain * (length - length_gain(layout) @ state.scale[:, 0])
+    state.P = P - np.outer(gain, h @ P)
+    scale = state.scale + change[layout.blocks.scale : layout.blocks.joint].reshape(-1, 2)
+    return profile_of(replace(state, scale=scale), layout)

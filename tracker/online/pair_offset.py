@@ -1,0 +1,239 @@
+"""Two cameras that do not expose at the same instant: how much later the right one does.
+
+Two webcams run freely, so that the same marker stands on another row of the right image than of the
+left one while it moves:
+
+    row_right - row_left = shift + late * speed of the row
+
+A straight line whose slope is how late the right image is, whatever the calibration leaves as a
+shift. The filter's own estimate enters only in which blob is which marker. What the right image
+shows is then moved back along the way that the hand is expected to have gone meanwhile, which is
+some pixels, known by the IMUs to a few per cent of that.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.messages import Array, BlobFrame, Blobs, CameraPose, FrameResult, IntArray
+from tracker.online.time_offset import Offset
+from tracker.records import record
+from tracker.vision.rig import StereoRig
+
+WAITING = 60  # images under way at most
+
+
+@dataclass(frozen=True)
+class PairOffsetParams:
+    """Times in s."""
+
+    memory: float = 20.0  # over which older images are forgotten: free clocks drift
+    block: float = 1.5  # over which images are compared with all before
+    jump: float = 0.006  # by which they differ where a camera has skipped an image
+    gap: float = 0.12  # longest time between an image and the one after the next
+    markers: int = 6  # in both images
+    row_px: float = 1.5  # beyond which a row difference weighs less
+    most_shift_px: float = 40.0  # of a row; more is another blob
+    images: int = 60  # before anything is said
+    sure: float = 0.002  # standard deviation, at most
+    worth: float = 0.004  # below it the right image is left as it is
+    limit: float = 0.06  # beyond it the estimate is not believed
+    near_px: float = 80.0  # a blob so far from every marker is left where it is
+
+
+@record("pair_offset.rows")
+class _Rows(NamedTuple):
+    """Markers (n,) that both images at ``t`` (s) show, and their rectified rows (n,) px."""
+
+    t: float
+    marker: IntArray
+    left: Array
+    right: Array
+
+
+@record("pair_offset.line")
+@dataclass(eq=False)
+class LineKept:
+    """Weighted sums over images: of 1, the speed w, the row difference e, w w, w e, the squared
+    residual, and the number of images; and when (s) the last came."""
+
+    n: float = 0.0
+    w: float = 0.0
+    e: float = 0.0
+    ww: float = 0.0
+    we: float = 0.0
+    rr: float = 0.0
+    images: float = 0.0
+    last: float = -np.inf
+
+    def take(self, t: float, w: Array, e: Array, memory: float, row_px: float) -> None:
+        """One more image: speeds w (n,) px/s and row differences e (n,) px."""
+        keep = float(np.exp(-(t - self.last) / memory)) if np.isfinite(self.last) else 1.0
+        slope, shift = self.fit()
+        r = e - shift - slope * w
+        weight = np.minimum(1.0, row_px / np.maximum(np.abs(r), 1e-9))
+        self.n = keep * self.n + float(weight.sum())
+        self.w, self.e = keep * self.w + float(weight @ w), keep * self.e + float(weight @ e)
+        self.ww = keep * self.ww + float(weight @ w**2)
+        self.we = keep * self.we + float(weight @ (w * e))
+        self.rr = keep * self.rr + float(weight @ r**2)
+        self.images, self.last = keep * self.images + 1.0, t
+
+    def fit(self) -> tuple[float, float]:
+        """Slope (s) and shift (px), zeros while there is nothing."""
+        spread = self.spread
+        if spread <= 0:
+            return 0.0, 0.0
+        slope = (self.we - self.w * self.e / self.n) / spread
+        return float(slope), float((self.e - slope * self.w) / self.n)
+
+    @property
+    def spread(self) -> float:
+        """Of the speeds about their mean, px²/s²."""
+        return float(self.ww - self.w**2 / self.n) if self.n > 0 else 0.0
+
+    @property
+    def sd(self) -> float:
+        """s, of the slope: the markers of an image err together, so that images count."""
+        if self.spread <= 0 or self.images <= 0:
+            return float("inf")
+        return float(np.sqrt(self.rr / self.images / self.spread))
+
+
+@record("pair_offset")
+@dataclass(eq=False)
+class PairOffsetKept:
+    """All of it that changes."""
+
+    seen: list[_Rows] = field(default_factory=list)
+    all: LineKept = field(default_factory=LineKept)
+    block: LineKept = field(default_factory=LineKept)
+    since: float = np.inf  # s when the block began
+    under_way: list[BlobFrame] = field(default_factory=list)
+
+
+class PairOffset:
+    """Before the engine for images, behind it for results. Does nothing with one camera."""
+
+    def __init__(self, rig: StereoRig, params: PairOffsetParams | None = None) -> None:
+        self._rig, self._params = rig, params or PairOffsetParams()
+        self._seen: deque[_Rows] = deque(maxlen=3)
+        self._all, self._block, self._since = LineKept(), LineKept(), np.inf
+        self._under_way: deque[BlobFrame] = deque(maxlen=WAITING)
+
+    @property
+    def estimate(self) -> Offset:
+        """How much later than the left image the right one was taken, as measured."""
+        value, p = self._all.fit()[0], self._params
+        if self._all.images < p.images or abs(value) > p.limit:
+            return Offset()
+        return Offset(value, self._all.sd)
+
+    @property
+    def applied(self) -> float:
+        """s by which the right image is moved back; 0 where that is not worth it, or unsure."""
+        found, p = self.estimate, self._params
+        clear = found.sd <= p.sure and abs(found.value) > max(p.worth, 3 * found.sd)
+        return found.value if clear else 0.0
+
+    # ---- images
+
+    def remember(self, frame: BlobFrame) -> None:
+        """An image as it came, to be learned from when its result comes."""
+        if frame.left is not None and frame.right is not None:
+            self._under_way.append(frame)
+
+    def moved_back(self, frame: BlobFrame, then: Array, late: Array) -> BlobFrame:
+        """The image with what the right one shows where it was when the left one was taken.
+
+        ``then`` and ``late`` (M, 3) m in G: markers expected at the two exposures.
+        """
+        pose = frame.pose or self._rig.pose
+        if frame.right is None or len(then) == 0:
+            return frame
+        return replace(frame, right=self._moved(frame.right, then, late, pose))
+
+    def _moved(self, blobs: Blobs, then: Array, late: Array, pose: CameraPose) -> Blobs:
+        rig = self._rig
+        at = [rig.project((p_G - pose.p_GC) @ pose.R_GC, right=True) for p_G in (then, late)]
+        there = np.isfinite(at[0]).all(axis=1) & np.isfinite(at[1]).all(axis=1)
+        if not there.any() or len(blobs) == 0:
+            return blobs
+        before, after = at[0][there], at[1][there]
+        uv = rig.right.rectify(blobs.uv)
+        apart = np.linalg.norm(uv[:, None] - after[None], axis=2)
+        nearest = apart.argmin(axis=1)
+        near = apart.min(axis=1) <= self._params.near_px
+        uv[near] -= (after - before)[nearest[near]]
+        return replace(blobs, uv=rig.right.unrectify(uv))
+
+    # ---- results
+
+    def learn(self, result: FrameResult) -> None:
+        """Take what an image's markers say."""
+        while self._under_way and self._under_way[0].t < result.t:
+            self._under_way.popleft()
+        if not self._under_way or self._under_way[0].t != result.t:
+            return
+        frame = self._under_way.popleft()
+        both = np.flatnonzero((result.match_left >= 0) & (result.match_right >= 0))
+        if len(both) < self._params.markers:
+            return
+        assert frame.left is not None and frame.right is not None
+        left = self._rig.left.rectify(frame.left.uv[result.match_left[both]])
+        right = self._rig.right.rectify(frame.right.uv[result.match_right[both]])
+        self._seen.append(_Rows(frame.t, both, left[:, 1], right[:, 1]))
+        if len(self._seen) == 3:
+            self._take(*self._seen)
+
+    def _take(self, before: _Rows, now: _Rows, after: _Rows) -> None:
+        """Speeds are those between the image before and the one after."""
+        p, dt = self._params, after.t - before.t
+        if not 0 < dt <= p.gap:
+            return
+        ids = np.intersect1d(np.intersect1d(before.marker, now.marker), after.marker)
+        if len(ids) < p.markers:
+            return
+        old, mid, new = (r.left[np.searchsorted(r.marker, ids)] for r in (before, now, after))
+        e = now.right[np.searchsorted(now.marker, ids)] - mid
+        w = (new - old) / dt
+        fits = np.abs(e) <= p.most_shift_px
+        if fits.sum() < p.markers:
+            return
+        for line, memory in ((self._all, p.memory), (self._block, np.inf)):
+            line.take(now.t, w[fits], e[fits], memory, p.row_px)
+        self._since = min(self._since, now.t)
+        if now.t - self._since >= p.block:
+            self._notice_jump()
+            self._block, self._since = LineKept(), np.inf
+
+    def _notice_jump(self) -> None:
+        """A camera that skipped an image is late by another time from then on: after a block in
+        which it did comes one that tells by how much."""
+        p, block = self._params, self._block
+        apart = abs(block.fit()[0] - self._all.fit()[0])
+        if self._all.images >= p.images and apart > max(p.jump, 4 * block.sd) > 0:
+            self._all = replace(block, images=float(p.images))
+
+    # ---- saving
+
+    def get_state(self) -> PairOffsetKept:
+        """Everything that changes."""
+        return PairOffsetKept(
+            list(self._seen),
+            replace(self._all),
+            replace(self._block),
+            float(self._since),
+            list(self._under_way),
+        )
+
+    def set_state(self, state: PairOffsetKept) -> None:
+        """Go on from `get_state`."""
+        self._seen = deque(state.seen, maxlen=3)
+        self._all, self._block = replace(state.all), replace(state.block)
+        self._since = state.since
+        self._under_way = deque(state.under_way, maxlen=WAITING)
