@@ -8,10 +8,14 @@ from pathlib import Path
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import CalibrationView, calibration_view
 from app.words import tr
+from tracker.fusion.chain.calibration.measured import LONGEST, SHORTEST
 from tracker.fusion.chain.calibration.profile_file import WearerFile, write_wearer
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.messages import Calibration
+
+HAND_MM = (1000 * SHORTEST, 1000 * LONGEST)
+"""What a ruler may say of a hand."""
 
 
 class WornCalibration:

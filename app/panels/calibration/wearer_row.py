@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.viewmodels.worn_calibration import HAND_MM
 from app.widgets.one_line import OneLine
-from tracker.fusion.chain.calibration.measured import LONGEST, SHORTEST
 
 PATTERN = "*.toml"
 USUAL_MM = 185.0
@@ -140,9 +140,8 @@ class WearerRow(OneLine):
     def ask_length(self) -> None:
         """How long the hand is; what was learned of the wearer is begun anew from there."""
         words = self.tr("From the crease of the wrist to the tip of the middle finger, mm")
-        low, high = 1000 * SHORTEST, 1000 * LONGEST
         length_mm, ok = QInputDialog.getDouble(
-            self, self.tr("Hand length"), words, USUAL_MM, low, high, 0
+            self, self.tr("Hand length"), words, USUAL_MM, *HAND_MM, 0
         )
         if ok:
             self.measured.emit(length_mm / 1000)
