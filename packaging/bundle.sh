@@ -16,6 +16,7 @@ fi
 
 make --no-print-directory firmware >/dev/null # its image goes along
 packaging/kernels.sh "$1"
+packaging/site.sh "$python" # Help shows it
 echo "Building $out/glovetrack (some minutes)"
 nice "$python" -m PyInstaller --noconfirm --log-level ERROR \
     --distpath "$out" --workpath "$work" packaging/glovetrack.spec

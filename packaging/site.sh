@@ -13,4 +13,6 @@ if [ ! -x $environment/bin/mkdocs ]; then
     $environment/bin/python -m pip --disable-pip-version-check install --quiet "mkdocs==1.6.1"
 fi
 $environment/bin/mkdocs --quiet build --strict --clean --site-dir "$out"
+# Pages opened from a disk may read a script, but no JSON (docs/site/search_from_disk.js).
+{ printf 'window.glovetrackIndex = ' && cat "$out/search/search_index.json"; } >"$out/search/index_on_disk.js"
 echo "The documentation: $out/index.html"

@@ -61,6 +61,7 @@ source_run() { # the same program from this checkout, for comparison
     exec .venv/bin/python -m app # so that it is this program that is killed
 }
 
+step site test -s "$bundle/_internal/resources/site/search/index_on_disk.js"
 step version inside glovetrack --version
 step version-again inside glovetrack --version
 if command -v xdotool >/dev/null; then

@@ -17,6 +17,14 @@ def place() -> Path:
     return installed if installed.is_dir() else Path(__file__).parents[2] / "docs" / "guide"
 
 
+def site() -> Path | None:
+    """The whole documentation's first page, of an installation or as ``make docs`` built it; None
+    where it is not there."""
+    built = Path(__file__).parents[2] / "build" / "site"
+    pages = (Path(str(folder("site"))) / "index.html", built / "index.html")
+    return next((page for page in pages if page.is_file()), None)
+
+
 def pages() -> dict[str, str]:
     """The Markdown of each page by its file's name, in the order of the first page's list.
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QUrl
+from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QMainWindow
 
+from app.platform.guide import site
 from app.widgets.command_palette import CommandPalette
 from app.window.about import AboutDialog
 from app.window.commands import Commands
@@ -30,6 +32,12 @@ class Dialogs:
 
     def guide(self) -> None:
         GuideDialog(self._window).show()
+
+    def documentation(self) -> None:
+        """The whole of it in the browser; it needs no network."""
+        page = site()
+        if page is not None:
+            QDesktopServices.openUrl(QUrl.fromLocalFile(str(page)))
 
     def keys(self) -> None:
         KeysDialog(self._commands.menus(), self._window).show()

@@ -15,6 +15,7 @@ from app.panels.cameras import CamerasPanel
 from app.panels.colours.panel import ColoursPanel
 from app.panels.hand.panel import HandPanel
 from app.panels.library.panel import LibraryPanel
+from app.platform.guide import site
 from app.platform.translation import ENGLISH, SYSTEM, languages
 from app.storage.settings import SettingsStore
 from app.viewmodels.recording import RecordingPlan
@@ -264,6 +265,9 @@ def add_help(on: Targets, commands: Commands) -> None:
     w = on.window
     menu = w.tr("&Help")
     commands.add(Command("guide", menu, w.tr("&Guide"), on.dialogs.guide, "F1"))
+    if site() is not None:
+        text = w.tr("&Documentation in the browser")
+        commands.add(Command("documentation", menu, text, on.dialogs.documentation))
     commands.add(Command("keys", menu, w.tr("&Keys"), on.dialogs.keys, "Ctrl+F1"))
     commands.add(Command("report", menu, w.tr("Save a &bug report…"), on.reports.ask))
     commands.add(Command("about", menu, w.tr("&About Glovetrack"), on.dialogs.about))

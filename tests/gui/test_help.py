@@ -6,10 +6,13 @@ from dataclasses import replace
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import QUrl
+from PySide6.QtGui import QDesktopServices
 
+from app.platform import guide as guide_pages
 from app.platform.guide import matches, pages, place
 from app.viewmodels.status import tracking_look
 from app.widgets.chip import Chip
+from app.window.dialogs import Dialogs
 from app.window.help import GuideDialog, KeysDialog, key_of, plain
 from tracker.messages import Status, Tracking
 
@@ -37,6 +40,17 @@ def test_the_guide_is_found_by_words_and_followed_by_its_links(window, qtbot):
     assert guide.view.toPlainText().startswith(heading)
     guide.search.setText("zweihundertvierzig")
     assert guide.list.count() == 0 and not guide.view.toPlainText()
+
+
+def test_the_documentation_opens_in_the_browser_where_it_is(tmp_path, monkeypatch, qtbot):
+    page = tmp_path / "site" / "index.html"
+    page.parent.mkdir()
+    page.write_text("<h1>Glovetrack</h1>")
+    monkeypatch.setattr(guide_pages, "folder", lambda name: tmp_path / name)
+    opened_at = []
+    monkeypatch.setattr(QDesktopServices, "openUrl", opened_at.append)
+    Dialogs(None, None).documentation()
+    assert [url.toLocalFile() for url in opened_at] == [str(page)]
 
 
 def test_the_list_of_keys_has_every_command_that_has_one(window):
