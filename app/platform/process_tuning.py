@@ -8,9 +8,9 @@ import sys
 ARENA_MAX = -8  # of glibc's mallopt
 ARENAS = 2
 SWITCH_S = 0.0002
-"""Kernels let go of the interpreter, a dozen times a packet, and each time the thread that tracks may
-wait so long for a thread that is drawing in Python: with Python's 5 ms a packet waits 37 ms (99 %)
-beside one that never rests, with 1 ms 20, with this 1 to 3."""
+"""Kernels let go of the interpreter, a dozen times a packet, and each time the thread that tracks
+may wait so long for one that draws in Python: with Python's 5 ms a packet waits 37 ms (99 %) beside
+a thread that never rests, with 1 ms 20, with this 1 to 3."""
 
 
 def tune_process() -> None:
