@@ -16,7 +16,8 @@ FILES = {
 }
 """A hand's and a glove's file for each side."""
 SEED, FPS = 1, 30.0
-LIGHT = ""  # of a desk, one of `tracker.simulation.desk.lights.LIGHTS`; empty: a plain wall
+LIGHT = "led"  # over the desk, of `tracker.simulation.desk.lights.LIGHTS`
+DESK_FPS = 30.0  # images a second up to which there is a desk: it takes twice as long to draw
 HANDS = ("right", "left", "both")
 LENSES = ("both", "one", "none")
 
@@ -43,14 +44,14 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
     worn = {side: _texts(side) for side in ("right", "left") if hands in (side, "both")}
     (main, *others) = worn.values()
     other = others[0] if others else None
-    light = LIGHT if other is None else ""  # two are drawn before a plain wall
+    desk = other is None and choice.fps <= DESK_FPS  # else before a plain wall
     return DemoSpec(
         *main,
         seed,
         DURATION,
         choice.fps,
         choice.motion,
-        light=light,
+        light=LIGHT if desk else "",
         other=other,
         one_camera=choice.lenses != "both",
     )

@@ -9,7 +9,7 @@ import pytest
 from gui_fakes import models
 
 from app.engines.demo import demo_setup
-from app.engines.demo_camera import DemoChoice
+from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
 from app.window.headless_report import KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
@@ -136,6 +136,13 @@ def test_a_recorder_that_is_killed_is_said_and_then_a_camera_and_the_rest_goes_o
     before = demo.host.snapshot().estimate.t
     qtbot.waitUntil(lambda: demo.host.snapshot().estimate.t > before + 0.5, timeout=20_000)
     assert demo.host.running
+
+
+def test_one_hand_is_over_a_desk_up_to_thirty_images_a_second():
+    """A desk takes twice as long to draw as a wall: a core and a half at sixty."""
+    assert demo_spec().light == "led"
+    plain = DemoChoice(fps=60.0), DemoChoice(hands="both")
+    assert [demo_spec(1, choice).light for choice in plain] == ["", ""]
 
 
 @pytest.mark.timeout(120)
