@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -12,12 +14,15 @@ from tracker.errors import GlovetrackError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import BlobFrame, Blobs, StereoFrame, Tracking
-from tracker.offline import own_colours
+from tracker.offline import detection, own_colours
 from tracker.offline.detection import AHEAD
+from tracker.offline.options import TrackOptions
 from tracker.offline.own_colours import APART, ATTEMPTS, IMAGES, OwnColours
+from tracker.offline.simulate import SimulateOptions, simulate
+from tracker.offline.track import track
 from tracker.session.description import SessionInfo
 from tracker.session.images import PackedFrame
-from tracker.vision.colours import ColourProfile, parse_profile
+from tracker.vision.colours import ColourProfile, parse_profile, profile_to_toml
 from tracker.vision.rig import ideal_rig
 
 FACTORY = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
@@ -77,3 +82,27 @@ def test_a_refused_fit_is_said_once_and_not_tried_forever(
 def test_a_tracked_hand_is_left_alone(hand: HandModel, glove: GloveModel) -> None:
     own = colours(hand, glove)
     assert look(own, 3 * IMAGES, Tracking.TRACKING) == []
+
+
+@pytest.mark.parametrize(("hands", "smooth"), [("right", True), ("both", False)])
+def test_colours_fit_themselves_where_a_session_is_smoothed_or_of_both_hands(
+    hands: str, smooth: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With the names of the hues exchanged no hand is found before; that the fit is good is tested
+    elsewhere. It is asked for after few images here, for the sake of time."""
+    names = FACTORY.hue_names[1:] + FACTORY.hue_names[:1]
+    hues = tuple(replace(h, name=n) for h, n in zip(FACTORY.hues, names, strict=True))
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text(profile_to_toml(replace(FACTORY, hues=hues)))
+    fitted = SimpleNamespace(profile=FACTORY)
+    monkeypatch.setattr(own_colours, "fit_messages", lambda *_: fitted)
+    monkeypatch.setattr(own_colours, "IMAGES", 2)
+    for module in (own_colours, detection):
+        monkeypatch.setattr(module, "AHEAD", 1)
+    simulate(tmp_path / "in.mcap", SimulateOptions(seed=2, duration=1.3, fps=10, hands=hands))
+    report = track(
+        tmp_path / "in.mcap", tmp_path / "out.mcap", TrackOptions(colours=str(wrong), smooth=smooth)
+    )
+    own = report.hands.get("right", report)
+    assert "The colours showed no hand: they fitted themselves." in own.words
+    assert 0.2 < own.lost_s < 1.1

@@ -57,6 +57,7 @@ class TrackReport:
             lost_s=max(r.lost_s for r in reports),
             error_mm=worse,
             hands=hands,
+            words=[text for report in reports for text in report.words],
         )
 
 

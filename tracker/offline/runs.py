@@ -160,6 +160,17 @@ class NoOutput(Output):
     def say(self, event: Event) -> None: ...
 
 
+class WordsAlone(NoOutput):
+    """For what is tracked beside another run, to whose output only what is said goes."""
+
+    def __init__(self, output: Output) -> None:
+        super().__init__()
+        self._words = output
+
+    def say(self, event: Event) -> None:
+        self._words.say(event)
+
+
 class LiveRun:
     """The estimates of a live run, bit for bit.
 
@@ -266,10 +277,21 @@ class LiveRun:
 
 
 class SmoothRun:
-    """Estimates that know the whole session; all are written at the end."""
+    """Estimates that know the whole session; all are written at the end.
 
-    def __init__(self, smoother: Smoother, output: Output, camera: CameraTilt) -> None:
+    Where images are searched a live run is the ``guide``: it is fed as well, and what it makes of
+    them decides the colours that later ones are searched with.
+    """
+
+    def __init__(
+        self,
+        smoother: Smoother,
+        output: Output,
+        camera: CameraTilt,
+        guide: LiveRun | None = None,
+    ) -> None:
         self._smoother, self._output, self._camera = smoother, output, camera
+        self._guide = guide
 
     @property
     def engine(self) -> Engine:
@@ -277,6 +299,8 @@ class SmoothRun:
 
     def feed(self, message: Fed | Sided) -> None:
         message = message.sample if isinstance(message, Sided) else message
+        if self._guide is not None:
+            self._guide.feed(message)
         if isinstance(message, PackedFrame):
             self._output.message(message)
             return

@@ -39,6 +39,7 @@ from tracker.offline.runs import (
     SessionRun,
     Sided,
     SmoothRun,
+    WordsAlone,
     arrival,
 )
 from tracker.offline.smooth import Smoother
@@ -147,6 +148,12 @@ def _run(
         changes += reader.rig_changes()
     _check_for_both(info, options)
     output = outputs[info.side]
+
+    def make(engine: str, rig: StereoRig | None, worn: SessionInfo = info) -> Pipeline:
+        pipeline = Pipeline(worn.hand, worn.glove, rig, replace(settings, engine=engine))
+        _put_on(pipeline.engine, options)
+        return pipeline
+
     if options.smooth:
         if settings.lenses != "both" or (info.rig is not None and info.rig.one_camera):
             raise ConfigError("Smoothing needs both lenses: leave out --smooth or --lenses.")
@@ -154,12 +161,11 @@ def _run(
             raise FileError(f"{reader.path} changes its camera's calibration: --smooth needs one.")
         smoother = Smoother(info, settings)
         _put_on(smoother.engine, options)
-        return SmoothRun(smoother, output, CameraTilt(reader.rig().pose))
-
-    def make(engine: str, rig: StereoRig | None, worn: SessionInfo = info) -> Pipeline:
-        pipeline = Pipeline(worn.hand, worn.glove, rig, replace(settings, engine=engine))
-        _put_on(pipeline.engine, options)
-        return pipeline
+        guide = None
+        if colours is not None:
+            words = WordsAlone(output)
+            guide = LiveRun(make, settings.engine, info.rig, words, colours=colours)
+        return SmoothRun(smoother, output, CameraTilt(reader.rig().pose), guide)
 
     def make_both(engine: str, rig: StereoRig | None) -> TwoHands:
         return TwoHands({w.side: partial(make, engine, rig, w) for w in info.hands})
@@ -172,7 +178,8 @@ def _run(
         changes += [(state.t, state) for state in reader.engine_states()]
     changes.sort(key=lambda change: change[0])
     if info.other:
-        return TwoHandsRun(make_both, info.rig, settings.engine, outputs, info.side, changes)
+        engine, main = settings.engine, info.side
+        return TwoHandsRun(make_both, info.rig, engine, outputs, main, changes, colours)
     return LiveRun(make, settings.engine, info.rig, output, changes, colours)
 
 
@@ -328,9 +335,8 @@ def _is_searched(reader: SessionReader, options: TrackOptions) -> bool:
 def _own_colours(
     reader: SessionReader, info: SessionInfo, options: TrackOptions
 ) -> OwnColours | None:
-    """Colours that follow the session's light; None where its images are not searched for one hand
-    in the order of a live run."""
-    if info.rig is None or info.other or options.smooth or not _is_searched(reader, options):
+    """Colours that follow the session's light; None where its images are not searched."""
+    if info.rig is None or not _is_searched(reader, options):
         return None
     return OwnColours(info, profile_of(info))
 

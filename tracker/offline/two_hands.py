@@ -12,6 +12,7 @@ import numpy as np
 from tracker.errors import FileError
 from tracker.fusion.engine import Engine
 from tracker.messages import BlobFrame, CameraImuSample, EngineState, Event, ImuSample, Tracking
+from tracker.offline.own_colours import OwnColours
 from tracker.offline.runs import CALIBRATION_PERIOD, Fed, Output, arrival
 from tracker.session import engine_state
 from tracker.session.images import PackedFrame
@@ -53,11 +54,14 @@ class TwoHandsRun:
         outputs: Mapping[str, Output],
         main: str,
         changes: Sequence[tuple[float, EngineState | StereoRig]] = (),
+        colours: OwnColours | None = None,
     ) -> None:
+        """``colours``, where images are searched, follow the main hand."""
         self._make, self._hands, self._rig = make, make(engine, rig), rig
         self._outputs, self._main, self._changes = outputs, main, deque(changes)
         self._next_calibration = dict.fromkeys(outputs, -np.inf)
         self._engine, self._camera_tells = engine, False
+        self._colours, self._tracking = colours, dict.fromkeys(outputs, Tracking.SEARCHING)
 
     @property
     def engine(self) -> Engine:
@@ -81,7 +85,25 @@ class TwoHandsRun:
         elif not isinstance(message, PackedFrame):
             raise TypeError("a packet of a session of both hands has a side")
         for side in self._outputs:
-            self._hands.take_results(side)
+            self._used(side)
+        self._look(message)
+
+    def _used(self, side: str) -> None:
+        """What the engines have made of images."""
+        results = self._hands.take_results(side)
+        if self._colours is not None and side == self._main:
+            self._colours.used(results)
+
+    def _look(self, message: Fed) -> None:
+        """What an image says of the colours: no hand is seen where neither is."""
+        if self._colours is None or not isinstance(message, BlobFrame):
+            return
+        tracked = [
+            t for t in self._tracking.values() if t not in (Tracking.SEARCHING, Tracking.LOST)
+        ]
+        self._colours.looked(message, tracked[0] if tracked else Tracking.LOST)
+        for event in self._colours.take_words():
+            self._outputs[self._main].say(event)
 
     def _posed(self, message: Fed) -> Fed:
         """A frame with the pose that the main hand's pipeline gives it."""
@@ -110,11 +132,12 @@ class TwoHandsRun:
         output.message(sample)
         estimate = self._hands.feed_imu(side, sample)
         output.estimate(sample, estimate)
+        self._tracking[side] = estimate.tracking
         if sample.t >= self._next_calibration[side]:
             self._next_calibration[side] = sample.t + CALIBRATION_PERIOD
             if estimate.tracking != Tracking.SEARCHING:
                 output.calibration(self._hands.pipelines[side].calibration())
-        self._hands.take_results(side)
+        self._used(side)
 
     def finish(self, progress: Callable[[float], None]) -> None:
         for side, output in self._outputs.items():
