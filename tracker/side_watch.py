@@ -44,8 +44,7 @@ class SideWatch:
 
     def frame(self, blobs: BlobFrame) -> None:
         """What was found in an image."""
-        counts = [len(b) for b in (blobs.left, blobs.right) if b is not None]
-        self._sees_many = bool(counts) and min(counts) >= ENOUGH
+        self._sees_many = sees(blobs, ENOUGH)
         if self._trial is not None:
             self._trial.feed_frame(blobs)
             self._trial.take_results()
@@ -71,6 +70,12 @@ class SideWatch:
             )
         if self._sure >= SURE or self._tried >= TRIAL:
             self._trial, self._over = None, True
+
+
+def sees(blobs: BlobFrame, least: int) -> bool:
+    """Whether each image has as many blobs."""
+    counts = [len(b) for b in (blobs.left, blobs.right) if b is not None]
+    return bool(counts) and min(counts) >= least
 
 
 def _mirrored(pipeline: Pipeline) -> Pipeline:

@@ -168,6 +168,7 @@ class CamerasPanel(Panel):
         choice = self.sides.currentIndex()
         self._alone = alone
         self.sides.setVisible(not alone)
+        self.left.set_title(self.tr("Camera") if alone else self.tr("Left"))
         self.left.setVisible(alone or choice != RIGHT_ONLY)
         self.right.setVisible(not alone and choice != LEFT_ONLY)
 

@@ -41,10 +41,18 @@ def tracking_look(status: Status | None, running: bool, has_place: bool = True) 
     """``has_place``: without a calibrated camera nothing tells the hand's place, nor is it lost."""
     if not running or status is None:
         return StateLook(IDLE.colour, IDLE.sign, tr("Stopped"))
+    heading = status.values.get("heading_sd_deg", math.nan)
     if not has_place and status.tracking == Tracking.LOST:
-        return StateLook(WARN.colour, WARN.sign, tr("Place unknown"))
+        return StateLook(WARN.colour, WARN.sign, _drifting(tr("Place unknown"), heading))
     look = TRACKING[status.tracking]
-    return replace(look, word=tr(look.word))
+    return replace(look, word=_drifting(tr(look.word), heading))
+
+
+def _drifting(word: str, heading_sd_deg: float) -> str:
+    """With how far the heading may be off by now: without images nothing holds it."""
+    if not math.isfinite(heading_sd_deg):
+        return word
+    return tr("{}, heading within {:.0f}°").format(word, 2 * heading_sd_deg)
 
 
 def hand_tip(status: Status | None) -> str:

@@ -77,6 +77,11 @@ class ImageView(QWidget):
             self.zoom.height, self.zoom.width = self._array.shape[:2]
         self.update()
 
+    def set_title(self, text: str) -> None:
+        """The words in its corner."""
+        self._title = text
+        self.update()
+
     def set_placeholder(self, text: str) -> None:
         self._placeholder = text
         self.update()

@@ -15,6 +15,7 @@ from tracker.clock import nanoseconds, seconds
 from tracker.errors import GlovetrackError
 from tracker.fusion.chain.guided.events import began, ended
 from tracker.gestures.recogniser import gesture_event
+from tracker.live.exchange_watch import ExchangeWatch
 from tracker.live.hand import LiveHand, camera_figures
 from tracker.live.inbox import DetectedFrame, EngineCommand, GuidedCommand, Item
 from tracker.live.journal import Journal
@@ -32,7 +33,7 @@ from tracker.messages import (
     Tracking,
 )
 from tracker.online.colour_watch import ColourWatch
-from tracker.two_hands import Hands, Sided
+from tracker.two_hands import Hands, Sided, TwoHands
 from tracker.vision.region_prediction import RegionPrediction, together
 from tracker.vision.rig import StereoRig
 
@@ -95,6 +96,7 @@ class LiveLoop:
         self._next_report = 0.0
         self._at_start: dict[str, dict[str, float]] = {}  # figures when the recording began
         self._said: dict[str, float] = {}  # when a pipeline said this last
+        self._exchange = _exchange_watch(hands)
         for side, hand in self.seen.items():
             hand.telemetry.ask(partial(self._camera_figures, side))
 
@@ -128,6 +130,8 @@ class LiveLoop:
                 follow(estimate, sample.t_arrival)
         if hand.sides is not None:
             hand.sides.packet(sample, estimate.tracking)
+        if self._exchange is not None:
+            self._exchange.packet(side, sample, estimate.tracking)
         self._feed_reference(Sided(sample, side))
         now = self.clock()
         hand.telemetry.took("imu", now - sample.t_arrival)
@@ -141,6 +145,8 @@ class LiveLoop:
             self.journal.record(blobs)
             self.hands.feed_frame(blobs)
         self._feed_reference(blobs)
+        if self._exchange is not None:
+            self._exchange.frame(blobs)
         for side, hand in self.seen.items():
             if hand.sides is not None:
                 hand.sides.frame(blobs)
@@ -205,6 +211,8 @@ class LiveLoop:
             hand.take(self.hands.take_results(side), pipeline)
             for text in hand.sides.take_words() if hand.sides is not None else ():
                 self.journal.say("device", text)
+        for text in self._exchange.take_words() if self._exchange is not None else ():
+            self.journal.say("device", text)
         for text in self.colours.take_words():
             self.journal.say("tracking", text)
         for text in self.load.take_words():
@@ -267,7 +275,7 @@ class LiveLoop:
             return
         hands = self.hands.with_engine(name)
         with self._pipeline_lock:
-            self.hands = hands
+            self.hands, self._exchange = hands, _exchange_watch(hands)
             for side, hand in self.seen.items():
                 hand.watch_side(hands.pipelines[side])
             self.record_state()
@@ -315,3 +323,8 @@ class LiveLoop:
             if self.journal.recording:
                 engine = next(iter(self.hands.pipelines.values())).settings.engine
                 self.journal.record(EngineState(self._order.mark(), engine, self.hands.get_state()))
+
+
+def _exchange_watch(hands: Hands) -> ExchangeWatch | None:
+    """Two gloves may have each other's files."""
+    return ExchangeWatch(hands) if isinstance(hands, TwoHands) else None

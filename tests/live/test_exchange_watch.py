@@ -1,0 +1,36 @@
+"""Two gloves that each have the other one's files are noticed."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import pytest
+
+from tracker import library
+from tracker.live.exchange_watch import ExchangeWatch
+from tracker.messages import BlobFrame, ImuSample
+from tracker.pipeline import Pipeline
+from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
+from tracker.two_hands import TwoHands
+
+GLOVES = {"left": "vist-small-left", "right": "vist-small"}
+
+
+@pytest.mark.parametrize("exchanged", [True, False])
+def test_exchanged_gloves_are_said_once(exchanged: bool) -> None:
+    dressed = {side: Dressed(*library.load(name, "")) for side, name in GLOVES.items()}
+    sim = TwoHandsSimulation(dressed, 1, 4.5, 15.0)
+    make = {side: partial(Pipeline, *dressed[side], sim.rig) for side in SIDES}
+    hands, words = TwoHands(make), []
+    watch = ExchangeWatch(hands, patience=0.3)
+    taken_for = dict(zip(SIDES, reversed(SIDES) if exchanged else SIDES, strict=True))
+    for side, message in sim.messages():
+        if isinstance(message, BlobFrame):
+            hands.feed_frame(message)
+            watch.frame(message)
+        elif isinstance(message, ImuSample):
+            own = taken_for[side]
+            watch.packet(own, message, hands.feed_imu(own, message).tracking)
+        words += watch.take_words()
+    assert len(words) == exchanged
+    assert all("The two gloves are exchanged" in text for text in words)
