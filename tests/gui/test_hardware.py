@@ -144,6 +144,27 @@ def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
     assert len(window.host.snapshot().imu) > 0
 
 
+def test_one_webcam_is_a_whole_rig(window, qtbot, store, tmp_path, device):
+    """Its image is not wide enough for two; its calibration is of one camera."""
+    path, rig = tmp_path / "webcam.avi", extrinsics_of(simulation().rig)
+    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, (1280, 720))
+    for k in range(round(10 * SECONDS)):
+        writer.write(frame_and_blobs(30 + k % IMAGES)[0].left)
+    writer.release()
+    save_calibration(tmp_path / "webcam.yml", rig.left)
+    calibration = str(tmp_path / "webcam.yml")
+    store.update(port=device.path, camera=str(path), calibration=calibration)
+    window.sources.open_devices()
+    qtbot.waitUntil(lambda: window.host.running, timeout=60_000)
+    assert window.host.setup.whole and window.host.setup.rig.one_camera
+    qtbot.waitUntil(lambda: window.host.snapshot().frame is not None, timeout=30_000)
+    frame = window.host.snapshot().frame
+    assert frame.left.shape == (720, 1280, 3) and frame.right is None
+    assert _done(window, "Camera calibrated")
+    qtbot.waitUntil(lambda: window.cameras.right.isHidden(), timeout=30_000)
+    assert not window.cameras.left.isHidden()
+
+
 def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, store, film):
     store.update(port="", camera=str(film), calibration="")
     window.sources.open_devices()

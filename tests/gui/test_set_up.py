@@ -57,12 +57,13 @@ def board_pair(k: int):
 
 
 class StillBoard:
-    """An `ImageInput`: every pose stands for two images. ``swapped`` exchanges the sides."""
+    """An `ImageInput`: every pose stands for two images. ``swapped`` exchanges the sides, of one
+    camera ``alone`` there is only the left one."""
 
     live, name, fps = True, "board", 0.0
 
-    def __init__(self, swapped: bool = False) -> None:
-        self._swapped, self._k, self.closed = swapped, 0, False
+    def __init__(self, swapped: bool = False, alone: bool = False) -> None:
+        self._swapped, self._alone, self._k, self.closed = swapped, alone, 0, False
 
     def open(self) -> None:
         """Nothing can be in the way."""
@@ -70,6 +71,8 @@ class StillBoard:
     def read(self):
         pair = board_pair(self._k // 2)
         self._k += 1
+        if self._alone:
+            return pair[0], None
         return pair[::-1] if self._swapped else pair
 
     def close(self) -> None:
@@ -121,6 +124,24 @@ def test_a_board_becomes_a_calibration_that_is_checked_and_saved(wizard, qtbot, 
     assert real and not dialog.isVisible()
     assert load_rig(path).baseline == pytest.approx(0.06, abs=5e-4)
     qtbot.waitUntil(lambda: source.closed, timeout=30_000)
+
+
+def test_one_camera_becomes_a_calibration_too(wizard, qtbot, window):
+    source = StillBoard(alone=True)
+    dialog, done = wizard(source), []
+    dialog.finished_with.connect(lambda path, _real: done.append(path))
+    collect(dialog, qtbot, 10)
+    qtbot.waitUntil(dialog.collect.images.right.isHidden, timeout=30_000)
+    dialog.next.click()
+    qtbot.waitUntil(dialog.next.isEnabled, timeout=30_000)
+    assert dialog.outcome.table.isColumnHidden(2)
+    dialog.next.click()
+    qtbot.waitUntil(dialog.next.isEnabled, timeout=60_000)
+    assert "Corners are where they should be" in dialog.check.words.text()
+    assert dialog.check.images.right.isHidden()
+    dialog.next.click()
+    rig = load_rig(done[0])
+    assert rig.one_camera and rig.left.K[0, 0] == pytest.approx(262.0, rel=0.01)
 
 
 def test_exchanged_cameras_are_refused_on_the_result_page(wizard, qtbot):

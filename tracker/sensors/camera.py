@@ -7,6 +7,8 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from tracker.clock import monotonic, nanoseconds, seconds
 from tracker.errors import DeviceError
 from tracker.messages import Event, StereoFrame
@@ -76,6 +78,7 @@ class StereoCamera:
             if pair is None:
                 self._gone()
                 return None
+            pair = (in_colour(pair[0]), None if pair[1] is None else in_colour(pair[1]))
             self._check_size(pair)
         except DeviceError as error:
             self._refuse(str(error))
@@ -222,3 +225,10 @@ TWO_FOR_ONE = (
     "The camera gives two images, but the calibration is for one camera: calibrate both, or "
     "choose one camera in its set-up."
 )
+
+
+def in_colour(image: Image) -> Image:
+    """An image (h, w, 3), of an infrared camera (h, w) too: grey, so that it has no colours."""
+    if image.ndim == 3:
+        return image
+    return np.repeat(image[..., None], 3, axis=2)
