@@ -21,15 +21,18 @@ Xvfb $display -screen 0 1440x900x24 -nolisten tcp &>"$out/xvfb.log" &
 screen=$!
 trap 'kill $screen' EXIT
 
-inside() { # program and its words, where /out is the only place to write besides HOME
+within() { # runs "words" with these words, where /out is the only place to write besides HOME
     bwrap --unshare-all --uid 1000 --gid 1000 --die-with-parent --clearenv \
         --ro-bind /usr /usr --symlink usr/bin /bin --symlink usr/lib /lib --symlink usr/lib64 /lib64 \
         --tmpfs /usr/local --ro-bind-try /etc/fonts /etc/fonts --ro-bind-try /etc/ld.so.cache /etc/ld.so.cache \
         --proc /proc --dev /dev --tmpfs /tmp --ro-bind /tmp/.X11-unix /tmp/.X11-unix --tmpfs /run \
         --ro-bind "$bundle" /opt/glovetrack --bind "$out" /out --chdir /out \
         --setenv HOME /out/home --setenv PATH /usr/bin --setenv DISPLAY $display --setenv LANG C.UTF-8 \
-        /opt/glovetrack/"$@"
+        "${words[@]}" "$@"
 }
+words=()
+inside() { words=(/opt/glovetrack/"$1") && within "${@:2}"; }
+inside_sh() { words=(/bin/bash -mc) && within "PATH=\$PATH:/opt/glovetrack; $1"; }
 
 step() { # what, then the command
     local begun=$EPOCHREALTIME what=$1
@@ -79,6 +82,14 @@ formats=$(inside glovetrack export --help | grep -o '{[a-z0-9,]*}' | head -1 | t
 for format in $formats; do
     step $format inside glovetrack export demo/session.mcap --format $format -o "made.$format"
 done
+# Devices of the system's own kind: a serial line and a pipe of images, made by a second process.
+mkdir -p "$out/home/.config/glovetrack" "$out/rig"
+cat >"$out/home/.config/glovetrack/window.json" <<'JSON'
+{"version": 3, "port": "/out/rig/glove", "camera": "/out/rig/camera.mjpeg", "calibration": "/out/rig/camera.yml"}
+JSON
+step devices inside_sh "glovetrack rig rig --duration 90 & while ! [ -e rig/camera.yml ]; do sleep 0.2; done;
+    glovetrack devices --headless-report 15 --out devices; code=\$?; kill %1; exit \$code"
+cat "$out/devices.log"
 for engine in chain vist switching madgwick; do
     step track-$engine inside glovetrack track practice.mcap -o $engine.mcap --engine $engine
 done

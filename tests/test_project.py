@@ -188,6 +188,8 @@ CLOCKS = {
     "app/viewmodels/recording.py": "names of new files",
     "app/window/bug_reports.py": "names of new files",
     "app/window/headless_report.py": "measures",
+    "tracker/offline/rig_command.py": "ends in time",
+    "tracker/simulation/rig_device.py": "begins now",
     "app/window/main_window.py": "the time beside a line of the log",
     "app/window/recent.py": "how long ago a session was used",
     "app/window/refresher.py": "which panel's turn it is",

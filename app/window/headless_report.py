@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 from collections import defaultdict, deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
-from app.engines.demo_camera import DemoChoice
 from app.engines.engine import RecordingRequest
 from app.engines.engine_host import SetupFactory
 from app.engines.snapshot import Snapshot
@@ -21,10 +22,9 @@ from app.jobs.export import ExportRequest, export_job
 from app.platform.tasks import JobProgress
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
-from app.window.sources import demo_factory
+from tracker.errors import GlovetrackError
 from tracker.messages import Array, Tracking
 from tracker.session.description import SIDES
-from tracker.simulation.camera_device import DemoCamera
 from tracker.streaming.params import StreamParams
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
@@ -42,17 +42,23 @@ class Figures:
     states: deque[int] = field(default_factory=deque)
 
 
+class Watched(NamedTuple):
+    """What the window shows meanwhile: its name, and what makes the engine."""
+
+    name: str
+    make: SetupFactory
+
+
 def headless_report(
     app: QApplication,
     duration: float,
     out: Path,
-    demo: DemoChoice,
-    camera: DemoCamera,
+    watched: Watched,
     streams: StreamParams,
     wearer: Path | None = None,
 ) -> int:
-    """Run the demo for ``duration`` s of tracking and leave its results in ``out``; ``wearer``:
-    the profile to begin with."""
+    """Run what is ``watched`` for ``duration`` s of tracking and leave its results in ``out``;
+    ``wearer``: the profile to begin with."""
     out.mkdir(parents=True, exist_ok=True)
     store = SettingsStore(out / "window.json")
     window = MainWindow(store)
@@ -63,34 +69,36 @@ def headless_report(
         window.calibration.begin_with(wearer)
     window.show()
     try:
-        return _run(app, window, duration, out, demo_factory(demo, camera=camera))
+        return _run(window, duration, out, watched)
     finally:
         window.close()
         (out / "window.json").unlink(missing_ok=True)
 
 
-def _run(
-    app: QApplication, window: MainWindow, duration: float, out: Path, demo: SetupFactory
-) -> int:
+def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> int:
     problems: list[str] = []
     window.tasks.failed.connect(problems.append)
     window.host.error.connect(problems.append)
-    window.host.open("demo", demo)
+    window.host.open(watched.name, watched.make)
     wait_until(lambda: window.host.running or bool(problems), START_TIMEOUT)
     if not window.host.running:
-        print(f"The demo did not start: {' '.join(problems) or 'it took too long.'}")
+        print(f"The {watched.name} did not start: {' '.join(problems) or 'it took too long.'}")
         return 1
     path, table = _free(out / "session.mcap"), _free(out / "session.csv")
-    window.host.record(RecordingRequest(path, "demo", "random postures"))
+    window.host.record(RecordingRequest(path, watched.name, "as they come"))
     began, ticks = time.monotonic(), window.ticker.ticks
     gathered = _gather(window, duration, out / "window.png")
     rate = (window.ticker.ticks - ticks) / (time.monotonic() - began)
     view = window.host.snapshot()
     window.host.stop()
     window.host.recording.wait()
-    export_job(ExportRequest(path, "csv", table))(JobProgress(lambda _f, _t: None))
+    try:
+        export_job(ExportRequest(path, "csv", table))(JobProgress(lambda _f, _t: None))
+    except GlovetrackError as error:  # devices that gave nothing
+        problems.append(str(error))
     print(_report(gathered, view, rate, path))
-    return 0
+    print("\n".join(problems), end="\n" if problems else "", file=sys.stderr)
+    return 1 if problems else 0
 
 
 def _free(path: Path) -> Path:

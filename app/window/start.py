@@ -70,18 +70,16 @@ def open_window(argv: Sequence[str]) -> int:
 
 
 def _report(app: QApplication, args: argparse.Namespace) -> int:
-    camera = start_camera(choice=_demo(args))  # before the window is even imported
-    from app.window.headless_report import headless_report
+    # a camera to be simulated starts before the window is even imported
+    camera = None if args.devices else start_camera(choice=_demo(args))
+    from app.storage.settings import SettingsStore
+    from app.window.headless_report import Watched, headless_report
+    from app.window.sources import demo_factory, hardware_factory
 
-    return headless_report(
-        app,
-        args.headless_report,
-        args.out,
-        _demo(args),
-        camera,
-        args.streams,
-        args.wearer,
-    )
+    watched = Watched("devices", hardware_factory(SettingsStore().value))
+    if camera is not None:
+        watched = Watched("demo", demo_factory(_demo(args), camera=camera))
+    return headless_report(app, args.headless_report, args.out, watched, args.streams, args.wearer)
 
 
 def _run(app: QApplication, args: argparse.Namespace) -> int:
