@@ -6,6 +6,7 @@
 # OUT is the folder that gets glovetrack/ (default: dist).
 set -euo pipefail
 cd "$(dirname "$0")/.."
+source packaging/epoch.sh
 python=$1/bin/python out=${2:-dist}
 work=build/pyinstaller
 

@@ -6,6 +6,7 @@
 # FOLDER has glovetrack/ and gets both files (default: dist).
 set -euo pipefail
 cd "$(dirname "$0")/.."
+source packaging/epoch.sh
 out=${1:-dist}
 ours=packaging/debian
 bundle=$out/glovetrack
@@ -37,5 +38,6 @@ sed -e "s/@VERSION@/$version/" -e "s/@ARCHITECTURE@/$architecture/" \
 nice dpkg-deb --root-owner-group -Zzstd -z9 --build "$root" "$out/$name.deb" >/dev/null
 
 echo "Packing $out/$name.tar.gz"
-nice tar -C "$root/opt" --owner=0 --group=0 -c glovetrack | nice gzip -6 >"$out/$name.tar.gz"
+nice tar -C "$root/opt" --owner=0 --group=0 --sort=name --mtime="@$SOURCE_DATE_EPOCH" -c glovetrack |
+    nice gzip -6 -n >"$out/$name.tar.gz"
 du -m "$out/$name".*

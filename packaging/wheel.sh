@@ -7,6 +7,7 @@
 # Python is made with an environment of that Python: make wheel VENV=.venv312 PYTHON=python3.12
 set -euo pipefail
 cd "$(dirname "$0")/.."
+source packaging/epoch.sh
 venv=$1
 folder=$2
 packaging/kernels.sh "$venv"
