@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import importlib
+import socket
 import subprocess
 import sys
+import threading
 import zipfile
 from collections.abc import Iterator
 from dataclasses import replace
@@ -23,15 +25,16 @@ from tracker.applications.stage import ApplicationStage
 from tracker.cli import main
 from tracker.clock import nanoseconds, seconds
 from tracker.errors import ConfigError, FileError
-from tracker.messages import Event, Tracking
-from tracker.offline.application_sources import simulated
+from tracker.messages import Event, Message, Tracking
+from tracker.offline.application_sources import simulated, streamed
 from tracker.offline.applications import Into, difference, replay, run_into
 from tracker.offline.simulate import SimulateOptions
+from tracker.session.decode import Decoded
 from tracker.session.reader import SessionReader
 from tracker.simulation.scripted import Key
 from tracker.streaming.payload import to_json
 from tracker.streaming.payload_read import from_json
-from tracker.streaming.publisher import Names
+from tracker.streaming.publisher import Names, StreamError
 
 EXAMPLE = ROOT / "docs" / "examples" / "glovetrack-air-drawing"
 HERE, THERE = (0.17, 0.0, 0.1), (0.17, 0.1, 0.1)
@@ -213,3 +216,44 @@ def test_settings_that_are_rows_of_numbers_are_the_same_again(tmp_path: Path) ->
     assert report.samples > 400
     (again,) = replay(out)
     assert again.differs == ""
+
+
+@pytest.fixture
+def port(monkeypatch: pytest.MonkeyPatch) -> int:
+    """A free one, for a stream that is given up soon."""
+    monkeypatch.setattr("tracker.offline.application_sources.SILENCE", 0.2)
+    monkeypatch.setattr("tracker.offline.application_sources.PATIENCE", 0.3)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+        free.bind(("127.0.0.1", 0))
+        return int(free.getsockname()[1])
+
+
+def test_an_application_runs_on_a_live_stream_until_that_ends(port: int) -> None:
+    hand_names, sent = Names.of(HAND, GLOVE), estimates(LINE)[:5]
+    messages = streamed(f"udp:{port}").messages
+    found: list[Message | Decoded] = []
+    enough = threading.Event()
+
+    def listen() -> None:
+        for message in messages:
+            found.append(message)
+            if len(found) == 5:
+                enough.set()
+
+    listener = threading.Thread(target=listen)
+    listener.start()
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
+        for k in range(3000):  # the first ones come before anybody listens
+            out.sendto(to_json(sent[k % 5], hand_names).encode(), ("127.0.0.1", port))
+            if enough.wait(0.01):
+                break
+    listener.join()
+    assert enough.is_set()
+    assert {m.t for m in found} <= {e.t for e in sent}
+
+
+def test_a_stream_without_a_hand_is_told_of_in_words(port: int) -> None:
+    with pytest.raises(StreamError, match="No hand has come"):
+        list(streamed(f"udp:{port}").messages)
+    with pytest.raises(ConfigError, match="A live stream is udp"):
+        streamed("tcp:1")

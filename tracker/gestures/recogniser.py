@@ -87,18 +87,28 @@ class GestureRecogniser:
         """What begins and ends with an estimate."""
         t, found = estimate.t, self._values(estimate)
         leader = _leader(found, self._ones, self._gaps())
-        phases = []
+        changing = []
         for name, one in self._ones.items():
             one.value = found[name]
             if math.isfinite(one.value):
                 one.known = t
-            may = name in leader
-            if self._changes(one, t, may):
-                one.active = not one.active
-                one.since = math.nan
-                sure = confidence(name, self._shape, self._params) if self._shape else 0.0
-                phases.append(Phase(name, one.active, t, _shown(one.value), sure))
+            if self._changes(one, t, name in leader):
+                changing.append(name)
+        for name in [n for n in changing if not self._ones[n].active]:
+            changing += [o for o in self._in_the_way(name) if o not in changing]
+        phases = [self._changed(name, t) for name in changing]
         return sorted(phases, key=lambda phase: phase.begins)  # one ends before the next begins
+
+    def _in_the_way(self, name: str) -> list[str]:
+        """Those that end at once where another of their kind begins."""
+        kind = PINCHES if name in PINCHES else POSTURES if name in POSTURES else ()
+        return [other for other in kind if self._ones[other].active]
+
+    def _changed(self, name: str, t: float) -> Phase:
+        one = self._ones[name]
+        one.active, one.since = not one.active, math.nan
+        sure = confidence(name, self._shape, self._params) if self._shape else 0.0
+        return Phase(name, one.active, t, _shown(one.value), sure)
 
     def _gaps(self) -> dict[str, float]:
         """m between pads, by pinch; infinite where that is not known."""
@@ -116,20 +126,21 @@ class GestureRecogniser:
                 found[name] = math.nan  # too little is known of the gap
         return found
 
-    def _changes(self, one: _One, t: float, may_begin: bool) -> bool:
-        """Whether a gesture begins or ends now."""
+    def _changes(self, one: _One, t: float, leads: bool) -> bool:
+        """Whether a gesture begins or ends now. Its value may last for `WAIT` while another one
+        still leads: then it begins as soon as that does no more."""
         if one.active and math.isnan(one.value):
             return t - one.known > LOSES_AFTER
         if one.active:
-            wanted = one.value < ENDS_AT or not may_begin
+            speaks = one.value < ENDS_AT or not leads
         else:
-            wanted = may_begin and one.value > BEGINS_AT
-        if not wanted:
+            speaks = one.value > BEGINS_AT
+        if not speaks:
             one.since = math.nan
             return False
         if math.isnan(one.since):
             one.since = t
-        return t - one.since >= WAIT - 1e-9
+        return (leads or one.active) and t - one.since >= WAIT - 1e-9
 
 
 def _leader(found: dict[str, float], ones: dict[str, _One], gap: dict[str, float]) -> set[str]:

@@ -19,10 +19,11 @@ from tracker.session.decode import Decoded
 from tracker.session.description import SessionInfo, describe
 from tracker.session.reader import SessionReader
 from tracker.streaming.payload_read import from_json
-from tracker.streaming.publisher import LOOPBACK, Names
+from tracker.streaming.publisher import LOOPBACK, Names, StreamError
 from tracker.streaming.udp import DEFAULT_PORT
 
 SILENCE = 3.0  # s after which a stream is taken to have ended
+PATIENCE = 30.0  # s that its first hand is waited for
 
 
 class Source(NamedTuple):
@@ -71,7 +72,7 @@ def simulated(options: SimulateOptions, on_truth: bool) -> Source:
 def streamed(address: str, glove_name: str = "") -> Source:
     """Estimates that a window sends: ``udp:PORT``, or ``ws://host:port``.
 
-    Raises ConfigError for another address.
+    Raises ConfigError for another address; going through them StreamError, where none comes.
     """
     texts = library.texts(glove_name or library.DEFAULT_GLOVE, None)
     info = describe(*texts, ClockAnchor(0, 0))
@@ -95,12 +96,20 @@ def _udp(address: str) -> Iterator[bytes]:
 def _datagrams(port: int) -> Iterator[bytes]:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
         listener.bind((LOOPBACK, port))
-        listener.settimeout(SILENCE)
+        timeout = PATIENCE
         try:
             while True:
-                yield listener.recv(65536)
-        except TimeoutError:
-            return
+                listener.settimeout(timeout)
+                data, timeout = listener.recv(65536), SILENCE
+                yield data
+        except TimeoutError as error:
+            _need_some(timeout, f"port {port}", error)
+
+
+def _need_some(timeout: float, where: str, error: Exception) -> None:
+    """A stream may end, but not before it has begun."""
+    if timeout == PATIENCE:
+        raise StreamError(f"No hand has come to {where} in {PATIENCE:.0f} s.") from error
 
 
 def _websocket(address: str) -> Iterator[str | bytes]:
@@ -114,8 +123,10 @@ def _websocket(address: str) -> Iterator[str | bytes]:
     except OSError as error:
         raise ConfigError(f"Nothing answers at {address}: {error}") from error
     with connection:
+        timeout = PATIENCE
         try:
             while True:
-                yield connection.recv(SILENCE)
-        except (TimeoutError, ConnectionClosed):
-            return
+                data, timeout = connection.recv(timeout), SILENCE
+                yield data
+        except (TimeoutError, ConnectionClosed) as error:
+            _need_some(timeout, address, error)

@@ -22,7 +22,7 @@ from tracker.messages import Array
 
 AHEAD = np.array([0.22, 0.0, -0.06])  # m of the map's middle before the palm that is first seen
 REACH = 1.5  # m that a finger points
-AIM = np.deg2rad(9.0)  # a label this near to the finger's direction is pointed at
+AIM = np.deg2rad(15.0)  # the label nearest to the finger's direction within this is pointed at
 BACK_AFTER = 0.8  # s of an open palm
 BUZZ, STRENGTH = 0.08, 0.7  # s
 SLIDE = 0.12  # m that a pinch is slid for the whole of a fade

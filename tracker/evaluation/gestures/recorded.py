@@ -21,7 +21,7 @@ from tracker.offline.simulate import SimulateOptions, build
 
 EARLY, LATE = 0.15, 0.6  # s about a true beginning within which one is told
 LASTS = 0.15  # s: what the hand shows for a shorter time is in passing, and no label
-SETTLING = 2.0  # s from the first image, while the hand is being found
+SETTLING = 1.0  # s from the first image, while the hand is being found
 
 
 @dataclass
@@ -112,11 +112,11 @@ def _lasting(phases: Sequence[Phase], end: float) -> list[Phase]:
 
 
 def _delay(phase: Phase, found: Sequence[Phase]) -> float | None:
-    """s from the true hand's beginning to the one that is told, None where none is, or it stood
-    before."""
-    near = [
-        p.t - phase.t
-        for p in found
-        if p.begins and p.gesture == phase.gesture and -EARLY <= p.t - phase.t <= LATE
-    ]
-    return min(near, key=abs) if near else None
+    """s from the true hand's beginning to the one that is told; 0 where it is shown all along,
+    None where it is not told."""
+    same = [p for p in found if p.gesture == phase.gesture]
+    near = [p.t - phase.t for p in same if p.begins and -EARLY <= p.t - phase.t <= LATE]
+    if near:
+        return min(near, key=abs)
+    before = [p for p in same if p.t < phase.t - EARLY]
+    return 0.0 if before and before[-1].begins else None

@@ -17,7 +17,7 @@ from tracker import library
 from tracker.geometry import so3
 from tracker.gestures.recogniser import GestureRecogniser, Phase
 from tracker.gestures.shape import ShapeReader
-from tracker.gestures.values import ENDS_AT, GESTURES, GestureParams, values
+from tracker.gestures.values import BEGINS_AT, ENDS_AT, GESTURES, GestureParams, values
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, Estimate, Event, ImuSample, Message, Tracking, Validity
@@ -29,14 +29,14 @@ from tracker.simulation.wearer import Wearer
 
 SHOWN_BY = {"flat": "open_palm", "spread": "open_palm"}
 """The gesture that a guided pose shows, where it is not called the same."""
-WHOLLY = 0.9  # a value: of a pinch, pads 7 mm apart
 JUDGED_FROM = 0.2  # s after the pose is reached
 STEP = 0.01  # s
 
 
 class Held(NamedTuple):
     """A gesture that was held: the share of the time in which it, and no other, was told; delay s
-    from the first instant at which the true hand shows it, NaN where it was never told."""
+    from the first instant at which the true hand's value is above that at which gestures begin (it
+    has to last `WAIT` then), NaN where it was never told."""
 
     gesture: str
     right: float
@@ -118,10 +118,10 @@ class TrueValues:
         return bool((self._rows(gesture, t - np.array([0.0, 0.05, 0.1])) >= ENDS_AT).any())
 
     def first(self, gesture: str, start: float, stop: float) -> float:
-        """When the true hand first shows it wholly; NaN where it never does."""
+        """When the true hand's value first is one that gestures begin at; NaN where it never is."""
         instants = np.arange(start, stop, STEP)
-        wholly = instants[self._rows(gesture, instants) > WHOLLY]
-        return float(wholly[0]) if len(wholly) else float("nan")
+        begun = instants[self._rows(gesture, instants) > BEGINS_AT]
+        return float(begun[0]) if len(begun) else float("nan")
 
 
 def tracked(simulation: Simulation, end: float = np.inf) -> list[Estimate]:
