@@ -58,27 +58,34 @@ def turn_noise(layout: ChainLayout, R_GB: Array, valid: Array, sd: tuple[float, 
 def test_covariance_moves_as_the_dense_product(
     layout: ChainLayout, silent: tuple[int, ...]
 ) -> None:
-    """Phi P Phi^T + Q, with any IMU silent."""
+    """Phi P Phi^T + Q, with any IMU silent; markers as unsure as slip makes them, less and more."""
     rng, dt, n = np.random.default_rng(2), 0.01, layout.blocks.size
     state, sample = a_state(layout), packet(layout, 0.0, 3, silent)
     A = rng.normal(size=(n, n))
+    markers = np.arange(layout.blocks.marker, n)
+    A[markers] *= (
+        ChainParams().noise.slip_most / np.sqrt(n) * rng.uniform(0.5, 1.5, (len(markers), 1))
+    )
     state.P = A @ A.T
     F, R_GB, P = np.eye(n), state.R_GB, state.P.copy()
     F[: layout.n_dynamic, : layout.blocks.scale] = transition(state, layout, Moment.of(sample), dt)
     expected = F @ P @ F.T
     noise = ChainParams().noise
-    q = kernel_noise(layout, bool(sample.valid[0]), dt)
-    expected[np.diag_indices(n)] += q
+    expected[np.diag_indices(n)] += kernel_noise(layout, bool(sample.valid[0]), dt)
+    room = np.maximum(1 - P[markers, markers] / noise.slip_most**2, 0.0)
+    assert 0 < np.mean(room == 0) < 1
+    expected[markers, markers] += noise.slip**2 * dt * room
     block = slice(layout.blocks.theta, layout.n_dynamic)
     sd = noise.gyro, noise.free_rotation, noise.free_root_rotation
     expected[block, block] += turn_noise(layout, R_GB, sample.valid, sd) * dt
     propagate(state, layout, ChainParams(), Intervals.single(sample, 0.0, dt))
     assert np.abs(state.P - expected).max() < 1e-12 * np.abs(expected).max()
+    np.testing.assert_allclose(state.P[markers, markers], expected[markers, markers], rtol=1e-12)
     assert np.array_equal(state.P, state.P.T)
 
 
 def kernel_noise(layout: ChainLayout, felt: bool, dt: float) -> Array:
-    """(N,) variances as the parameters name them, block by block."""
+    """(N,) variances as the parameters name them, block by block; those of markers are 0 here."""
     noise, imus = ChainParams().noise, 3 * len(layout.glove.imus)
     accel = noise.accel if felt else noise.free_accel
     blocks = [
@@ -89,7 +96,8 @@ def kernel_noise(layout: ChainLayout, felt: bool, dt: float) -> Array:
         (imus, noise.mounting**2 * dt),
         (imus, noise.accel_bias**2 * dt),
         (2 * len(layout.active), noise.scale**2 * dt),
-        (layout.blocks.size - layout.blocks.joint, noise.offset**2 * dt),
+        (layout.blocks.marker - layout.blocks.joint, noise.offset**2 * dt),
+        (layout.blocks.size - layout.blocks.marker, 0.0),
     ]
     return np.concatenate([np.full(count, value) for count, value in blocks])
 

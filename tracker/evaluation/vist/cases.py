@@ -130,8 +130,8 @@ def _no_autocalibration(s: Settings) -> Settings:
     )
     chain = replace(
         s.chain,
-        prior=replace(s.chain.prior, joint=NOTHING, marker=NOTHING, **still),
-        noise=replace(s.chain.noise, scale=0.0, mounting=0.0),
+        prior=replace(s.chain.prior, joint=NOTHING, marker=NOTHING, marker_normal=NOTHING, **still),
+        noise=replace(s.chain.noise, scale=0.0, mounting=0.0, slip=0.0),
     )
     vist = replace(
         s.vist,

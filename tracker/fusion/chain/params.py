@@ -20,6 +20,8 @@ class RandomWalks(NamedTuple):
     accel_bias: float
     scale: float
     offset: float
+    slip: float
+    slip_most: float
 
 
 class PixelNoise(NamedTuple):
@@ -43,7 +45,9 @@ class NoiseParams:
     free_rotation: float = 0.3  # rad/√s: a segment without an IMU, against its parent
     free_root_rotation: float = 0.5  # rad/√s: the hand while its own IMU is silent
     free_accel: float = 1.0  # m/s²·√s: the same for its position
-    offset: float = 1e-4  # m/√s: joints and markers
+    offset: float = 1e-4  # m/√s: joints
+    slip: float = 4e-4  # m/√s: markers, with the cloth
+    slip_most: float = 0.0011  # m: a marker that is known no better does not slip
     marker: float = 0.0025  # m, placement and cloth that the offset states do not hold
     pixel_px: float = 1.0
     huber: float = 3.0
@@ -73,7 +77,8 @@ class PriorParams:
     own_length: float = 0.015
     own_girth: float = 0.02
     joint: float = 0.001  # m
-    marker: float = 0.0007  # m
+    marker: float = 0.0011  # m, along the cloth
+    marker_normal: float = 0.0004  # m, off it
 
 
 @dataclass(frozen=True)
@@ -175,6 +180,6 @@ class ChainParams:
 def without_random_walks(params: ChainParams) -> ChainParams:
     """The same filter whose calibration does not drift, so that what is held stays held."""
     noise = replace(
-        params.noise, gyro_bias=0.0, accel_bias=0.0, scale=0.0, mounting=0.0, offset=0.0
+        params.noise, gyro_bias=0.0, accel_bias=0.0, scale=0.0, mounting=0.0, offset=0.0, slip=0.0
     )
     return replace(params, noise=noise)

@@ -23,12 +23,20 @@ def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
     girth = slice(layout.blocks.scale + 1, layout.blocks.joint, 2)
     d[length], d[girth] = prior.own_length**2, prior.own_girth**2
     d[layout.blocks.joint : layout.blocks.marker] = prior.joint**2
-    d[layout.blocks.marker :] = prior.marker**2
     np.fill_diagonal(P, d)
     # eq. 19
     P[length, length] += prior.common_length**2
     P[girth, girth] += prior.common_girth**2
+    _put_markers(P, layout, prior)
     return P
+
+
+def _put_markers(P: Array, layout: ChainLayout, prior: PriorParams) -> None:
+    """Patches are misplaced along the cloth, hardly off it (eq. 19)."""
+    for k, normal in enumerate(layout.glove.marker_normal):
+        rows = slice(layout.blocks.marker + 3 * k, layout.blocks.marker + 3 * k + 3)
+        off = np.outer(normal, normal) / (normal @ normal)
+        P[rows, rows] = prior.marker**2 * (np.eye(3) - off) + prior.marker_normal**2 * off
 
 
 def reset_pose(P: Array, layout: ChainLayout, prior: PriorParams) -> None:

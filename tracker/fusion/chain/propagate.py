@@ -313,7 +313,9 @@ def add_random_walks(
         P[3 + r, 3 + r] += accel**2 * dt
     for i in range(at.bg, len(P)):
         sd = random_walks.gyro_bias
-        if i >= at.joint:
+        if i >= at.marker:
+            sd = random_walks.slip * np.sqrt(max(0.0, 1.0 - P[i, i] / random_walks.slip_most**2))
+        elif i >= at.joint:
             sd = random_walks.offset
         elif i >= at.scale:
             sd = random_walks.scale
