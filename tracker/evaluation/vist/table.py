@@ -76,7 +76,7 @@ def _known(value: float, width: int) -> str:
 def _variant(case: Case) -> str:
     parts = [case.ablation] if case.ablation else []
     if case.lenses != "both":
-        parts.append(f"{case.lenses} lens")
+        parts.append("one camera" if case.lenses == "one" else "no camera")
     if case.measured:
         parts.append("hand measured")
     if case.guided:

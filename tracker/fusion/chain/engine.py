@@ -10,8 +10,6 @@ from __future__ import annotations
 import copy
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from tracker.fusion.ablations.variants import check_variant
 from tracker.fusion.chain.guided.events import GuidedSaid
 from tracker.fusion.chain.guided.holds import Hold
@@ -136,11 +134,9 @@ class ChainEngine:
     def heading_sd(self) -> float:
         """rad, of how the hand is turned about the vertical: without images it drifts. NaN while
         nothing is known of the hand."""
-        state = self._tracker.state
         if self.tracking == Tracking.SEARCHING:
             return float("nan")
-        up, rows = state.R_GB[0][2], slice(6, 9)  # eq. 3: the error is in the segment's own axes
-        return float(np.sqrt(max(up @ state.P[rows, rows] @ up, 0.0)))
+        return self._tracker.shown.heading_sd(self._tracker.state)
 
     @property
     def newest(self) -> float | None:

@@ -40,6 +40,7 @@ class InertialTracker(ChainTracker):
         self.filter.adopt(started)
         self.wearer.calibration.begin(started)
         self._judge.started_anywhere()
+        self.shown.held(started.t)  # its heading is zero by what it is counted from
         return True
 
     def forget(self) -> None:
@@ -57,6 +58,7 @@ class InertialTracker(ChainTracker):
         if self.filter.constrain(self.state.t):
             self.filter.stay()
         self.wearer.learn()
+        self.shown.drifted(self.state)
         return True
 
 

@@ -31,6 +31,7 @@ from tracker.messages import (
 from tracker.records import record
 
 MEASURED_SD = 0.016  # m, beyond which nothing is called measured: three of them are 5 cm
+BIAS_LASTS = 2.0  # s for which an error of the gyro's bias stays about the vertical
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
@@ -47,6 +48,8 @@ class ShownKept:
     """(A,) markers do not speak for where each segment is; none in what older versions kept"""
     poor_since: Array = field(default_factory=lambda: np.zeros(0))
     """(D,) s since when a digit's markers are not where they should be; as above"""
+    heading_drift: float = 0.0  # rad by which the heading may be off since images held it
+    heading_at: float = np.inf  # s until when that was added up
 
 
 class ShownHand:
@@ -142,6 +145,27 @@ class ShownHand:
         if self.kept.one_camera:
             size_sd = KNOWN_SIZE_SD if size_is_known else SIZE_SD
             self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
+
+    def held(self, t: float) -> None:
+        """An image has shown how the hand is turned."""
+        self.kept.heading_drift, self.kept.heading_at = 0.0, t
+
+    def drifted(self, state: ChainState) -> None:
+        """Nothing has shown the heading until the state's instant: what is not known of the root
+        gyro's bias about the vertical adds up (docs/chain.md, eq. 58)."""
+        now, j = self.kept, int(self._layout.imu_of[0])
+        dt, now.heading_at = max(state.t - now.heading_at, 0.0), state.t
+        if j < 0:
+            return
+        up = state.R_IB[j] @ state.R_GB[0][2]
+        rows = slice(self._layout.blocks.bg + 3 * j, self._layout.blocks.bg + 3 * j + 3)
+        bias = float(np.sqrt(max(up @ state.P[rows, rows] @ up, 0.0)))
+        now.heading_drift = float(np.hypot(now.heading_drift, bias * np.sqrt(2 * BIAS_LASTS * dt)))
+
+    def heading_sd(self, state: ChainState) -> float:
+        """rad, of how the hand is turned about the vertical."""
+        up, rows = state.R_GB[0][2], slice(6, 9)  # eq. 3: the error is in the segment's own axes
+        return float(np.sqrt(up @ state.P[rows, rows] @ up + self.kept.heading_drift**2))
 
     def aged(self, state: ChainState) -> None:
         """The filter has moved on without an image: take how sure it is now."""

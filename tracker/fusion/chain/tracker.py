@@ -93,6 +93,7 @@ class ChainTracker:
         self._judge.judge(self.state.t, enough=False)
         self.filter.constrain(self.state.t)
         learned = self.wearer.learn()
+        self.shown.drifted(self.state)
         self.shown.aged(self.state)
         return learned
 
@@ -118,6 +119,8 @@ class ChainTracker:
         self._correct(image, found)
         self.wearer.learn()
         enough = self._judge.is_enough(found.tally)
+        if enough:
+            self.shown.held(frame.t)
         self._judge.judge(frame.t, enough)
         sure = self._judge.support(frame.t, enough and seen.is_likely)
         self.shown.supported(frame.t, seen, sure)
@@ -181,6 +184,7 @@ class ChainTracker:
         self._judge.started(frame.t)
         self.shown.started()
         self.shown.kept.one_camera = image.is_mono
+        self.shown.held(frame.t)
         # 3. Correct it twice: the second pass matches and linearises at a better state.
         for _ in range(2):
             found = self._recognition.look(self.state, image)
