@@ -14,12 +14,11 @@ import json
 import os
 import sys
 import time
-from dataclasses import dataclass, field
 from typing import Any
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.domain import DomainParticipant
-from cyclonedds.idl import IdlStruct
+from cyclonedds.idl import make_idl_struct
 from cyclonedds.idl.annotations import final
 from cyclonedds.idl.types import float64, int32, sequence, uint32
 from cyclonedds.pub import DataWriter
@@ -35,88 +34,34 @@ LOOPBACK = (
 QOS = Qos(Policy.Reliability.BestEffort, Policy.History.KeepLast(10))
 
 
-@dataclass
-@final
-class Time_(IdlStruct, typename="builtin_interfaces::msg::dds_::Time_"):
-    sec: int32
-    nanosec: uint32
+def struct(package: str, name: str, /, **fields: Any) -> Any:
+    """A message of ROS 2 as DDS has it: ``package::msg::dds_::Name_`` with these fields."""
+    return final(make_idl_struct(name, f"{package}::msg::dds_::{name}", fields))
 
 
-@dataclass
-@final
-class Header_(IdlStruct, typename="std_msgs::msg::dds_::Header_"):
-    stamp: Time_
-    frame_id: str
-
-
-@dataclass
-@final
-class JointState_(IdlStruct, typename="sensor_msgs::msg::dds_::JointState_"):
-    header: Header_
-    name: sequence[str]
-    position: sequence[float64]
-    velocity: sequence[float64] = field(default_factory=list)
-    effort: sequence[float64] = field(default_factory=list)
-
-
-@dataclass
-@final
-class Point_(IdlStruct, typename="geometry_msgs::msg::dds_::Point_"):
-    x: float64
-    y: float64
-    z: float64
-
-
-@dataclass
-@final
-class Vector3_(IdlStruct, typename="geometry_msgs::msg::dds_::Vector3_"):
-    x: float64
-    y: float64
-    z: float64
-
-
-@dataclass
-@final
-class Quaternion_(IdlStruct, typename="geometry_msgs::msg::dds_::Quaternion_"):
-    x: float64
-    y: float64
-    z: float64
-    w: float64
-
-
-@dataclass
-@final
-class Pose_(IdlStruct, typename="geometry_msgs::msg::dds_::Pose_"):
-    position: Point_
-    orientation: Quaternion_
-
-
-@dataclass
-@final
-class PoseArray_(IdlStruct, typename="geometry_msgs::msg::dds_::PoseArray_"):
-    header: Header_
-    poses: sequence[Pose_]
-
-
-@dataclass
-@final
-class Transform_(IdlStruct, typename="geometry_msgs::msg::dds_::Transform_"):
-    translation: Vector3_
-    rotation: Quaternion_
-
-
-@dataclass
-@final
-class TransformStamped_(IdlStruct, typename="geometry_msgs::msg::dds_::TransformStamped_"):
-    header: Header_
-    child_frame_id: str
-    transform: Transform_
-
-
-@dataclass
-@final
-class TFMessage_(IdlStruct, typename="tf2_msgs::msg::dds_::TFMessage_"):
-    transforms: sequence[TransformStamped_]
+XYZ = dict.fromkeys("xyz", float64)
+Time_ = struct("builtin_interfaces", "Time_", sec=int32, nanosec=uint32)
+Header_ = struct("std_msgs", "Header_", stamp=Time_, frame_id=str)
+JointState_ = struct(
+    "sensor_msgs",
+    "JointState_",
+    header=Header_,
+    name=sequence[str],
+    **dict.fromkeys(("position", "velocity", "effort"), sequence[float64]),
+)
+Point_, Vector3_ = (struct("geometry_msgs", name, **XYZ) for name in ("Point_", "Vector3_"))
+Quaternion_ = struct("geometry_msgs", "Quaternion_", **XYZ, w=float64)
+Pose_ = struct("geometry_msgs", "Pose_", position=Point_, orientation=Quaternion_)
+PoseArray_ = struct("geometry_msgs", "PoseArray_", header=Header_, poses=sequence[Pose_])
+Transform_ = struct("geometry_msgs", "Transform_", translation=Vector3_, rotation=Quaternion_)
+TransformStamped_ = struct(
+    "geometry_msgs",
+    "TransformStamped_",
+    header=Header_,
+    child_frame_id=str,
+    transform=Transform_,
+)
+TFMessage_ = struct("tf2_msgs", "TFMessage_", transforms=sequence[TransformStamped_])
 
 
 class Publisher:
@@ -131,7 +76,7 @@ class Publisher:
         side = estimate["side"]
         now = Time_(*divmod(time.time_ns(), 10**9))
         names, angles = joint_states(estimate)
-        state = JointState_(Header_(now, ""), names, angles)
+        state = JointState_(Header_(now, ""), names, angles, [], [])
         self._write(f"hand/{side}/joint_states", state)
         found = poses(estimate)
         header = Header_(now, "openxr")
