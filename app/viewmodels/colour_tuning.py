@@ -223,16 +223,24 @@ class ColourTuning:
             self.room = room_shares(image, self.profile)
 
     def search(self, shown: ShownImage) -> Callable[[], Blobs] | None:
-        """The work of searching a kept image with the profile as it is now, for another thread;
-        None where nothing is to be searched: the live image is searched by the engine."""
-        image = shown.image if shown.view is None and not self._dragging else None
-        if image is None or image is not self._searched:
+        """The work of searching an image with the profile as it is now, for another thread; None
+        where nothing is to be searched: the live image is searched by the engine."""
+        image = shown.image if self._is_mine(shown) and not self._dragging else None
+        if image is None or (image is not self._searched and shown.view is None):
             self._found = None
         self._searched = image
         if image is None:
             return None
         profile, size = self.profile, float(self.setup.glove.marker_size.mean())
         return lambda: Detector(profile, size, self.setup.rig.fx).detect(image)[0]
+
+    def _is_mine(self, shown: ShownImage) -> bool:
+        """Whether no engine searches the image with these colours: a kept one, or a replay's."""
+        return shown.view is None or self.setup.player is not None
+
+    def is_new(self, shown: ShownImage) -> bool:
+        """Whether an image is to be searched here and was not."""
+        return self._is_mine(shown) and shown.image is not self._searched
 
     def found(self, blobs: Blobs) -> None:
         """What the last `search` has found."""
@@ -242,7 +250,7 @@ class ColourTuning:
 
     def rows(self, shown: ShownImage) -> list[HueRow]:
         """One per hue."""
-        if shown.view is not None:
+        if shown.view is not None and not self._is_mine(shown):
             return seen_rows(shown.view, self.profile, self.room)
         counts = blob_counts([self._found], self.profile.hue_names, self.profile)
         return hue_rows(self.profile, counts, None, self.room)
@@ -267,7 +275,7 @@ class ColourTuning:
     def _rings(self, shown: ShownImage, colour: str) -> list[Ring]:
         """Round the blobs of the hue that is tuned."""
         blobs, view = self._found, shown.view
-        if view is not None and view.blobs is not None:
+        if view is not None and view.blobs is not None and not self._is_mine(shown):
             blobs = view.blobs.right if shown.right else view.blobs.left
         rings: list[Ring] = []
         if blobs is not None:

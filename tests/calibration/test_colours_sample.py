@@ -1,9 +1,15 @@
 """Pixels that label themselves, on drawn patches whose colours are known."""
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 
+from tracker import library
+from tracker.calibration.colours_learn import SMOOTHING_PX, learn
 from tracker.calibration.colours_sample import KnownMarkers, samples_of
+from tracker.vision.colours import parse_profile, profile_to_toml
+from tracker.vision.detector import Detector
 
 BLUE, CLOTH, WALL = (200, 60, 30), (40, 40, 44), (235, 235, 235)
 
@@ -39,3 +45,28 @@ def test_what_is_beside_a_patch_is_cloth_and_what_is_far_is_room() -> None:
     samples = samples_of(drawn((20, 20)), known((20, 20)), ("blue",))
     assert (np.concatenate(samples.cloth) == CLOTH).all()
     assert (np.concatenate(samples.room) == WALL).all()
+
+
+def test_colours_learned_of_noisy_images_find_a_patch_whole_where_noise_tears_it() -> None:
+    """The file keeps that images are to be smoothed."""
+    factory = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+    dim = (drawn((20, 20)) * 0.3).astype(np.uint8)
+    rng = np.random.default_rng(1)
+    noisy = [np.clip(dim + rng.normal(0, 14, dim.shape), 0, 255).astype(np.uint8) for _ in range(3)]
+    samples = samples_of(noisy[0], known((20, 20)), factory.hue_names)
+    samples.add(samples_of(noisy[1], known((20, 20)), factory.hue_names))
+    learned = learn(factory, samples)
+    assert learned.learned is not None and learned.learned.smoothing_px == SMOOTHING_PX
+    assert parse_profile(profile_to_toml(learned)) == learned
+    blue = learned.hue_names.index("blue")
+    blobs, _ = Detector(learned).detect(noisy[2])
+    there = np.linalg.norm(blobs.uv[blobs.hue == blue] - (160, 120), axis=1)
+    assert np.sum(there < 1.0) == 1
+    torn = replace(learned, learned=replace(learned.learned, smoothing_px=0))
+    blobs, _ = Detector(torn).detect(noisy[2])
+    there = np.linalg.norm(blobs.uv[blobs.hue == blue] - (160, 120), axis=1)
+    assert not np.any(there < 1.0)
+
+
+def test_calm_images_are_not_smoothed() -> None:
+    assert samples_of(drawn((20, 20)), known((20, 20)), ("blue",)).noisy == [False]

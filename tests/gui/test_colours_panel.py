@@ -3,6 +3,7 @@
 import dataclasses
 import threading
 import time
+from types import SimpleNamespace
 
 import cv2
 import numpy as np
@@ -230,6 +231,21 @@ def test_a_kept_image_is_searched_beside_the_window(colours, held, qtbot):
     found = Detector(models()[2], size, fx).detect(image)[0]
     count = f"{int((found.hue == 0).sum())}"
     qtbot.waitUntil(lambda: colours.ranges.hues.chips[0].text() == count, timeout=30_000)
+
+
+def test_a_replay_is_searched_with_the_colours_that_are_tuned(colours, qtbot):
+    """What it has recorded was found with others, or there is nothing recorded."""
+    colours.tuning.setup = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
+    index = colours.tuning.profile.hue_names.index("green")
+    chip = colours.ranges.hues.chips[index]
+    image = colours.image.source.image()
+    size, fx = float(models()[1].marker_size.mean()), colours.host.setup.rig.fx
+    found = Detector(models()[2], size, fx).detect(image)[0]
+    count = int((found.hue == index).sum())
+    assert count > 0
+    qtbot.waitUntil(lambda: chip.text() == f"{count}", timeout=30_000)
+    narrow(colours, "green")
+    qtbot.waitUntil(lambda: chip.text() == "0", timeout=30_000)
 
 
 def test_only_the_newest_profile_is_searched_with_and_shown(colours, held, qtbot):

@@ -39,17 +39,20 @@ LIGHTS = ((1.0, 1.0), (0.75, 1.2), (0.55, 1.4), (1.25, 0.85), (1.5, 0.7))  # of 
 TYPICAL = (200.0, 170.0)  # saturation and value of a marker
 TAUGHT = 1  # cells of learned colours to each side of one that was picked
 CLOTH_SHARE = 0.05  # of what is around a marker; at a finger's edge it is half, between two less
+SMOOTHING_PX = 5  # of noisy images
 CONTRAST = 0.15  # to be asked where the room's own colours are known: shade and noise take much
 
 
 @dataclass
 class ColourSamples:
-    """BGR pixels (n, 3): of each hue's markers, of the glove beside them, and of the room."""
+    """BGR pixels (n, 3): of each hue's markers, of the glove beside them, and of the room; whether
+    each image was noisy, and so smoothed first."""
 
     hues: dict[str, list[Image]]
     cloth: list[Image] = field(default_factory=list)
     room: list[Image] = field(default_factory=list)
     patches: dict[str, int] = field(default_factory=dict)
+    noisy: list[bool] = field(default_factory=list)
 
     @staticmethod
     def of(names: Sequence[str]) -> ColourSamples:
@@ -66,6 +69,7 @@ class ColourSamples:
             self.patches[name] += other.patches[name]
         self.cloth += other.cloth
         self.room += other.room
+        self.noisy += other.noisy
 
 
 def learn(profile: ColourProfile, samples: ColourSamples, cloth: bool = True) -> ColourProfile:
@@ -84,7 +88,8 @@ def learn(profile: ColourProfile, samples: ColourSamples, cloth: bool = True) ->
         hsv = _hsv(samples.pixels(old.name))
         hues.append(fit_samples(old.name, hsv))
     classes = _classes(profile, samples, enough)
-    learned = LearnedColours.of(classes, CLOTH_SHARE if cloth else 0.0)
+    smoothing = SMOOTHING_PX if 2 * sum(samples.noisy) > len(samples.noisy) else 0
+    learned = LearnedColours.of(classes, CLOTH_SHARE if cloth else 0.0, smoothing)
     shape = replace(profile.shape, contrast=min(profile.shape.contrast, CONTRAST))
     return replace(profile, hues=parted(tuple(hues)), shape=shape, learned=learned)
 
@@ -173,7 +178,8 @@ def taught(profile: ColourProfile, bgr: Image, hue: int) -> ColourProfile:
     b, g, r = (int(x) >> (8 - LEARNED_BITS) for x in bgr)
     around = tuple(slice(max(x - TAUGHT, 0), x + TAUGHT + 1) for x in (b, g, r))
     classes[around] = hue + 1 if hue >= 0 else ROOM
-    learned = LearnedColours.of(classes.ravel(), profile.learned.cloth)
+    old = profile.learned
+    learned = LearnedColours.of(classes.ravel(), old.cloth, old.smoothing_px)
     return replace(profile, learned=learned)
 
 

@@ -10,10 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.calibration.colours_fit import Image, hue_interval
-from tracker.calibration.colours_learn import ColourSamples
+from tracker.calibration.colours_learn import SMOOTHING_PX, ColourSamples
+from tracker.calibration.light_meter import NOISY, noise_of
 from tracker.glove.model import GloveModel
 from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame
 from tracker.vision.colours import HUES
+from tracker.vision.detector import smoothed
 
 CORE = 0.36  # of a marker's smaller extent: radius of the disc that is surely cloth
 LEAST_SHARE = 0.5  # of a disc's median saturation and value, for a pixel of its cloth
@@ -42,8 +44,11 @@ class KnownMarkers:
 
 
 def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> ColourSamples:
-    """BGR pixels of an image by whose they are."""
+    """BGR pixels of an image by whose they are; those of a noisy one when it is smoothed."""
     out = ColourSamples.of(names)
+    out.noisy.append(noise_of(image) > NOISY)
+    if out.noisy[0]:
+        image = smoothed(image, SMOOTHING_PX)
     shape = image.shape[:2]
     taken = np.zeros(shape, np.uint8)
     for uv, extent in zip(known.uv, known.extent, strict=True):

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 
 from tracker.messages import Array, Blobs, IntArray
 from tracker.vision.colours import HUES, ColourProfile
-from tracker.vision.detector import Detector
+from tracker.vision.detector import Detector, smoothed
 
 Image = NDArray[np.uint8]
+NOISY = 2.9  # levels, standard deviation where an image is smooth, above which it is noisy
 LIGHT = ("clipped", "dark", "noisy", "warm", "cold")
 """Kinds of advice that are about lamp and exposure; the others are about colours and the room."""
 
@@ -31,7 +32,7 @@ class MeterParams:
     clipped_share: float = 0.2  # of the patches
     clipped_image: float = 0.03  # of the image
     dark_level: float = 108.0  # of the patches' brightest channel, median
-    noise: float = 2.9  # levels, standard deviation where the image is smooth
+    noise: float = NOISY
     warm: float = 1.3  # linear red / blue of the glove's grey cloth
     cold: float = 0.40
     near_hues: float = 9.0  # between the middles of two hues, OpenCV units
@@ -94,8 +95,10 @@ class LightMeter:
     def read(self, image: Image) -> LightReading:
         """The light in a BGR image (h, w, 3) uint8 of the gloved hand."""
         p = self.params
-        blobs, _ = self._narrow.detect(image)
-        seen = _of_one_hand(_patches(image, self._wide.detect(image)[0], p), p)
+        blobs, noise = self._narrow.detect(image)[0], noise_of(image)
+        # the noise of dark cloth has every colour that is wide enough
+        calm = smoothed(image) if noise > p.noise else image
+        seen = _of_one_hand(_patches(calm, self._wide.detect(calm)[0], p), p)
         others = _beside(blobs, seen)
         names = enumerate(self.profile.hue_names)
         reading = LightReading(
@@ -103,7 +106,7 @@ class LightMeter:
             hue=seen.hue,
             found=_near(seen.uv, seen.hue, blobs, p.found_px),
             level=float(np.median(seen.pixel.max(axis=1))) if len(seen.uv) else float("nan"),
-            noise=noise_of(image),
+            noise=noise,
             warmth=_warmth(seen, p),
             clipped=float(np.mean(image[::4, ::4].min(axis=2) >= p.clipped_level)),
             room={name: int(np.sum(others == k)) for k, name in names},

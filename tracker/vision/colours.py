@@ -26,6 +26,7 @@ LEVELS = 256
 SCHEMA = 1
 LEARNED_BITS = 6  # of each channel that tell what was learned of a colour
 LEARNED_CELLS = 1 << 3 * LEARNED_BITS
+SMOOTHING_PX = (0, 3, 5, 7)
 ROOM, WORN, UNKNOWN = 0, 254, 255  # classes of a colour: the room's, the glove's cloth, never met
 
 
@@ -82,16 +83,18 @@ class LearnedColours:
 
     ``packed`` holds a class for each, by b << 12 | g << 6 | r of the channels' upper six bits:
     k + 1 for hue k, `ROOM`, `WORN` (the glove's own cloth) or `UNKNOWN`. ``cloth`` is the least
-    share of what is around a marker that is the glove's cloth.
+    share of what is around a marker that is the glove's cloth. ``smoothing_px``: width of the
+    filter that noisy images were smoothed with before, as those to be searched have to be; 0: none.
     """
 
     packed: bytes  # zlib
     cloth: float = 0.0
+    smoothing_px: int = 0
 
     @staticmethod
-    def of(classes: NDArray[np.uint8], cloth: float = 0.0) -> LearnedColours:
+    def of(classes: NDArray[np.uint8], cloth: float = 0.0, smoothing_px: int = 0) -> LearnedColours:
         """From classes (LEARNED_CELLS,)."""
-        return LearnedColours(zlib.compress(classes.tobytes(), 9), cloth)
+        return LearnedColours(zlib.compress(classes.tobytes(), 9), cloth, smoothing_px)
 
     def classes(self) -> NDArray[np.uint8]:
         """(LEARNED_CELLS,) of each colour."""
@@ -146,6 +149,9 @@ def parse_profile(text: str, name: str = "colours.toml") -> ColourProfile:
 
 def _learned(table: TomlTable, hues: int) -> LearnedColours:
     cloth = table.number("cloth", 0.0, 0.0, 1.0)
+    smoothing_px = table.integer("smoothing_px", 0)
+    if smoothing_px not in SMOOTHING_PX:
+        raise table.fail("smoothing_px", f"must be one of {SMOOTHING_PX}")
     text = table.text("classes")
     table.finish()
     try:
@@ -159,7 +165,7 @@ def _learned(table: TomlTable, hues: int) -> LearnedColours:
         raise table.fail("classes", f"must hold {LEARNED_CELLS} bytes")
     if np.any((classes > hues) & (classes < WORN)):
         raise table.fail("classes", f"names a hue beyond the {hues} that there are")
-    return LearnedColours(packed, cloth)
+    return LearnedColours(packed, cloth, smoothing_px)
 
 
 def _hue_range(name: str, table: TomlTable) -> HueRange:
@@ -210,6 +216,7 @@ def profile_to_toml(profile: ColourProfile) -> str:
     if profile.learned is not None:
         out["learned"] = {
             "cloth": float(profile.learned.cloth),
+            "smoothing_px": profile.learned.smoothing_px,
             "classes": base64.b64encode(profile.learned.packed).decode(),
         }
     return tomli_w.dumps(out)

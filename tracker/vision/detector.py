@@ -10,6 +10,7 @@ import threading
 from copy import copy
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -109,6 +110,8 @@ class Detector:
         With ``hints`` only what they stand for is looked for.
         """
         pixels = _checked(image)
+        if self.profile.learned is not None and self.profile.learned.smoothing_px:
+            pixels = smoothed(pixels, self.profile.learned.smoothing_px)
         height, width = pixels.shape[:2]
         extent = int(LARGE * self._limits.longest)
         visited, mark = self._scratch.visited(height, width, len(self.profile.hue_names))
@@ -176,6 +179,11 @@ def detect_frame(
         rejected_right=rejected[1],
         index=frame.index,
     )
+
+
+def smoothed(image: Image, width_px: int = 5) -> Image:
+    """A noisy image without most of its noise: a marker is much wider than what is smoothed."""
+    return np.asarray(cv2.GaussianBlur(image, (width_px, width_px), 0), np.uint8)
 
 
 def _expected(hints: DetectionHints | None) -> ExpectedBlobs:

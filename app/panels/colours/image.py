@@ -16,7 +16,8 @@ from tracker.messages import Blobs
 class ColoursImage(QWidget):
     """The half of the panel with the image. ``changed``: another one is shown, or blobs were found.
 
-    A kept image is searched beside the window: a search takes tens of milliseconds.
+    Kept images and those of a replay are searched beside the window: a search takes tens of
+    milliseconds.
     """
 
     changed = Signal()
@@ -46,6 +47,11 @@ class ColoursImage(QWidget):
     def _image_changed(self) -> None:
         self.search()
         self.changed.emit()
+
+    def refresh(self) -> None:
+        """A replay has gone on: its image is searched."""
+        if self.tuning is not None and self.tuning.is_new(self.shown()):
+            self.search()
 
     def search(self) -> None:
         """Have the image searched with the profile as it is now; an earlier search is outdated."""

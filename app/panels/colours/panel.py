@@ -232,6 +232,7 @@ class ColoursPanel(Panel):
         if view is None or self.tuning is None:
             return
         self.image.source.take(view)
+        self.image.refresh()
         self.tuning.markers.watch(view)
         self._gather(view)
         self.tuning.watch_room(self.image.source.view)
