@@ -81,6 +81,16 @@ def test_known_offsets_are_found_to_3_ms(recording, late: float) -> None:
     assert abs(found.value - late) < 3 * found.sd < 0.008
 
 
+@pytest.mark.parametrize("late", [-0.015, 0.030])
+@pytest.mark.parametrize("blind", ["left", "right"])
+def test_one_camera_tells_it_too(recording, late: float, blind: str) -> None:
+    sim, packets, seen = recording
+    alone = [(replace(frame, **{blind: None}), result) for frame, result in seen]
+    found = measured((sim, packets, alone), late).estimate
+    assert found.value == pytest.approx(late, abs=0.007)
+    assert abs(found.value - late) < 3 * found.sd < 0.015
+
+
 def test_a_saved_state_goes_on_identically(recording) -> None:
     whole, parts = measured(recording, 0.01), measured(recording, 0.01, keep=1111)
     assert whole.estimate == parts.estimate

@@ -49,6 +49,7 @@ class TimeOffsetParams:
     huber: float = 2.0  # standard deviations
     limit: float = 0.1  # beyond it the estimate is not believed
     correlation: float = 2.0  # of neighbouring pairs: factor on the variance
+    correlation_of_one: float = 8.0  # the same of one camera, whose perspective errs for longer
     pairs: int = 60  # before anything is said
 
 
@@ -96,6 +97,7 @@ class TimeOffsetKept:
     count: float
     last: float
     last_seen: float
+    of_one: bool = False
 
 
 class TimeOffset:
@@ -120,6 +122,7 @@ class TimeOffset:
         self._late: deque[_RootView] = deque()  # seen, and waiting for packets
         self._ata = self._atb = self._count = 0.0
         self._rss, self._last, self._last_seen = 0.0, -np.inf, -np.inf
+        self._of_one = False  # images of one camera have told of it
 
     @property
     def estimate(self) -> Offset:
@@ -128,7 +131,8 @@ class TimeOffset:
         if self._count < p.pairs or self._ata <= 0:
             return Offset()
         value = self._atb / self._ata
-        variance = self._rss / (3 * self._count) * p.correlation / self._ata
+        correlation = p.correlation_of_one if self._of_one else p.correlation
+        variance = self._rss / (3 * self._count) * correlation / self._ata
         if abs(value) > p.limit:
             return Offset()
         return Offset(float(value), float(np.sqrt(variance)))
@@ -173,6 +177,7 @@ class TimeOffset:
             count=float(self._count),
             last=float(self._last),
             last_seen=float(self._last_seen),
+            of_one=self._of_one,
         )
 
     def set_state(self, state: TimeOffsetKept) -> None:
@@ -180,12 +185,13 @@ class TimeOffset:
         self._gyro, self._seen, self._late = deque(state.gyro), deque(state.seen), deque(state.late)
         self._ata, self._atb, self._rss = state.ata, state.atb, state.rss
         self._count, self._last, self._last_seen = state.count, state.last, state.last_seen
+        self._of_one = state.of_one
 
     # ---- markers
 
     def _view(self, frame: BlobFrame, result: FrameResult) -> _RootView | None:
         """The root's markers that all images show; None where they are few or do not fit."""
-        if frame.left is None or frame.right is None:
+        if not frame.left or not frame.right:  # none there, or none with a blob
             return self._view_of_one(frame, result)
         marker, left, right = _in_both(self._markers, result.match_left, result.match_right)
         if len(marker) < self._params.markers:
@@ -201,7 +207,7 @@ class TimeOffset:
         """The same of one camera; its markers are placed as the root's pose has them."""
         blobs, match = frame.left, result.match_left
         camera = self._rig.left
-        if blobs is None:
+        if not blobs:
             blobs, match, camera = frame.right, result.match_right, self._rig.right
         marker = self._markers[match[self._markers] >= 0]
         if blobs is None or len(marker) < self._params.markers_of_one:
@@ -211,6 +217,7 @@ class TimeOffset:
         found = posed(self._nominal[marker], seen)
         if found is None or found[2] > self._params.misfit:
             return None
+        self._of_one = True
         R_CB, p_CB, _ = found
         R_GC = (frame.pose or rig.pose).R_GC
         p_G = (self._nominal[marker] @ R_CB.T + p_CB) @ R_GC.T
