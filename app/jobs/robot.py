@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from app.engines.engine import EngineSetup, FollowedHand
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
-from app.jobs.outputs import remembered
+from app.jobs.connections import remembered
 from app.jobs.robot_playback import RobotPlayback
 from app.storage.settings import SettingsStore
 from app.viewmodels.robot import RobotFigures, RobotView

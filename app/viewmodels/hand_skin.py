@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from app.viewmodels.made_skins import MADE, PATCH_FACES, PATCH_POINTS
 from app.viewmodels.states import NEUTRAL, VALIDITY
-from tracker.glove.model import GloveModel, Marker
+from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.hand.skin.mesh import Skin, SkinMaker
 from tracker.hand.skin.posing import Rest, posed, rest_of
 from tracker.messages import Array, Calibration, IntArray, Validity
 
@@ -19,9 +19,6 @@ TINT = {Validity.MEASURED: 0.38, Validity.INFERRED: 0.45, Validity.LOST: 0.6}
 """How much of a state's colour is in the skin; hatching and dots say the same without colour."""
 ARM_FROM, ARM_TO = 0.005, 0.03  # m behind the wrist where skin turns into plain forearm
 FADE_FROM, FADE_TO = 0.05, 0.125  # and where the forearm, which nothing tracks, fades away
-PROUD = 0.0004  # m that a patch lies above the skin
-RINGS = (0.45, 0.7, 0.8, 1.0)  # shares of a patch's half size
-SPOKES = 16
 OUTER, INNER = (0, 1, 2, 3), (0, 1)
 """Rings of a patch that is seen now; of one seen lately. One never seen is the last ring alone."""
 NOTICEABLE = 1e-3  # change of a scale from which the skin is made to size again
@@ -38,14 +35,14 @@ class Draped:
 
 
 class HandSkin:
-    """A hand's skin at the wearer's size. Making one takes about a second: beside the window."""
+    """A hand's skin at the wearer's size. Making one that is not in `MADE` takes about a second:
+    beside the window."""
 
     def __init__(self, hand: HandModel, glove: GloveModel) -> None:
         self._hand = hand
-        maker = SkinMaker(hand, (glove.marker_segment(hand), glove.marker_position))
-        self.skin = maker.skin()
-        self.patches, self._ring = _patches(maker, hand, glove)
-        self._owner = np.repeat(np.arange(len(glove.markers)), _PATCH_FACES)
+        made = MADE.get(hand, glove)
+        self.skin, self.patches, self._ring = made.skin, made.patches, made.ring
+        self._owner = np.repeat(np.arange(len(glove.markers)), PATCH_FACES)
         self._looks = np.empty((0, LOOK))
         self._states: IntArray | None = None
         self._fit(np.ones((len(hand.segments), 3)))
@@ -89,7 +86,7 @@ class HandSkin:
     def draped_patches(self, R: Array, p: Array, colours: list[str]) -> Draped:
         """The glove's patches in ``colours`` by marker."""
         rows = np.array([[*_rgb(c), 1.0, 0.45, 0.0, 0.0] for c in colours]).reshape(-1, LOOK)
-        return Draped(*posed(self._rest_patches, R, p), np.repeat(rows, _PATCH_POINTS, axis=0))
+        return Draped(*posed(self._rest_patches, R, p), np.repeat(rows, PATCH_POINTS, axis=0))
 
     def patch_faces(self, now: Faces, lately: Faces) -> Faces:
         """(F,) which faces of the patches are drawn, of markers (M,) seen now and lately."""
@@ -129,50 +126,3 @@ def _rgb(colour: str) -> tuple[float, ...]:
 def _rise(x: Array, low: float, high: float) -> Array:
     t = np.clip((x - low) / (high - low), 0.0, 1.0)
     return np.asarray(t * t * (3 - 2 * t))
-
-
-_PATCH_POINTS = 1 + len(RINGS) * SPOKES
-_PATCH_FACES = SPOKES * (2 * len(RINGS) - 1)
-
-
-def _patches(maker: SkinMaker, hand: HandModel, glove: GloveModel) -> tuple[Skin, IntArray]:
-    """All patches in one, and the ring (F,) that each face ends at."""
-    faces, ring = _patch_faces()
-    points = [_patch_points(maker, hand, m) for m in glove.markers]
-    every = [faces + _PATCH_POINTS * k for k in range(len(points))]
-    empty = np.empty((0, 3))
-    skin = maker.patch(
-        np.concatenate([empty, *points]), np.concatenate([empty, *every]).astype(np.int64), PROUD
-    )
-    return skin, np.tile(ring, len(points))
-
-
-def _patch_points(maker: SkinMaker, hand: HandModel, marker: Marker) -> Array:
-    """(`_PATCH_POINTS`, 3) m around a marker, in its tangential plane, in the bind pose."""
-    other = np.eye(3)[np.abs(marker.normal).argmin()]
-    a = np.cross(marker.normal, other)
-    a /= np.linalg.norm(a)
-    b = np.cross(marker.normal, a)
-    angle = 2 * np.pi * (np.arange(SPOKES) + 0.5) / SPOKES
-    around = np.cos(angle)[:, None] * a + np.sin(angle)[:, None] * b
-    if marker.shape == "square":
-        around /= np.maximum(np.abs(np.cos(angle)), np.abs(np.sin(angle)))[:, None]
-    rings = [np.zeros((1, 3)), *(0.5 * marker.size * share * around for share in RINGS)]
-    segment = np.full(_PATCH_POINTS, hand.index[marker.segment])
-    return maker.in_bind_pose(segment, marker.position + np.concatenate(rings))
-
-
-def _patch_faces() -> tuple[IntArray, IntArray]:
-    """(F, 3) triangles of a patch, counter-clockwise about its normal; (F,) the ring of each."""
-    here = np.arange(SPOKES)
-    after = (here + 1) % SPOKES
-    faces = [np.stack([0 * here, 1 + here, 1 + after], axis=1)]
-    rings = [np.zeros(SPOKES)]
-    for k in range(1, len(RINGS)):
-        inner, outer = 1 + (k - 1) * SPOKES, 1 + k * SPOKES
-        faces += [
-            np.stack([inner + here, outer + here, outer + after], axis=1),
-            np.stack([inner + here, outer + after, inner + after], axis=1),
-        ]
-        rings.append(np.full(2 * SPOKES, k))
-    return np.concatenate(faces), np.concatenate(rings).astype(np.int64)

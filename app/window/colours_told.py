@@ -26,7 +26,7 @@ class ColoursTold(QObject):
         if not unfit:
             self._messages.no_longer(ABOUT)
             return
-        self._panel.fit_by_itself()
+        self._panel.fitting.fit_by_itself()
         text = self.tr("The colours find many patches, none fit the glove: fit the colours.")
         fit = (self.tr("Fit them now"), self._fit)
         look = (self.tr("Show the colours"), lambda: self._show(self._panel.name))
@@ -34,8 +34,8 @@ class ColoursTold(QObject):
 
     def no_hand(self) -> None:
         """The glove sends, images come, and no hand was found among them since the start."""
-        self._panel.fit_by_itself()
+        self._panel.fitting.fit_by_itself()
 
     def _fit(self) -> None:
         self._show(self._panel.name)  # it gathers images while it is in sight
-        self._panel.fit_live()
+        self._panel.fitting.fit_live()

@@ -66,7 +66,7 @@ def headless_report(
     window.set_theme("dark")
     window.outputs.use(streams)
     if wearer is not None:
-        window.calibration.begin_with(wearer)
+        window.calibration.profiles.begin_with(wearer)
     window.show()
     try:
         return _run(window, duration, out, watched)

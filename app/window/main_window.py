@@ -214,7 +214,7 @@ class MainWindow(QMainWindow):
 
     def _keep_learned(self) -> None:
         """What guided poses have taught stays beyond today only in somebody's profile."""
-        if not self.calibration.keep_learned():
+        if not self.calibration.profiles.keep_learned():
             text = self.tr("It is kept while this session runs.")
             ask = (self.tr("Save it for the next time…"), self.calibration.wearer.ask_name)
             self.messages.say(text, ask, good=True)

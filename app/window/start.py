@@ -117,7 +117,7 @@ def _show(
     instance.answer = window.remote.answers.answer_line
     window.sources.baud = args.baud
     if args.wearer is not None:
-        window.calibration.begin_with(args.wearer)
+        window.calibration.profiles.begin_with(args.wearer)
     window.show()
     if args.demo:
         window.sources.open_demo(_demo(args), camera)

@@ -8,7 +8,6 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QDialog,
     QDoubleSpinBox,
     QFileDialog,
     QFormLayout,
@@ -28,8 +27,7 @@ from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
 from app.storage.settings import SettingsStore
 from app.widgets.image_view import ImageView
-from app.widgets.measures import APART, WIDE
-from app.wizards.sizing import fit_to_screen
+from app.wizards.form_dialog import FormDialog, beside, filler, labelled
 from app.words import mark, tr
 from tracker.sensors.camera_controls import Control, Locks, locks_from, locks_text
 from tracker.sensors.camera_plugins import all_cameras
@@ -41,8 +39,8 @@ LARGEST = 100_000.0
 LIVE = 90  # px that an image is high at least
 
 
-class CameraSetup(QDialog):
-    """Not modal; locks take effect at once. ``chosen`` says that another camera was stored."""
+class CameraSetup(FormDialog):
+    """Locks take effect at once. ``chosen`` says that another camera was stored."""
 
     chosen = Signal()
 
@@ -54,12 +52,10 @@ class CameraSetup(QDialog):
         parent: QWidget | None = None,
         find: Callable[[], list[CameraName]] = all_cameras,
     ) -> None:
-        super().__init__(parent)
+        super().__init__("camera_setup", (560, 560), parent)
         self._host, self._store, self._tasks, self._find = host, store, tasks, find
         self._cameras: list[CameraName] = []
         self.setWindowTitle(self.tr("Camera set-up"))
-        self.setObjectName("camera_setup")
-        fit_to_screen(self, 560, 560)
         self.left, self.right, self.other = QComboBox(), QComboBox(), QLineEdit()
         self.exchanged = QCheckBox(self.tr("&Exchange left and right"))
         self.exchanged.setToolTip(self.tr("Where a stereo calibration finds the cameras exchanged"))
@@ -73,7 +69,9 @@ class CameraSetup(QDialog):
         )
         self.locks = LockBox()
         self.locks.wanted.connect(self._lock)
-        self._lay_out()
+        self.use = QPushButton(self.tr("&Use this camera"))
+        self.use.clicked.connect(self._use)
+        self.lay_out((self._form(), self._live(), self.arriving, self.locks), self.use)
         self.locks.show_locks(locks_from(store.value.camera_locks))
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._tick)
@@ -82,53 +80,27 @@ class CameraSetup(QDialog):
         self.search()
         self._tick()
 
-    def _lay_out(self) -> None:
-        self.again = QPushButton(self.tr("&Look again"))
+    def _form(self) -> QFormLayout:
         self.again.clicked.connect(self.search)
-        row = QHBoxLayout()
-        row.addWidget(self.left, 1)
-        row.addWidget(self.again)
-        left_label = QLabel(self.tr("&Camera"))
-        left_label.setBuddy(self.left)
         self.other.setPlaceholderText(self.tr("a video file, or rtsp:// or http:// of a stream"))
-        form = QFormLayout()
-        form.addRow(left_label, row)
-        form.addRow(self.tr("&Right images from"), self.right)
         self.browse = QPushButton(self.tr("&Browse…"))
         self.browse.clicked.connect(self._choose_file)
-        from_file = QHBoxLayout()
-        from_file.addWidget(self.other, 1)
-        from_file.addWidget(self.browse)
-        other_label = QLabel(self.tr("&Or from"))
-        other_label.setBuddy(self.other)
-        form.addRow(other_label, from_file)
+        form = QFormLayout()
+        form.addRow(labelled(self.tr("&Camera"), self.left), beside(self.left, self.again))
+        form.addRow(self.tr("&Right images from"), self.right)
+        form.addRow(labelled(self.tr("&Or from"), self.other), beside(self.other, self.browse))
         form.addRow("", self.exchanged)
-        self.use = QPushButton(self.tr("&Use this camera"))
-        self.use.setProperty("role", "primary")
-        self.use.setDefault(True)
-        self.use.clicked.connect(self._use)
-        stop = QPushButton(self.tr("Close"))
-        stop.clicked.connect(self.close)
-        buttons = QHBoxLayout()
-        buttons.addStretch(1)
-        buttons.addWidget(stop)
-        buttons.addWidget(self.use)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(WIDE, APART, WIDE, APART)
-        column.setSpacing(APART)
-        column.addLayout(form)
-        column.addLayout(self._live(), 1)
-        column.addWidget(self.arriving)
-        column.addWidget(self.locks)
-        column.addLayout(buttons)
+        return form
 
-    def _live(self) -> QHBoxLayout:
+    def _live(self) -> QWidget:
         """What arrives now, where it can be seen whether left is left."""
-        row = QHBoxLayout()
+        live = filler()
+        row = QHBoxLayout(live)
+        row.setContentsMargins(0, 0, 0, 0)
         for image in self.images:
             image.setMinimumHeight(LIVE)
             row.addWidget(image)
-        return row
+        return live
 
     # --- which camera
 

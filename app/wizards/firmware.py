@@ -6,21 +6,17 @@ from collections.abc import Callable
 
 from PySide6.QtWidgets import (
     QComboBox,
-    QDialog,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
     QProgressBar,
     QPushButton,
     QSpinBox,
-    QVBoxLayout,
     QWidget,
 )
 
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import TaskOwner
-from app.widgets.measures import APART, WIDE
-from app.wizards.sizing import fit_to_screen
+from app.wizards.form_dialog import FormDialog, beside, filler
 from tracker.errors import GlovetrackError
 from tracker.firmware.flash import BOOTLOADERS, FlashJob, flash
 from tracker.firmware.image import BAUDS, shipped_image, version_text
@@ -31,8 +27,8 @@ from tracker.sensors.protocol import Hello
 LARGEST_NUMBER = 65535
 
 
-class FirmwareSetup(QDialog):
-    """Not modal. Tracking on the real glove is stopped before its firmware is written."""
+class FirmwareSetup(FormDialog):
+    """Tracking on the real glove is stopped before its firmware is written."""
 
     def __init__(
         self,
@@ -43,13 +39,11 @@ class FirmwareSetup(QDialog):
         write: Callable[[FlashJob], None] = flash,
         greet: Callable[[str], Hello | None] = greeting,
     ) -> None:
-        super().__init__(parent)
+        super().__init__("firmware", (520, 340), parent)
         self._host, self._tasks = host, tasks
         self._find, self._write_with, self._greet = find, write, greet
         self._found: dict[str, PortReport] = {}
         self.setWindowTitle(self.tr("Glove firmware"))
-        self.setObjectName("firmware")
-        fit_to_screen(self, 520, 340)
         self.ports, self.speeds, self.boards = QComboBox(), QComboBox(), QComboBox()
         self.ports.setEditable(True)
         self.number = QSpinBox()
@@ -66,40 +60,20 @@ class FirmwareSetup(QDialog):
         self.busy = QProgressBar()
         self.busy.setRange(0, 0)
         self.busy.hide()
-        self._lay_out()
+        self.again.clicked.connect(self.look)
+        self.write = QPushButton(self.tr("&Write and verify"))
+        self.write.clicked.connect(self._write)
+        self.lay_out((self.versions, self._form(), self.busy, self.words, filler()), self.write)
         self.ports.currentTextChanged.connect(lambda _path: self._show_versions())
         self.look()
 
-    def _lay_out(self) -> None:
-        self.again = QPushButton(self.tr("&Look again"))
-        self.again.clicked.connect(self.look)
-        row = QHBoxLayout()
-        row.addWidget(self.ports, 1)
-        row.addWidget(self.again)
+    def _form(self) -> QFormLayout:
         form = QFormLayout()
-        form.addRow(self.tr("Port"), row)
+        form.addRow(self.tr("Port"), beside(self.ports, self.again))
         form.addRow(self.tr("&Number of the glove"), self.number)
         form.addRow(self.tr("&Speed"), self.speeds)
         form.addRow(self.tr("&Board"), self.boards)
-        self.write = QPushButton(self.tr("&Write and verify"))
-        self.write.setProperty("role", "primary")
-        self.write.setDefault(True)
-        self.write.clicked.connect(self._write)
-        close = QPushButton(self.tr("Close"))
-        close.clicked.connect(self.close)
-        buttons = QHBoxLayout()
-        buttons.addStretch(1)
-        buttons.addWidget(close)
-        buttons.addWidget(self.write)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(WIDE, APART, WIDE, APART)
-        column.setSpacing(APART)
-        column.addWidget(self.versions)
-        column.addLayout(form)
-        column.addWidget(self.busy)
-        column.addWidget(self.words)
-        column.addStretch(1)
-        column.addLayout(buttons)
+        return form
 
     # --- what is there
 

@@ -85,17 +85,17 @@ def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
     panel, stage, engine, told = staged
     show(panel, stage, engine)
     before = painted(panel)
-    panel.choice.setCurrentIndex(panel.choice.findData("compass"))
+    panel.controls.choice.setCurrentIndex(panel.controls.choice.findData("compass"))
     show(panel, stage, engine)
     show(panel, stage, engine)
     assert stage.name == "compass"
     assert (painted(panel) != before).mean() > 0.01
     assert panel.said.text() == "sample 1"
     assert [e.data["what"] for e in told] == ["begins", "sample"]
-    panel.again.click()
+    panel.controls.again.click()
     show(panel, stage, engine)
     assert [e.data["what"] for e in told[2:]] == ["begins", "sample"]
-    panel.choice.setCurrentIndex(0)
+    panel.controls.choice.setCurrentIndex(0)
     show(panel, stage, engine)
     assert told[-1].data["what"] == "ends"
     assert panel.model.drawing == ()
@@ -105,7 +105,7 @@ def test_settings_are_changed_in_the_form(staged):
     panel, stage, engine, told = staged
     panel.choose("compass")
     show(panel, stage, engine)
-    panel.settings.click()
+    panel.controls.settings.click()
     assert set(panel.form.fields) == {"size", "loud", "place", "word"}
     panel.form.fields["size"].setValue(0.1)
     panel.form.fields["loud"].click()

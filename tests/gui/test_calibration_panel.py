@@ -69,7 +69,7 @@ def panel(window, engine, qtbot):
     teach(engine.inner, 1.04)
     window.host.adopt(setup_of(engine))
     window.run_command("show_calibration")
-    qtbot.waitUntil(lambda: window.calibration._worn.latest is not None, timeout=30_000)
+    qtbot.waitUntil(lambda: window.calibration.profiles.worn.latest is not None, timeout=30_000)
     return window.calibration
 
 
@@ -133,7 +133,7 @@ def test_a_profile_told_on_the_command_line_is_worn_from_the_start(
     panel, window, store, tmp_path, qtbot
 ):
     file = tmp_path / "anna.toml"
-    panel.export(file)
+    panel.profiles.export(file)
     qtbot.waitUntil(file.exists, timeout=30_000)
     args = _parser().parse_args(["--demo", "--wearer", str(file)])
     window.close()
@@ -163,7 +163,7 @@ def test_a_wearer_comes_back_after_a_restart(panel, store, qtbot, monkeypatch):
 
 
 def test_a_wearer_is_put_on_again_when_the_engine_changes(panel, engine, store, qtbot):
-    panel.save("Anna")
+    panel.profiles.save("Anna")
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
     engine.inner = chain()  # as a change of the engine makes it
     panel.window().sources.set_engine("chain")
@@ -177,7 +177,7 @@ def test_a_profile_goes_to_another_computer_as_text(panel, tmp_path, qtbot, monk
     panel.wearer.export_button.click()
     qtbot.waitUntil(file.exists, timeout=30_000)
     assert 'hand = "reference-right"' in file.read_text("utf-8")
-    panel.reset(None)
+    panel.profiles.reset(None)
     assert shown(panel, 0, 1).startswith("1.000 ± ")
     panel.wearer.import_button.click()
     assert panel.wearer.name == "Anna" and shown(panel, 0, 1).startswith("1.040 ± ")
@@ -192,11 +192,11 @@ def test_an_import_that_is_no_profile_is_refused_in_words(panel, tmp_path, monke
 
 
 def test_a_wearer_of_another_glove_is_refused_in_words(panel, store, qtbot):
-    panel.save("Anna")
+    panel.profiles.save("Anna")
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
     path = WearerStore(store.path.parent / "wearers").path("Anna")
     path.write_bytes(b"damaged")
-    panel.wear("Anna")
+    panel.profiles.wear("Anna")
     assert "Anna.toml is no profile of a wearer" in panel.window().banner.text()
     assert panel.wearer.name == ""
 
@@ -204,7 +204,7 @@ def test_a_wearer_of_another_glove_is_refused_in_words(panel, store, qtbot):
 def test_an_engine_without_profiles_says_so(panel, engine, qtbot):
     hand, glove, _ = models()
     engine.inner = Pipeline(hand, glove, simulation().rig, Settings(engine="vist")).engine
-    panel.reset(None)
+    panel.profiles.reset(None)
     window = panel.window()
     qtbot.waitUntil(
         lambda: window.log.model.entries("error", "Only the engine chain") != [], timeout=30_000
@@ -212,7 +212,7 @@ def test_an_engine_without_profiles_says_so(panel, engine, qtbot):
 
 
 def test_removing_a_wearer_removes_the_file(panel, store, qtbot):
-    panel.save("Anna")
+    panel.profiles.save("Anna")
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna", timeout=30_000)
     action(panel.wearer.save_button.menu(), "Remove this profile").trigger()
     assert WearerStore(store.path.parent / "wearers").names() == []

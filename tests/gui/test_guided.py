@@ -292,10 +292,10 @@ def test_what_is_kept_stays_with_the_engine(guided, clock, engine, qtbot):
 
 
 def test_what_is_kept_goes_into_the_chosen_wearers_profile(guided, window, clock, engine, qtbot):
-    window.calibration.save("Anna")
+    window.calibration.profiles.save("Anna")
     row = window.calibration.wearer
     qtbot.waitUntil(lambda: row.name == "Anna", timeout=10_000)
-    file = window.calibration._worn._store.path("Anna")
+    file = window.calibration.profiles.worn._store.path("Anna")
     before = file.read_text("utf-8")
     finished(guided, clock, engine, qtbot)
     guided.outcome.keep_button.click()

@@ -53,19 +53,19 @@ def test_the_aperture_is_there_and_any_distance_can_be_added(motion, engine: Scr
     true = 1000 * np.linalg.norm(estimate.keypoints[a] - estimate.keypoints[b])
     assert float(motion.table.item(row, VALUE).text().split()[0]) == pytest.approx(true, abs=0.06)
     many = motion.table.rowCount()
-    motion.ends[0].setCurrentText("wrist")
-    motion.ends[1].setCurrentText("middle_tip")
-    motion.add.click()
-    motion.add.click()  # the same once more is no second row
+    motion.controls.ends[0].setCurrentText("wrist")
+    motion.controls.ends[1].setCurrentText("middle_tip")
+    motion.controls.measure.click()
+    motion.controls.measure.click()  # the same once more is no second row
     assert motion.table.rowCount() == many + 1
     motion.refresh(motion.host.snapshot())
     assert motion.table.item(many, VALUE).text().endswith("mm")
-    motion.remove.click()
+    motion.controls.remove.click()
     assert motion.table.rowCount() == many
 
 
 def test_radians_are_kept_as_the_unit(motion, store):
-    motion.units.setCurrentIndex(motion.units.findData("rad"))
+    motion.controls.units.setCurrentIndex(motion.controls.units.findData("rad"))
     motion.refresh(motion.host.snapshot())
     assert store.value.angle_unit == "rad"
     assert motion.table.item(0, VALUE).text().endswith("rad")
@@ -82,7 +82,7 @@ def test_live_curves_are_of_the_last_seconds(motion, engine: ScriptedEngine):
 
 
 def test_the_table_goes_to_the_clipboard(motion):
-    motion.copy.click()
+    motion.controls.copy.click()
     lines = QGuiApplication.clipboard().text().splitlines()
     assert len(lines) == 1 + motion.table.rowCount()
     assert len(lines[0].split("\t")) == len(lines[1].split("\t")) == 12

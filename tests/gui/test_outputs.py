@@ -10,7 +10,8 @@ import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
 
-from app.jobs.outputs import HapticRule, remembered
+from app.jobs.connections import remembered
+from app.jobs.outputs import HAPTICS, HapticRule
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
 from tracker.errors import FileError
@@ -59,7 +60,7 @@ def test_as_installed_nothing_is_sent_and_only_this_computer_would_hear_it(panel
     assert not any(box.isChecked() for box in panel.boxes.values())
     assert set(panel.boxes) == set(STREAMS)
     assert panel.address.text() == "127.0.0.1"
-    assert window.outputs._attached == {}
+    assert all(window.outputs.counts(name) is None for name in (*STREAMS, HAPTICS))
 
 
 def test_the_isaac_record_has_a_file_that_is_chosen_and_never_replaced(
@@ -129,7 +130,7 @@ def test_what_was_on_runs_again_after_the_next_start(panel, window, store, liste
     with pytest.raises(BlockingIOError):  # nothing is sent before there is an engine
         listener.recv(65536)
     again.host.adopt(scripted_setup(ScriptedEngine()))
-    qtbot.waitUntil(lambda: "udp" in again.outputs._attached, timeout=10_000)
+    qtbot.waitUntil(lambda: again.outputs.counts("udp") is not None, timeout=10_000)
     assert received(qtbot, listener)["schema"] == 1
     again.close()
 
@@ -191,7 +192,7 @@ def test_a_fingertip_in_the_sphere_vibrates_its_motor(panel, window, motors, sto
     tip = engine.latest_estimate().keypoints[names.index("index_tip")]
     assert rule == HapticRule(True, 0.01, tuple(tip.tolist()))
     panel.rule.click()
-    qtbot.waitUntil(lambda: "haptics" not in window.outputs._attached, timeout=10_000)
+    qtbot.waitUntil(lambda: window.outputs.counts("haptics") is None, timeout=10_000)
 
 
 def test_without_an_engine_there_is_no_place_for_the_sphere(window):

@@ -6,11 +6,8 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtWidgets import (
-    QComboBox,
     QHBoxLayout,
     QLabel,
-    QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -19,6 +16,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.applications.bodies import ApplicationBodies
+from app.panels.applications.controls import ApplicationControls
 from app.panels.applications.settings_form import SettingsForm
 from app.panels.hand.bodies import HandBodies
 from app.panels.panel import Panel
@@ -29,7 +27,6 @@ from app.viewmodels.applications import ApplicationsModel
 from app.viewmodels.hand_scene import HandScene, HandSceneModel, ShownParts
 from app.viewmodels.hand_skin import HandSkin
 from app.widgets.measures import NEAR
-from app.widgets.one_line import OneLine
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG
 from app.widgets.view3d.scene import Label, contrast
 from app.widgets.view3d.view_3d import View3D
@@ -66,13 +63,11 @@ class ApplicationsPanel(Panel):
         self.form = SettingsForm()
         self.form.setFixedWidth(FORM_WIDTH)
         self.form.hide()
-        self.form.changed.connect(self._set)
+        self.controls = ApplicationControls()
         self.said = QLabel()
         self.said.setWordWrap(True)
         self._lay_out()
-        host.opened.connect(self._open)
-        host.closed.connect(self._clear)
-        host.hand_changed.connect(self._follow_hand)
+        self._connect()
         self._clear()
 
     def title(self) -> str:
@@ -85,44 +80,28 @@ class ApplicationsPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(NEAR)
-        column.addWidget(self._controls())
+        column.addWidget(self.controls)
         column.addLayout(middle, 1)
         column.addWidget(self.said)
 
-    def _controls(self) -> OneLine:
-        row = OneLine()
-        self.choice = QComboBox()
-        self.choice.setAccessibleName(self.tr("Application"))
-        self.choice.currentIndexChanged.connect(lambda _i: self._choose())
-        self.again = QPushButton(self.tr("Begin anew"))
-        self.again.clicked.connect(self._begin_anew)
-        self.fit = QPushButton(self.tr("Show all"))
-        self.fit.setToolTip(self.tr("Move the eye until all that is drawn is in sight"))
-        self.fit.clicked.connect(self._fit_next)
-        self.settings = QToolButton()
-        self.settings.setText(self.tr("Settings"))
-        self.settings.setCheckable(True)
-        self.settings.toggled.connect(self.form.setVisible)
-        self.page = QToolButton()
-        self.page.setText(self.tr("Page"))
-        self.page.setToolTip(self.tr("Show it in browsers of this machine, a headset's too"))
-        self.page.setCheckable(True)
-        self.page.toggled.connect(self._show_page)
-        for widget in (self.choice, self.again, self.fit, self.settings, self.page):
-            row.add(widget)
-        return row
+    def _connect(self) -> None:
+        row = self.controls
+        row.choice.currentIndexChanged.connect(lambda _i: self._run(row.chosen, None))
+        row.again.clicked.connect(self._begin_anew)
+        row.fit.clicked.connect(self._fit_next)
+        row.settings.toggled.connect(self.form.setVisible)
+        row.page.toggled.connect(self._show_page)
+        self.form.changed.connect(self._set)
+        self.host.opened.connect(self._open)
+        self.host.closed.connect(self._clear)
+        self.host.hand_changed.connect(self._follow_hand)
 
     # --- what is wanted
 
     def choose(self, name: str, settings: dict[str, Any] | None = None) -> None:
         """Run an application by its name; empty for none."""
-        self.choice.blockSignals(True)
-        self.choice.setCurrentIndex(max(0, self.choice.findData(name)))
-        self.choice.blockSignals(False)
+        self.controls.choose(name)
         self._run(name, settings)
-
-    def _choose(self) -> None:
-        self._run(str(self.choice.currentData() or ""), None)
 
     def _run(self, name: str, settings: dict[str, Any] | None) -> None:
         if self.model is None:
@@ -132,9 +111,9 @@ class ApplicationsPanel(Panel):
         self._make_bodies()
         self._fit_next()
         self._say(problem)
-        for button in (self.again, self.settings):
+        for button in (self.controls.again, self.controls.settings):
             button.setEnabled(bool(name) and not problem)
-        self.view.setAccessibleDescription(self.choice.currentText())
+        self.view.setAccessibleDescription(self.controls.choice.currentText())
 
     def _begin_anew(self) -> None:
         if self.model is not None and self.model.stage is not None:
@@ -163,13 +142,7 @@ class ApplicationsPanel(Panel):
         self._clear()
         self._setup, self.model = setup, ApplicationsModel(setup)
         self._hand_model = HandSceneModel(setup)
-        self.choice.blockSignals(True)
-        self.choice.addItem(self.tr("No application"), "")
-        for name, title in self.model.titles.items():
-            self.choice.addItem(title, name)
-        self.choice.blockSignals(False)
-        self.choice.setEnabled(True)
-        self.page.setEnabled(setup.stage is not None)
+        self.controls.offer(self.model.titles, setup.stage is not None)
         self.view.orbit.look_from(FIRST_LOOK)
         name, settings = self.model.recorded
         if name in self.model.titles:
@@ -189,14 +162,7 @@ class ApplicationsPanel(Panel):
         self._setup = self.model = self._hand_model = self._bodies = self._skin = None
         self._skin_asked = False
         self._skins.forget()
-        self.choice.blockSignals(True)
-        self.choice.clear()
-        self.choice.blockSignals(False)
-        self.page.blockSignals(True)
-        self.page.setChecked(False)
-        self.page.blockSignals(False)
-        for widget in (self.choice, self.again, self.settings, self.page):
-            widget.setEnabled(False)
+        self.controls.clear()
         self.form.show_rows([])
         self._say("")
         self.view.set_labels(())

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
@@ -11,6 +9,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.colours.files import ColoursFiles
+from app.panels.colours.fitting import ColoursFitting
 from app.panels.colours.image import ColoursImage
 from app.panels.colours.light import ColoursLight
 from app.panels.colours.ranges import ColoursRanges
@@ -21,11 +20,10 @@ from app.storage.colour_autosave import ColourAutosave
 from app.storage.colour_store import ColourStore
 from app.storage.image_folder import ImageFolder
 from app.storage.settings import SettingsStore
-from app.viewmodels.colour_fits import Fit, FitWork, fit_words, image_fit
+from app.viewmodels.colour_fits import image_fit
 from app.viewmodels.colour_tuning import ColourTuning, factory_colours
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.two_halves import TwoHalves
-from tracker.errors import GlovetrackError
 
 TWO_COLUMNS = 540  # px of width, more than two columns need at least
 SETTINGS_IMAGES = "pictures"  # the folder's name in the settings of users
@@ -45,10 +43,10 @@ class ColoursPanel(Panel):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(host, parent)
-        self._tasks, self._folder = tasks, store.path.parent
+        self._folder = store.path.parent
         self.keeper = ColourAutosave(ColourStore(self._folder / "colours"), self)
         self.tuning: ColourTuning | None = None
-        self._unasked = False  # of the fit that waits for images
+        self.fitting = ColoursFitting(tasks, self)
         self.ranges, self.image = ColoursRanges(), ColoursImage(tasks)
         self.files, self.tools, self.light = ColoursFiles(self), ColoursTools(), ColoursLight()
         column = QVBoxLayout(self)
@@ -72,9 +70,10 @@ class ColoursPanel(Panel):
         tools.undo.connect(self.undo)
         tools.redo.connect(self.redo)
         image = self.image.source.image
-        tools.fit_live.connect(self.fit_live)
-        tools.fit_image.connect(lambda: self._fit(lambda t: image_fit(image(), t.profile, t.setup)))
-        tools.fit_markers.connect(lambda: self._fit(lambda t: t.markers.fit(t.profile)))
+        fit = self.fitting.fit
+        tools.fit_live.connect(self.fitting.fit_live)
+        tools.fit_image.connect(lambda: fit(lambda t: image_fit(image(), t.profile, t.setup)))
+        tools.fit_markers.connect(lambda: fit(lambda t: t.markers.fit(t.profile)))
         tools.load.connect(self.files.ask_load)
         tools.save.connect(self.files.ask_save)
         tools.shipped.connect(self.start_again)
@@ -88,9 +87,10 @@ class ColoursPanel(Panel):
         self.image.picked.connect(self._picked)
         self.image.changed.connect(self._draw)
         self.files.loaded.connect(self._apply)
+        self.fitting.taken.connect(self._apply)
         self.files.saved.connect(self._draw)
         self.light.changed.connect(self._draw)
-        for part in (self.keeper, self.image, self.files, self.light):
+        for part in (self.keeper, self.image, self.files, self.light, self.fitting):
             part.failed.connect(self.host.error)
         self.host.opened.connect(self._open)
 
@@ -99,7 +99,7 @@ class ColoursPanel(Panel):
     def _open(self, setup: EngineSetup) -> None:
         kept = self.keeper.open(setup.camera, setup.profile)
         self.tuning = ColourTuning(setup, kept)
-        self.files.tuning = self.image.tuning = self.tuning
+        self.files.tuning = self.image.tuning = self.fitting.tuning = self.tuning
         self.ranges.hues.fill(setup.profile.hue_names)
         folder = self._folder / SETTINGS_IMAGES / (self.keeper.camera or "replays")
         self.image.source.set_folder(ImageFolder(folder))
@@ -161,63 +161,11 @@ class ColoursPanel(Panel):
             self.tuning.pick(image, u, v, with_control or self.tools.leaving_out)
             self._apply()
             if self.tuning.all_picked:
-                self._fit(lambda t: t.picked_fit())
-
-    def _fit(self, work_of: Callable[[ColourTuning], FitWork]) -> None:
-        """Fit in the background."""
-        if self.tuning is None:
-            return
-        try:
-            work = work_of(self.tuning)
-        except GlovetrackError as error:
-            self.host.error.emit(str(error))
-            return
-        self._tasks.run(self.tr("Fitting the colours"), lambda _progress: work(), self._fitted)
-
-    def _fitted(self, fit: Fit) -> None:
-        """Nothing found changes nothing."""
-        profile, hues = fit
-        if self.tuning is not None and profile is self.tuning.profile:
-            return  # a fit that nobody asked for, refused
-        words = fit_words(hues, profile)
-        if self.tuning is not None and hues:
-            self.tuning.take(profile, words)
-            self._apply()
-        else:
-            self.host.error.emit(words)
-
-    def fit_live(self) -> None:
-        """Fit to the images of the next or last seconds, with the packets around them."""
-        if self.tuning is None:
-            return
-        self._unasked = False
-        try:
-            self.tuning.live.ask()
-        except GlovetrackError as error:
-            self.host.error.emit(str(error))
-
-    def fit_by_itself(self) -> None:
-        """The same where nobody asked: what is refused then changes nothing and is not told."""
-        tuning = self.tuning
-        if tuning is None or tuning.setup.player is not None or not tuning.setup.whole:
-            return
-        if not tuning.live.wanted:
-            tuning.live.ask()
-            self._unasked = True
+                self.fitting.fit(lambda t: t.picked_fit())
 
     @property
     def works_unseen(self) -> bool:
-        return self.tuning is not None and self.tuning.live.wanted
-
-    def _gather(self, view: Snapshot) -> None:
-        """Keep images for a fit, and begin one that waits for them."""
-        tuning = self.tuning
-        if tuning is None or not self.image.source.is_live:
-            return
-        tuning.live.watch(view)
-        if tuning.live.wanted and tuning.live.is_enough:
-            unasked, self._unasked = self._unasked, False
-            self._fit(lambda t: t.live.fit(t.profile, refuse=not unasked))
+        return self.fitting.waits
 
     def check_room(self) -> None:
         """Take the image shown now for the room without the glove."""
@@ -234,7 +182,8 @@ class ColoursPanel(Panel):
         self.image.source.take(view)
         self.image.refresh()
         self.tuning.markers.watch(view)
-        self._gather(view)
+        if self.image.source.is_live:
+            self.fitting.gather(view)
         self.tuning.watch_room(self.image.source.view)
         self.light.look_at(self.image.shown(), self.tuning)
         self._draw()

@@ -18,6 +18,7 @@ from app.storage.settings import SettingsStore
 from app.viewmodels.gestures import ShownGestures
 from app.viewmodels.hand_scene import HandScene, followed, view_direction
 from app.viewmodels.hand_skin import HandSkin
+from app.viewmodels.made_skins import MADE
 from app.viewmodels.states import VALIDITY
 from app.widgets.measures import NEAR, WIDE
 from app.widgets.view3d.view_3d import View3D
@@ -139,7 +140,8 @@ class HandPanel(Panel):
         self._make_skins(self._hands)
 
     def _make_skins(self, hands: list[ShownHand]) -> None:
-        """They take a second each, so beside the window."""
+        """At once where they were made before, as when a session is opened again; otherwise they
+        take a second each, so beside the window."""
         models = [(hand.setup.hand, hand.setup.glove) for hand in hands]
 
         def made(skins: list[HandSkin]) -> None:
@@ -147,7 +149,10 @@ class HandPanel(Panel):
                 for hand, skin in zip(hands, skins, strict=True):
                     hand.put_on(skin)
 
-        self._skins.run(lambda _progress: [HandSkin(*model) for model in models], made)
+        if all(MADE.has(*model) for model in models):
+            made([HandSkin(*model) for model in models])
+        else:
+            self._skins.run(lambda _progress: [HandSkin(*model) for model in models], made)
 
     def _make_bodies(self) -> None:
         """Fill the scene of the view that draws now."""

@@ -6,10 +6,8 @@ from pathlib import Path
 
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
-    QComboBox,
     QFileDialog,
     QLabel,
-    QPushButton,
     QSplitter,
     QVBoxLayout,
     QWidget,
@@ -19,6 +17,7 @@ from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.jobs.take_motion import csv_of, read_motion
+from app.panels.motion.controls import MotionControls
 from app.panels.motion.plot import MotionPlot
 from app.panels.motion.table import MotionTable
 from app.panels.panel import Panel
@@ -26,7 +25,6 @@ from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.motion import MotionModel
 from app.widgets.measures import NEAR
-from app.widgets.one_line import OneLine
 from tracker.errors import GlovetrackError
 
 FIGURES_EVERY = 10  # refreshes
@@ -48,8 +46,7 @@ class MotionPanel(Panel):
         self._reading.failed.connect(self._say)
         self._turn = 0
         self.table, self.plot = MotionTable(), MotionPlot()
-        self.table.itemSelectionChanged.connect(self._choose_curves)
-        self.plot.sought.connect(self._seek)
+        self.controls = MotionControls(store.value.angle_unit)
         both = QSplitter()
         both.addWidget(self.table)
         both.addWidget(self.plot)
@@ -59,40 +56,27 @@ class MotionPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, NEAR, NEAR, NEAR)
         column.setSpacing(NEAR)
-        column.addWidget(self._controls())
+        column.addWidget(self.controls)
         column.addWidget(both, 1)
         column.addWidget(self.said)
-        host.opened.connect(self._open)
-        host.hand_changed.connect(self._open)
-        host.closed.connect(self._clear)
+        self._connect()
         self._clear()
 
     def title(self) -> str:
         return self.tr("Motion")
 
-    def _controls(self) -> OneLine:
-        row = OneLine()
-        self.ends = QComboBox(), QComboBox()
-        self.ends[0].setAccessibleName(self.tr("Distance from"))
-        self.ends[1].setAccessibleName(self.tr("Distance to"))
-        self.add = QPushButton(self.tr("Measure this distance"))
-        self.add.clicked.connect(self._add_distance)
-        self.remove = QPushButton(self.tr("Remove"))
-        self.remove.setToolTip(self.tr("Measure the chosen distances no more"))
-        self.remove.clicked.connect(self._remove_distances)
-        self.units = QComboBox()
-        self.units.setAccessibleName(self.tr("Unit of angles"))
-        self.units.addItem(self.tr("Degrees"), "deg")
-        self.units.addItem(self.tr("Radians"), "rad")
-        self.units.setCurrentIndex(self.units.findData(self._store.value.angle_unit))
-        self.units.currentIndexChanged.connect(lambda _i: self._choose_units())
-        self.copy = QPushButton(self.tr("Copy the table"))
-        self.copy.clicked.connect(self._copy)
-        self.save = QPushButton(self.tr("Save as CSV…"))
-        self.save.clicked.connect(self._ask_file)
-        for widget in (self.units, self.copy, self.save, *self.ends, self.add, self.remove):
-            row.add(widget)
-        return row
+    def _connect(self) -> None:
+        row = self.controls
+        row.measure.clicked.connect(self._add_distance)
+        row.remove.clicked.connect(self._remove_distances)
+        row.units.currentIndexChanged.connect(lambda _i: self._choose_units())
+        row.copy.clicked.connect(self._copy)
+        row.save.clicked.connect(self._ask_file)
+        self.table.itemSelectionChanged.connect(self._choose_curves)
+        self.plot.sought.connect(self._seek)
+        self.host.opened.connect(self._open)
+        self.host.hand_changed.connect(self._open)
+        self.host.closed.connect(self._clear)
 
     def _say(self, text: str) -> None:
         self.said.setText(text)
@@ -104,16 +88,14 @@ class MotionPanel(Panel):
         self._clear()
         self._setup, self.model = setup, MotionModel(setup)
         self.model.choose_units(self._store.value.angle_unit)
-        for box in self.ends:
-            box.addItems(list(self.model.point_names))
-        self.ends[1].setCurrentIndex(self.ends[1].count() - 1)
+        self.controls.offer_points(self.model.point_names)
         self._name_rows()
         names = self.model.names
         for name in FIRST_ROWS:
             if name in names:
                 self.table.selectRow(names.index(name))
                 break
-        self._enable(True)
+        self.controls.enable(True)
         if setup.player is not None:
             self._say(self.tr("Reading the whole take…"))
             self._reading.run(read_motion(setup.player.path), self._use_take)
@@ -130,14 +112,9 @@ class MotionPanel(Panel):
         self.table.name_rows([])
         self.plot.show_names([])
         self.plot.show_position(None)
-        for box in self.ends:
-            box.clear()
-        self._enable(False)
+        self.controls.offer_points(())
+        self.controls.enable(False)
         self._say("")
-
-    def _enable(self, on: bool) -> None:
-        for widget in (*self.ends, self.add, self.remove, self.copy, self.save):
-            widget.setEnabled(on)
 
     def refresh(self, view: Snapshot | None) -> None:
         if self.model is None or view is None or view.estimate is None:
@@ -178,15 +155,14 @@ class MotionPanel(Panel):
             player.seek(min(max(position, 0.0), player.duration))
 
     def _choose_units(self) -> None:
-        self._store.update(angle_unit=self.units.currentData())
+        self._store.update(angle_unit=self.controls.units.currentData())
         if self.model is not None:
             self.model.choose_units(self._store.value.angle_unit)
             self._show_figures()
             self._show_curves()
 
     def _add_distance(self) -> None:
-        pair = self.ends[0].currentText(), self.ends[1].currentText()
-        if self.model is not None and self.model.add_pair(pair):
+        if self.model is not None and self.model.add_pair(self.controls.pair):
             self._name_rows()
             self.table.selectRow(self.table.rowCount() - 1)
 

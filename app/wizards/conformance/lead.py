@@ -1,64 +1,27 @@
-"""The page that leads through the script: a hand that shows the step, large words, the beats."""
+"""The page that leads through the script: words, and the beats before each step."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.engines.engine import EngineSetup
 from app.viewmodels.conformance import Phase, ScriptRun
 from app.viewmodels.states import BLUISH_GREEN, SKY
-from app.widgets.measures import FAR
-from app.wizards.guided.stage import PoseStage
+from app.wizards.leading.page import LeadingPage
 from tracker.messages import Estimate
 
 
-class ScriptPage(QWidget):
+class ScriptPage(LeadingPage):
     """Buttons and words; `ConformanceDialog` does what they ask."""
 
     def __init__(self, setup: EngineSetup, background: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.stage = PoseStage(setup, background)
-        self.words, self.beat, self.notes, self.chips = (
-            self._label(n) for n in ("script_words", "script_beat", "script_notes", "script_chips")
-        )
-        self.chips.setTextFormat(Qt.TextFormat.RichText)
+        super().__init__(setup, background, parent)
+        self.beat = self.label("beat")
         self.beat.setAlignment(Qt.AlignmentFlag.AlignHCenter)
-        self.sound = QCheckBox(self.tr("Soun&d"))
         self.sound.setToolTip(self.tr("A beep at each beat before a step"))
-        self.start = QPushButton(self.tr("&Start"))
-        self.start.setProperty("role", "primary")
         self.start.setDefault(True)
-        self.stop = QPushButton(self.tr("End (Esc)"))
-        self.stop.setAutoDefault(False)
-        self._lay_out()
-
-    def _label(self, name: str) -> QLabel:
-        label = QLabel()
-        label.setObjectName(name)
-        label.setWordWrap(True)
-        return label
-
-    def _lay_out(self) -> None:
-        text = QVBoxLayout()
-        text.addStretch(1)
-        text.addWidget(self.words)
-        text.addWidget(self.beat)
-        text.addWidget(self.notes)
-        text.addStretch(1)
-        upper = QHBoxLayout()
-        upper.setSpacing(FAR)
-        upper.addWidget(self.stage, 11)
-        upper.addLayout(text, 9)
-        keys = QHBoxLayout()
-        keys.addWidget(self.sound)
-        keys.addStretch(1)
-        keys.addWidget(self.stop)
-        keys.addWidget(self.start)
-        column = QVBoxLayout(self)
-        column.addLayout(upper, 1)
-        column.addWidget(self.chips)
-        column.addLayout(keys)
+        self.lay_out((self.words, self.beat, self.notes), (self.stop, self.start))
 
     def show_run(self, run: ScriptRun, estimate: Estimate | None) -> None:
         """As it is now."""
@@ -74,8 +37,7 @@ class ScriptPage(QWidget):
             self.words.setText(run.words())
             self.notes.setText("")
             self.beat.setText(self.tr("Hold it") if holding else str(run.cue.beat))
-        chips = (f"<b>{s} {n}</b>" if s == "▶" else f"{s} {n}" for s, n in run.chips())
-        self.chips.setText(" &nbsp; ".join(chips))
+        self.show_chips(run.chips())
         self.start.setVisible(waiting)
 
     def _show_waiting(self, run: ScriptRun) -> None:

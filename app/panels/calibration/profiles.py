@@ -1,0 +1,159 @@
+"""What is done with the profiles of those who wear the gloves: put on, kept, taken in, reset."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtCore import QObject, Signal
+
+from app.engines.engine import EngineSetup
+from app.engines.engine_host import EngineHost
+from app.jobs.calibration_commands import CalibrationCommands
+from app.panels.calibration.wearer_row import WearerRow
+from app.storage.settings import SettingsStore
+from app.storage.wearers import WearerFile
+from app.viewmodels.wearers_of_hands import WearersOfHands
+from app.viewmodels.worn_calibration import WornCalibration
+from tracker.errors import GlovetrackError
+
+PROFILE_ENGINE = "chain"
+R = TypeVar("R")
+
+
+class WearerProfiles(QObject):
+    """``row`` says what the user wants and shows who wears the glove. ``kept``: the last fit is
+    another one."""
+
+    kept = Signal()
+
+    def __init__(self, host: EngineHost, store: SettingsStore, row: WearerRow) -> None:
+        super().__init__(row)
+        self._host, self._store, self._row = host, store, row
+        self._first: Path | None = None
+        self._hands = WearersOfHands(store)
+        self.link = CalibrationCommands(host, self)
+        self.link.learned.connect(self._learned)
+        row.chosen.connect(self.wear)
+        row.save.connect(self.save)
+        row.remove.connect(self.remove)
+        row.export.connect(self.export)
+        row.take_in.connect(self.take_in)
+        row.measured.connect(self.link.measured)
+        row.reset.connect(self.reset)
+        row.freeze.connect(self.link.freeze)
+        host.engine_changed.connect(self._engine_changed)
+
+    @property
+    def worn(self) -> WornCalibration:
+        """Of the hand that is shown."""
+        return self._hands.worn
+
+    def begin_with(self, profile: Path) -> None:
+        """A profile that is kept and put on by whoever is tracked next."""
+        self._first = profile
+
+    def open(self, setup: EngineSetup) -> None:
+        """Put on what was worn last, before the engine starts; on the hand that is shown last."""
+        self._row.frozen.setChecked(False)
+        hands = [setup] if setup.other is None else [setup.other, setup]
+        self._hands.open(hands)
+        first, self._first = self._first, None
+        for hand in hands:
+            self.show_hand(hand)
+            if first is not None and hand is setup and setup.command is not None:
+                self.take_in(first)
+            elif self._row.name and hand.command is not None:
+                self._put_on(self._row.name, hand)
+
+    def show_hand(self, setup: EngineSetup) -> None:
+        """Who wears this glove."""
+        self._show_names(self._hands.show(setup))
+
+    def _show_names(self, chosen: str) -> None:
+        self._row.set_names(self.worn.names(), chosen)
+
+    def _try(self, work: Callable[[], R]) -> R | None:
+        """None where ``work`` fails, which is said."""
+        try:
+            return work()
+        except GlovetrackError as error:
+            self._host.error.emit(str(error))
+            return None
+
+    def _remember(self, name: str) -> None:
+        self._hands.remember(name, self._host.setup)
+
+    def _put_on(self, name: str, setup: EngineSetup) -> None:
+        layout = self.link.layout_of(setup)
+        try:
+            self.worn.put_on(name, layout)
+        except GlovetrackError as error:
+            self._host.error.emit(str(error))
+            self._show_names("")
+            return
+        self._give_profile(self._store.value.engine, self.worn, setup.side)
+
+    def _give_profile(self, engine: str, worn: WornCalibration, side: str) -> None:
+        """What the wearer's profile holds, to an engine that can take it."""
+        if engine == PROFILE_ENGINE and worn.profile is not None:
+            self.link.put_on(worn.profile, side)
+
+    def _engine_changed(self, name: str) -> None:
+        """A new engine knows nobody."""
+        self._row.frozen.setChecked(False)
+        for side, worn in self._hands.by_side.items():
+            self._give_profile(name, worn, side)
+
+    def wear(self, name: str) -> None:
+        """Put on a kept profile; without a name somebody new wears the glove."""
+        self._remember(name)
+        self.worn.take_off()
+        if name and self._host.setup is not None:
+            self._put_on(name, self._host.setup)
+        else:
+            self.reset(None)
+        self._show_names(self._row.name)
+
+    def save(self, name: str) -> None:
+        """Keep what has been learned under a name; the engine is asked for it first."""
+        self.worn.ask_to_save(name)
+        self.link.ask()
+
+    def keep_learned(self) -> bool:
+        """Keep what poses have taught in the wearer's profile; False where nobody was chosen."""
+        if self._row.name:
+            self.save(self._row.name)
+        return bool(self._row.name)
+
+    def export(self, path: Path) -> None:
+        """Write what has been learned to a file; the engine is asked for it first."""
+        self.worn.ask_to_export(path)
+        self.link.ask()
+
+    def take_in(self, path: Path) -> None:
+        """Keep a profile that was written elsewhere, and put it on."""
+        layout = self.link.layout()
+        name = self._try(lambda: self.worn.take_in(path, layout)) if layout is not None else None
+        if name is not None:
+            self._show_names(name)
+            self.wear(name)
+
+    def _learned(self, wearer: WearerFile) -> None:
+        kept = self._try(lambda: self.worn.learned(wearer))
+        if kept:
+            self._remember(kept)
+            self._show_names(kept)
+            self.kept.emit()
+
+    def remove(self, name: str) -> None:
+        """Remove a profile; what the engine has learned stays."""
+        self._try(lambda: self.worn.remove(name))
+        self._remember("")
+        self._show_names("")
+
+    def reset(self, segments: list[str] | None) -> None:
+        """Forget; what was there can be compared with."""
+        if self.link.reset(segments):
+            self.worn.forgotten()

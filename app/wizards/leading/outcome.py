@@ -1,0 +1,78 @@
+"""A page that tells what came of it: a heading, a sentence, a table, and what may follow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+
+class OutcomePage(QWidget):
+    """Says what the user decides; the dialog does it."""
+
+    again = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.heading, self.words = QLabel(), QLabel()
+        self.heading.setObjectName("leading_words")
+        self.words.setObjectName("leading_notes")
+        for label in (self.heading, self.words):
+            label.setWordWrap(True)
+        self.table = QTableWidget()
+        self.again_button = QPushButton(self.tr("&Once more"))
+        self.again_button.clicked.connect(self.again)
+        self.buttons = [self.again_button]
+
+    def name_columns(self, table: str, names: Sequence[str], wide: int) -> None:
+        """``table`` is told to screen readers; the column ``wide`` takes the room that is left."""
+        self.table.setAccessibleName(table)
+        self.table.setColumnCount(len(names))
+        self.table.setHorizontalHeaderLabels(list(names))
+        self.table.verticalHeader().hide()
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
+
+    def lay_out(self, *buttons: QPushButton) -> None:
+        """With these buttons beside `again_button`; the last is what is usually wanted."""
+        buttons[-1].setProperty("role", "primary")
+        self.buttons += buttons
+        row = QHBoxLayout()
+        row.addWidget(self.again_button)
+        row.addStretch(1)
+        for button in buttons:
+            row.addWidget(button)
+        column = QVBoxLayout(self)
+        column.addWidget(self.heading)
+        column.addWidget(self.words)
+        column.addWidget(self.table, 1)
+        column.addLayout(row)
+
+    def tell(self, heading: str, words: str, rows: Sequence[Sequence[str]] = ()) -> None:
+        """One text for each column of each row."""
+        self.heading.setText(heading)
+        self.words.setText(words)
+        self.table.setRowCount(len(rows))
+        for i, texts in enumerate(rows):
+            for j, text in enumerate(texts):
+                item = QTableWidgetItem(text)
+                item.setToolTip(text)
+                self.table.setItem(i, j, item)
+
+    def enable(self, on: bool) -> None:
+        for button in self.buttons:
+            button.setEnabled(on)
