@@ -135,6 +135,10 @@ class Player(Protocol):
 
     def reference(self, side: str) -> ReferenceHand | None: ...
 
+    @property
+    def is_compared(self) -> bool:
+        """Whether another tracking is shown beside, even where it has no hand."""
+
 
 @dataclass(frozen=True)
 class ReferenceHand:

@@ -84,7 +84,7 @@ class Snapshot:
 
     def reference(self) -> ReferenceHand | None:
         """The hand to compare with: a replay's second tracking, or a second engine, where one is
-        set, else the truth."""
+        set, else the truth. One that is set and has no hand now is never replaced by the truth."""
         player, reference_tracking = self.setup.player, self.setup.reference_tracking
         other = player.reference(self.setup.side) if player is not None else None
         second = reference_tracking.reference_estimate() if reference_tracking is not None else None
@@ -95,7 +95,8 @@ class Snapshot:
                 if there
                 else None
             )
-        return other if other is not None else self.truth()
+        is_compared = player is not None and player.is_compared
+        return other if other is not None or is_compared else self.truth()
 
 
 def nearest(estimates: Sequence[Estimate], t: float) -> Estimate | None:

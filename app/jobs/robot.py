@@ -62,7 +62,7 @@ class RobotLink(QObject):
         self._took: deque[float] = deque(maxlen=LATENCIES)
         self._shown_t = -1.0
         host.opened.connect(lambda _setup: self._follow())
-        host.closed.connect(self._end)
+        host.closed.connect(self.shut_down)
         host.running_changed.connect(lambda on: self._follow() if on else None)
         host.hand_changed.connect(lambda _setup: self._change_hand())
         self._heard_failure.connect(self._fail, Qt.ConnectionType.QueuedConnection)
@@ -75,7 +75,7 @@ class RobotLink(QObject):
         if on:
             self._follow()
         else:
-            self._end()
+            self.shut_down()
         self.changed.emit()
 
     def change(self, **changes: object) -> None:
@@ -86,7 +86,7 @@ class RobotLink(QObject):
         self.settings = replace(self.settings, **changes)  # type: ignore[arg-type]
         self._store.update(robot=asdict(self.settings))
         if self._process is not None:
-            self._end()
+            self.shut_down()
             self._follow()
         self.changed.emit()
 
@@ -142,7 +142,7 @@ class RobotLink(QObject):
     def _change_hand(self) -> None:
         """A robot of the other side for the hand that is shown now."""
         if self.on:
-            self._end()
+            self.shut_down()
             self._follow()
 
     def _begin(self, setup: EngineSetup) -> None:
@@ -167,7 +167,8 @@ class RobotLink(QObject):
         if self.port and self.on:
             self._socket = DatagramSocket("robot", LOOPBACK, self.port)
 
-    def _end(self) -> None:
+    def shut_down(self) -> None:
+        """The robot goes, if there is one; so it does before the window."""
         process, self._process = self._process, None
         followed, self._followed = self._followed, None
         if followed is not None:
@@ -187,12 +188,8 @@ class RobotLink(QObject):
 
     def _fail(self, text: str) -> None:
         self.on = False
-        self._end()
+        self.shut_down()
         self.failed.emit(text)
-
-    def shut_down(self) -> None:
-        """Once, before the window goes."""
-        self._end()
 
     # --- a hand that is replayed
 

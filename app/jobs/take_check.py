@@ -28,6 +28,6 @@ def check_job(path: Path) -> Job:
         except GlovetrackError as error:
             return TakeReport(path, told(str(error)))
         problem = errors[0] if errors else ""
-        return TakeReport(path, problem, duration, q.packets_lost, q.tracked)
+        return TakeReport(path, problem, duration, q.packets_lost, q.tracked, q.by_imus)
 
     return run

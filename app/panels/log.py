@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine_host import EngineHost
 from app.panels.panel import Panel
-from app.viewmodels.log import KINDS, EventLog
+from app.viewmodels.log import KINDS, EventLog, words_of
 from app.widgets.measures import NEAR
 from app.words import tr
 from tracker.messages import Event
@@ -68,6 +68,8 @@ class LogPanel(Panel):
 
     def add(self, event: Event) -> None:
         _log.info("%s: %s", event.kind, event.text)
+        if not words_of(event):
+            return
         entry = self.model.add(event)
         if self.model.shows(entry, self._kind(), self.search.text()):
             self._append(entry.line, entry.colour)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.panels.library.session_table import pixmap
+from app.panels.library.session_table import no_image, pixmap
 from app.viewmodels.library import THUMBNAIL_WIDTH
 from app.viewmodels.recent import MOST, Earlier, RecentSession
 from app.widgets.measures import APART, WIDE
@@ -172,6 +172,8 @@ def _item(session: RecentSession) -> QListWidgetItem:
     item.setSizeHint(QSize(0, ROW + 4))
     if session.details.image is not None:
         item.setIcon(QIcon(pixmap(session.details.image)))
+    else:
+        item.setIcon(QIcon(no_image()))
     return item
 
 

@@ -92,6 +92,8 @@ def _glove(view: Snapshot | None) -> SetUpStep:
     if view is not None and len(view.imu) > 0:
         reason = tr("The glove was here and is silent. Is it plugged in?")
         return SetUpStep(name, False, reason, "hardware", tr("Look again"))
+    if view is None:
+        return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
     reason = tr("No glove answers. Plug it in, or try the demo.")
     return SetUpStep(name, False, reason, "hardware", tr("Look again"))
 
@@ -145,6 +147,8 @@ def _camera(view: Snapshot | None) -> SetUpStep:
         else:
             reason = tr("The right image is missing.")
         return SetUpStep(name, False, reason, "hardware", tr("Look again"))
+    if view is None:
+        return SetUpStep(name, False, tr("Not connected."), "hardware", tr("Look for it"))
     return SetUpStep(name, False, tr("No images arrive."), "hardware", tr("Look again"))
 
 

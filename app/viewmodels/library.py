@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from app.storage.session_tags import read_tags
 from app.viewmodels.recording import duration_text, size_text
 from app.viewmodels.states import BAD, GOOD, SKY, WARN, StateLook
+from app.viewmodels.takes import packets_lost
 from app.words import mark, told, tr
 from tracker.errors import GlovetrackError
 from tracker.session.glance import Quality, quality, thumbnail
@@ -126,6 +127,9 @@ def quality_text(q: Quality) -> tuple[str, StateLook | None]:
     """``tracked 97 %, 2 packets lost`` and how that is to be seen."""
     if q.tracked is None:
         return tr("not tracked"), None
+    if q.by_imus:
+        lost = q.packets_lost or 0
+        return f"{tr('by its IMUs alone')}, {packets_lost(lost)}", WARN if lost else GOOD
     share = f"{100 * q.tracked:.0f}"
     text = tr("tracked {} %").format(share)
     if q.packets_lost:

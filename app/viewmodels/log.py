@@ -19,9 +19,19 @@ KINDS: dict[str, StateLook] = {
     "recording": StateLook(PURPLE, "●", mark("Recording")),
     "note": StateLook(GREY, "✎", mark("Notes")),
 }
+DEVICES = {"pulse", "motor", "robot"}
+"""Kinds that belong to the devices; those that stand nowhere here belong to the tracking."""
 
 
-def _words(event: Event) -> str:
+def kind_of(event: Event) -> str:
+    """Among `KINDS`."""
+    if event.kind in KINDS:
+        return event.kind
+    return "device" if event.kind in DEVICES else "tracking"
+
+
+def words_of(event: Event) -> str:
+    """As the user reads it; empty for what programs alone read, such as gestures."""
     if event.kind == "note" and wording_of(event) > 0:
         return tr("changed to: {}").format(event.text) if event.text else tr("a note was deleted")
     return event.text if event.kind == "note" else told(event.text)
@@ -43,9 +53,10 @@ class EventLog:
 
     def add(self, event: Event, now: datetime | None = None) -> LogEntry:
         """Take an event; its line carries the wall clock's time of arrival."""
-        look = KINDS.get(event.kind, KINDS["note"])
+        kind = kind_of(event)
+        look = KINDS[kind]
         clock = (now or datetime.now()).strftime("%H:%M:%S")
-        entry = LogEntry(event.kind, f"{clock}  {look.sign}  {_words(event)}", look.colour)
+        entry = LogEntry(kind, f"{clock}  {look.sign}  {words_of(event)}", look.colour)
         self._entries.append(entry)
         return entry
 

@@ -50,9 +50,11 @@ def newest(folder: Path) -> list[Path]:
 def look_back(
     known: Sequence[str], folder: Path, now: datetime, progress: Callable[[float, str], None]
 ) -> Earlier:
-    """Look into the sessions used last, then the newest ones of the folder."""
+    """Look into the newest session of the folder, those used last, then the rest of the folder;
+    those that are found come in the order of their age."""
     here = newest(folder)
-    candidates = list(dict.fromkeys([*(Path(p) for p in known if Path(p).is_file()), *here]))
+    used = [Path(p) for p in known if Path(p).is_file()]
+    candidates = list(dict.fromkeys([*here[:1], *used, *here]))
     recent: list[RecentSession] = []
     for path in candidates:
         if len(recent) == MOST:
@@ -62,6 +64,7 @@ def look_back(
         if not row.problem:
             when = datetime.fromtimestamp(row.stamp[0] / 1e9)
             recent.append(RecentSession(row, age_text(when, now), details(path)))
+    recent.sort(key=lambda r: r.row.stamp[0], reverse=True)
     cut = []
     for path in here[:LOOKED_AT]:
         progress(-1.0, path.name)

@@ -22,7 +22,8 @@ SLOW = 0.6  # of the images that the camera should give
 @dataclass(frozen=True)
 class TakeReport:
     """``problem``: the worst that is wrong with the file, empty where it is whole. ``duration`` s;
-    ``tracked`` 0..1 of that time; None where the file does not tell.
+    ``tracked`` 0..1 of that time; None where the file does not tell; ``by_imus``: without a place,
+    so that it says nothing.
     """
 
     path: Path
@@ -30,6 +31,7 @@ class TakeReport:
     duration: float = 0.0
     packets_lost: int | None = None
     tracked: float | None = None
+    by_imus: bool = False
 
 
 def report_text(report: TakeReport) -> str:
@@ -40,15 +42,17 @@ def report_text(report: TakeReport) -> str:
     parts = [duration_text(report.duration)]
     if report.packets_lost is not None:
         lost = report.packets_lost
-        parts.append(_packets_lost(lost))
-    if report.tracked is None:
+        parts.append(packets_lost(lost))
+    if report.by_imus:
+        parts.append(tr("by its IMUs alone"))
+    elif report.tracked is None:
         parts.append(tr("not tracked"))
     else:
         parts.append(tr("tracked {:.0f} % of the time").format(100 * report.tracked))
     return tr("{} is whole: {}.").format(name, ", ".join(parts))
 
 
-def _packets_lost(count: int) -> str:
+def packets_lost(count: int) -> str:
     if count == 0:
         return tr("no packets lost")
     return tr("1 packet lost") if count == 1 else tr("{} packets lost").format(count)

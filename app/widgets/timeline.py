@@ -17,7 +17,8 @@ PLAYHEAD, HANDLE = "head", ("in", "out")
 
 @dataclass(frozen=True)
 class Mark:
-    """Something at ``position`` s; ``sign`` says its kind beside the colour."""
+    """Something at ``position`` s; ``sign`` says its kind beside the colour; an empty one is that
+    of text."""
 
     position: float
     text: str
@@ -163,7 +164,7 @@ class TimelineBar(QWidget):
 
     def _paint_marks(self, painter: QPainter) -> None:
         for mark in self._marks:
-            painter.setPen(QColor(mark.colour))
+            painter.setPen(QColor(mark.colour) if mark.colour else self.palette().text().color())
             box = QRectF(self.x_of(mark.position) - 8, 0, 16, self.height() * 0.45)
             painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), mark.sign)
         painter.setPen(Qt.PenStyle.NoPen)

@@ -187,10 +187,10 @@ class SetUpDialogs(QObject):
     # --- all
 
     def _restart_devices(self) -> None:
-        """What was chosen is used at once where the devices are in use."""
+        """What was chosen is used at once, unless the demo or a session is open."""
         setup = self._host.setup
         self.changed.emit()
-        if setup is not None and not setup.simulated and setup.player is None:
+        if setup is None or (not setup.simulated and setup.player is None):
             self.restart.emit()
 
     def _raise(self, name: str) -> bool:

@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.engines.demo_camera import HANDS, LENSES, DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
@@ -35,6 +36,9 @@ NO_SCREEN = (
     "that answers.\n"
     "Without one: `glovetrack demo --headless-report 20`, or any other command (see the README)."
 )
+
+ENDS = ("SIGINT", "SIGTERM", "SIGHUP")
+"""Of Ctrl+C, of a logout or a shutdown, and of a terminal that is closed."""
 
 
 def open_window(argv: Sequence[str]) -> int:
@@ -109,9 +113,7 @@ def _show(
     install(app, store.value.language)
     window = MainWindow(store, crashes)
     instance.asked.connect(window.sources.take_over)
-    # Ctrl+C closes the window as a click does: the file is finished, the devices are freed. The
-    # window's own timer gives Python the chance to see the signal.
-    signal.signal(signal.SIGINT, lambda *_: window.close())
+    close_when_told(window)
     window.outputs.use(args.streams)
     window.remote.use(args.remote, args.remote_host)
     instance.answer = window.remote.answers.answer_line
@@ -130,6 +132,18 @@ def _show(
 
 def _demo(args: argparse.Namespace) -> DemoChoice:
     return DemoChoice(args.fps, args.hands, args.motion, args.lenses)
+
+
+def close_when_told(window: QWidget) -> None:
+    """Let signals close the window as a click does: the file is finished, the devices are freed.
+
+    A signal comes amid whatever Python does, which may hold a lock that closing needs: the window
+    is closed in the next turn of its loop. Its own timer gives Python the chance to see signals.
+    """
+    for name in ENDS:
+        if hasattr(signal, name):  # not every system has all of them
+            number = getattr(signal, name)
+            signal.signal(number, lambda *_: QTimer.singleShot(0, window, window.close))
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -12,6 +12,9 @@ from app.widgets.chip import Chip
 from app.widgets.elided_label import ElidedLabel
 from tracker.messages import Status
 
+RATES = ("imu_rate_hz", "frame_rate_hz", "estimate_rate_hz")
+"""Fields that are cut last: what arrives, and how often, is asked for most."""
+
 
 class StatusBar(QStatusBar):
     def __init__(self, tasks: TaskOwner, parent: QWidget | None = None) -> None:
@@ -23,7 +26,7 @@ class StatusBar(QStatusBar):
         self.addWidget(self.tracking)
         self.addWidget(self.other_hand)
         self.other_hand.hide()
-        self.chips = {f.key: Chip() for f in fields(None)}
+        self.chips = {f.key: Chip(firm=f.key in RATES) for f in fields(None)}
         for chip in self.chips.values():
             self.addWidget(chip)
         self.chips["shed"].hide()

@@ -23,6 +23,7 @@ ICONS = {
     "palette": "search",
 }
 SOURCES = ("demo", "hardware", "open")
+RECORD = 2  # of the work's buttons
 ICON = QSize(18, 18)
 
 
@@ -44,7 +45,7 @@ class ToolBar(QToolBar):
         self._sources = [self._button(actions[key]) for key in SOURCES]
         self.addSeparator()
         self._work = [self._button(actions[key]) for key in ("start", "stop", "record", "note")]
-        self._work[2].setObjectName("record_button")
+        self._work[RECORD].setObjectName("record_button")
         self._fill()
         for action, job in zip(jobs, JOBS, strict=True):
             dress(action, job.icon)
@@ -94,11 +95,23 @@ class ToolBar(QToolBar):
         for group in groups:
             for button in group:
                 button.setToolButtonStyle(words)
+        record = self._work[RECORD]
+        record.setMinimumWidth(0)
+        record.setMinimumWidth(record.sizeHint().width() + self._longer(record))
         for group in groups:
             if self.sizeHint().width() <= width:
                 break
             for button in group:
                 button.setToolButtonStyle(icons)
+                button.setMinimumWidth(0)
+
+    def _longer(self, record: QToolButton) -> int:
+        """px that the longer of the button's two texts takes beyond its present one, so that
+        nothing beside it moves when a recording begins."""
+        metrics = record.fontMetrics()
+        texts = record.text(), beside(self.tr("Record")), beside(self.tr("Stop recording"))
+        widths = [metrics.horizontalAdvance(text) for text in texts]
+        return max(widths) - widths[0]
 
 
 def tip_of(action: QAction) -> str:

@@ -113,7 +113,7 @@ def _set_up(on: Targets) -> list[Command]:
         Command("camera_setup", menu, w.tr("&Camera…"), on.set_up.open_camera),
         Command("stereo", menu, w.tr("Camera c&alibration…"), on.set_up.open_stereo),
         Command("guided", menu, w.tr("Guided &poses…"), on.set_up.open_guided, "F6"),
-        Command("conformance", menu, w.tr("Con&formance…"), on.set_up.open_conformance),
+        Command("conformance", menu, w.tr("C&onformance…"), on.set_up.open_conformance),
         Command("lock_camera", menu, w.tr("&Lock the exposure as it is"), on.set_up.lock_camera),
     ]
 
@@ -156,14 +156,14 @@ def _replay(on: Targets) -> list[Command]:
         Command("step_back", menu, w.tr("The image &before"), lambda: bar.step(-1), ","),
         Command("step", menu, w.tr("The &next image"), lambda: bar.step(1), "."),
         Command("note_before", menu, w.tr("The note &earlier"), lambda: bar.jump(-1), "Ctrl+,"),
-        Command("note_after", menu, w.tr("The note &later"), lambda: bar.jump(1), "Ctrl+."),
+        Command("note_after", menu, w.tr("The note la&ter"), lambda: bar.jump(1), "Ctrl+."),
         Command("in_point", menu, w.tr("&In point here"), bar.set_in, "I", separator=True),
         Command("out_point", menu, w.tr("&Out point here"), bar.set_out, "O"),
         Command("whole", menu, w.tr("&Whole session"), bar.clear_range),
         Command("crop", menu, w.tr("&Crop to a new session"), on.library.crop),
         Command("loop", menu, w.tr("&Loop on or off"), bar.toggle_loop, "L"),
         Command("again", menu, w.tr("Track &again…"), on.library.ask_track, separator=True),
-        Command("compare", menu, w.tr("&Compare two sessions"), on.library.compare_selected),
+        Command("compare", menu, w.tr("Co&mpare two sessions"), on.library.compare_selected),
         Command("beside", menu, w.tr("Two takes side by si&de"), beside),
     ]
 
@@ -192,7 +192,7 @@ def _view(on: Targets) -> list[Command]:
     w = on.window
     menu = w.tr("&View")
     views = {
-        "auto": w.tr("3D view: &chosen by itself"),
+        "auto": w.tr("3D view: chosen b&y itself"),
         "card": w.tr("3D view: by the &graphics card"),
         "painted": w.tr("3D view: &painted"),
     }
@@ -216,7 +216,7 @@ def _view(on: Targets) -> list[Command]:
 def _hands(on: Targets, menu: str) -> list[Command]:
     """Which of two hands the panels of one hand show."""
     w = on.window
-    titles = {"left": w.tr("Show the &left hand"), "right": w.tr("Show the r&ight hand")}
+    titles = {"left": w.tr("Show the left &hand"), "right": w.tr("Show the r&ight hand")}
 
     def is_shown(side: str) -> bool:
         return on.host.setup is not None and on.host.setup.side == side

@@ -131,7 +131,7 @@ def test_what_runs_goes_over_to_the_hand_that_is_chosen(staged, window):
     window.host.show_hand("left")
     assert (right.name, left.name) == ("", "compass")
     assert left.settings == CompassSettings(0.2, True, (1.0, 2.0, 3.0), "north")
-    assert panel.choice.currentData() == "compass" and panel.model.stage is left
+    assert panel.controls.choice.currentData() == "compass" and panel.model.stage is left
     show(panel, right, engine)
     assert told[-1].data == {"application": "compass", "hand": "right", "what": "ends"}
     window.host.show_hand("right")

@@ -139,7 +139,7 @@ def test_a_profile_told_on_the_command_line_is_worn_from_the_start(
     window.close()
     again, fresh = MainWindow(store), Commanded()
     qtbot.addWidget(again)
-    again.calibration.begin_with(args.wearer)
+    again.calibration.profiles.begin_with(args.wearer)
     again.host.adopt(setup_of(fresh))
     assert again.calibration.wearer.name == "anna"
     assert fresh.inner.calibration().scale == pytest.approx(np.full((7, 3), 1.04))

@@ -126,7 +126,7 @@ def through(dialog, clock, engine, until: float = np.inf) -> None:
     while dialog.run.is_running and clock.now < engine.began + until:
         clock.now += 0.8
         engine.go_on()
-        dialog._tick()
+        dialog.tick()
 
 
 def verdict(dialog, qtbot) -> dict[str, list[str]]:
@@ -186,13 +186,13 @@ def test_cues_count_three_beats_and_then_hold(dialog, clock, engine):
     for _ in range(14):
         seen.append((dialog.run.cue.phase, dialog.lead.beat.text(), dialog.lead.words.text()))
         clock.now += 0.4
-        dialog._tick()
+        dialog.tick()
     assert [beat for _, beat, _ in seen[:6]] == ["3", "3", "2", "2", "1", "1"]
     assert seen[7][0] == Phase.HOLDING and seen[7][1] == "Hold it"
     assert seen[0][2] == seen[7][2] == "Hand open, fingers straight"
     assert 0.2 < dialog.lead.stage.ring.share < 1.0
     clock.now += 4.0
-    dialog._tick()
+    dialog.tick()
     assert dialog.run.label == "fist" and dialog.lead.stage.pose == "fist"
     assert "▶ fist" in dialog.lead.chips.text() and "✓ open" in dialog.lead.chips.text()
 

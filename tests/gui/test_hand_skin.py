@@ -11,6 +11,7 @@ from gui_fakes import models
 from app.viewmodels.hand_ground import Ground
 from app.viewmodels.hand_skin import HandSkin, scales
 from app.viewmodels.hand_trail import ribbon, ribbon_faces
+from app.viewmodels.made_skins import MADE
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.raster.scene import RasterScene
 from app.widgets.view3d.scene import GroundLines
@@ -101,6 +102,24 @@ def test_hatching_has_its_pitch_and_dots_let_the_background_through() -> None:
     assert 0.3 < inner.mean() < 0.7
 
 
+@pytest.mark.parametrize("outline", [False, True])
+def test_what_an_earlier_image_showed_is_seen_no_more(outline: bool) -> None:
+    def drawn_at(scene: RasterScene, x: float, y: float) -> np.ndarray:
+        drawn.drape(square(0.02, (x, y, 0)), np.zeros((4, 3)) + facing(Orbit())[:, 2], dress)
+        return rendered(scene)
+
+    dress = np.tile(FLAT, (4, 1))
+    scene = RasterScene()
+    scene.set_ink("#FFFFFF")
+    drawn = add_square(scene, square(0.02), outline=outline)
+    for x, y in ((-0.06, 0.04), (0.05, -0.03), (0.2, 0.0), (0.115, 0.08), (0.0, 0.0)):
+        seen = drawn_at(scene, x, y)
+        fresh = RasterScene()
+        fresh.set_ink("#FFFFFF")
+        add_square(fresh, square(0.02, (x, y, 0)), outline=outline)
+        np.testing.assert_array_equal(seen, rendered(fresh))
+
+
 @pytest.mark.usefixtures("compare_large")
 def test_an_outline_is_drawn_around_and_not_within() -> None:
     scene = RasterScene()
@@ -130,6 +149,15 @@ def test_ground_lines_lie_behind_and_fade_towards_their_ends() -> None:
 def skin() -> HandSkin:
     hand, glove, _ = models()
     return HandSkin(hand, glove)
+
+
+def test_a_skin_that_was_made_is_made_no_second_time(skin: HandSkin) -> None:
+    """A session brings the same hand in another object."""
+    hand, glove, _ = models()
+    longer = dataclasses.replace(hand.segments[1], length=hand.segments[1].length + 1e-4)
+    other = dataclasses.replace(hand, segments=(hand.segments[0], longer, *hand.segments[2:]))
+    assert HandSkin(dataclasses.replace(hand), glove).skin is skin.skin
+    assert MADE.has(hand, glove) and not MADE.has(other, glove)
 
 
 def pose(side_step: float = 0.0) -> tuple[np.ndarray, np.ndarray]:

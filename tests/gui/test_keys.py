@@ -137,3 +137,10 @@ def test_menus_tick_what_is_chosen(active):
         menu.aboutToShow.emit()
     assert actions["theme_dark"].isChecked() and not actions["theme_light"].isChecked()
     assert actions["view_painted"].isChecked() and not actions["view_auto"].isChecked()
+
+
+def test_no_letter_stands_for_two_entries_of_a_menu(window):
+    for top in window.menuBar().actions():
+        texts = [a.text().replace("&&", "") for a in top.menu().actions()]
+        letters = [t[t.index("&") + 1].lower() for t in texts if "&" in t]
+        assert len(letters) == len(set(letters)), top.text()

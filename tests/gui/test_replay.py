@@ -2,17 +2,20 @@
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from gui_fakes import ScriptedEngine, frame_and_blobs, models, simulation
+from gui_fakes import ScriptedEngine, frame_and_blobs, models, scripted_setup, simulation
 
 from app.engines.replay.engine import ReplayEngine, open_replay
 from app.engines.replay.moment import LATE, ReplayMoment
 from app.engines.replay.references import ReferenceTrack
 from app.engines.replay.sights import pairs
 from app.engines.replay.tell_markers import MarkerTeller
+from app.engines.snapshot import Snapshot
 from app.panels.library.transport import TransportBar
+from app.viewmodels.log import KINDS, EventLog, words_of
 from tracker.geometry import so3
 from tracker.messages import BlobFrame, Estimate, Event, StereoFrame
 from tracker.offline.options import TrackOptions
@@ -152,6 +155,14 @@ def test_the_other_tracking_stands_beside_this_one(replay, sessions, frames, qtb
     qtbot.waitUntil(lambda: replay.player.reference("right") is None, timeout=10_000)
 
 
+@pytest.mark.parametrize(("compared", "told"), [(True, None), (False, "the truth")])
+def test_where_the_other_tracking_has_no_hand_the_truth_does_not_stand_for_it(compared, told):
+    player = SimpleNamespace(is_compared=compared, reference=lambda side: None)
+    setup = replace(scripted_setup(ScriptedEngine()), player=player, truth=lambda t: "the truth")
+    view = Snapshot(setup=setup, running=True, estimate=SimpleNamespace(t=1.0))
+    assert view.reference() == told
+
+
 def test_the_truth_of_a_simulated_session_is_the_simulators(sessions):
     with SessionReader(sessions["simulated"]) as reader:
         true = next(e for e in reader.truth(1.0) if e.t >= 1.5)
@@ -217,6 +228,22 @@ def test_one_jumps_from_note_to_note(qtbot):
         bar.jump(by)
         visited.append(player.position)
     assert visited == [2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0]
+
+
+def test_a_gesture_is_no_note_on_the_timeline_and_no_line_in_the_log(qtbot):
+    bar = TransportBar()
+    qtbot.addWidget(bar)
+    player = Held([2.0])
+    gesture = Event(1.0, "gesture", "", {"gesture": "fist", "phase": "begin"})
+    pulse = Event(3.0, "pulse", "Pulse 1 on the glove")
+    player.events = ((1.0, gesture), *player.events, (3.0, pulse))
+    bar.set_player(player)
+    assert bar.timeline.mark_at(bar.timeline.x_of(1.0)) is None
+    assert bar.timeline.mark_at(bar.timeline.x_of(2.0)).sign == KINDS["note"].sign
+    assert bar.timeline.mark_at(bar.timeline.x_of(3.0)).sign == KINDS["device"].sign
+    log = EventLog()
+    log.add(pulse)
+    assert len(log.entries("device")) == 1 and words_of(gesture) == ""
 
 
 class TestImagesAndBlobs:

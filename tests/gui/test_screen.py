@@ -1,14 +1,18 @@
 """A machine without a screen."""
 
+import signal
 import socket
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
 from environments import without_screen
+from PySide6.QtWidgets import QWidget
 
 from app.platform.screens import answers, has_screen
+from app.window.start import ENDS, close_when_told
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -62,3 +66,31 @@ def test_the_window_says_that_there_is_no_screen():
     assert done.returncode == 1
     assert done.stderr.startswith("There is no screen to open the window on")
     assert "Traceback" not in done.stderr
+
+
+@pytest.fixture
+def handlers():
+    """Of the signals that end a program, put back afterwards."""
+    before = {name: signal.getsignal(getattr(signal, name)) for name in ENDS}
+    yield
+    for name, handler in before.items():
+        signal.signal(getattr(signal, name), handler)
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_a_signal_closes_the_window_but_never_amid_other_work(qtbot, handlers, name):
+    """What closes takes locks which the work that is interrupted may hold."""
+    busy, closed = threading.Lock(), []
+
+    class Window(QWidget):
+        def closeEvent(self, event) -> None:
+            closed.append(busy.acquire(blocking=False))
+
+    window = Window()
+    qtbot.addWidget(window)
+    window.show()
+    close_when_told(window)
+    with busy:
+        signal.raise_signal(getattr(signal, name))
+        assert closed == []
+    qtbot.waitUntil(lambda: closed == [True])

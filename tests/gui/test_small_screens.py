@@ -3,11 +3,12 @@
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from app.panels.colours.panel import TWO_COLUMNS
 from app.widgets.scrolled import Scrolled
 from app.window.main_window import SMALLEST
+from app.window.tool_bar import ToolBar
 
 SIZES = [(800, 500), (960, 540), (1366, 768)]  # the middle one is Full HD at 200 %
 
@@ -40,6 +41,31 @@ def test_at_1366_by_768_the_images_and_the_hand_need_no_scrolling(window, qtbot)
         area = window.docks[name].widget()
         assert area.verticalScrollBar().maximum() == 0, name
         assert area.horizontalScrollBar().maximum() == 0, name
+
+
+def test_at_1366_by_768_sessions_stand_above_the_transport_of_a_replay(window, qtbot):
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    window.resize(1366, 768)
+    window.run_command("job_look")
+    window.library.transport.show()
+    area = window.docks["library"].widget()
+    qtbot.waitUntil(lambda: window.library.transport.height() > 50)
+    qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() == 0)
+    assert window.library.table.viewport().height() >= 44  # a session
+
+
+def test_nothing_in_the_tool_bar_moves_when_a_recording_begins(window, qtbot):
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    window.resize(1366, 768)
+    bar = window.findChild(ToolBar)
+    buttons = bar.findChildren(QToolButton)
+    qtbot.waitUntil(bar.isVisible)
+    QApplication.processEvents()
+    before = [button.geometry() for button in buttons]
+    action = next(a for a in bar.actions() if a.iconText().endswith("Record"))
+    action.setIconText(action.iconText().replace("Record", "Stop recording"))
+    QApplication.processEvents()
+    assert [button.geometry() for button in buttons] == before
 
 
 def test_the_window_can_be_made_as_small_as_it_says(window):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import os
 import shutil
 from datetime import datetime, timedelta
 from pathlib import Path
@@ -125,3 +126,11 @@ def test_ages_are_told_as_people_do():
         (timedelta(days=60), "2026-03-21"),
     ):
         assert age_text(now - ago, now) == text
+
+
+def test_recent_sessions_come_newest_first_and_the_newest_is_among_them(tmp_path, sessions):
+    older, newer = sessions / "P01_pinch.mcap", sessions / "P02_fist.mcap"
+    os.utime(older, (1e9, 1e9))
+    os.utime(newer, (2e9, 2e9))
+    found = look_back([str(older)] * 5, sessions, datetime.now(), lambda *_: None)
+    assert [r.row.path for r in found.recent] == [newer, older]

@@ -16,7 +16,9 @@ from app.engines.engine import RecordingRequest
 from app.engines.recording import recorder_maker
 from app.engines.replay.engine import open_replay
 from app.jobs.take_check import check_job
-from app.viewmodels.takes import missing_text, rename, report_text
+from app.viewmodels.library import quality_text
+from app.viewmodels.states import GOOD
+from app.viewmodels.takes import TakeReport, missing_text, rename, report_text
 from resources import folder
 from tracker.clock import ClockAnchor, seconds
 from tracker.errors import FileError
@@ -25,7 +27,7 @@ from tracker.live.runner import LiveTracker
 from tracker.messages import BlobFrame, Status, StereoFrame, Tracking
 from tracker.pipeline import Pipeline
 from tracker.session.description import SessionInfo
-from tracker.session.glance import quality, session_summary
+from tracker.session.glance import Quality, quality, session_summary
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
 from tracker.session.writer import RecorderParams, SessionRecorder
@@ -365,3 +367,12 @@ def test_a_session_dragged_onto_the_window_is_opened(window, take, qtbot):
     assert dropped(window, str(take))
     qtbot.waitUntil(lambda: window.host.running, timeout=30_000)
     assert window.host.setup.player.path == take
+
+
+def test_a_take_of_a_glove_alone_is_not_called_untracked(tmp_path):
+    both = TakeReport(tmp_path / "a.mcap", "", 6.0, 0, 0.0, by_imus=True)
+    assert report_text(both) == "a is whole: 0:06, no packets lost, by its IMUs alone."
+    assert quality_text(Quality(0.0, 0, by_imus=True)) == (
+        "by its IMUs alone, no packets lost",
+        GOOD,
+    )

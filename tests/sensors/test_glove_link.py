@@ -106,7 +106,7 @@ def test_unplugged_and_back_under_another_path(bench: Bench) -> None:
     bench.device.plug()
     link_to(bench.folder, bench.device)
     bench.until(lambda: len(bench.samples) > n + 30)
-    assert bench.link.state == LinkState.STREAMING
+    assert bench.link.state == LinkState.STREAMING and bench.said("sends again")
 
 
 def test_silence_is_said_and_ends(bench: Bench) -> None:

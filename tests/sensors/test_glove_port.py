@@ -82,6 +82,18 @@ def test_it_is_found_at_another_path_by_its_adapters_number(desk: Desk) -> None:
     assert run.link.figures.reopened == 1
 
 
+def test_that_it_is_back_is_said_once_at_its_old_path_too(desk: Desk) -> None:
+    mine = numbered(11)
+    desk.plug("/dev/ttyUSB0", mine, FTDI, "A1")
+    run = streaming(desk, mine)
+    desk.unplug("/dev/ttyUSB0")
+    run.go(1.0)
+    desk.plug("/dev/ttyUSB0", mine, FTDI, "A1")
+    run.go(3.0)
+    assert run.said.count("The glove is back, at /dev/ttyUSB0.") == 1
+    assert run.link.state == LinkState.STREAMING
+
+
 def test_its_old_path_is_not_believed_where_another_adapter_has_it_now(desk: Desk) -> None:
     mine, other = numbered(11), numbered(22)
     desk.plug("/dev/ttyUSB0", mine, FTDI, "A1")

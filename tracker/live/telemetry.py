@@ -62,8 +62,9 @@ class Telemetry:
                 recent = [t for t in ticks if t >= now - WINDOW]
                 span = min(max(now - recent[0], 0.1), WINDOW) if recent else WINDOW
                 out[f"{name}_rate_hz"] = len(recent) / span
-            for name, times in self._times.items():
-                ms = 1e3 * np.array(times)
-                out[f"latency_{name}_ms"] = float(np.median(ms))
-                out[f"latency_{name}_p99_ms"] = float(np.percentile(ms, 99))
+            took = {name: list(times) for name, times in self._times.items()}
+        for name, times in took.items():  # without the lock, for which devices and filter wait
+            ms = 1e3 * np.array(times)
+            out[f"latency_{name}_ms"] = float(np.median(ms))
+            out[f"latency_{name}_p99_ms"] = float(np.percentile(ms, 99))
         return out

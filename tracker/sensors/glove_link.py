@@ -143,6 +143,7 @@ class GloveLink:
         self._at_rest = RangeFromRest()
         self._heard: int | None = None  # seq of the last samples since START
         self._before: int | None = None  # the same at a HELLO that may be a late answer
+        self._was_gone = False  # and nobody was told yet that it is back
         self._packet_clock = self._new_clock()
 
     # ---- outside
@@ -236,7 +237,7 @@ class GloveLink:
                 return
             self._port.close()
             self._port = None
-        self.state = LinkState.UNPLUGGED
+        self.state, self._was_gone = LinkState.UNPLUGGED, True
         self._words.say(
             f"The glove was unplugged ({reason(error)}); it is taken up when it returns."
         )
@@ -284,8 +285,9 @@ class GloveLink:
             return False
         before = place.home
         if place.is_right(glove_id):
-            if place.home != before:
+            if place.home != before or self._was_gone:
                 self._words.say(f"The glove is back, at {place.path}.")
+                self._was_gone = False
             return False
         self._words.once(
             f"stranger {glove_id}",
@@ -309,6 +311,9 @@ class GloveLink:
             self._send(Rate(self.params.rate_hz))
         self._send(Start())
         self.state, self._since = LinkState.STREAMING, now
+        if self._was_gone:  # at a port that is no other than it was
+            self._words.say("The glove sends again.")
+            self._was_gone = False
 
     def _samples(self, frame: Samples, now: float) -> list[ImuSample]:
         if len(frame.raw) != self._imu_count:

@@ -21,6 +21,7 @@ from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
 INSTANTS = 20
+PLACELESS = "inertial"  # the engine that tracks no place
 
 
 def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:
@@ -95,11 +96,13 @@ def _counts(reader: SessionReader) -> dict[int, int]:
 @dataclass(frozen=True)
 class Quality:
     """``tracked``: share of the instants looked at where the hand was tracked; None: not tracked at
-    all yet. ``packets_lost`` of the session itself; None where no status tells it.
+    all yet. ``packets_lost`` of the session itself; None where no status tells it. ``by_imus``:
+    the hand has no place, for want of a camera or by choice, so that ``tracked`` says nothing.
     """
 
     tracked: float | None
     packets_lost: int | None
+    by_imus: bool = False
 
 
 def quality(reader: SessionReader, instants: int = INSTANTS) -> Quality:
@@ -113,7 +116,7 @@ def quality(reader: SessionReader, instants: int = INSTANTS) -> Quality:
         if said.name in ("tracker", "tracking")
     ]
     tracked = sum(w == Tracking.TRACKING for w in words) / len(words) if words else None
-    return Quality(tracked, _packets_lost(reader))
+    return Quality(tracked, _packets_lost(reader), reader.metadata.get("engine") == PLACELESS)
 
 
 def _packets_lost(reader: SessionReader) -> int | None:

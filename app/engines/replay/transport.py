@@ -83,6 +83,7 @@ class ReplayPlayer(Transport):
         self.path, self.tracked = path, tracked
         self.events: Sequence[tuple[float, Event]] = ()  # what happened, with its position in s
         self._references = references
+        self.is_compared = False
 
     def set_reference(self, path: Path | None, shift: float = 0.0) -> None:
         """Show the tracking in ``path`` beside this one. Raises FileError in words.
@@ -91,6 +92,7 @@ class ReplayPlayer(Transport):
         """
         for references in self._references.values():
             references.want(path, shift)
+        self.is_compared = path is not None
         self.seek(self.position)
 
     def reference(self, side: str) -> ReferenceHand | None:

@@ -27,7 +27,7 @@ from app.viewmodels.applications import ApplicationsModel
 from app.viewmodels.hand_scene import HandScene, HandSceneModel, ShownParts
 from app.viewmodels.hand_skin import HandSkin
 from app.widgets.measures import NEAR
-from app.widgets.view3d.orbit import VIEW_ANGLE_DEG
+from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
 from app.widgets.view3d.scene import Label, contrast
 from app.widgets.view3d.view_3d import View3D
 from tracker.messages import Shed
@@ -152,11 +152,11 @@ class ApplicationsPanel(Panel):
     def _follow_hand(self, setup: EngineSetup) -> None:
         """What runs goes on with the hand that is shown now, page and all."""
         name, settings = self.model.leave() if self.model is not None else ("", {})
-        page = self.page.isChecked()
+        page = self.controls.page.isChecked()
         self._open(setup)
         if name:
             self.choose(name, settings)
-            self.page.setChecked(page)
+            self.controls.page.setChecked(page)
 
     def _clear(self) -> None:
         self._setup = self.model = self._hand_model = self._bodies = self._skin = None
@@ -216,7 +216,9 @@ class ApplicationsPanel(Panel):
         hand, own = self._bodies
         drawing = self.model.drawing
         if self._to_fit and (drawing or scene is not None):
-            self._look_at(bounds(drawing), scene)
+            box = bounds(drawing)
+            self._to_fit = box is None and self.model.runs
+            _look_at(self.view.orbit, box, scene)
         labels: list[Label] = []
         if scene is not None:
             labels += hand.update_ground(scene)
@@ -226,19 +228,18 @@ class ApplicationsPanel(Panel):
         labels += [Label(f.text, f.p, f.colour) for f in self._forms.labels(drawing, ink)]
         self.view.set_labels(labels)
 
-    def _look_at(self, box: Any, scene: HandScene | None) -> None:
-        """Move the eye until the drawing and the hand are in sight."""
-        corners = [*box] if box is not None else []
-        if scene is not None:
-            corners += [scene.segment_p.min(axis=0), scene.segment_p.max(axis=0)]
-        low, high = np.min(corners, axis=0), np.max(corners, axis=0)
-        self._to_fit = box is None and self.model is not None and self.model.runs
-        orbit = self.view.orbit
-        orbit.target = (low + high) / 2
-        half = max(0.5 * float(np.linalg.norm(high - low)), 0.08)
-        orbit.distance = ROOM * half / float(np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2)))
-
     def shut_down(self) -> None:
         self._bodies = None
         self._skins.shut_down()
         self.view.shut_down()
+
+
+def _look_at(orbit: Orbit, box: Any, scene: HandScene | None) -> None:
+    """Move the eye until the drawing in its ``box``, if any, and the hand are in sight."""
+    corners = [*box] if box is not None else []
+    if scene is not None:
+        corners += [scene.segment_p.min(axis=0), scene.segment_p.max(axis=0)]
+    low, high = np.min(corners, axis=0), np.max(corners, axis=0)
+    orbit.target = (low + high) / 2
+    half = max(0.5 * float(np.linalg.norm(high - low)), 0.08)
+    orbit.distance = ROOM * half / float(np.tan(np.deg2rad(VIEW_ANGLE_DEG / 2)))

@@ -21,6 +21,7 @@ from app.panels.calibration.wearer_row import WearerRow
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
 from app.viewmodels.calibration import camera_time
+from app.widgets.elided_label import ElidedLabel
 from app.widgets.measures import APART, NEAR
 
 
@@ -46,7 +47,7 @@ class CalibrationPanel(Panel):
     def _make_widgets(self) -> None:
         self.length = QLabel("–")
         self.length.setProperty("role", "figure")
-        self.camera_time = QLabel("–")
+        self.camera_time = ElidedLabel("–")
         self.camera_time.setToolTip(
             self.tr("How late images are stamped, from the motion of the hand and its gyroscope")
         )
@@ -62,9 +63,11 @@ class CalibrationPanel(Panel):
         head = QHBoxLayout()
         head.setSpacing(APART)
         self.camera_time.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        head.addWidget(QLabel(self.tr("Hand length")))
+        name = ElidedLabel(self.tr("Hand length"))
+        name.firm = True
+        head.addWidget(name)
         head.addWidget(self.length)
-        head.addWidget(QLabel(self.tr("Camera delay")))
+        head.addWidget(ElidedLabel(self.tr("Camera delay")))
         head.addWidget(self.camera_time, 1)
         head.addWidget(self.overall)
         column = QVBoxLayout(self)

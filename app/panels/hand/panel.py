@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
@@ -20,6 +21,7 @@ from app.viewmodels.hand_scene import HandScene, followed, view_direction
 from app.viewmodels.hand_skin import HandSkin
 from app.viewmodels.made_skins import MADE
 from app.viewmodels.states import VALIDITY
+from app.widgets.elided_label import ElidedLabel
 from app.widgets.measures import NEAR, WIDE
 from app.widgets.view3d.view_3d import View3D
 from tracker.errors import GlovetrackError
@@ -81,10 +83,10 @@ class HandPanel(Panel):
         for state, word in words.items():
             look = VALIDITY[state]
             row.addWidget(QLabel(f'<span style="color:{look.colour}">{look.sign}</span> {word}'))
-        row.addStretch(1)
-        self.gesture = QLabel()
+        self.gesture = ElidedLabel()
+        self.gesture.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.gesture.setToolTip(self.tr("What the hand shows now, and how much of it"))
-        row.addWidget(self.gesture)
+        row.addWidget(self.gesture, 1)
         return row
 
     # --- what is wanted
@@ -197,7 +199,10 @@ class HandPanel(Panel):
         orbit = self.view.orbit
         orbit.target = followed(orbit.target, scenes, self._found)
         self._found = True
-        self.view.caption = " · ".join(dict.fromkeys(s.caption for s in scenes if s.caption))
+        said = [s.caption for s in scenes if s.caption]
+        if any(hand.skin is None for hand in self._hands):
+            said.append(self.tr("The hand's skin is being made…"))
+        self.view.caption = " · ".join(dict.fromkeys(said))
         labels = [label for hand in self._hands for label in hand.draw(show, orbit)]
         self.view.set_labels(labels)
         self.view.render_scene()

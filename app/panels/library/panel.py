@@ -201,6 +201,8 @@ class LibraryPanel(Panel):
 
     def _opened(self, setup: EngineSetup) -> None:
         self._set_player(setup.player)
+        if setup.player is not None:
+            self.table.choose(setup.player.path)
         self.rescan()
 
     def _set_player(self, player: Player | None) -> None:

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 
 from app.panels.library.session_table import SessionTable
 from app.viewmodels.library import SessionRow
-from app.widgets.flow_layout import FlowLayout
 from app.widgets.measures import NEAR
+from app.widgets.one_line import OneLine
 
 SEARCH = 280  # px
 
@@ -52,11 +52,11 @@ class SessionPage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, NEAR, 0, 0)
         column.addWidget(self.table, 1)
-        column.addLayout(self._buttons())
+        column.addWidget(self._buttons())
         self.enable()
 
-    def _buttons(self) -> QHBoxLayout:
-        flow = FlowLayout(spacing=NEAR)
+    def _buttons(self) -> OneLine:
+        line = OneLine()
         self.buttons: dict[str, QPushButton] = {}
         for key, text in (
             ("replay", self.tr("Replay")),
@@ -67,12 +67,10 @@ class SessionPage(QWidget):
         ):
             self.buttons[key] = QPushButton(text)
             self.buttons[key].clicked.connect(partial(self._ask, key))
-            flow.addWidget(self.buttons[key])
+            line.add(self.buttons[key])
         self.buttons["compare"].setToolTip(self.tr("Choose two sessions of one movement"))
-        flow.addWidget(self._more())
-        row = QHBoxLayout()
-        row.addLayout(flow, 1)
-        return row
+        line.add(self._more())
+        return line
 
     def _more(self) -> QToolButton:
         self.menu = QMenu(self)

@@ -31,7 +31,8 @@ class SessionTable(QTableWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, len(WIDTHS), parent)
         self._rows: list[SessionRow] = []
-        self._no_image = QIcon(_empty())
+        self._coming: set[Path] = set()  # to be selected once it is listed
+        self._no_image = QIcon(no_image())
         self.setHorizontalHeaderLabels(
             [
                 self.tr("Session"),
@@ -82,7 +83,7 @@ class SessionTable(QTableWidget):
 
     def show_rows(self, rows: Sequence[SessionRow], known: dict[Path, Details]) -> None:
         """``known``: what was found inside files earlier. The selection stays where it can."""
-        before = {row.path for row in self.selected()}
+        before = self._coming or {row.path for row in self.selected()}
         self._rows = list(rows)
         self.clearSelection()
         self.setRowCount(len(rows))
@@ -99,8 +100,17 @@ class SessionTable(QTableWidget):
                 self.show_details(row.path, known[row.path])
             self._show_or_hide(i)
         again = [i for i, row in enumerate(rows) if row.path in before]
+        if again:
+            self._coming = set()
         seen = [i for i in range(len(rows)) if not self.isRowHidden(i)]
         self._select(again or seen[:1])
+
+    def choose(self, path: Path) -> None:
+        """Select this session, now or when `show_rows` brings it."""
+        rows = [i for i, row in enumerate(self._rows) if row.path == path]
+        self._coming = set() if rows else {path}
+        if rows:
+            self._select(rows)
 
     def _select(self, rows: Sequence[int]) -> None:
         """All of them; `selectRow` by itself would leave the last one alone."""
@@ -112,6 +122,7 @@ class SessionTable(QTableWidget):
         model.select(chosen, flags.ClearAndSelect | flags.Rows)
         if rows:
             model.setCurrentIndex(self.model().index(rows[0], 0), flags.NoUpdate)
+            self.scrollTo(self.model().index(rows[0], 0))
 
     def show_details(self, path: Path, details: Details) -> None:
         row = next((i for i, r in enumerate(self._rows) if r.path == path), None)
@@ -140,7 +151,7 @@ class SessionTable(QTableWidget):
             super().keyPressEvent(event)
 
 
-def _empty() -> QPixmap:
+def no_image() -> QPixmap:
     """What stands where there is no image, so that all names begin at one place."""
     pixmap = QPixmap(THUMBNAIL_WIDTH, ROW_HEIGHT - 4)
     pixmap.fill(Qt.GlobalColor.transparent)

@@ -12,10 +12,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.engines.engine import Player
-from app.viewmodels.log import KINDS
+from app.viewmodels.log import KINDS, kind_of, words_of
 from app.viewmodels.recording import position_text
 from app.widgets.measures import TIGHT
+from app.widgets.one_line import OneLine
 from app.widgets.timeline import Mark, TimelineBar
+from tracker.messages import Event
 
 SAME_PLACE = 0.6  # s; while it plays one is soon past the note that one jumped to
 SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
@@ -36,15 +38,23 @@ class TransportBar(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(TIGHT)
         column.addWidget(self.timeline)
-        column.addLayout(self._buttons())
+        column.addLayout(self._foot())
         self.set_player(None)
 
-    def _buttons(self) -> QHBoxLayout:
+    def _foot(self) -> QHBoxLayout:
+        """What moves the replay, and where it is."""
+        self.position = QLabel()
+        row = QHBoxLayout()
+        row.setSpacing(TIGHT)
+        row.addWidget(self._buttons(), 1)
+        row.addWidget(self.position)
+        return row
+
+    def _buttons(self) -> OneLine:
         self.play_button = QToolButton()
         self.loop_button = QToolButton()
         self.loop_button.setCheckable(True)
-        row = QHBoxLayout()
-        row.setSpacing(TIGHT)
+        row = OneLine()
         buttons = (
             (QToolButton(), "◂", self.tr("The image before (,)"), lambda: self.step(-1)),
             (self.play_button, self.tr("Pause"), self.tr("Ctrl+Space"), self.toggle),
@@ -61,17 +71,14 @@ class TransportBar(QWidget):
             button.setToolTip(tip)
             button.setAccessibleName(tip if len(text) <= 2 and not text.isalpha() else text)
             button.clicked.connect(slot)
-            row.addWidget(button)
+            row.add(button)
         self.speed = QComboBox()
         self.speed.setAccessibleName(self.tr("Speed"))
         for speed in SPEEDS:
             self.speed.addItem(f"{speed:g}×", speed)
         self.speed.setCurrentIndex(SPEEDS.index(1.0))
         self.speed.currentIndexChanged.connect(self._set_speed)
-        row.addWidget(self.speed)
-        self.position = QLabel()
-        row.addStretch(1)
-        row.addWidget(self.position)
+        row.add(self.speed)
         return row
 
     def set_player(self, player: Player | None) -> None:
@@ -80,12 +87,8 @@ class TransportBar(QWidget):
         self.setVisible(player is not None)
         if player is None:
             return
-        marks = []
-        for position, event in player.events:
-            look = KINDS.get(event.kind, KINDS["note"])
-            marks.append(
-                Mark(position, f"{position_text(position)}  {event.text}", look.colour, look.sign)
-            )
+        told = [(at, event, words_of(event)) for at, event in player.events]
+        marks = [_mark(at, event, words) for at, event, words in told if words]
         self.timeline.show_session(player.duration, marks)
         self.loop_button.setChecked(False)
         self.speed.setCurrentIndex(SPEEDS.index(1.0))
@@ -173,3 +176,10 @@ class TransportBar(QWidget):
             self.timeline.show_place(player.position, player.range)
         else:
             self.timeline.show_range(player.range)
+
+
+def _mark(position: float, event: Event, words: str) -> Mark:
+    """A note is what people look for: it stands in the colour of text."""
+    look = KINDS[kind_of(event)]
+    colour = "" if event.kind == "note" else look.colour
+    return Mark(position, f"{position_text(position)}  {words}", colour, look.sign)

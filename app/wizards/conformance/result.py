@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.viewmodels.conformance import FindingRow
@@ -49,7 +48,6 @@ class VerdictPage(OutcomePage):
                 (f"{r.look.sign} {tr(r.look.word)}", r.layer, r.rule, r.figure, r.limit)
                 for r in told
             ],
+            [r.look.colour for r in told],
         )
-        for i, row in enumerate(told):
-            self.table.item(i, 0).setForeground(QColor(row.look.colour))
         self.enable(True)

@@ -159,6 +159,7 @@ class ChoicePage(QWidget):
 
     def add_port(self, path: str) -> None:
         """Offer and choose a port that nobody asked yet."""
+        self.words.clear()  # what was said of the others
         self.ports.insertItem(0, path, path)
         self.ports.setCurrentIndex(0)
 

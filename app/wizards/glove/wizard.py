@@ -33,6 +33,7 @@ from tracker.sensors.discovery import PortReport, find_gloves, serial_ports
 from tracker.sensors.protocol import BAUDS
 
 TICK_MS = 80
+ENOUGH = 0.5  # s of packets, from which on their rate can be told
 
 
 class GloveSetup(QDialog):
@@ -169,12 +170,26 @@ class GloveSetup(QDialog):
 
     def _tick(self) -> None:
         recent: list[ImuSample] = list(self._feed.recent()) if self._feed is not None else []
-        self.state.setText(self._feed.trouble if self._feed is not None else "")
+        self.state.setText(self._answer(recent))
         page = self.tabs.currentWidget()
         if page is self.still:
             self.still.look(recent)
         elif page is self.wiggle:
             self.wiggle.look(recent)
+
+    def _answer(self, recent: list[ImuSample]) -> str:
+        """Whether the chosen glove answers, or what keeps it from that."""
+        if self._feed is None:
+            return ""
+        if self._feed.trouble:
+            return self._feed.trouble
+        if not recent:
+            return self.tr("Waiting for the glove's answer…")
+        span = recent[-1].t - recent[0].t
+        if span < ENOUGH:
+            return self.tr("The glove answers.")
+        rate = (len(recent) - 1) / span
+        return self.tr("The glove answers: {} packets a second.").format(round(rate))
 
     def _ask(self, part: str) -> None:
         if self._feed is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -62,8 +63,14 @@ class OutcomePage(QWidget):
         column.addWidget(self.table, 1)
         column.addLayout(row)
 
-    def tell(self, heading: str, words: str, rows: Sequence[Sequence[str]] = ()) -> None:
-        """One text for each column of each row."""
+    def tell(
+        self,
+        heading: str,
+        words: str,
+        rows: Sequence[Sequence[str]] = (),
+        colours: Sequence[str] = (),
+    ) -> None:
+        """One text for each column of each row; ``colours``: of the first one of each."""
         self.heading.setText(heading)
         self.words.setText(words)
         self.table.setRowCount(len(rows))
@@ -71,6 +78,8 @@ class OutcomePage(QWidget):
             for j, text in enumerate(texts):
                 item = QTableWidgetItem(text)
                 item.setToolTip(text)
+                if j == 0 and colours:
+                    item.setForeground(QColor(colours[i]))
                 self.table.setItem(i, j, item)
 
     def enable(self, on: bool) -> None:

@@ -76,10 +76,10 @@ def project_surfaces(surfaces: Surfaces, camera: Pinhole) -> Matrix:
 def fill_samples(
     surfaces: Surfaces, seen: Matrix, samples: Samples, touched: Written[BoolVector]
 ) -> None:
-    """The nearest triangle of each ray; touched (T,) tiles are those that any may show in."""
+    """The nearest triangle of each ray in the tiles touched (T,), which are those that any may show
+    in, and in the pixels beside them; other samples keep what an earlier image left there."""
     height, width = samples.face.shape[0], samples.face.shape[1]
-    samples.face[:] = NOTHING
-    samples.inverse[:] = np.float32(0.0)
+    _clear(surfaces, seen, samples)
     columns = (width + TILE - 1) // TILE
     for f in range(len(surfaces.faces)):
         if surfaces.part[f] < 0:
@@ -106,6 +106,40 @@ def fill_samples(
         for row in range(box[2] // TILE, (box[3] - 1) // TILE + 1):
             for column in range(box[0] // TILE, (box[1] - 1) // TILE + 1):
                 touched[row * columns + column] = True
+
+
+@kernel(error_model="numpy")
+def _clear(surfaces: Surfaces, seen: Matrix, samples: Samples) -> None:
+    """Forget what was nearest in the tiles that hold all triangles, and a pixel around them: all
+    samples of a large image are 25 MB, which take longer to write than a hand to draw."""
+    height, width = samples.face.shape[0], samples.face.shape[1]
+    low_u, low_v, high_u, high_v = np.inf, np.inf, -np.inf, -np.inf
+    for f in range(len(surfaces.faces)):
+        if surfaces.part[f] < 0:
+            continue
+        for corner in range(3):
+            i = surfaces.faces[f, corner]
+            if seen[i, 2] > 0.0:
+                low_u, high_u = min(low_u, seen[i, 0]), max(high_u, seen[i, 0])
+                low_v, high_v = min(low_v, seen[i, 1]), max(high_v, seen[i, 1])
+    left, right = _tiles(low_u, high_u, width)
+    top, bottom = _tiles(low_v, high_v, height)
+    for v in range(top, bottom):
+        for u in range(left, right):
+            for m in range(4):
+                samples.face[v, u, m] = NOTHING
+                samples.inverse[v, u, m] = 0.0
+
+
+@kernel(error_model="numpy")
+def _tiles(low: float, high: float, size: int) -> tuple[int, int]:
+    """First pixel and the one behind the last, of ``size``, of the tiles between two px and of a
+    pixel around them."""
+    if not (high + FARTHEST >= 0.0 and low - FARTHEST <= size):
+        return 0, 0
+    first = int(max(low - FARTHEST, 0.0)) // TILE * TILE - 1
+    last = (int(min(high + FARTHEST, 1.0 * size)) // TILE + 1) * TILE + 1
+    return max(first, 0), min(last, size)
 
 
 @kernel(error_model="numpy")

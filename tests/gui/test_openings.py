@@ -1,0 +1,75 @@
+"""What is opened and closed in jobs: in order, once, and never left open."""
+
+import threading
+
+import pytest
+
+from app.jobs.openings import Openings
+from app.platform.tasks import TaskOwner
+from tracker.errors import GlovetrackError
+
+
+class Port:
+    """Only one may be open, as with a server's port."""
+
+    def __init__(self, told: list[str], name: str) -> None:
+        if told and told[-1].startswith("opened"):
+            raise GlovetrackError(f"{name} finds the port taken")
+        self._told, self._name = told, name
+        told.append(f"opened {name}")
+
+    def close(self) -> None:
+        self._told.append(f"closed {self._name}")
+
+
+@pytest.fixture
+def tasks(qtbot):
+    owner = TaskOwner()
+    yield owner
+    owner.shut_down()
+
+
+@pytest.fixture
+def openings(tasks):
+    return Openings(tasks, lambda: None)
+
+
+def test_what_is_open_is_closed_before_it_is_opened_anew(openings, qtbot):
+    told = []
+    openings.renew("a", "a", lambda: Port(told, "first"), lambda port: True)
+    qtbot.waitUntil(lambda: openings.get("a") is not None)
+    openings.renew("a", "a", lambda: Port(told, "second"), lambda port: True)
+    qtbot.waitUntil(lambda: openings.get("a") is not None)
+    assert told == ["opened first", "closed first", "opened second"]
+    assert openings.problems == {}
+    openings.renew("a", "a", None, lambda port: True)
+    qtbot.waitUntil(lambda: told[-1] == "closed second")
+    assert openings.get("a") is None
+
+
+def test_what_nobody_wants_any_more_is_closed_when_it_has_opened(openings, qtbot):
+    told, go = [], threading.Event()
+
+    def slowly() -> Port:
+        go.wait(10.0)
+        return Port(told, "slow")
+
+    openings.renew("a", "a", slowly, lambda port: True)
+    openings.renew("a", "a", None, lambda port: True)
+    go.set()
+    qtbot.waitUntil(lambda: told == ["opened slow", "closed slow"])
+    openings.renew("a", "a", lambda: Port(told, "refused"), lambda port: False)
+    qtbot.waitUntil(lambda: told[2:] == ["opened refused", "closed refused"])
+    assert openings.get("a") is None
+
+
+def test_a_failure_is_told_and_the_end_leaves_nothing_open(openings, tasks, qtbot):
+    told = []
+    openings.renew("a", "a", lambda: Port(told, "a"), lambda port: True)
+    qtbot.waitUntil(lambda: openings.get("a") is not None)
+    openings.renew("b", "b", lambda: Port(told, "b"), lambda port: True)
+    qtbot.waitUntil(lambda: "b" in openings.problems)
+    assert "taken" in openings.problems["b"]
+    tasks.shut_down()
+    openings.shut_down()
+    assert told == ["opened a", "closed a"]
