@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.widgets.view3d.raster.blending import blend
+from app.widgets.view3d.raster.blending import blend, blend_surfaces
 from app.widgets.view3d.raster.ground import Ground, rule
 from app.widgets.view3d.raster.layers import gather
 from app.widgets.view3d.raster.placing import (
@@ -17,6 +17,7 @@ from app.widgets.view3d.raster.placing import (
     project_line,
     project_lines,
 )
+from app.widgets.view3d.raster.skin import meet_surface
 from app.widgets.view3d.raster.surfaces import (
     MORE,
     Samples,
@@ -99,8 +100,7 @@ def _first_rays(
         if span[0] < span[1] or touched[tile]:
             top, left = tile // columns * TILE, tile % columns * TILE
             rays = _middle_rays(view, image, top, left, bundle)
-            gather(view, items, span, touched[tile], rays, bundle)
-            blend(view, rays, bundle)
+            _colour(view, items, span, touched[tile], rays, bundle)
             _paint(rays, bundle.at, bundle.colour, bundle.number, image, numbers)
 
 
@@ -117,9 +117,26 @@ def _more_rays(
         if span[0] < span[1] or touched[tile]:
             top, left = tile // columns * TILE, tile % columns * TILE
             rays = _edge_rays(view, image, numbers, top, left, bundle)
-            gather(view, items, span, touched[tile], rays, bundle)
-            blend(view, rays, bundle)
+            _colour(view, items, span, touched[tile], rays, bundle)
             _mix(rays, bundle.at, bundle.colour, image)
+
+
+@kernel(error_model="numpy")
+def _colour(
+    view: View,
+    items: IntVector,
+    span: tuple[int, int],
+    surfaces: bool,
+    rays: int,
+    bundle: RayBundle,
+) -> None:
+    """The colours of a tile's rays; its bodies are ``items`` in ``span``."""
+    if span[0] < span[1]:
+        gather(view, items, span, surfaces, rays, bundle)
+        blend(view, rays, bundle)
+    else:
+        meet_surface(view, rays, bundle)
+        blend_surfaces(view, rays, bundle)
 
 
 @kernel(error_model="numpy")

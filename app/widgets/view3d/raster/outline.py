@@ -31,6 +31,8 @@ def draw_outline(
         if not touched[tile]:
             continue
         top, left = tile // columns * TILE, tile % columns * TILE
+        if not _may_have_edge(samples, top, left):
+            continue
         for v in range(max(top, 1), min(top + TILE, height - 1)):
             for u in range(max(left, 1), min(left + TILE, width - 1)):
                 share = _edge(samples, v, u)
@@ -39,16 +41,38 @@ def draw_outline(
 
 
 @kernel(error_model="numpy")
+def _may_have_edge(samples: Samples, top: int, left: int) -> bool:
+    """Whether a tile and the pixels around it are neither all empty nor, within `STEP`, one sheet:
+    most of a hand's tiles are."""
+    inverse = samples.inverse
+    height, width = inverse.shape[0], inverse.shape[1]
+    some_full, some_empty, low, high = False, False, np.inf, 0.0
+    for v in range(max(top - 1, 0), min(top + TILE + 1, height)):
+        for u in range(max(left - 1, 0), min(left + TILE + 1, width)):
+            for m in range(4):
+                if inverse[v, u, m] > 0.0:
+                    some_full = True
+                else:
+                    some_empty = True
+            near = np.float64(inverse[v, u, 0])
+            if near > 0.0:
+                low, high = min(low, near), max(high, near)
+    if some_full and some_empty:
+        return True
+    return some_full and 1.0 / low - 1.0 / high > STEP
+
+
+@kernel(error_model="numpy")
 def _edge(samples: Samples, v: int, u: int) -> float:
     """Share (0..1) of a pixel that the outline covers."""
-    face, inverse = samples.face, samples.inverse
+    inverse = samples.inverse
     low, high, jump = 4, 0, False
     mine = inverse[v, u, 0]
     for row in range(v - 1, v + 2):
         for column in range(u - 1, u + 2):
             many = 0
             for m in range(4):
-                many += face[row, column, m] >= 0
+                many += inverse[row, column, m] > 0.0
             low, high = min(low, many), max(high, many)
             other = inverse[row, column, 0]
             if mine > 0.0 and other > 0.0 and 1.0 / other - 1.0 / mine > STEP:

@@ -32,7 +32,7 @@ def meet_surface(view: View, rays: int, bundle: RayBundle) -> None:
         row, column, m = at[ray, 0], at[ray, 1], at[ray, 2]
         f = face[row, column, m]
         found[ray] = 0.0
-        if f < 0:
+        if not inverse[row, column, m] > 0.0:
             continue
         i, j, k = faces[f, 0], faces[f, 1], faces[f, 2]
         depth = 1.0 / np.float64(inverse[row, column, m])

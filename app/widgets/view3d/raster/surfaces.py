@@ -27,7 +27,6 @@ from tracker.kernels.arrays import (
 
 MORE = ((0.376, 0.137), (-0.306, 0.257), (-0.069, -0.394))
 """px from a pixel's middle where more rays go: with the first, no two in one row or column."""
-RAYS = ((0.0, 0.0), *MORE)
 FARTHEST = 0.4  # px from the middle to the ray farthest from it
 NOTHING = -1
 
@@ -46,7 +45,7 @@ class Surfaces(NamedTuple):
 
 
 class Samples(NamedTuple):
-    """Of each ray (H, W, 4): 1/z of the nearest triangle, 1/m, and its row, -1 for none."""
+    """Of each ray (H, W, 4): 1/z of the nearest triangle, 1/m, 0 for none, and its row."""
 
     inverse: Written[Float32Stack]
     face: Written[Int32Stack]
@@ -78,68 +77,69 @@ def fill_samples(
 ) -> None:
     """The nearest triangle of each ray in the tiles touched (T,), which are those that any may show
     in, and in the pixels beside them; other samples keep what an earlier image left there."""
-    height, width = samples.face.shape[0], samples.face.shape[1]
-    _clear(surfaces, seen, samples)
-    columns = (width + TILE - 1) // TILE
+    _touch(surfaces, seen, samples, touched)
+    _clear(samples, touched)
     for f in range(len(surfaces.faces)):
-        if surfaces.part[f] < 0:
+        box = _box(surfaces, f, seen, samples)
+        if box[0] < box[1]:
+            i, j, k = surfaces.faces[f, 0], surfaces.faces[f, 1], surfaces.faces[f, 2]
+            _fill(f, seen, (i, j, k), box, samples)
+
+
+@kernel(error_model="numpy")
+def _box(surfaces: Surfaces, f: int, seen: Matrix, samples: Samples) -> tuple[int, int, int, int]:
+    """Pixels that a triangle may show in: left, right, top, bottom; none where it is not drawn, not
+    ahead, seen from behind or beside the image."""
+    nowhere = 0, 0, 0, 0
+    if surfaces.part[f] < 0:
+        return nowhere
+    height, width = samples.inverse.shape[0], samples.inverse.shape[1]
+    i, j, k = surfaces.faces[f, 0], surfaces.faces[f, 1], surfaces.faces[f, 2]
+    if seen[i, 2] <= 0.0 or seen[j, 2] <= 0.0 or seen[k, 2] <= 0.0:
+        return nowhere
+    # v points down: counter-clockwise from outside is clockwise in these numbers
+    double = (seen[k, 0] - seen[i, 0]) * (seen[j, 1] - seen[i, 1])
+    double -= (seen[j, 0] - seen[i, 0]) * (seen[k, 1] - seen[i, 1])
+    if not double > 1e-9:
+        return nowhere
+    left = min(seen[i, 0], seen[j, 0], seen[k, 0]) - FARTHEST
+    right = max(seen[i, 0], seen[j, 0], seen[k, 0]) + FARTHEST
+    top = min(seen[i, 1], seen[j, 1], seen[k, 1]) - FARTHEST
+    bottom = max(seen[i, 1], seen[j, 1], seen[k, 1]) + FARTHEST
+    if not (right >= 0.0 and left <= width and bottom >= 0.0 and top <= height):
+        return nowhere
+    across = int(max(left, 0.0)), min(int(right) + 1, width)
+    return across[0], across[1], int(max(top, 0.0)), min(int(bottom) + 1, height)
+
+
+@kernel(error_model="numpy")
+def _touch(
+    surfaces: Surfaces, seen: Matrix, samples: Samples, touched: Written[BoolVector]
+) -> None:
+    """Tiles that any triangle may show in."""
+    columns = (samples.inverse.shape[1] + TILE - 1) // TILE
+    for f in range(len(surfaces.faces)):
+        left, right, top, bottom = _box(surfaces, f, seen, samples)
+        if left >= right or top >= bottom:
             continue
-        i, j, k = surfaces.faces[f, 0], surfaces.faces[f, 1], surfaces.faces[f, 2]
-        if seen[i, 2] <= 0.0 or seen[j, 2] <= 0.0 or seen[k, 2] <= 0.0:
-            continue
-        # v points down: counter-clockwise from outside is clockwise in these numbers
-        double = (seen[k, 0] - seen[i, 0]) * (seen[j, 1] - seen[i, 1])
-        double -= (seen[j, 0] - seen[i, 0]) * (seen[k, 1] - seen[i, 1])
-        if not double > 1e-9:
-            continue  # seen from behind
-        left = min(seen[i, 0], seen[j, 0], seen[k, 0]) - FARTHEST
-        right = max(seen[i, 0], seen[j, 0], seen[k, 0]) + FARTHEST
-        top = min(seen[i, 1], seen[j, 1], seen[k, 1]) - FARTHEST
-        bottom = max(seen[i, 1], seen[j, 1], seen[k, 1]) + FARTHEST
-        if not (right >= 0.0 and left <= width and bottom >= 0.0 and top <= height):
-            continue
-        box = (
-            int(max(left, 0.0)), min(int(right) + 1, width),
-            int(max(top, 0.0)), min(int(bottom) + 1, height),
-        )  # fmt: skip
-        _fill(f, seen, (i, j, k), box, samples)
-        for row in range(box[2] // TILE, (box[3] - 1) // TILE + 1):
-            for column in range(box[0] // TILE, (box[1] - 1) // TILE + 1):
+        for row in range(top // TILE, (bottom - 1) // TILE + 1):
+            for column in range(left // TILE, (right - 1) // TILE + 1):
                 touched[row * columns + column] = True
 
 
 @kernel(error_model="numpy")
-def _clear(surfaces: Surfaces, seen: Matrix, samples: Samples) -> None:
-    """Forget what was nearest in the tiles that hold all triangles, and a pixel around them: all
-    samples of a large image are 25 MB, which take longer to write than a hand to draw."""
-    height, width = samples.face.shape[0], samples.face.shape[1]
-    low_u, low_v, high_u, high_v = np.inf, np.inf, -np.inf, -np.inf
-    for f in range(len(surfaces.faces)):
-        if surfaces.part[f] < 0:
-            continue
-        for corner in range(3):
-            i = surfaces.faces[f, corner]
-            if seen[i, 2] > 0.0:
-                low_u, high_u = min(low_u, seen[i, 0]), max(high_u, seen[i, 0])
-                low_v, high_v = min(low_v, seen[i, 1]), max(high_v, seen[i, 1])
-    left, right = _tiles(low_u, high_u, width)
-    top, bottom = _tiles(low_v, high_v, height)
-    for v in range(top, bottom):
-        for u in range(left, right):
-            for m in range(4):
-                samples.face[v, u, m] = NOTHING
-                samples.inverse[v, u, m] = 0.0
-
-
-@kernel(error_model="numpy")
-def _tiles(low: float, high: float, size: int) -> tuple[int, int]:
-    """First pixel and the one behind the last, of ``size``, of the tiles between two px and of a
-    pixel around them."""
-    if not (high + FARTHEST >= 0.0 and low - FARTHEST <= size):
-        return 0, 0
-    first = int(max(low - FARTHEST, 0.0)) // TILE * TILE - 1
-    last = (int(min(high + FARTHEST, 1.0 * size)) // TILE + 1) * TILE + 1
-    return max(first, 0), min(last, size)
+def _clear(samples: Samples, touched: BoolVector) -> None:
+    """Forget what was nearest in these tiles and in the pixels around them: all samples of a large
+    image take longer to write than a hand to draw."""
+    height, width = samples.inverse.shape[0], samples.inverse.shape[1]
+    columns = (width + TILE - 1) // TILE
+    for tile in range(len(touched)):
+        if touched[tile]:
+            top, left = tile // columns * TILE, tile % columns * TILE
+            for v in range(max(top - 1, 0), min(top + TILE + 1, height)):
+                for u in range(max(left - 1, 0), min(left + TILE + 1, width)):
+                    for m in range(4):
+                        samples.inverse[v, u, m] = 0.0
 
 
 @kernel(error_model="numpy")
@@ -169,18 +169,31 @@ def _fill(
     low0 = -FARTHEST * (abs(a0) + abs(b0))
     low1 = -FARTHEST * (abs(a1) + abs(b1))
     low2 = -FARTHEST * (abs(a0 + a1) + abs(b0 + b1))
-    inverse, face = samples.inverse, samples.face
+    # what each of `MORE` adds to shares and 1/z, so that no ray is computed from its start
+    (x1, y1), (x2, y2), (x3, y3) = MORE
+    p1, q1, r1 = a0 * x1 + b0 * y1, a1 * x1 + b1 * y1, a * x1 + b * y1
+    p2, q2, r2 = a0 * x2 + b0 * y2, a1 * x2 + b1 * y2, a * x2 + b * y2
+    p3, q3, r3 = a0 * x3 + b0 * y3, a1 * x3 + b1 * y3, a * x3 + b * y3
     for v in range(box[2], box[3]):
+        p0 = 0.5 * a0 + b0 * (v + 0.5) + c0
+        q0 = 0.5 * a1 + b1 * (v + 0.5) + c1
+        r0 = 0.5 * a + b * (v + 0.5) + c
         for u in range(box[0], box[1]):
-            s0 = a0 * (u + 0.5) + b0 * (v + 0.5) + c0
-            s1 = a1 * (u + 0.5) + b1 * (v + 0.5) + c1
-            if s0 < low0 or s1 < low1 or 1.0 - s0 - s1 < low2:
+            s, t = p0 + a0 * u, q0 + a1 * u
+            if s < low0 or t < low1 or 1.0 - s - t < low2:
                 continue
-            for m in range(4):
-                du, dv = RAYS[m]
-                t0, t1 = s0 + a0 * du + b0 * dv, s1 + a1 * du + b1 * dv
-                if t0 < 0.0 or t1 < 0.0 or t0 + t1 > 1.0:
-                    continue
-                near = np.float32(a * (u + 0.5 + du) + b * (v + 0.5 + dv) + c)
-                if near > inverse[v, u, m]:
-                    inverse[v, u, m], face[v, u, m] = near, f
+            z = r0 + a * u
+            _keep_nearer(samples, v, u, 0, f, s, t, z)
+            _keep_nearer(samples, v, u, 1, f, s + p1, t + q1, z + r1)
+            _keep_nearer(samples, v, u, 2, f, s + p2, t + q2, z + r2)
+            _keep_nearer(samples, v, u, 3, f, s + p3, t + q3, z + r3)
+
+
+@kernel(error_model="numpy", inline="always")
+def _keep_nearer(
+    samples: Samples, v: int, u: int, m: int, f: int, s: float, t: float, inverse: float
+) -> None:
+    """Triangle f at ray m of a pixel, whose shares of its first two corners are s and t."""
+    near = np.float32(inverse)
+    if s >= 0.0 and t >= 0.0 and s + t <= 1.0 and near > samples.inverse[v, u, m]:
+        samples.inverse[v, u, m], samples.face[v, u, m] = near, f
