@@ -104,6 +104,8 @@ def packages(files: set[Path], known: dict[str, str]) -> Iterator[Part]:
 def libraries(bundle: Path, known: dict[str, str]) -> Iterator[Part]:
     """The system's libraries, right in the bundle's folder, and those that wheels bring along."""
     for path in sorted([*bundle.glob("lib*.so*"), *bundle.glob("*.libs/lib*.so*")]):
+        if path.is_symlink():  # to a file in a package's folder, where it was listed
+            continue
         keys = [k for k in known if path.name.startswith(k)]
         licence = known[max(keys, key=len)] if keys else ""
         told = FFMPEG.search(path.read_bytes())
