@@ -6,7 +6,7 @@ are those of docs/chain.md.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -52,6 +52,8 @@ class ChainFilter:
         self._layout, self._params, self._buffer, self._tape = layout, params, buffer, tape
         self._held_params = without_random_walks(params)
         self._constraints = Constraints(layout, params.constraint)
+        with_image = replace(params.constraint, rotation=params.constraint.rotation_seen)
+        self._constraints_seen = Constraints(layout, with_image)
         state = initial_state(layout)
         state.P = initial_covariance(layout, params.prior)
         self.kept = FilterKept(state)
@@ -162,7 +164,7 @@ class ChainFilter:
 
     def correct(self, seen: Rows) -> None:
         """One stacked update: what was seen and anatomy, linearised at the same state."""
-        H, r, variance = self._constraints.rows(self.state)
+        H, r, variance = self._constraints_seen.rows(self.state)
         variance = variance * self._how_often()
         self._update(*joined(*seen, H, r, variance, self.state.P))
         self.kept.last_constraint = self.state.t

@@ -88,7 +88,8 @@ class ConstraintParams:
     Standard deviations are those of one use every ``period``.
     """
 
-    rotation: float = 0.15  # rad: no twist, no abduction of a hinge
+    rotation: float = 0.15  # rad: no twist, no abduction of a hinge, while no image comes
+    rotation_seen: float = 0.30  # rad: the same with an image
     stiff_abduction: float = 0.12  # rad, of a joint that hardly abducts
     synergy: float = 0.13  # rad, for a segment seen only by markers
     limit: float = 0.05  # rad, beyond a joint's limit
