@@ -128,7 +128,10 @@ class CamerasPanel(Panel):
             box.toggled.connect(self._redraw)
             self._controls.addWidget(box)
         self._toggle_masks(self.masks.isChecked())
-        self._show_sides(one_camera(setup, None))
+        words = self.tr("No image yet") if setup.has_camera else self.tr("There is no camera")
+        for image in (self.left, self.right):
+            image.set_placeholder(words)
+        self._show_sides(one_camera(setup, None) or not setup.has_camera)
 
     def _toggle_masks(self, on: bool) -> None:
         for box in self.hue_boxes.values():

@@ -41,11 +41,12 @@ def tracking_look(status: Status | None, running: bool, has_place: bool = True) 
     """``has_place``: without a calibrated camera nothing tells the hand's place, nor is it lost."""
     if not running or status is None:
         return StateLook(IDLE.colour, IDLE.sign, tr("Stopped"))
-    heading = status.values.get("heading_sd_deg", math.nan)
-    if not has_place and status.tracking == Tracking.LOST:
-        return StateLook(WARN.colour, WARN.sign, _drifting(tr("Place unknown"), heading))
     look = TRACKING[status.tracking]
-    return replace(look, word=_drifting(tr(look.word), heading))
+    if status.tracking != Tracking.LOST:
+        return replace(look, word=tr(look.word))
+    word = tr(look.word) if has_place else tr("Place unknown")
+    look = look if has_place else StateLook(WARN.colour, WARN.sign, word)
+    return replace(look, word=_drifting(word, status.values.get("heading_sd_deg", math.nan)))
 
 
 def _drifting(word: str, heading_sd_deg: float) -> str:

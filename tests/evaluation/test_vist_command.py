@@ -106,8 +106,38 @@ def test_what_is_not_known_is_a_dash_in_the_table():
     unknown = replace(a_trial(0), sd=np.full((200, 4), np.nan), matches=0)
     line = line_of(Case("free", "vist", ablation="imu-only-5s"), summarise([unknown]))
     assert "nan" not in line
-    assert line.count("–") == 2
+    assert line.count("–") == 3
     assert "–" not in line_of(Case("free", "vist"), summarise([a_trial(0)]))
+
+
+def test_with_one_lens_or_none_the_engine_is_one_that_can(capsys):
+    one, none = (cases_of(parse("--lenses", n, "--experiments", "free")) for n in ("one", "none"))
+    assert [(c.engine, c.lenses) for c in one + none] == [("chain", "one"), ("inertial", "none")]
+    for words, told in (
+        (("--lenses", "one", "--engines", "vist"), "both lenses"),
+        (("--lenses", "none", "--engines", "chain"), "inertial"),
+        (("--engines", "inertial"), "--lenses none"),
+    ):
+        with pytest.raises(ConfigError, match=told):
+            cases_of(parse(*words))
+
+
+def test_a_glove_without_a_camera_is_judged_by_its_joints(capsys):
+    words = (
+        "--lenses",
+        "none",
+        "--experiments",
+        "free",
+        "--participants",
+        "1",
+        "--minutes",
+        "0.12",
+    )
+    args = parse(*words, "--json", "-")
+    assert args.func(args) == 0
+    (row,) = json.loads(capsys.readouterr().out)["rows"]
+    assert 0.5 < row["angles_deg"] < 10 and row["lost"] == 0.0
+    assert row["nees_per_dof"] is None  # there is no place to be sure of
 
 
 def a_trial(participant: int) -> Trial:
@@ -117,7 +147,7 @@ def a_trial(participant: int) -> Trial:
         participant=participant, hand_length=0.18, t=np.arange(n) / 100,
         error=np.full((n, 4), 0.004), sd=np.full((n, 4), 0.004),
         joints=np.full((n, 9), 0.002), seen=np.full(n, 11),
-        matches=10, wrong_matches=0, core_s=0.1, duration=2.0,
+        matches=10, wrong_matches=0, core_s=0.1, duration=2.0, angles=np.full((n, 5), 0.05),
     )  # fmt: skip
 
 

@@ -100,3 +100,9 @@ def test_tips_and_joints_are_told_apart():
     told = summarise([trial([[9.0, 6.0, 3.0, 1.0]] * 5)])
     assert told.tips_mm == pytest.approx(6.0)
     assert told.joints_mm == pytest.approx(2.0)
+
+
+def test_within_three_sd_counts_an_error_along_one_axis():
+    """sd 10 mm of a coordinate: 51 mm along one axis is within three of its own, 53 is not."""
+    t = trial([[51, 51, 51, 53]])
+    assert summarise([t]).within_3sd == pytest.approx(0.75)

@@ -76,10 +76,17 @@ def test_a_chip_without_room_ends_in_dots_and_never_in_half_a_letter(qtbot):
     assert label.shown() == label.text()
 
 
-@pytest.mark.parametrize(("placed", "words"), [(True, "Position lost"), (False, "Place unknown")])
-def test_a_glove_alone_has_not_lost_a_place(window, qtbot, placed, words):
+@pytest.mark.parametrize(
+    ("placed", "values", "words"),
+    [
+        (True, {}, "Position lost"),
+        (False, {}, "Place unknown"),
+        (False, {"heading_sd_deg": 6.0}, "Place unknown, heading within 12°"),
+    ],
+)
+def test_a_glove_alone_has_not_lost_a_place(window, qtbot, placed, values, words):
     engine = ScriptedEngine()
-    engine.status = lambda: Status(0.0, int(Tracking.LOST), {})
+    engine.status = lambda: Status(0.0, int(Tracking.LOST), values)
     window.host.adopt(replace(scripted_setup(engine), has_camera=placed))
     qtbot.waitUntil(lambda: window.bar.tracking.text() == words, timeout=30_000)
     assert tracking_look(None, True, placed).word == "Stopped"
