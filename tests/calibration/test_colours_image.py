@@ -1,11 +1,18 @@
 """Colours learned from one image of the glove alone, in other light than before."""
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
 
 from tracker.calibration.colours_fit import clashes
-from tracker.calibration.colours_image import Pick, learn_image, learn_picked
+from tracker.calibration.colours_image import (
+    Pick,
+    _refuse_worse_picked,
+    learn_image,
+    learn_picked,
+)
 from tracker.errors import GlovetrackError
 from tracker.vision.colours import ColourProfile, HueRange
 from tracker.vision.detector import Detector
@@ -17,18 +24,22 @@ PROFILE = ColourProfile(
 SIZE, FX = 0.012, 640.0
 
 
-def glove_image(shift: int = 0, gain: float = 1.0, seed: int = 0) -> np.ndarray:
-    """24 discs of four cloths on grey, all hues turned by ``shift`` as under other light."""
+def glove_image(
+    shift: int = 0, gain: float = 1.0, seed: int = 0, noise: float = 3.0, cloth: int = 110
+) -> np.ndarray:
+    """24 discs of four cloths on a glove of grey ``cloth`` before a grey wall, all hues turned by
+    ``shift`` as under other light."""
     rng = np.random.default_rng(seed)
     hsv = np.zeros((360, 480, 3), np.uint8)
     hsv[..., 2] = 110
+    hsv[70:280, 80:390, 2] = cloth
     for k in range(24):
         centre = (110 + 50 * (k % 6), 100 + 50 * (k // 6))
         hue = (list(CLOTH.values())[k % 4] + shift) % 180
         value = int(min(210 * gain * rng.uniform(0.7, 1.0), 255))
         cv2.circle(hsv, centre, 11, (hue, 210, value), -1)
     bgr = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
-    noisy = cv2.GaussianBlur(bgr, (0, 0), 0.7) + rng.normal(0, 3, bgr.shape)
+    noisy = cv2.GaussianBlur(bgr, (0, 0), 0.7) + rng.normal(0, noise, bgr.shape)
     return np.clip(noisy, 0, 255).astype(np.uint8)
 
 
@@ -67,6 +78,22 @@ def test_one_click_a_hue_is_as_good_as_a_fit(shift: int, gain: float) -> None:
     assert [f.patches for f in found] == [6, 6, 6, 6]
     blobs, _ = Detector(fitted).detect(glove_image(shift, gain, seed=1))
     assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
+
+
+def test_one_click_a_hue_is_enough_in_noise() -> None:
+    """A tenth of a dim patch's level."""
+    dim = [glove_image(0, 0.6, seed, noise=8.0, cloth=30) for seed in (0, 1)]
+    fitted, _ = learn_picked(pointed_at(dim[0]), PROFILE, SIZE, FX)
+    blobs, _ = Detector(fitted).detect(dim[1])
+    assert np.bincount(blobs.hue, minlength=4).tolist() == [6, 6, 6, 6]
+
+
+def test_what_shows_fewer_of_the_markers_pointed_at_is_refused() -> None:
+    poor = replace(PROFILE, hues=tuple(replace(h, value=(250, 255)) for h in PROFILE.hues))
+    picks, camera = pointed_at(glove_image()), (SIZE, FX)
+    with pytest.raises(GlovetrackError, match="show 0 of 4 markers"):
+        _refuse_worse_picked(picks, (PROFILE, poor), camera)
+    _refuse_worse_picked(picks, (poor, PROFILE), camera)
 
 
 def test_a_hue_that_was_not_pointed_at_is_named() -> None:

@@ -16,7 +16,7 @@ import numpy as np
 
 from tracker.calibration.colours_fit import FoundHue, Image, fit_samples, parted
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
-from tracker.calibration.colours_sample import KnownMarkers, core_pixels, samples_of
+from tracker.calibration.colours_sample import KnownMarkers, calmed, core_pixels, samples_of
 from tracker.errors import GlovetrackError
 from tracker.messages import Array, Blobs, IntArray
 from tracker.vision.colours import ColourProfile, HueRange
@@ -28,6 +28,8 @@ LIKE = 1.6  # ratio of extents of one glove's markers
 SAME = 4.0  # px between a patch and itself
 LEAST_PATCHES, LEAST_HUES = 8, 2
 PICKED_PX = 5.0  # around the pixel that was pointed at
+POINTED_PX = 10.0  # from the pixel that was pointed at to the middle of its marker
+MUCH_MORE = 1.5  # times the other things
 PICKED_CONTRAST = 0.1  # to be asked of patches like those that were pointed at
 
 
@@ -39,8 +41,9 @@ def learn_image(
     Raises GlovetrackError where no glove is seen for sure.
     """
     best, crowd = Blobs.empty(), np.zeros(0, np.int64)
+    calm = calmed(image)
     for wide in wide_profiles(profile):
-        blobs, _ = Detector(wide, marker_size, fx).detect(image)
+        blobs, _ = Detector(wide, marker_size, fx).detect(calm)
         rows = glove_of(blobs)
         if len(rows) > len(crowd):
             best, crowd = blobs, rows
@@ -77,7 +80,8 @@ def learn_picked(
     """A profile learned from one marker of each hue that was pointed at, and from those like them
     on the same glove; ``marker_size`` m, ``fx`` px.
 
-    Raises GlovetrackError where a hue was not pointed at, or no glove is seen around what was.
+    Raises GlovetrackError where a hue was not pointed at, no glove is seen around what was, or the
+    colours before serve better.
     """
     ranges = {p.hue: _around(p) for p in picks}
     missing = [name for name in profile.hue_names if name not in ranges]
@@ -89,7 +93,7 @@ def learn_picked(
     detector, samples = Detector(start, marker_size, fx), ColourSamples.of(profile.hue_names)
     most = 0
     for image in _distinct(picks):
-        blobs, _ = detector.detect(image)
+        blobs, _ = detector.detect(calmed(image))
         rows = glove_of(blobs)
         most = max(most, len(rows))
         hue = tuple(profile.hue_names[k] for k in blobs.hue[rows])
@@ -101,6 +105,7 @@ def learn_picked(
             "around it. Point at the middle of a patch of each hue, the hand flat."
         )
     fitted = learn(replace(profile, hues=hues), samples)
+    _refuse_worse_picked(picks, (profile, fitted), (marker_size, fx))
     return fitted, tuple(
         FoundHue(h, samples.patches[h.name], len(samples.pixels(h.name)))
         for h in fitted.hues
@@ -110,9 +115,37 @@ def learn_picked(
 
 def _around(pick: Pick) -> HueRange:
     """The range of the cloth that was pointed at."""
-    pixels = core_pixels(pick.image, pick.uv, PICKED_PX)
+    pixels = core_pixels(calmed(pick.image), pick.uv, PICKED_PX)
     hsv = np.asarray(cv2.cvtColor(pixels[None], cv2.COLOR_BGR2HSV), np.uint8)[0]
     return fit_samples(pick.hue, hsv)
+
+
+def _refuse_worse_picked(
+    picks: Sequence[Pick],
+    profiles: tuple[ColourProfile, ColourProfile],
+    camera: tuple[float, float],
+) -> None:
+    """Raises GlovetrackError where the second profile shows fewer of the markers that were pointed
+    at than the first, or as many and much more of everything else."""
+    (was, other), (now, others) = (_of_picks(Detector(p, *camera), picks) for p in profiles)
+    if now < was or (now == was and others > MUCH_MORE * other):
+        raise GlovetrackError(
+            f"The colours stay as they are: learned ones show {now} of {len(picks)} markers and "
+            f"{others} other things, these {was} and {other}. Point at markers of a flat hand, "
+            "in more light."
+        )
+
+
+def _of_picks(detector: Detector, picks: Sequence[Pick]) -> tuple[int, int]:
+    """Markers that were pointed at and are found in their hue, and other blobs."""
+    names, shown, blobs = detector.profile.hue_names, 0, 0
+    for image in _distinct(picks):
+        found, _ = detector.detect(image)
+        blobs += len(found)
+        for pick in (p for p in picks if p.image is image):
+            apart = np.linalg.norm(found.uv - pick.uv, axis=1)
+            shown += bool(np.any((found.hue == names.index(pick.hue)) & (apart < POINTED_PX)))
+    return shown, blobs - shown
 
 
 def _distinct(picks: Sequence[Pick]) -> list[Image]:

@@ -46,9 +46,9 @@ class KnownMarkers:
 def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> ColourSamples:
     """BGR pixels of an image by whose they are; those of a noisy one when it is smoothed."""
     out = ColourSamples.of(names)
-    out.noisy.append(noise_of(image) > NOISY)
-    if out.noisy[0]:
-        image = smoothed(image, SMOOTHING_PX)
+    calm = calmed(image)
+    out.noisy.append(calm is not image)
+    image = calm
     shape = image.shape[:2]
     taken = np.zeros(shape, np.uint8)
     for uv, extent in zip(known.uv, known.extent, strict=True):
@@ -68,6 +68,11 @@ def samples_of(image: Image, known: KnownMarkers, names: tuple[str, ...]) -> Col
         _disc(away, uv, reach)
     out.room.append(image[away == 0][::ROOM_STEP])
     return out
+
+
+def calmed(image: Image) -> Image:
+    """The image, smoothed if it is noisy."""
+    return smoothed(image, SMOOTHING_PX) if noise_of(image) > NOISY else image
 
 
 def core_colours(sides: Sequence[tuple[Image, KnownMarkers]]) -> dict[str, Array]:

@@ -57,6 +57,10 @@ class ColoursFitting(QObject):
             self.tuning.live.ask()
         except GlovetrackError as error:
             self.failed.emit(str(error))
+            return
+        if not self.tuning.live.is_enough:
+            words = self.tr("Images are gathered: hold the hand in view, or let the replay run.")
+            self.tuning.last_words = words
 
     def fit_by_itself(self) -> None:
         """The same where nobody asked: what is refused then changes nothing and is not told."""
