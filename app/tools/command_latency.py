@@ -1,7 +1,9 @@
 """``python -m app.tools.command_latency``: how late motors and a robot are told, in the window.
 
-Runs the demo off-screen with an object to touch and a robot hand that follows, both in sight, and
-records it; the figures are those that the session itself tells (`tracker.session.latency`).
+Runs the demo, or with ``--devices`` what is set up, off-screen with an object to touch and a robot
+hand that follows, both in sight, and records it; the figures are those that the session itself
+tells (`tracker.session.latency`). ``glovetrack rig`` in another process makes devices that cost the
+window nothing.
 """
 
 from __future__ import annotations
@@ -37,6 +39,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="app.tools.command_latency", description=__doc__)
     parser.add_argument("--seconds", type=float, default=60.0, help="that are recorded")
     parser.add_argument("--fps", type=float, default=30.0, help="of the simulated camera")
+    parser.add_argument("--devices", action="store_true", help="what is set up, not the demo")
     parser.add_argument("--motion", default="", help="of the hand: as in the demo")
     parser.add_argument("--only", choices=PARTS, default="", help="leave the other one out")
     parser.add_argument("--hidden", action="store_true", help="their panels are not in sight")
@@ -53,11 +56,11 @@ def main(argv: Sequence[str] | None = None) -> int:
 def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
     """What the session says, and what the window did meanwhile."""
     choice = DemoChoice(args.fps, motion=args.motion)
-    camera = start_camera(choice=choice)
+    camera = None if args.devices else start_camera(choice=choice)
     from app.storage.settings import SettingsStore
     from app.window.headless_report import wait_until
     from app.window.main_window import MainWindow
-    from app.window.sources import demo_factory
+    from app.window.sources import demo_factory, hardware_factory
     from tracker.session.latency import latencies_of
 
     folder.mkdir(parents=True, exist_ok=True)
@@ -66,9 +69,14 @@ def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
     window.show()
     path = folder / "latency.mcap"
     try:
-        window.host.open("demo", demo_factory(choice, camera=camera))
+        made = (
+            hardware_factory(SettingsStore().value)
+            if args.devices
+            else demo_factory(choice, camera=camera)
+        )
+        window.host.open("devices" if args.devices else "demo", made)
         if not wait_until(lambda: window.host.running, START_TIMEOUT):
-            raise SystemExit("The demo did not start.")
+            raise SystemExit("The engine did not start.")
         _begin(window, [args.only] if args.only else PARTS, not args.hidden)
         wait_until(lambda: False, SETTLE_S)
         path.unlink(missing_ok=True)
