@@ -13,6 +13,7 @@ import lz4.frame
 import numpy as np
 import pytest
 import zstandard
+from mcap.writer import Writer
 
 from tests.session.conftest import START
 from tests.session.kill_drill import drill
@@ -271,6 +272,26 @@ def test_estimates_of_an_unfinished_file_are_read(session: Path) -> None:
     cut.write_bytes(data[: len(data) * 2 // 3])
     with SessionReader(cut) as reader:
         assert len(list(reader.messages([Estimate]))) > 20
+
+
+def test_a_channel_may_be_defined_at_the_end_of_a_chunk_before_its_messages(tmp_path: Path) -> None:
+    """In an unfinished file: all left images of one were not found."""
+    path = tmp_path / "unfinished.mcap"
+    with path.open("wb") as stream:
+        writer = Writer(stream, chunk_size=200)
+        writer.start("ros2", "test")
+        schema = writer.register_schema("a", "ros2msg", b"")
+        early = writer.register_channel("/early", "cdr", schema)
+        writer.add_message(early, 1, bytes(100), 1)
+        late = writer.register_channel("/late", "cdr", schema)
+        writer.add_message(early, 2, bytes(300), 2)  # ends the chunk
+        writer.add_message(late, 3, bytes(300), 3)
+    source = McapInput(path)
+    try:
+        assert not source.contents.finished
+        assert [m.topic for m in ordered(source)] == ["/early", "/early", "/late"]
+    finally:
+        source.close()
 
 
 def test_a_disk_that_goes_away_is_told(tmp_path: Path, session_info, maker, monkeypatch) -> None:

@@ -6,6 +6,7 @@ that an unfinished file is read like a whole one.
 
 from __future__ import annotations
 
+import contextlib
 import struct
 import zlib
 from collections.abc import Iterator
@@ -153,6 +154,7 @@ class _Scan:
     def __init__(self, file: RecordFile, contents: Contents) -> None:
         self._file, self._contents = file, contents
         self._loose = LooseMessages(contents.spans)
+        self._closed: list[Span] = []  # chunks that were not opened, in the order of the file
 
     def walk(self) -> None:
         at = len(MAGIC)
@@ -188,7 +190,9 @@ class _Scan:
                 c.damage.append(Damage(at, "a definition is damaged"))
 
     def _visit_chunk(self, at: int, length: int) -> None:
-        """Note a chunk; it is opened only if it speaks of channels that are still unknown."""
+        """Note a chunk; it is opened only if it speaks of channels that are still unknown. If it
+        does not define them, those before it are: a writer may define a channel at the end of a
+        chunk and begin with its messages in a later one."""
         c = self._contents
         if length < _CHUNK.size:
             c.damage.append(Damage(at, "a chunk is too short"))
@@ -199,15 +203,28 @@ class _Scan:
             return
         ids = self._indexed_channels(at + 9 + length)
         span = Span(start, end, at, 9 + length, ids or None)
-        if not ids or not ids <= c.channels.keys():
+        if ids and ids <= c.channels.keys():
+            self._closed.append(span)
+        else:
             try:
-                for opcode, body in span_records(self._file, span):
-                    if opcode != Opcode.MESSAGE:
-                        c.define(opcode, body)
+                self._define_from(span)
             except (FileError, *BAD_RECORD) as error:
                 c.damage.append(Damage(at, f"a chunk cannot be read ({error})"))
                 return
+            self._look_back_for(ids)
         c.spans.add(span)
+
+    def _define_from(self, span: Span) -> None:
+        """Raises an error of `BAD_RECORD`, or FileError, where the chunk is damaged."""
+        for opcode, body in span_records(self._file, span):
+            if opcode != Opcode.MESSAGE:
+                self._contents.define(opcode, body)
+
+    def _look_back_for(self, ids: frozenset[int]) -> None:
+        """Open earlier chunks, the last one first and each once, until these channels are known."""
+        while self._closed and not ids <= self._contents.channels.keys():
+            with contextlib.suppress(FileError, *BAD_RECORD):  # told when its messages are read
+                self._define_from(self._closed.pop())
 
     def _indexed_channels(self, at: int) -> frozenset[int]:
         """Channel ids of the message indexes that follow a chunk."""
