@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tracker.fusion.chain.constraints import Constraints
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, V
 from tracker.fusion.chain.params import ChainParams, without_random_walks
 from tracker.fusion.chain.prior import initial_covariance, reset_pose
 from tracker.fusion.chain.propagate import Coasting, carry, propagate
@@ -118,6 +118,11 @@ class ChainFilter:
         dx = correct(trial.P, HP, HP[:, :3].copy(), shift, sd**2 * np.eye(3))
         inject(trial, self._layout, dx)
         return trial
+
+    def moving(self, moved: ChainState, v: Array) -> None:
+        """Have a state that `moved_to` gave move with v (3,) m/s, as two searches tell it."""
+        moved.v = v
+        moved.P[V : V + 3, V : V + 3] = self._params.prior.found_velocity**2 * np.eye(3)
 
     def move(self, moved: ChainState) -> None:
         """Go on from what `moved_to` gave, or `shifted_by`."""

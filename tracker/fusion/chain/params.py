@@ -66,7 +66,8 @@ class PriorParams:
     """Standard deviations at the start."""
 
     position: float = 0.020  # m
-    velocity: float = 0.3  # m/s
+    velocity: float = 1.0  # m/s: a hand that comes back into the image is fast
+    found_velocity: float = 0.3  # m/s, by two searches one after the other
     returned: float = 0.4  # rad, added when an IMU answers again
     rotation: float = 0.12  # rad
     mounting: float = 0.0873  # rad, 5° an axis

@@ -152,6 +152,9 @@ class ChainTracker:
             return found
         if not self._recognition.evidence(image, there).is_start:
             return found
+        v = self._judge.found(image.frame.t, moved.p)
+        if v is not None:
+            self.filter.moving(moved, v)
         self.filter.move(moved)
         return there
 
@@ -182,6 +185,7 @@ class ChainTracker:
         self.filter.adopt(started)
         self.wearer.begun(known)
         self._judge.started(frame.t)
+        self._judge.found(frame.t, started.p)
         self.shown.started()
         self.shown.kept.one_camera = image.is_mono
         self.shown.held(frame.t)

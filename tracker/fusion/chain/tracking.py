@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from tracker.fusion.chain.params import MatchParams
 from tracker.fusion.chain.pixels import Tally
-from tracker.messages import Tracking
+from tracker.messages import Array, Tracking
 from tracker.records import record
 
 IN_VAIN = 0.3  # s of images with markers in which a lost hand is not found as it was last
@@ -19,6 +19,7 @@ ENOUGH_SHARE = 0.6  # of the few markers that can be seen of a hand edge-on
 DOUBT_AFTER = 0.08  # s without support, after which nothing is called measured
 SURE_AFTER = 0.08  # s with support, after which it is again
 DIGIT_PERIOD = 0.09  # s between two searches for digits
+PLACES_APART = 0.12  # s at most between two searches whose places tell how fast the hand moves
 BELIEVABLE_SHARE = 0.5  # of the expected markers, for a hand that was out of sight
 
 
@@ -36,6 +37,8 @@ class TrackingKept:
     supported_since: float = np.inf  # images show more of the hand than chance does
     last_supported: float = -np.inf
     last_digits: float = -np.inf  # last search for digits
+    last_found: float = -np.inf  # last search that found the hand, at last_place (3,) m in G
+    last_place: Array = field(default_factory=lambda: np.zeros(3))
 
 
 class TrackingJudge:
@@ -78,7 +81,8 @@ class TrackingJudge:
         """After an image that supports the pose or not: whether what is shown may be called
         measured.
 
-        A pose that has just been found, or doubted, is sure only after a while of support.
+        A pose that has just been found, or doubted, is sure only after a while of support, not by
+        time that passes.
         """
         now = self.kept
         if there:
@@ -86,7 +90,15 @@ class TrackingJudge:
             now.supported_since = min(now.supported_since, t)
         elif t - now.last_supported > DOUBT_AFTER:
             now.supported_since = np.inf
-        return t - now.supported_since >= SURE_AFTER
+        return now.last_supported - now.supported_since >= SURE_AFTER
+
+    def found(self, t: float, p: Array) -> Array | None:
+        """A search has found the hand at p (3,) m: its velocity (3,) m/s, if another one found it
+        shortly before."""
+        now = self.kept
+        since, way = t - now.last_found, p - now.last_place
+        now.last_found, now.last_place = t, p.copy()
+        return way / since if 0.0 < since <= PLACES_APART else None
 
     # ---- when to search
 
