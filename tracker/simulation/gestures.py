@@ -24,6 +24,7 @@ from tracker.simulation.wearer import Wearer
 MOVE = 0.8  # s from one gesture to the next
 TOUCH = 0.010  # m between the tips of a pinch: the fingers' thickness
 APART = 0.015  # m by which no other tip comes as near
+CLEAR = 0.030  # m, the same of a finger that is inferred: it may be a centimetre off
 TURN = np.deg2rad(60.0)  # of the wrist, to either side
 SWAY_ANGLE, SWAY = np.deg2rad(0.8), 0.002  # rad and m, of a hand that is held still
 
@@ -127,6 +128,7 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
     bent = [f"{group[0]}_{joint}_flexion" for joint in ("mcp", "pip")]
     rows = [hand.angle_index[n] for n in (*moved, *bent)]
     limits = hand.angle_limits[rows]
+    clear = CLEAR if finger == "little" else APART
     start = np.clip(np.deg2rad([10.0] * len(moved) + [45.0, 45.0]), *limits.T)
 
     def angles_of(x: Array) -> Array:
@@ -141,17 +143,17 @@ def pinch(hand: HandModel, finger: str, wearer: Wearer | None = None) -> Array:
         angles = angles_of(x)
         reach = tip_distances(hand, angles, wearer)
         seen = reach if wearer is None else tip_distances(hand, angles)
-        other = _too_near(reach, finger) + (0.0 if seen is reach else _too_near(seen, finger))
+        other = _too_near(reach, finger, APART) + _too_near(seen, finger, clear)
         miss = (reach[finger] - TOUCH) ** 2
         return float(1e4 * (miss + other) + 1e-3 * np.sum((x - start) ** 2))
 
     return angles_of(minimize(cost, start, bounds=limits, options={"maxiter": 40}).x)
 
 
-def _too_near(reach: dict[str, float], finger: str) -> float:
-    """m²: by how much other tips are nearer than `APART` beyond that of ``finger``."""
+def _too_near(reach: dict[str, float], finger: str, apart: float) -> float:
+    """m²: by how much other tips are nearer than ``apart`` m beyond that of ``finger``."""
     others = (d for name, d in reach.items() if name != finger)
-    return sum(max(reach[finger] + APART - d, 0.0) ** 2 for d in others)
+    return sum(max(reach[finger] + apart - d, 0.0) ** 2 for d in others)
 
 
 def tip_distances(hand: HandModel, angles: Array, wearer: Wearer | None = None) -> dict[str, float]:
