@@ -33,6 +33,11 @@
       <translation>Die simulierte Kamera ist nicht gestartet.</translation>
     </message>
     <message>
+      <location filename="app/engines/demo.py" />
+      <source>The hand is shown by its IMUs alone, without a place.</source>
+      <translation>Die Hand wird allein nach ihren IMUs gezeigt, ohne Ort.</translation>
+    </message>
+    <message>
       <location filename="app/engines/found_gloves.py" />
       <source>No glove was found: no USB serial port is there. Is it plugged in?</source>
       <translation>Kein Handschuh gefunden: Es gibt keinen seriellen USB-Anschluss. Ist er eingesteckt?</translation>
@@ -79,13 +84,8 @@
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
-      <source>The hand is shown by its IMUs alone, without a place.</source>
-      <translation>Die Hand wird allein nach ihren IMUs gezeigt, ohne Ort.</translation>
-    </message>
-    <message>
-      <location filename="app/engines/hardware.py" />
-      <source>The camera has no stereo calibration yet: make or import one under Set-up, Stereo calibration.</source>
-      <translation>Die Kamera hat noch keine Stereokalibrierung: unter Einrichtung, Stereokalibrierung eine machen oder importieren.</translation>
+      <source>The camera has no calibration yet: make or import one under Set-up, Camera calibration.</source>
+      <translation>Die Kamera ist noch nicht kalibriert: unter Einrichten, Kamera kalibrieren eine Kalibrierung machen oder einlesen.</translation>
     </message>
     <message>
       <location filename="app/engines/hardware.py" />
@@ -164,8 +164,8 @@
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
-      <source>The index fingertip is not seen: there is no place.</source>
-      <translation>Die Spitze des Zeigefingers ist nicht zu sehen: Es gibt keinen Ort.</translation>
+      <source>Closing {}</source>
+      <translation>{} wird geschlossen</translation>
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
@@ -174,13 +174,13 @@
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
-      <source>The stream {} runs.</source>
-      <translation>Der Stream {} läuft.</translation>
+      <source>The index fingertip is not seen: there is no place.</source>
+      <translation>Die Spitze des Zeigefingers ist nicht zu sehen: Es gibt keinen Ort.</translation>
     </message>
     <message>
       <location filename="app/jobs/outputs.py" />
-      <source>Closing {}</source>
-      <translation>{} wird geschlossen</translation>
+      <source>The stream {} runs.</source>
+      <translation>Der Stream {} läuft.</translation>
     </message>
     <message>
       <location filename="app/jobs/remote.py" />
@@ -203,6 +203,46 @@
       <translation>{} ist ohne Tracking: erst das Tracking wiederholen.</translation>
     </message>
     <message>
+      <location filename="app/panels/applications/controls.py" />
+      <source>Application</source>
+      <translation>Anwendung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/controls.py" />
+      <source>Begin anew</source>
+      <translation>Neu beginnen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/controls.py" />
+      <source>Show all</source>
+      <translation>Alles zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/controls.py" />
+      <source>Move the eye until all that is drawn is in sight</source>
+      <translation>Den Blick bewegen, bis alles Gezeichnete zu sehen ist</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/controls.py" />
+      <source>Settings</source>
+      <translation>Einstellungen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/controls.py" />
+      <source>Page</source>
+      <translation>Seite</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/controls.py" />
+      <source>Show it in browsers of this machine, a headset's too</source>
+      <translation>In Browsern dieses Rechners zeigen, auch in dem einer Brille</translation>
+    </message>
+    <message>
+      <location filename="app/panels/applications/controls.py" />
+      <source>No application</source>
+      <translation>Keine Anwendung</translation>
+    </message>
+    <message>
       <location filename="app/panels/applications/panel.py" />
       <source>Applications</source>
       <translation>Anwendungen</translation>
@@ -211,46 +251,6 @@
       <location filename="app/panels/applications/panel.py" />
       <source>Making the hand's skin</source>
       <translation>Haut der Hand wird gemacht</translation>
-    </message>
-    <message>
-      <location filename="app/panels/applications/panel.py" />
-      <source>Application</source>
-      <translation>Anwendung</translation>
-    </message>
-    <message>
-      <location filename="app/panels/applications/panel.py" />
-      <source>Begin anew</source>
-      <translation>Neu beginnen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/applications/panel.py" />
-      <source>Show all</source>
-      <translation>Alles zeigen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/applications/panel.py" />
-      <source>Move the eye until all that is drawn is in sight</source>
-      <translation>Den Blick bewegen, bis alles Gezeichnete zu sehen ist</translation>
-    </message>
-    <message>
-      <location filename="app/panels/applications/panel.py" />
-      <source>Settings</source>
-      <translation>Einstellungen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/applications/panel.py" />
-      <source>Page</source>
-      <translation>Seite</translation>
-    </message>
-    <message>
-      <location filename="app/panels/applications/panel.py" />
-      <source>Show it in browsers of this machine, a headset's too</source>
-      <translation>In Browsern dieses Rechners zeigen, auch in dem einer Brille</translation>
-    </message>
-    <message>
-      <location filename="app/panels/applications/panel.py" />
-      <source>No application</source>
-      <translation>Keine Anwendung</translation>
     </message>
     <message>
       <location filename="app/panels/applications/panel.py" />
@@ -359,6 +359,11 @@
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
+      <source>From the crease of the wrist to the tip of the middle finger, mm</source>
+      <translation>Von der Falte des Handgelenks bis zur Spitze des Mittelfingers, mm</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
       <source>Who wears the glove</source>
       <translation>Wer den Handschuh trägt</translation>
     </message>
@@ -426,6 +431,16 @@
       <location filename="app/panels/calibration/wearer_row.py" />
       <source>Half a minute of poses that show your fingertips</source>
       <translation>Eine halbe Minute Posen, die Ihre Fingerspitzen zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Hand length…</source>
+      <translation>Handlänge…</translation>
+    </message>
+    <message>
+      <location filename="app/panels/calibration/wearer_row.py" />
+      <source>Measured with a ruler: one camera cannot tell a small hand from a far one</source>
+      <translation>Mit dem Lineal gemessen: eine Kamera allein unterscheidet eine kleine Hand nicht von einer fernen</translation>
     </message>
     <message>
       <location filename="app/panels/calibration/wearer_row.py" />
@@ -539,6 +554,11 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
+      <source>There is no camera</source>
+      <translation>Es gibt keine Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/panels/cameras.py" />
       <source>Blobs</source>
       <translation>Blobs</translation>
     </message>
@@ -619,6 +639,11 @@
     </message>
     <message>
       <location filename="app/panels/cameras.py" />
+      <source>Camera</source>
+      <translation>Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/panels/cameras.py" />
       <source>Show the mask of {}</source>
       <translation>Maske von {} zeigen</translation>
     </message>
@@ -651,6 +676,16 @@
       <location filename="app/panels/colours/files.py" />
       <source>Export the colours</source>
       <translation>Farben exportieren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/fitting.py" />
+      <source>Fitting the colours</source>
+      <translation>Farben werden angepasst</translation>
+    </message>
+    <message>
+      <location filename="app/panels/colours/fitting.py" />
+      <source>Images are gathered: hold the hand in view, or let the replay run.</source>
+      <translation>Bilder werden gesammelt: die Hand im Bild halten oder die Wiedergabe laufen lassen.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/image.py" />
@@ -694,11 +729,6 @@
     </message>
     <message>
       <location filename="app/panels/colours/panel.py" />
-      <source>Fitting the colours</source>
-      <translation>Farben werden angepasst</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/panel.py" />
       <source>The factory colours are not those of this glove.</source>
       <translation>Die Werksfarben sind nicht die dieses Handschuhs.</translation>
     </message>
@@ -726,11 +756,6 @@
       <location filename="app/panels/colours/source.py" />
       <source>Live image</source>
       <translation>Livebild</translation>
-    </message>
-    <message>
-      <location filename="app/panels/colours/source.py" />
-      <source>Camera</source>
-      <translation>Kamera</translation>
     </message>
     <message>
       <location filename="app/panels/colours/source.py" />
@@ -1051,6 +1076,11 @@
       <location filename="app/panels/hand/panel.py" />
       <source>Not tracked yet: Replay, Track again</source>
       <translation>Noch ohne Tracking: Wiedergabe, Tracking wiederholen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/hand/panel.py" />
+      <source>The hand's skin is being made…</source>
+      <translation>Die Haut der Hand wird gemacht…</translation>
     </message>
     <message>
       <location filename="app/panels/hand/view_chooser.py" />
@@ -1713,6 +1743,51 @@
       <translation>Fehlerbericht…</translation>
     </message>
     <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Distance from</source>
+      <translation>Abstand von</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Distance to</source>
+      <translation>Abstand zu</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Measure this distance</source>
+      <translation>Diesen Abstand messen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Measure the chosen distances no more</source>
+      <translation>Die gewählten Abstände nicht mehr messen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Unit of angles</source>
+      <translation>Einheit der Winkel</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Degrees</source>
+      <translation>Grad</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Radians</source>
+      <translation>Radiant</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Copy the table</source>
+      <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+      <location filename="app/panels/motion/controls.py" />
+      <source>Save as CSV…</source>
+      <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
       <location filename="app/panels/motion/panel.py" />
       <source>Motion</source>
       <translation>Bewegung</translation>
@@ -1721,51 +1796,6 @@
       <location filename="app/panels/motion/panel.py" />
       <source>Measuring the take</source>
       <translation>Aufnahme wird vermessen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Distance from</source>
-      <translation>Abstand von</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Distance to</source>
-      <translation>Abstand zu</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Measure this distance</source>
-      <translation>Diesen Abstand messen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Measure the chosen distances no more</source>
-      <translation>Die gewählten Abstände nicht mehr messen</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Unit of angles</source>
-      <translation>Einheit der Winkel</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Degrees</source>
-      <translation>Grad</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Radians</source>
-      <translation>Radiant</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Copy the table</source>
-      <translation>Tabelle kopieren</translation>
-    </message>
-    <message>
-      <location filename="app/panels/motion/panel.py" />
-      <source>Save as CSV…</source>
-      <translation>Als CSV speichern…</translation>
     </message>
     <message>
       <location filename="app/panels/motion/panel.py" />
@@ -2631,8 +2661,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
-      <source>Show a printed board to both lenses.</source>
-      <translation>Beiden Objektiven eine gedruckte Tafel zeigen.</translation>
+      <source>Show a printed board to the camera.</source>
+      <translation>Der Kamera eine gedruckte Tafel zeigen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2648,6 +2678,16 @@ change {}: {}</source>
       <location filename="app/viewmodels/checklist.py" />
       <source>Hold the hand flat, about 35 cm before the camera, for two seconds.</source>
       <translation>Die Hand zwei Sekunden flach halten, etwa 35 cm vor der Kamera.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Not connected.</source>
+      <translation>Nicht verbunden.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>Look for it</source>
+      <translation>Danach suchen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2683,6 +2723,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/checklist.py" />
       <source>Calibrate</source>
       <translation>Kalibrieren</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>one camera: distances are as sure as the hand's size</source>
+      <translation>eine Kamera: Abstände sind so sicher wie die Größe der Hand</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -2748,6 +2793,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/checklist.py" />
       <source>{} of {}</source>
       <translation>{} von {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/checklist.py" />
+      <source>images of one camera arrive</source>
+      <translation>Bilder einer Kamera kommen an</translation>
     </message>
     <message>
       <location filename="app/viewmodels/checklist.py" />
@@ -3165,6 +3215,16 @@ change {}: {}</source>
       <translation>Greifen</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>poke</source>
+      <translation>Tippen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/gestures.py" />
+      <source>{} (unsure)</source>
+      <translation>{} (unsicher)</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/glove_setup.py" />
       <source>go on…</source>
       <translation>weiter…</translation>
@@ -3398,6 +3458,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/library.py" />
       <source>tracked {} %, {} packets lost</source>
       <translation>verfolgt {} %, verlorene Pakete: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/library.py" />
+      <source>by its IMUs alone</source>
+      <translation>allein durch ihre IMUs</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
@@ -3926,6 +3991,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
+      <source>Place unknown</source>
+      <translation>Ort unbekannt</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
       <source>Left out:</source>
       <translation>Gespart:</translation>
     </message>
@@ -3956,8 +4026,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
-      <source>Place unknown</source>
-      <translation>Ort unbekannt</translation>
+      <source>{}, heading within {:.0f}°</source>
+      <translation>{}, Richtung auf {:.0f}° genau</translation>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
@@ -4016,6 +4086,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
+      <source>Error of all corners</source>
+      <translation>Fehler aller Ecken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
       <source>Views</source>
       <translation>Ansichten</translation>
     </message>
@@ -4046,8 +4121,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
-      <source>Error of all corners</source>
-      <translation>Fehler aller Ecken</translation>
+      <source>{} used, {} dropped</source>
+      <translation>{} verwendet, {} verworfen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -4096,6 +4171,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
+      <source>Focal length</source>
+      <translation>Brennweite</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/stereo.py" />
       <source>{:.0f} of {:.0f} %</source>
       <translation>{:.0f} von {:.0f} %</translation>
     </message>
@@ -4103,11 +4183,6 @@ change {}: {}</source>
       <location filename="app/viewmodels/stereo.py" />
       <source>{:.2f} of {:.2f}</source>
       <translation>{:.2f} von {:.2f}</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/stereo.py" />
-      <source>{} used, {} dropped</source>
-      <translation>{} verwendet, {} verworfen</translation>
     </message>
     <message>
       <location filename="app/viewmodels/stereo.py" />
@@ -4206,11 +4281,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
-      <source>tracked {:.0f} % of the time</source>
-      <translation>{:.0f} % der Zeit verfolgt</translation>
-    </message>
-    <message>
-      <location filename="app/viewmodels/takes.py" />
       <source>{:.0f} images come a second instead of {:.0f}</source>
       <translation>{:.0f} Bilder pro Sekunde statt {:.0f}</translation>
     </message>
@@ -4228,6 +4298,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/takes.py" />
       <source>{} is there already, so {} keeps its name.</source>
       <translation>{} gibt es schon, deshalb behält {} seinen Namen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>tracked {:.0f} % of the time</source>
+      <translation>{:.0f} % der Zeit verfolgt</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
@@ -4610,6 +4685,11 @@ change {}: {}</source>
       <translation>Suchen</translation>
     </message>
     <message>
+      <location filename="app/window/tool_bar.py" />
+      <source>Stop recording</source>
+      <translation>Aufnahme stoppen</translation>
+    </message>
+    <message>
       <location filename="app/window/window_commands.py" />
       <source>&amp;File</source>
       <translation>&amp;Datei</translation>
@@ -4641,8 +4721,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>3D view: &amp;chosen by itself</source>
-      <translation>3D-Ansicht: von &amp;selbst gewählt</translation>
+      <source>3D view: chosen b&amp;y itself</source>
+      <translation>3D-Ansicht: &amp;von selbst gewählt</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4671,13 +4751,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>Show the &amp;left hand</source>
-      <translation>&amp;Linke Hand zeigen</translation>
+      <source>Show the left &amp;hand</source>
+      <translation>Die linke &amp;Hand zeigen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>Show the r&amp;ight hand</source>
       <translation>&amp;Rechte Hand zeigen</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>&amp;Documentation in the browser</source>
+      <translation>&amp;Dokumentation im Browser</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4746,8 +4831,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Stereo calibration…</source>
-      <translation>&amp;Stereokalibrierung…</translation>
+      <source>Camera c&amp;alibration…</source>
+      <translation>K&amp;amera kalibrieren…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4756,8 +4841,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>Con&amp;formance…</source>
-      <translation>Konfor&amp;mität…</translation>
+      <source>C&amp;onformance…</source>
+      <translation>K&amp;onformität…</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4806,8 +4891,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>The note &amp;later</source>
-      <translation>Die nächste N&amp;otiz</translation>
+      <source>The note la&amp;ter</source>
+      <translation>Die Notiz &amp;danach</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4841,8 +4926,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
-      <source>&amp;Compare two sessions</source>
-      <translation>Zwei Sitzungen ve&amp;rgleichen</translation>
+      <source>Co&amp;mpare two sessions</source>
+      <translation>Zwei Aufnahmen &amp;vergleichen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4935,11 +5020,6 @@ change {}: {}</source>
       <translation>Verfahren: {}</translation>
     </message>
     <message>
-      <location filename="app/window/window_commands.py" />
-      <source>Stop recording</source>
-      <translation>Aufnahme stoppen</translation>
-    </message>
-    <message>
       <location filename="app/wizards/camera.py" />
       <source>Exposure</source>
       <translation>Belichtung</translation>
@@ -4958,11 +5038,6 @@ change {}: {}</source>
       <location filename="app/wizards/camera.py" />
       <source>A video with both images side by side</source>
       <translation>Ein Video mit beiden Bildern nebeneinander</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
-      <source>Arriving: {} by {} px for each eye, {} images a second</source>
-      <translation>Es kommt an: {} × {} px je Auge, {} Bilder pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -4991,13 +5066,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>&amp;Look again</source>
-      <translation>&amp;Neu suchen</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
-      <source>&amp;Camera</source>
-      <translation>&amp;Kamera</translation>
+      <source>&amp;Use this camera</source>
+      <translation>Kamera &amp;verwenden</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -5006,28 +5076,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>&amp;Right images from</source>
-      <translation>&amp;Rechte Bilder von</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
       <source>&amp;Browse…</source>
       <translation>&amp;Durchsuchen…</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
-      <source>&amp;Or from</source>
-      <translation>&amp;Oder von</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
-      <source>&amp;Use this camera</source>
-      <translation>Kamera &amp;verwenden</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/camera.py" />
-      <source>Close</source>
-      <translation>Schließen</translation>
+      <source>&amp;Right images from</source>
+      <translation>&amp;Rechte Bilder von</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -5036,8 +5091,28 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
+      <source>the same image, if it is wide enough for two</source>
+      <translation>dasselbe Bild, falls es breit genug für zwei ist</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>none: this is one camera</source>
+      <translation>keine: dies ist eine einzelne Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
       <source>the same image, side by side</source>
       <translation>dasselbe Bild, nebeneinander</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>Arriving: {} by {} px of one camera, {} images a second</source>
+      <translation>Es kommen an: {} mal {} px einer Kamera, {} Bilder in der Sekunde</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>Arriving: {} by {} px for each eye, {} images a second</source>
+      <translation>Es kommt an: {} × {} px je Auge, {} Bilder pro Sekunde</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -5053,6 +5128,16 @@ change {}: {}</source>
       <location filename="app/wizards/camera.py" />
       <source>○ by itself, now {}</source>
       <translation>○ von selbst, jetzt {}</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>&amp;Camera</source>
+      <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/camera.py" />
+      <source>&amp;Or from</source>
+      <translation>&amp;Oder von</translation>
     </message>
     <message>
       <location filename="app/wizards/camera.py" />
@@ -5086,23 +5171,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/conformance/lead.py" />
-      <source>Soun&amp;d</source>
-      <translation>&amp;Ton</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/lead.py" />
       <source>A beep at each beat before a step</source>
       <translation>Ein Ton bei jedem Takt vor einem Schritt</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/lead.py" />
-      <source>&amp;Start</source>
-      <translation>&amp;Start</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/lead.py" />
-      <source>End (Esc)</source>
-      <translation>Ende (Esc)</translation>
     </message>
     <message>
       <location filename="app/wizards/conformance/lead.py" />
@@ -5113,36 +5183,6 @@ change {}: {}</source>
       <location filename="app/wizards/conformance/lead.py" />
       <source>Open the hand and close it a few times first, so that its size is known. Then do what the hand on the left does: three beats to come to each gesture, and hold it until the ring is full. It takes {} seconds and is recorded.</source>
       <translation>Die Hand erst einige Male öffnen und schließen, damit ihre Größe bekannt ist. Dann tun, was die Hand links tut: drei Takte, um zu jeder Geste zu kommen, und sie halten, bis der Ring voll ist. Es dauert {} Sekunden und wird aufgenommen.</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/result.py" />
-      <source>Rules</source>
-      <translation>Regeln</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/result.py" />
-      <source>&amp;Once more</source>
-      <translation>&amp;Noch einmal</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/result.py" />
-      <source>Open the &amp;page</source>
-      <translation>&amp;Seite öffnen</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/result.py" />
-      <source>With a plot for each rule, to be kept and sent</source>
-      <translation>Mit einem Schaubild zu jeder Regel, zum Aufheben und Verschicken</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/result.py" />
-      <source>The take is judged…</source>
-      <translation>Die Aufnahme wird beurteilt…</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/conformance/result.py" />
-      <source>The take cannot be judged</source>
-      <translation>Die Aufnahme kann nicht beurteilt werden</translation>
     </message>
     <message>
       <location filename="app/wizards/conformance/result.py" />
@@ -5168,6 +5208,31 @@ change {}: {}</source>
       <location filename="app/wizards/conformance/result.py" />
       <source>Limit</source>
       <translation>Grenze</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Rules</source>
+      <translation>Regeln</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>Open the &amp;page</source>
+      <translation>&amp;Seite öffnen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>With a plot for each rule, to be kept and sent</source>
+      <translation>Mit einem Schaubild zu jeder Regel, zum Aufheben und Verschicken</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>The take is judged…</source>
+      <translation>Die Aufnahme wird beurteilt…</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/conformance/result.py" />
+      <source>The take cannot be judged</source>
+      <translation>Die Aufnahme kann nicht beurteilt werden</translation>
     </message>
     <message>
       <location filename="app/wizards/conformance/result.py" />
@@ -5211,6 +5276,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
+      <source>&amp;Write and verify</source>
+      <translation>&amp;Schreiben und prüfen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/firmware.py" />
       <source>&amp;Number of the glove</source>
       <translation>&amp;Nummer des Handschuhs</translation>
     </message>
@@ -5223,11 +5293,6 @@ change {}: {}</source>
       <location filename="app/wizards/firmware.py" />
       <source>&amp;Board</source>
       <translation>&amp;Tafel</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/firmware.py" />
-      <source>&amp;Write and verify</source>
-      <translation>&amp;Schreiben und prüfen</translation>
     </message>
     <message>
       <location filename="app/wizards/firmware.py" />
@@ -5288,6 +5353,16 @@ change {}: {}</source>
       <location filename="app/wizards/firmware.py" />
       <source>The glove at this port is number {}, its firmware {}.</source>
       <translation>Der Handschuh an diesem Anschluss hat Nummer {}, seine Firmware ist {}.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/form_dialog.py" />
+      <source>&amp;Look again</source>
+      <translation>&amp;Neu suchen</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/form_dialog.py" />
+      <source>Close</source>
+      <translation>Schließen</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/choice.py" />
@@ -5476,8 +5551,23 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
+      <source>Waiting for the glove's answer…</source>
+      <translation>Auf die Antwort des Handschuhs wird gewartet…</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/wizard.py" />
+      <source>The glove answers.</source>
+      <translation>Der Handschuh antwortet.</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/wizard.py" />
       <source>Freeing the glove's port</source>
       <translation>Anschluss des Handschuhs wird freigegeben</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/wizard.py" />
+      <source>The glove answers: {} packets a second.</source>
+      <translation>Der Handschuh antwortet: {} Pakete in der Sekunde.</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/dialog.py" />
@@ -5531,11 +5621,6 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
-      <source>What was learned</source>
-      <translation>Was gelernt wurde</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/guided/result.py" />
       <source>Of you</source>
       <translation>An Ihnen</translation>
     </message>
@@ -5553,6 +5638,11 @@ change {}: {}</source>
       <location filename="app/wizards/guided/result.py" />
       <source>Change</source>
       <translation>Änderung</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/guided/result.py" />
+      <source>What was learned</source>
+      <translation>Was gelernt wurde</translation>
     </message>
     <message>
       <location filename="app/wizards/guided/result.py" />
@@ -5585,7 +5675,27 @@ change {}: {}</source>
       <translation>{} von {} Posen gehalten</translation>
     </message>
     <message>
-      <location filename="app/wizards/guided/stage.py" />
+      <location filename="app/wizards/leading/outcome.py" />
+      <source>&amp;Once more</source>
+      <translation>&amp;Noch einmal</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/leading/page.py" />
+      <source>Soun&amp;d</source>
+      <translation>&amp;Ton</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/leading/page.py" />
+      <source>&amp;Start</source>
+      <translation>&amp;Start</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/leading/page.py" />
+      <source>End (Esc)</source>
+      <translation>Ende (Esc)</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/leading/stage.py" />
       <source>The pose to be held</source>
       <translation>Die zu haltende Pose</translation>
     </message>
@@ -5761,13 +5871,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
-      <source>View</source>
-      <translation>Ansicht</translation>
+      <source>Error, px</source>
+      <translation>Fehler, px</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
       <source>Left, px</source>
       <translation>Links, px</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/result.py" />
+      <source>View</source>
+      <translation>Ansicht</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/result.py" />
@@ -5791,8 +5906,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/solving.py" />
-      <source>Stereo calibration</source>
-      <translation>Stereokalibrierung</translation>
+      <source>Camera calibration</source>
+      <translation>Kamerakalibrierung</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
@@ -5811,6 +5926,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
+      <source>Corners are off by</source>
+      <translation>Abweichung der Ecken</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/views.py" />
+      <source>Rows differ by</source>
+      <translation>Zeilenversatz</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/stereo/views.py" />
       <source>Left image</source>
       <translation>Linkes Bild</translation>
     </message>
@@ -5818,11 +5943,6 @@ change {}: {}</source>
       <location filename="app/wizards/stereo/views.py" />
       <source>Right image</source>
       <translation>Rechtes Bild</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/stereo/views.py" />
-      <source>Rows differ by</source>
-      <translation>Zeilenversatz</translation>
     </message>
     <message>
       <location filename="app/wizards/stereo/views.py" />
@@ -5991,6 +6111,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/calibration/colours_image.py" />
+      <source>The colours stay as they are: learned ones show {} of {} markers and {} other things, these {} and {}. Point at markers of a flat hand, in more light.</source>
+      <translation>Die Farben bleiben, wie sie sind: gelernte zeigen {} von {} Markern und {} andere Dinge, diese {} und {}. Auf Marker einer flachen Hand zeigen, bei mehr Licht.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/colours_image.py" />
       <source>The colours stay as they are: fitted ones show {} patches of the glove and {} other things, these {} and {}.</source>
       <translation>Die Farben bleiben, wie sie sind: angepasste zeigen {} Flecken des Handschuhs und {} andere Dinge, diese {} und {}.</translation>
     </message>
@@ -6116,28 +6241,28 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The right lens would magnify {} times as much as the left one: are both cameras of one kind, with the same zoom?</source>
-      <translation>Das rechte Objektiv vergrößerte {}-mal so stark wie das linke: sind beide Kameras gleich, mit demselben Zoom?</translation>
+      <source>The right lens would magnify {} times as much as the left one: are the squares the same for both, and is one of them zoomed?</source>
+      <translation>Das rechte Objektiv würde {}-mal so stark vergrößern wie das linke: sind die Felder für beide gleich, und ist eines gezoomt?</translation>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The {} lens would have a focal length of {} px for an image {} px wide, which no usual lens has.</source>
-      <translation>Das Objektiv {} hätte eine Brennweite von {} px bei einem {} px breiten Bild; kein übliches hat das.</translation>
+      <source>The {}lens would have a focal length of {} px for an image {} px wide, which no usual lens has.</source>
+      <translation>Objektiv {}: die Brennweite wäre {} px bei einem {} px breiten Bild; das hat kein übliches Objektiv.</translation>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The middle of the {} lens would lie {} px from the middle of the image: is the image cropped, or of another size?</source>
-      <translation>Die Mitte des Objektivs {} läge {} px von der Bildmitte: ist das Bild beschnitten oder von anderer Größe?</translation>
+      <source>The middle of the {}lens would lie {} px from the middle of the image: is the image cropped, or of another size?</source>
+      <translation>Objektiv {}: seine Mitte läge {} px neben der Bildmitte: ist das Bild beschnitten oder von anderer Größe?</translation>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The {} lens would bend the image's corners beyond recognition: show the board in the corners too, or use a lens that is no fisheye.</source>
-      <translation>Das Objektiv {} verböge die Bildecken bis zur Unkenntlichkeit: die Tafel auch in den Ecken zeigen oder ein Objektiv nehmen, das kein Fischauge ist.</translation>
+      <source>The {}lens would bend the image's corners beyond recognition: show the board in the corners too, or use a lens that is no fisheye.</source>
+      <translation>Objektiv {}: die Bildecken wären bis zur Unkenntlichkeit verzerrt: die Tafel auch in den Ecken zeigen oder ein Objektiv nehmen, das kein Fischauge ist.</translation>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/checks.py" />
-      <source>The {} lens would have pixels that are not square ({} by {}).</source>
-      <translation>Das Objektiv {} hätte Bildpunkte, die nicht quadratisch sind ({} mal {}).</translation>
+      <source>The {}lens would have pixels that are not square ({} by {}).</source>
+      <translation>Objektiv {}: die Bildpunkte wären nicht quadratisch ({} mal {}).</translation>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/coverage.py" />
@@ -6186,6 +6311,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/verify.py" />
+      <source>Corners are where they should be within {} px.</source>
+      <translation>Die Ecken liegen auf {} px genau da, wo sie sollen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/verify.py" />
       <source>{} more fresh views are needed.</source>
       <translation>{} weitere frische Ansichten sind nötig.</translation>
     </message>
@@ -6200,9 +6330,19 @@ change {}: {}</source>
       <translation>Zeilen weichen um {} px ab, Größen um {} %. Das ist brauchbar; eine neue Kalibrierung fände die Hand genauer.</translation>
     </message>
     <message>
+      <location filename="tracker/calibration/stereo/verify.py" />
+      <source>Corners are off by {} px: calibrate again with more, and more different, views.</source>
+      <translation>Die Ecken weichen um {} px ab: noch einmal mit mehr und verschiedeneren Ansichten kalibrieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/calibration/stereo/verify.py" />
+      <source>Corners are off by {} px. It can be used; a new calibration would place the hand better.</source>
+      <translation>Die Ecken weichen um {} px ab. Das ist brauchbar; eine neue Kalibrierung legte die Hand genauer fest.</translation>
+    </message>
+    <message>
       <location filename="tracker/calibration/stereo/views.py" />
-      <source>The board is not seen{} in the {} image.</source>
-      <translation>Die Tafel ist im Bild {1} nicht{0} zu sehen.</translation>
+      <source>The board is not seen{}{}.</source>
+      <translation>Die Tafel ist nicht zu sehen{}{}.</translation>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/views.py" />
@@ -6211,8 +6351,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/calibration/stereo/views.py" />
-      <source>The {} image is mirrored: turn off the camera's mirror setting.</source>
-      <translation>Das Bild {} ist gespiegelt: die Spiegelung der Kamera abschalten.</translation>
+      <source>{} is mirrored: turn off the camera's mirror setting.</source>
+      <translation>{} ist gespiegelt: das Spiegeln in der Kamera abschalten.</translation>
     </message>
     <message>
       <location filename="tracker/calibration/still.py" />
@@ -6330,6 +6470,11 @@ change {}: {}</source>
       <translation>Es gibt kein Glied {}, dessen Kalibrierung geschätzt wird.</translation>
     </message>
     <message>
+      <location filename="tracker/fusion/chain/calibration/measured.py" />
+      <source>A hand is {} to {} mm long, from the crease of the wrist to the tip of the middle finger; {} mm is no hand's.</source>
+      <translation>Eine Hand ist von der Falte des Handgelenks bis zur Spitze des Mittelfingers {} bis {} mm lang; {} mm hat keine Hand.</translation>
+    </message>
+    <message>
       <location filename="tracker/fusion/chain/calibration/profile_file.py" />
       <source>{} is of hand {} with glove {}; this is hand {} with glove {}.</source>
       <translation>{} gehört zur Hand {} mit dem Handschuh {}; dies ist die Hand {} mit dem Handschuh {}.</translation>
@@ -6388,6 +6533,11 @@ change {}: {}</source>
       <location filename="tracker/live/colours.py" />
       <source>The light has changed: the colours follow it.</source>
       <translation>Das Licht hat sich geändert: die Farben folgen ihm.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/exchange_watch.py" />
+      <source>The two gloves are exchanged: each has the files of the other hand. Choose the hand of each in the set-up of the gloves.</source>
+      <translation>Die beiden Handschuhe sind vertauscht: jeder hat die Dateien der anderen Hand. Beim Einrichten der Handschuhe die Hand eines jeden wählen.</translation>
     </message>
     <message>
       <location filename="tracker/live/hand.py" />
@@ -6616,6 +6766,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/sensors/camera.py" />
+      <source>The camera gives one image, but the calibration is for two: calibrate it as one camera.</source>
+      <translation>Die Kamera liefert ein Bild, die Kalibrierung gilt aber für zwei: sie als eine Kamera kalibrieren.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
+      <source>The camera gives two images, but the calibration is for one camera: calibrate both, or choose one camera in its set-up.</source>
+      <translation>Die Kamera liefert zwei Bilder, die Kalibrierung gilt aber für eine Kamera: beide kalibrieren oder beim Einrichten eine Kamera wählen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/camera.py" />
       <source>The camera {} is connected.</source>
       <translation>Die Kamera {} ist verbunden.</translation>
     </message>
@@ -6721,13 +6881,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="tracker/sensors/glove_link.py" />
-      <source>Packets hold {} IMUs but the glove file says {}.</source>
-      <translation>Pakete enthalten {} IMUs, die Handschuhdatei sagt aber {}.</translation>
+      <source>The glove sends again.</source>
+      <translation>Der Handschuh sendet wieder.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/glove_link.py" />
-      <source>The glove sends again.</source>
-      <translation>Der Handschuh sendet wieder.</translation>
+      <source>Packets hold {} IMUs but the glove file says {}.</source>
+      <translation>Pakete enthalten {} IMUs, die Handschuhdatei sagt aber {}.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/glove_link.py" />
@@ -7363,6 +7523,11 @@ change {}: {}</source>
       <location filename="tracker/vision/lenses.py" />
       <source>The engine vist needs both lenses; with one, use the engine chain.</source>
       <translation>Das Verfahren vist braucht beide Objektive; mit einem das Verfahren chain benutzen.</translation>
+    </message>
+    <message>
+      <location filename="tracker/vision/lenses.py" />
+      <source>There is only one camera, which counts as the left one.</source>
+      <translation>Es gibt nur eine Kamera; sie gilt als die linke.</translation>
     </message>
     <message>
       <location filename="tracker/vision/rig.py" />
