@@ -14,7 +14,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.engines.demo_camera import HANDS, LENSES, DemoChoice, start_camera
+from app.engines.demo_camera import HANDS, LENSES, SCENES, DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
 from app.platform.screens import PLATFORM, has_screen
 from resources import folder
@@ -131,7 +131,7 @@ def _show(
 
 
 def _demo(args: argparse.Namespace) -> DemoChoice:
-    return DemoChoice(args.fps, args.hands, args.motion, args.lenses)
+    return DemoChoice(args.fps, args.hands, args.motion, args.lenses, args.scene)
 
 
 def close_when_told(window: QWidget) -> None:
@@ -192,6 +192,12 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument(
         "--lenses", choices=LENSES, default="both", help="of the simulated camera, or no camera"
+    )
+    parser.add_argument(
+        "--scene",
+        choices=SCENES,
+        default="auto",
+        help="behind the simulated hand; auto: a desk where the computer can draw it",
     )
     parser.add_argument(
         "--headless-report",

@@ -9,7 +9,7 @@ import pytest
 from gui_fakes import models
 
 from app.engines.demo import demo_setup
-from app.engines.demo_camera import DESK_FPS, DemoChoice, demo_spec
+from app.engines.demo_camera import DemoChoice, demo_spec
 from app.jobs.export import ExportRequest
 from app.window.headless_report import KEYPOINTS
 from tracker.messages import Estimate, StereoFrame
@@ -20,8 +20,7 @@ from tracker.session.reader import SessionReader
 @pytest.fixture
 def demo(window, qtbot):
     """The window with the demo running and the hand found."""
-    # before the wall: over the desk a machine that runs other tests beside draws too few images
-    window.sources.open_demo(DemoChoice(fps=DESK_FPS + 1.0))
+    window.sources.open_demo(DemoChoice(scene="plain"))
     qtbot.waitUntil(lambda: window.host.running, timeout=100_000)
     qtbot.waitUntil(lambda: _tracked(window), timeout=60_000)
     return window
@@ -139,11 +138,16 @@ def test_a_recorder_that_is_killed_is_said_and_then_a_camera_and_the_rest_goes_o
     assert demo.host.running
 
 
-def test_one_hand_is_over_a_desk_up_to_thirty_images_a_second():
+def test_one_hand_is_over_a_desk_where_the_computer_can_draw_it():
     """A desk takes twice as long to draw as a wall: a core and a half at sixty."""
-    assert demo_spec().light == "led"
-    plain = DemoChoice(fps=60.0), DemoChoice(hands="both")
-    assert [demo_spec(1, choice).light for choice in plain] == ["", ""]
+    for fps, cores, desk in ((30.0, 4, True), (30.0, 2, False), (60.0, 8, False)):
+        assert DemoChoice(fps=fps).has_desk(cores) == desk
+    asked = (
+        DemoChoice(scene="desk"),
+        DemoChoice(scene="plain"),
+        DemoChoice(scene="desk", hands="both"),
+    )
+    assert [demo_spec(1, choice).light for choice in asked] == ["led", "", ""]
 
 
 @pytest.mark.timeout(120)
