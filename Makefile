@@ -39,7 +39,7 @@ else
 endif
 
 test: lint
-	$(OFFSCREEN) $(BIN)/pytest -n 3 --dist worksteal --durations=30 # some tests wait, so two cores have time for three
+	$(OFFSCREEN) $(BIN)/pytest -n 2 --dist worksteal --durations=30
 
 lint: $(READY_FOR_TESTS)
 	$(BIN)/ruff check .

@@ -4722,7 +4722,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>3D view: chosen b&amp;y itself</source>
-      <translation>3D-Ansicht: &amp;von selbst gewählt</translation>
+      <translation>3D-Ansicht: von selbst ge&amp;wählt</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4752,7 +4752,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>Show the left &amp;hand</source>
-      <translation>Die linke &amp;Hand zeigen</translation>
+      <translation>Die &amp;linke Hand zeigen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4892,7 +4892,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>The note la&amp;ter</source>
-      <translation>Die Notiz &amp;danach</translation>
+      <translation>Die Notiz dana&amp;ch</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
@@ -4927,7 +4927,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>Co&amp;mpare two sessions</source>
-      <translation>Zwei Aufnahmen &amp;vergleichen</translation>
+      <translation>Z&amp;wei Aufnahmen vergleichen</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />

@@ -38,7 +38,7 @@ def mean_error_mm(tells: str) -> float:
         else:
             pipeline.feed_frame(m)
     columns = [pipeline.keypoint_names.index(k) for k in KEYPOINTS]
-    trial = Judge(simulation, pipeline, columns, in_camera=True).trial(record, 0, outage=0.0)
+    trial = Judge(simulation, pipeline, columns, "camera").trial(record, 0, outage=0.0)
     return float(trial.error.mean() * 1000)
 
 

@@ -25,10 +25,11 @@ def seen_through(simulation, t):
     true, told = simulation.scene.pose(t), simulation.scene.reported_pose(t)
     p_C = (truth.keypoints - true.p_GC) @ true.R_GC
     keypoints = p_C @ told.R_GC.T + told.p_GC
-    return SimpleNamespace(t=t, keypoints=keypoints, keypoint_sd=np.ones(len(keypoints)))
+    sd = np.ones(len(keypoints))
+    return SimpleNamespace(t=t, keypoints=keypoints, keypoint_sd=sd, angles=truth.angles)
 
 
-def judged(simulation, in_camera):
+def judged(simulation, place):
     names = simulation.glove.keypoint_names(simulation.hand)
     times = np.arange(2.5, 5.5, 0.25)
     record = TrialRecord(
@@ -37,18 +38,19 @@ def judged(simulation, in_camera):
         seen=[9] * len(times),
     )
     columns = [names.index(k) for k in KEYPOINTS]
-    return Judge(simulation, None, columns, in_camera).trial(record, 0, outage=0.0)
+    pipeline = SimpleNamespace(hand=simulation.hand)
+    return Judge(simulation, pipeline, columns, place).trial(record, 0, outage=0.0)
 
 
 def test_a_wrong_camera_pose_is_no_error_in_the_cameras_frame(simulation):
-    trial = judged(simulation, in_camera=True)
+    trial = judged(simulation, "camera")
     assert len(trial.t) == 12
     np.testing.assert_allclose(trial.error, 0, atol=1e-12)
 
 
 def test_the_same_estimates_are_wrong_in_the_room_by_the_poses_error(simulation):
     """3 mm along each axis and 0.5° at about 0.4 m: some millimetres."""
-    error = judged(simulation, in_camera=False).error
+    error = judged(simulation, "world").error
     assert 0.001 < error.mean() < 0.02
 
 
