@@ -4722,7 +4722,7 @@ change {}: {}</source>
     <message>
       <location filename="app/window/window_commands.py" />
       <source>3D view: chosen b&amp;y itself</source>
-      <translation>3D-Ansicht: von selbst ge&amp;wählt</translation>
+      <translation>3D-Ansich&amp;t: von selbst gewählt</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
