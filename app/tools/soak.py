@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 import psutil
-from PySide6.QtCore import QCoreApplication, QEvent, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from app.engines.demo_camera import DemoChoice, start_camera
@@ -66,6 +66,8 @@ class Soak:
     recorder_memory_mb: float = float("nan")  # its process, which waits
     refreshes_hz: float = float("nan")
     refreshes_hidden_3d_hz: float = float("nan")
+    loop_gap_p99_ms: float = float("nan")  # between turns of the window's event loop
+    loop_gap_most_ms: float = float("nan")
     imu_lost: float = float("nan")
     frames_dropped: float = float("nan")
     latency_ms: dict[str, float] = field(default_factory=dict)
@@ -175,6 +177,35 @@ def _open_and_close(app: QApplication, folder: Path, session: Path) -> None:
 # --- the demo
 
 
+class LoopGaps:
+    """How long the window's event loop let a timer of 5 ms wait. Starts when it is made."""
+
+    PERIOD_MS = 5
+
+    def __init__(self) -> None:
+        self._gaps: list[float] = []
+        self._last = time.monotonic()
+        self._timer = QTimer()
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._note)
+        self._timer.start(self.PERIOD_MS)
+
+    def _note(self) -> None:
+        now = time.monotonic()
+        self._gaps.append(1e3 * (now - self._last))
+        self._last = now
+
+    def stop(self) -> tuple[float, float]:
+        """The gap that 99 % are under, and the longest, ms. Not a number if it never turned."""
+        import numpy as np
+
+        self._timer.stop()
+        if not self._gaps:
+            return float("nan"), float("nan")
+        gaps = np.array(self._gaps)
+        return round(float(np.percentile(gaps, 99)), 1), round(float(gaps.max()), 1)
+
+
 def soak(minutes: float, folder: Path) -> Soak:
     """The demo with everything visible for ``minutes``, then a while without the 3D view."""
     camera = start_camera(choice=DemoChoice(FPS))
@@ -201,13 +232,14 @@ def _watch(window: MainWindow, out: Soak) -> Soak:
         raise SystemExit("The demo did not find the hand.")
     out.start_to_tracked_s = round(time.time() - STARTED, 2)
     out.memory_mb.append(memory_mb())
-    before, began = window.ticker.ticks, time.monotonic()
+    before, began, gaps = window.ticker.ticks, time.monotonic(), LoopGaps()
     left = 60.0 * out.minutes
     while left > 0:
         wait_until(lambda: False, min(60.0, left))
         left -= 60.0
         out.memory_mb.append(memory_mb())
     out.refreshes_hz = round((window.ticker.ticks - before) / (time.monotonic() - began), 1)
+    out.loop_gap_p99_ms, out.loop_gap_most_ms = gaps.stop()
     _take_status(window, out)
     window.docks["hand"].hide()
     before, began = window.ticker.ticks, time.monotonic()
