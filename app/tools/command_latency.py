@@ -60,12 +60,14 @@ def measure(args: argparse.Namespace, folder: Path) -> dict[str, Any]:
     from app.storage.settings import SettingsStore
     from app.window.headless_report import wait_until
     from app.window.main_window import MainWindow
+    from app.window.pauses import keep_pauses_short
     from app.window.sources import demo_factory, hardware_factory
     from tracker.session.latency import latencies_of
 
     folder.mkdir(parents=True, exist_ok=True)
     window = MainWindow(SettingsStore(folder / "window.json"))
     window.resize(*SIZE)
+    keep_pauses_short(window.host)
     window.show()
     path = folder / "latency.mcap"
     try:

@@ -211,12 +211,14 @@ def soak(minutes: float, folder: Path) -> Soak:
     camera = start_camera(choice=DemoChoice(FPS))
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
+    from app.window.pauses import keep_pauses_short
     from app.window.sources import demo_factory
 
     store = SettingsStore(folder / "window.json")
     store.update(job="all")  # the layout in which most is in sight
     window = MainWindow(store)
     window.resize(*SIZE)
+    keep_pauses_short(window.host)
     window.show()
     try:
         window.host.open("demo", demo_factory(DemoChoice(FPS), camera=camera))

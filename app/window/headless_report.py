@@ -22,6 +22,7 @@ from app.jobs.export import ExportRequest, export_job
 from app.platform.tasks import JobProgress
 from app.storage.settings import SettingsStore
 from app.window.main_window import MainWindow
+from app.window.pauses import keep_pauses_short
 from tracker.errors import GlovetrackError
 from tracker.messages import Array, Tracking
 from tracker.session.description import SIDES
@@ -64,6 +65,7 @@ def headless_report(
     window = MainWindow(store)
     window.resize(1440, 900)
     window.set_theme("dark")
+    keep_pauses_short(window.host)
     window.outputs.use(streams)
     if wearer is not None:
         window.calibration.profiles.begin_with(wearer)

@@ -108,12 +108,14 @@ def _show(
     from app.platform.translation import install
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
+    from app.window.pauses import keep_pauses_short
 
     store = SettingsStore()
     install(app, store.value.language)
     window = MainWindow(store, crashes)
     instance.asked.connect(window.sources.take_over)
     close_when_told(window)
+    keep_pauses_short(window.host)
     window.outputs.use(args.streams)
     window.remote.use(args.remote, args.remote_host)
     instance.answer = window.remote.answers.answer_line
