@@ -1,0 +1,49 @@
+"""The collector of garbage does not hold all threads while a hand is tracked."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from collections.abc import Iterator
+
+import pytest
+from PySide6.QtCore import QObject
+
+from app.engines.engine_host import EngineHost
+from app.platform.process_tuning import set_aside_what_stays
+from app.platform.tasks import TaskOwner
+from app.window import pauses
+
+
+@pytest.fixture(autouse=True)
+def _thawed() -> Iterator[None]:
+    yield
+    gc.unfreeze()
+
+
+class Loop:
+    def __init__(self) -> None:
+        self.itself = self
+
+
+def test_objects_that_stay_are_set_aside_soon_after_a_start(
+    qtbot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pauses, "SETTLED_MS", 1)
+    owner = QObject()
+    host = EngineHost(TaskOwner(owner), owner)
+    pauses.keep_pauses_short(host)
+    assert gc.get_freeze_count() == 0
+    host.running_changed.emit(True)
+    qtbot.waitUntil(lambda: gc.get_freeze_count() > 0)
+
+
+def test_what_became_garbage_after_it_was_set_aside_is_freed_at_the_next_start() -> None:
+    loop = Loop()
+    watched = weakref.ref(loop)
+    set_aside_what_stays()
+    del loop
+    gc.collect()
+    assert watched() is not None  # or else nothing is set aside at all
+    set_aside_what_stays()
+    assert watched() is None
