@@ -90,6 +90,16 @@ def test_both_are_found_and_the_list_follows(connected, qtbot, device):
     qtbot.waitUntil(lambda: _done(connected, "Measured at rest"), timeout=30_000)
 
 
+def test_a_glove_that_is_unplugged_is_said_in_the_log(connected, qtbot, device):
+    device.unplug()
+
+    def said() -> bool:
+        texts = [connected.log.list.item(i).text() for i in range(connected.log.list.count())]
+        return any("unplugged" in t for t in texts)
+
+    qtbot.waitUntil(said, timeout=30_000)
+
+
 @pytest.fixture
 def glove_alone(window, qtbot, store, device, monkeypatch):
     """The window on a glove; there is no camera and no calibration."""

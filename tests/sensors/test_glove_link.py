@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import termios
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -109,6 +110,28 @@ def test_unplugged_and_back_under_another_path(bench: Bench) -> None:
     assert bench.link.state == LinkState.STREAMING and bench.said("sends again")
 
 
+def test_unplugged_while_its_port_is_set_and_back(bench: Bench, monkeypatch) -> None:
+    """At a speed of our own pyserial sets the line at each change of its time-out."""
+    bench.until(lambda: len(bench.samples) > 20)
+    ask = termios.tcgetattr
+
+    def unplugged(line: int) -> list[object]:
+        out = ask(line)
+        bench.device.unplug()
+        return out
+
+    with monkeypatch.context() as here:
+        here.setattr(termios, "tcgetattr", unplugged)
+        bench.link.poll(0.02)  # as before: nothing is set, nothing goes away
+        assert bench.link.state == LinkState.STREAMING
+        bench.events += [item for item in bench.link.poll(0.03) if isinstance(item, Event)]
+    assert bench.said("The glove was unplugged") and bench.link.state == LinkState.UNPLUGGED
+    bench.device.plug()
+    link_to(bench.folder, bench.device)
+    n = len(bench.samples)
+    bench.until(lambda: len(bench.samples) > n + 20)
+
+
 def test_silence_is_said_and_ends(bench: Bench) -> None:
     bench.until(lambda: len(bench.samples) > 20)
     bench.device.faults.silent = True
@@ -188,3 +211,44 @@ def test_motors_may_be_driven_from_another_thread_while_the_cable_goes() -> None
     assert any("was unplugged" in text for text in texts)
     haptics = [f for f in FrameDecoder().feed(port.data) if isinstance(f, Haptic)]
     assert len(haptics) > 350 and {h.amplitude for h in haptics} == {200}
+
+
+def test_a_port_is_not_closed_while_it_is_read() -> None:
+    """A motor's write may find it gone meanwhile; what is read from a closed one is no OSError."""
+
+    class Gone:
+        timeout: float | None = 0.0
+        in_waiting = 0
+
+        def __init__(self) -> None:
+            self.reading, self.written = threading.Event(), threading.Event()
+            self.closed_amid: list[bool] = []
+
+        def read(self, size: int) -> bytes:
+            self.reading.set()
+            assert self.written.wait(10)
+            self.reading.clear()
+            return b""
+
+        def write(self, data: bytes) -> int:
+            if self.reading.is_set():
+                raise OSError(5, "Input/output error")
+            return len(data)
+
+        def close(self) -> None:
+            self.closed_amid.append(self.reading.is_set())
+
+    port = Gone()
+    link = GloveLink(lambda: port, 2)
+
+    def write() -> None:
+        assert port.reading.wait(10)
+        link.vibrate(1, 200, 80)
+        port.written.set()
+
+    thread = threading.Thread(target=write)
+    thread.start()
+    said = [item.text for item in link.poll(0.0) if isinstance(item, Event)]
+    thread.join()
+    assert port.closed_amid == [False] and "was unplugged" in said[0]
+    assert link.state == LinkState.UNPLUGGED

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import pty
+import termios
+from collections.abc import Iterator
+from types import ModuleType
 
 import pytest
 
+from tracker.sensors.protocol import BAUD
 from tracker.sensors.serial_line import SerialPort, UsbPort, crosses_uart, reason, usb_ports
 
 FTDI, WCH, SILABS, ARDUINO, TEENSY = 0x0403, 0x1A86, 0x10C4, 0x2341, 0x16C0
@@ -47,6 +52,62 @@ def test_a_pseudo_terminal_has_no_time_on_the_wire() -> None:
     port.close()
     os.close(slave)
     os.close(master)
+
+
+class Cable:
+    """A pseudo-terminal whose other end is pulled right after a call of the system's."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.master, self.slave = pty.openpty()
+        self.path = os.ttyname(self.slave)
+        self._monkeypatch = monkeypatch
+
+    def pull_after(self, module: ModuleType, name: str) -> None:
+        call = getattr(module, name)
+
+        def pulled(*args: object) -> object:
+            out = call(*args)
+            self.pull()
+            return out
+
+        self._monkeypatch.setattr(module, name, pulled)
+
+    def pull(self) -> None:
+        if self.master >= 0:
+            os.close(self.slave)
+            os.close(self.master)
+            self.master = -1
+
+
+@pytest.fixture
+def cable(monkeypatch: pytest.MonkeyPatch) -> Iterator[Cable]:
+    cable = Cable(monkeypatch)
+    yield cable
+    cable.pull()
+
+
+CALLS = {"flock": fcntl, "tcgetattr": termios, "tcsetattr": termios, "ioctl": fcntl}
+"""The system's calls while a port is set; what fails after them is no OSError to pyserial."""
+
+
+@pytest.mark.parametrize("call", ["flock", "tcgetattr", "ioctl"])
+def test_a_port_that_goes_away_while_it_is_set_is_an_error_like_any_other(
+    cable: Cable, call: str
+) -> None:
+    port = SerialPort(cable.path, BAUD)
+    cable.pull_after(CALLS[call], call)
+    with pytest.raises(OSError) as caught:
+        port.timeout = 0.01
+    assert reason(caught.value)
+    port.close()
+
+
+@pytest.mark.parametrize("call", CALLS)
+def test_and_so_while_it_is_opened(cable: Cable, call: str) -> None:
+    cable.pull_after(CALLS[call], call)
+    with pytest.raises(OSError):
+        SerialPort(cable.path, BAUD)
+    assert cable.master < 0
 
 
 def test_ports_are_listed_with_their_numbers() -> None:

@@ -89,7 +89,10 @@ class Ranges(NamedTuple):
 
 
 class Announcements:
-    """What happened to the link, in words, until somebody takes it. ``clock`` gives s."""
+    """What happened to the link, in words, until somebody takes it. ``clock`` gives s.
+
+    For the one thread that polls.
+    """
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self._clock = clock
@@ -130,7 +133,8 @@ class GloveLink:
         self.params = params or LinkParams()
         self._open_port, self._imu_count, self._clock = open_port, imu_count, clock
         self._port: Port | None = None
-        self._writing = threading.RLock()  # two frames must not mix, nor the port go between
+        self._writing = threading.Lock()  # two frames must not mix, nor the port go between
+        self._write_error: OSError | None = None  # of any thread, for the one that polls
         self._words = Announcements(clock)
         self._next_open = float("-inf")
         self.state = LinkState.UNPLUGGED
@@ -160,6 +164,8 @@ class GloveLink:
                 if self._port is not None:  # a stranger's was closed
                     out += self._take(frame, now)
             self._watch(now)
+            if self._write_error is not None:
+                raise self._write_error
         except (serial.SerialException, OSError) as error:
             self._unplugged(error)
         return [*out, *self._words.take()]
@@ -183,7 +189,7 @@ class GloveLink:
         if now < self._next_open:
             time.sleep(min(timeout, self._next_open - now))
             return False
-        self._next_open = now + self.params.reopen_every
+        self._next_open, self._write_error = now + self.params.reopen_every, None
         try:
             self._port = self._open_port()
         except (serial.SerialException, OSError) as error:
@@ -215,27 +221,27 @@ class GloveLink:
 
     def _read(self, timeout: float) -> bytes:
         port = self._port
-        if port is None:  # a writer in another thread has just found it gone
-            return b""
-        port.timeout = timeout
+        assert port is not None
+        if port.timeout != timeout:  # the line is set anew each time, which takes it a while
+            port.timeout = timeout
         first = port.read(1)
         waiting = port.in_waiting if first else 0
         return first + (port.read(min(waiting, 65536)) if waiting else b"")
 
     def _send(self, frame: Frame) -> None:
+        """Where that fails `poll` frees the port, which it may be reading from now."""
         with self._writing:
             if self._port is None:
                 return
             try:
                 self._port.write(encode(frame))
             except (serial.SerialException, OSError) as error:
-                self._unplugged(error)
+                self._write_error = error
 
     def _unplugged(self, error: Exception) -> None:
         with self._writing:
-            if self._port is None:
-                return
-            self._port.close()
+            if self._port is not None:
+                self._port.close()
             self._port = None
         self.state, self._was_gone = LinkState.UNPLUGGED, True
         self._words.say(

@@ -8,7 +8,8 @@ numbers tell.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple, Protocol, runtime_checkable
 
@@ -93,12 +94,25 @@ def crosses_uart(path: str, ports: Iterable[UsbPort]) -> bool:
     return not name.startswith(CDC_NAMES)
 
 
+@contextmanager
+def _as_os_error() -> Iterator[None]:
+    """A port that goes away while it is being set is an OSError like at any other time: pyserial
+    lets ``termios.error`` through then, and makes a ValueError of it at speeds of our own."""
+    try:
+        yield
+    except OSError:
+        raise
+    except Exception as error:
+        raise serial.SerialException(*error.args) from error
+
+
 class SerialPort(serial.Serial):
     """A real port or pseudo-terminal, open."""
 
     def __init__(self, path: str, baud: int) -> None:
         """Raises OSError (`serial.SerialException`) where it cannot be opened."""
-        super().__init__(path, baud, timeout=0.05, write_timeout=1.0, exclusive=True)
+        with _as_os_error():
+            super().__init__(path, baud, timeout=0.05, write_timeout=1.0, exclusive=True)
         self._path = real_path(path)
         self._on_uart = crosses_uart(self._path, usb_ports())
 
@@ -106,6 +120,11 @@ class SerialPort(serial.Serial):
     def wire_baud(self) -> int:
         """Bits a second on the UART behind the port; 0 where there is none."""
         return int(self.baudrate) if self._on_uart else 0
+
+    def _reconfigure_port(self, *force: bool, **named: bool) -> None:
+        """What pyserial does for each change of time-out or speed. Raises OSError alone."""
+        with _as_os_error():
+            super()._reconfigure_port(*force, **named)
 
     @property
     def latency_ms(self) -> int | None:
