@@ -10,6 +10,6 @@ as the Python it is, slowly, and the log says so. Kernels release Python's lock,
 but for the simulator's images, no fast-math: same input, same output.
 """
 
-from tracker.kernels.decorator import are_compiled, kernel
+from tracker.kernels.decorator import are_compiled, compiler, kernel
 
-__all__ = ["are_compiled", "kernel"]
+__all__ = ["are_compiled", "compiler", "kernel"]

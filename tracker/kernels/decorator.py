@@ -7,6 +7,7 @@ from collections.abc import Callable
 from functools import cache
 from typing import Any, TypeVar, overload
 
+from tracker.kernels import parts
 from tracker.kernels.library import Library, load
 
 MODE = "GLOVETRACK_KERNELS"
@@ -43,6 +44,16 @@ def are_compiled() -> bool:
     """
     library = _library()
     return library is not None and library.is_current()
+
+
+def compiler() -> str:
+    """numba and its version: the one that made the library, else the one that compiles now."""
+    made = parts.compiler()
+    if made is None:
+        from numba import __version__
+
+        made = f"numba {__version__}"
+    return made
 
 
 def _make(function: Callable[..., Any], options: dict[str, Any]) -> Any:

@@ -7,6 +7,7 @@ says what each was compiled from, and for which types. Its first line says what 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
@@ -40,6 +41,19 @@ def table_of(part: str) -> Path:
 def built() -> list[str]:
     """All parts that have a table."""
     return sorted(path.stem.removeprefix(PREFIX) for path in HERE.glob(f"{PREFIX}*.txt"))
+
+
+def compiler() -> str | None:
+    """What the library's tables say in their first line, "numba 0.68.1"; None without a library.
+
+    The bundle of the program has that library and no numba.
+    """
+    for part in built():
+        with table_of(part).open(encoding="utf-8") as table:
+            found = re.search(r"numba \S+", table.readline())
+        if found:
+            return found[0]
+    return None
 
 
 def is_built(part: str, table: str) -> bool:

@@ -11,7 +11,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
-from scipy.signal import fftconvolve
 
 from tracker.clock import NS
 from tracker.errors import ConfigError, FileError
@@ -122,6 +121,8 @@ def _even(course: Course) -> Array:
 
 def _correlations(x: Array, y: Array) -> Array:
     """Pearson's of what both know at each lag, from -(len(y) - 1) on; NaN below `OVERLAP`."""
+    from scipy.signal import fftconvolve  # a quarter of a second that the window starts without
+
     knows_x, knows_y = np.isfinite(x).astype(float), np.isfinite(y).astype(float)
     x = np.where(knows_x > 0, x - np.nanmean(x), 0.0)
     y = np.where(knows_y > 0, y - np.nanmean(y), 0.0)

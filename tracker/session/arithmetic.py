@@ -12,9 +12,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-import numba
 import numpy as np
-from llvmlite import binding
+from numpy.lib import introspect
+
+from tracker.kernels import compiler
 
 BLAS_PREFIXES = ("scipy_openblas_", "openblas_")
 BLAS_SUFFIXES = ("64_", "")
@@ -25,12 +26,18 @@ def arithmetic() -> str:
     """This computer's, in words that are the same on every computer of its kind."""
     return "; ".join(
         (
-            f"processor {platform.machine()} {binding.get_host_cpu_name()}",
+            f"processor {platform.machine()} {_instructions()}",
             f"BLAS {_blas()}",
             f"numpy {np.__version__}",
-            f"numba {numba.__version__}",
+            compiler(),
         )
     )
+
+
+def _instructions() -> str:
+    """The set of vector instructions for which NumPy has code and this processor runs it."""
+    chosen = introspect.opt_func_info(func_name="^sin$", signature="float64")
+    return str(next(iter(chosen["sin"].values()))["current"])
 
 
 def _blas() -> str:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.linalg import block_diag, cho_factor, cho_solve
-from scipy.stats import chi2
+from scipy.special import chdtri
 
 from tracker.fusion.chain.distal import DistalSegments, Synergies
 from tracker.fusion.chain.filter import ChainFilter
@@ -130,7 +130,7 @@ class GuidedLearning:
         by_own = told.H_own @ own.P @ told.H_own.T
         by_state = told.H @ state.P[n:, n:] @ told.H.T
         distance = float(r @ np.linalg.solve(by_own + by_state + told.R, r))
-        if distance > chi2.ppf(self._params.gate, len(r)):
+        if distance > chdtri(len(r), 1 - self._params.gate):
             return False
         R = told.R * max(1.0, distance / len(r))  # held less well than people usually do
         filter_.learn(told.H, r, R + by_own)
