@@ -18,6 +18,7 @@ from app.viewmodels.hand_scene import TRAIL_POINTS, followed
 from app.widgets.view3d.view_3d import View3D
 from app.window.main_window import MainWindow
 from tracker.errors import ConfigError
+from tracker.kernels import are_compiled
 from tracker.messages import Tracking
 from tracker.settings import ENGINES
 
@@ -221,13 +222,18 @@ def test_an_installation_without_the_cards_view_says_so(chooser, store, monkeypa
     assert not chooser._view.on_card and not store.value.card_trial
 
 
-def test_the_painted_view_needs_no_vtk():
-    """A program that was never asked for the graphics card does not load what draws on it."""
+SELDOM_NEEDED = ("vtkmodules", "pyvista", "scipy.stats", "scipy.signal")
+COMPILER = ("numba", "llvmlite")  # of kernels that are newer than the library
+
+
+def test_a_window_that_paints_loads_neither_vtk_nor_numba():
+    """A second and 200 MB; the packed program has no numba."""
+    unwanted = (*SELDOM_NEEDED, *(COMPILER if are_compiled() else ()))
     code = (
-        "import sys; from PySide6.QtWidgets import QApplication; "
-        "from app.widgets.view3d.view_3d import View3D; "
-        "app = QApplication([]); view = View3D(); view.resize(99, 99); "
-        "view.render_scene(); print([m for m in sys.modules if 'vtk' in m or 'pyvista' in m])"
+        "import sys; from PySide6.QtWidgets import QApplication; import app.window.main_window; "
+        "from app.widgets.view3d.view_3d import View3D; from tracker.session import arithmetic; "
+        "app = QApplication([]); view = View3D(); view.resize(99, 99); view.render_scene(); "
+        f"arithmetic.arithmetic(); print([m for m in {unwanted} if m in sys.modules])"
     )
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
