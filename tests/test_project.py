@@ -161,6 +161,8 @@ THREADS = {
     "tracker/session/recording/compression.py": "images, beside the writer",
     "tracker/session/recording/process.py": "the recorder is a process of its own",
     "tracker/simulation/camera_device.py": "the simulated camera is a process of its own",
+    "tracker/simulation/drawn_ahead.py": "packets are made before they are due",
+    "tracker/simulation/glove_process.py": "the simulated gloves are a process of their own",
     "tracker/simulation/vehicles.py": "the simulated vehicles fly beside who steers them",
     "tracker/simulation/glove_device.py": "the simulated glove has a chip of its own",
     "tracker/streaming/attach.py": "looks at the latest estimate",

@@ -9,6 +9,7 @@ from app.engines.guide import HoldingEngine, WearersGuide
 from tracker.simulation.asked import AHEAD, MOVE, Asked
 from tracker.simulation.camera_device import DemoCamera
 from tracker.simulation.demo import ask
+from tracker.simulation.glove_process import GloveProcess
 from tracker.simulation.guided import HeldHand, HoldParams
 from tracker.simulation.scenario import Simulation
 from tracker.simulation.smooth import rng_for
@@ -24,11 +25,12 @@ class DemoGuide(WearersGuide):
         self,
         engine: HoldingEngine,
         simulation: Simulation,
-        camera: DemoCamera,
+        devices: tuple[DemoCamera, GloveProcess],
         clock: Callable[[], float],
     ) -> None:
         super().__init__(engine)
-        self._simulation, self._camera, self._clock = simulation, camera, clock
+        self._simulation, self._clock = simulation, clock
+        self._camera, self._worn = devices
         rng = rng_for(simulation.seed, "postures asked for")
         self._held = HeldHand(simulation.wearer, HoldParams(), rng)
         self._thread = ThreadPoolExecutor(1, "glovetrack-demo-guide")
@@ -42,6 +44,7 @@ class DemoGuide(WearersGuide):
         angles = tuple(self._held.angles(pose, then).tolist()) if pose else ()
         asked = Asked(self._clock() + AHEAD, angles)
         ask(self._simulation, asked)
+        self._worn.ask(asked)
         self._camera.ask(asked, pose)
 
     def close(self) -> None:

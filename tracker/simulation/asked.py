@@ -12,7 +12,9 @@ from tracker.simulation.motion import Motion, Poses
 from tracker.simulation.smooth import SmoothNoise, minimum_jerk, rng_for
 
 MOVE = 0.8  # s from what the hand does to the posture, and back
-AHEAD = 1.1  # s before which nothing can change: packets are made a second at a time
+AHEAD = 1.6
+"""s before which nothing can change: packets are made a second at a time, and that a third of a
+second before they are sent (`tracker.simulation.drawn_ahead`)."""
 SWAY_DEG = 0.8  # of a hand that holds a posture; a standard deviation
 SWAY_TIME = 0.8  # s, correlation
 

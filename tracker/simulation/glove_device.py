@@ -34,7 +34,7 @@ from tracker.sensors.protocol import (
 )
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
-TICK = 0.002  # s between two looks at the clock
+TICK = 0.002  # s between two looks at the line, and at the clock where nothing is due before
 SYSTEM_KEEPS = 65536  # bytes that a system holds of a line nobody reads, as Linux does
 
 
@@ -142,7 +142,7 @@ class SimulatedGlove:
         baud = self.params.wire_baud
         wire = BITS_PER_BYTE * (12 * self._imu_count + 11) / baud if baud else 0.0
         sample = next(self._source, None)
-        while not self._stopping.wait(TICK):
+        while not self._stopping.wait(self._pause(sample, wire)):
             now = time.monotonic()
             with self._lock:
                 if self._master < 0:
@@ -166,6 +166,11 @@ class SimulatedGlove:
                     last_flush = now
                     self._write(b"".join(pending))
                     pending.clear()
+
+    def _pause(self, sample: ImuSample | None, wire: float) -> float:
+        """s until the next packet has to leave, or the line is to be looked at."""
+        due = self._t_0 + sample.t + wire - time.monotonic() if sample is not None else TICK
+        return min(max(due, 0.0), TICK)
 
     def _skip(self, sample: ImuSample | None, now: float) -> ImuSample | None:
         """What was sampled while nobody listened is gone."""

@@ -20,6 +20,7 @@ from tracker.errors import DeviceError, FileError
 from tracker.messages import StereoFrame
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.simulation.demo import DemoSpec, build_scene, hands_of
+from tracker.simulation.drawn_ahead import DrawnAhead
 from tracker.simulation.glove_device import SimulatedGlove, link_to
 
 QUALITY = 92  # of JPEG
@@ -94,7 +95,8 @@ class SimulatedRig:
         simulation = next(iter(hands_of(build_scene(spec)).values()))
         self._camera = SimulatedCamera(spec)
         self._pipe = ImagePipe(folder / "camera.mjpeg")
-        self._glove = SimulatedGlove(simulation.imu_samples(), len(simulation.glove.imus))
+        self._packets = DrawnAhead(simulation.imu_samples())
+        self._glove = SimulatedGlove(self._packets, len(simulation.glove.imus))
         self.files = RigFiles(link_to(folder, self._glove), self._pipe.path)
         self.rig = simulation.rig
 
@@ -121,5 +123,6 @@ class SimulatedRig:
         self._camera.close()
         self._pipe.close()
         self._glove.stop()
+        self._packets.close()
         with contextlib.suppress(OSError):
             self.files.glove.unlink(missing_ok=True)

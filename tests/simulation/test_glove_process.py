@@ -1,0 +1,96 @@
+"""Simulated gloves in their own process, heard through the ordinary link."""
+
+from __future__ import annotations
+
+import itertools
+import time
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import pytest
+
+from tracker import library
+from tracker.errors import DeviceError
+from tracker.messages import Event, ImuSample
+from tracker.sensors.glove_link import GloveLink, serial_port
+from tracker.simulation.demo import DemoSpec, build
+from tracker.simulation.drawn_ahead import PACKETS, DrawnAhead
+from tracker.simulation.glove_process import GloveProcess
+
+SPEC = DemoSpec(*library.texts(), duration=60.0)
+START = 60.0  # s, for a process on a busy machine
+LSB_GYRO = np.deg2rad(2000.0) / 32768
+
+
+@pytest.fixture
+def worn() -> Iterator[GloveProcess]:
+    process = GloveProcess(SPEC)
+    yield process
+    process.close()
+
+
+def heard(link: GloveLink, until: Callable[[list[ImuSample | Event]], bool]) -> list:
+    """All that the link gives until something holds of it."""
+    found: list[ImuSample | Event] = []
+    deadline = time.monotonic() + START
+    while not until(found):
+        assert time.monotonic() < deadline, found[-3:]
+        found += link.poll(0.05)
+    return found
+
+
+def test_what_is_heard_is_the_wearers_own_motion_and_the_cable_is_pulled_at_the_end(
+    worn: GloveProcess,
+) -> None:
+    paths = worn.paths(START)
+    assert list(paths) == ["right"]
+    link = GloveLink(serial_port(paths["right"]), 7)
+    worn.begin(time.monotonic() + 0.1)
+    found = heard(link, lambda got: sum(isinstance(x, ImuSample) for x in got) > 20)
+    assert link.hello is not None and link.hello.glove_id == 1
+    got = [x for x in found if isinstance(x, ImuSample)]
+    # packets that were made before anybody listened are gone, so it is told which by their times
+    true = list(itertools.islice(build(SPEC).imu_samples(), 3000))
+    device = np.array([s.t_device for s in got]) - 4.0  # start_us; skew is 60e-6
+    rows = np.searchsorted([s.t for s in true], device / (1 + 60e-6) - 1e-5)
+    assert [s.seq for s in got] == list(range(got[0].seq, got[0].seq + len(got)))
+    for sample, row in zip(got, rows, strict=True):
+        assert sample.gyro == pytest.approx(true[row].gyro, abs=0.51 * LSB_GYRO)
+    worn.close()
+    said = heard(link, lambda got: any(isinstance(x, Event) for x in got))
+    assert any("unplugged" in x.text for x in said if isinstance(x, Event))
+    link.close()
+
+
+def test_a_process_that_cannot_be_is_said() -> None:
+    process = GloveProcess(SPEC)
+    process._process.kill()
+    with pytest.raises(DeviceError, match="simulated glove did not start"):
+        process.paths(START)
+    process.close()
+
+
+def test_packets_are_made_ahead_in_order_and_no_more_than_are_to_be_ready() -> None:
+    made: list[int] = []
+
+    def source() -> Iterator[ImuSample]:
+        for sample in itertools.islice(build(SPEC).imu_samples(), 100):
+            made.append(sample.seq)
+            yield sample
+
+    ahead = DrawnAhead(source())
+    first = next(ahead)
+    assert first.seq == 0
+    deadline = time.monotonic() + START
+    while len(made) < PACKETS + 2:  # one is taken, one is in hand
+        assert time.monotonic() < deadline
+    assert [s.seq for s in ahead] == list(range(1, 100))
+    assert next(ahead, None) is None
+    ahead.close()
+
+
+def test_one_that_nobody_takes_from_any_more_can_be_closed() -> None:
+    ahead = DrawnAhead(build(SPEC).imu_samples())
+    assert next(ahead).seq == 0
+    ahead.close()
+    ahead.close()
