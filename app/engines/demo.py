@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from app.engines.demo_camera import DURATION, DemoChoice, demo_spec, start_camera
 from app.engines.demo_guide import DemoGuide
@@ -30,8 +31,9 @@ from tracker.session.recording.process import RecorderProcesses
 from tracker.settings import Settings
 from tracker.simulation.camera_device import DemoCamera
 from tracker.simulation.demo import DemoSpec, WornTexts, asked_for, build_scene, hands_of
-from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
+from tracker.simulation.glove_process import GloveProcess
 from tracker.simulation.scenario import Simulation
+from tracker.simulation.shows import shown_application
 from tracker.simulation.truth_recorder import Prepare, WithTruth
 from tracker.two_hands import OneHand, TwoHands
 from tracker.vision.colours import ColourProfile, parse_profile
@@ -39,20 +41,16 @@ from tracker.vision.detector import Detector
 from tracker.vision.rig import StereoRig
 
 LEAD = 0.25  # s until the devices begin: a recording asked for at once misses nothing
-CAMERA_TIMEOUT = 120.0
+START_TIMEOUT = 120.0  # s, for a process that is just starting on a busy machine
 CAMERA = "simulated camera"
-GLOVE_IDS = {"right": 1, "left": 2}
 
 
 class DemoGlove:
-    """The glove of one simulated hand, and the link to it."""
+    """The glove of one simulated hand at the line ``path``, and the link to it."""
 
-    def __init__(self, simulation: Simulation) -> None:
+    def __init__(self, simulation: Simulation, path: str) -> None:
         self.simulation = simulation
-        glove = simulation.glove
-        params = GloveDeviceParams(glove_id=GLOVE_IDS[glove.side])
-        self.device = SimulatedGlove(simulation.imu_samples(), len(glove.imus), params=params)
-        self.link = GloveLink(serial_port(self.device.path), len(glove.imus))
+        self.link = GloveLink(serial_port(path), len(simulation.glove.imus))
 
 
 def demo_setup(
@@ -66,16 +64,19 @@ def demo_setup(
     ``camera``: one that was started before, for the same seed and choice.
     """
     progress(0.1, tr("a simulated wearer and camera"))
+    spec = demo_spec(seed, choice)
     camera = camera or start_camera(seed, choice)  # its own process gets ready beside us
+    worn = GloveProcess(spec)  # and so do the gloves
     try:
-        return _setup_with(progress, demo_spec(seed, choice), choice.has_camera, camera)
-    except BaseException:  # Ctrl+C too must not leave the camera's process behind
+        return _setup_with(progress, spec, choice.has_camera, camera, worn)
+    except BaseException:  # Ctrl+C too must not leave processes behind
         camera.close()
+        worn.close()
         raise
 
 
 def _setup_with(
-    progress: JobProgress, spec: DemoSpec, has_camera: bool, camera: DemoCamera
+    progress: JobProgress, spec: DemoSpec, has_camera: bool, camera: DemoCamera, worn: GloveProcess
 ) -> EngineSetup:
     wearers = hands_of(build_scene(spec))
     first = next(iter(wearers.values()))
@@ -88,13 +89,13 @@ def _setup_with(
     progress(0.5, tr("first image"))
     warm_up(first.hand, first.glove, make_detector(profile))
     progress(0.9, tr("devices"))
-    if not camera.wait_ready(CAMERA_TIMEOUT):
+    if not camera.wait_ready(START_TIMEOUT):
         raise DeviceError(tr("The simulated camera did not start."))
-    gloves = {side: DemoGlove(simulation) for side, simulation in wearers.items()}
+    paths = worn.paths(START_TIMEOUT)
+    gloves = {side: DemoGlove(simulation, paths[side]) for side, simulation in wearers.items()}
     t_0 = time.monotonic() + LEAD
     camera.begin(t_0)
-    for glove in gloves.values():
-        glove.device.begin(t_0)
+    worn.begin(t_0)
     links = {side: glove.link for side, glove in gloves.items()}
     hands = _hands(wearers, has_camera)
     tracker = LiveTracker(hands, profile, make_detector, links, camera)
@@ -106,13 +107,12 @@ def _setup_with(
     guide = None
     if len(wearers) == 1:  # two who meet are asked for nothing
         tracked = tracker.hand(first.glove.side)
-        guide = DemoGuide(tracked, first, camera, lambda: time.monotonic() - t_0)
+        guide = DemoGuide(tracked, first, (camera, worn), lambda: time.monotonic() - t_0)
 
     def close() -> None:
         if guide is not None:
             guide.close()
-        for glove in gloves.values():
-            glove.device.stop()
+        worn.close()
         recorders.close()
 
     def record(path: Path, about: SessionInfo) -> Recorder:
@@ -121,7 +121,8 @@ def _setup_with(
 
     make_recorder = recorder_maker(tracker, info, record)
     fps = spec.fps if has_camera else 0.0
-    shared = SharedSetup(profile, info.anchor, close, make_recorder, fps, guide)
+    used = shown_application(spec.motion)
+    shared = SharedSetup(profile, info.anchor, close, make_recorder, fps, guide, used)
     return seen_from_main([_seen_from(g, tracker, t_0, shared) for g in gloves.values()])
 
 
@@ -135,6 +136,7 @@ class SharedSetup:
     make_recorder: Callable[[RecordingRequest], Recorder]
     fps: float
     guide: DemoGuide | None
+    application: tuple[str, Mapping[str, Any]]
 
 
 def _seen_from(
@@ -167,6 +169,7 @@ def _seen_from(
         guide=shared.guide or WearersGuide(tracked),
         command=tracked.command,
         stage=stage,
+        application=shared.application,
         reference_tracking=tracked if shared.fps else None,
         camera=CAMERA if shared.fps else "",
         image_rate=(lambda: shared.fps) if shared.fps else None,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from tracker import library
 from tracker.simulation.camera_device import DemoCamera, NoSimulatedCamera, SimulatedCamera
 from tracker.simulation.demo import DemoSpec, WornTexts
+from tracker.simulation.shows import WORD
 
 DURATION = 900.0
 """s of motion; the hand then rests where it is."""
@@ -47,6 +48,11 @@ class DemoChoice:
     @property
     def has_camera(self) -> bool:
         return self.lenses != "none"
+
+    @property
+    def uses_application(self) -> bool:
+        """Whether the simulated wearer does what one of the applications is for."""
+        return self.motion.startswith(WORD)
 
 
 def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:

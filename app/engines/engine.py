@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from app.engines.guide import PoseGuide
 from tracker.applications.stage import ApplicationStage
@@ -189,6 +189,7 @@ class EngineSetup:
     camera: str = ""  # the camera's name and serial number; what is tuned for it is kept by them
     image_rate: Callable[[], float] | None = None  # images a second that the camera should give
     stage: ApplicationStage | None = None  # where an application of the hand runs
+    application: tuple[str, Mapping[str, Any]] = ("", {})  # what a simulated wearer uses, and how
     guide: PoseGuide | None = None  # tells the engine of guided poses
     followed: FollowedHand | None = None  # of a live engine
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms

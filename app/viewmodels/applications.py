@@ -36,16 +36,17 @@ class ApplicationsModel:
         self.titles = titles()
 
     @property
-    def recorded(self) -> tuple[str, dict[str, Any]]:
-        """Name and settings of the application of this hand that a session holds; empty where there
-        is none."""
+    def expected(self) -> tuple[str, dict[str, Any]]:
+        """Name and settings of the application of this hand that a session holds, or that a
+        simulated wearer uses; empty where there is none."""
         player, side = self._setup.player, self._setup.hand.side
         for _, event in player.events if player is not None else ():
             begins = event.kind == KIND and event.data.get("what") == BEGINS
             if begins and event.data.get("hand") == side:
                 settings: Any = event.data.get("settings", {})
                 return str(event.data["application"]), dict(settings)
-        return "", {}
+        name, settings = self._setup.application
+        return name, dict(settings)
 
     def show(self, name: str, settings: dict[str, Any] | None = None) -> str:
         """Run it; why it cannot be, in words, or empty."""

@@ -124,6 +124,8 @@ def _show(
         window.calibration.profiles.begin_with(args.wearer)
     window.show()
     if args.demo:
+        if _demo(args).uses_application:
+            window.show_panel("applications")
         window.sources.open_demo(_demo(args), camera)
     elif args.session is not None:
         window.sources.open_session(args.session)

@@ -23,12 +23,20 @@ def kernel(function: F, /) -> F: ...
 
 @overload
 def kernel(
-    *, fastmath: bool = False, inline: str = "never", error_model: str = "python"
+    *,
+    fastmath: bool = False,
+    inline: str = "never",
+    error_model: str = "python",
+    nogil: bool = True,
 ) -> Callable[[F], F]: ...
 
 
 def kernel(function: F | None = None, /, **options: Any) -> F | Callable[[F], F]:
-    """Compile a function, ahead of time or when it is first called. The options are numba's."""
+    """Compile a function, ahead of time or when it is first called. The options are numba's.
+
+    ``nogil`` False is for those that take less than the time for which a thread that wants Python's
+    lock waits before it asks for it: to give it up and to want it back costs a busy process more.
+    """
 
     def make(function: F) -> F:
         made: F = _make(function, options)

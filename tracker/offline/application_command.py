@@ -70,7 +70,7 @@ def _run(args: argparse.Namespace, files: list[Path]) -> int:
     from tracker.applications.sinks import network_sinks
     from tracker.offline.applications import Into, run_into
 
-    settings = dict(_setting(text) for text in args.set)
+    settings = _shown(args) | dict(_setting(text) for text in args.set)
     with ExitStack() as stack:
         source = _source(args, stack)
         inputs = [args.source] if args.source is not None else []
@@ -82,6 +82,16 @@ def _run(args: argparse.Namespace, files: list[Path]) -> int:
         report = run_into(args.name, source, into, settings, sinks, look)
     finish(args, report.to_json(), report.lines(), files)
     return 0
+
+
+def _shown(args: argparse.Namespace) -> dict[str, Any]:
+    """Settings that go with the motion of a simulated wearer who uses this application."""
+    if args.simulate is None:
+        return {}
+    from tracker.simulation.shows import shown_application
+
+    name, settings = shown_application(args.motion)
+    return dict(settings) if name == args.name else {}
 
 
 def _page(args: argparse.Namespace, stack: ExitStack) -> Callable[[str, Outcome], None]:

@@ -22,7 +22,8 @@ from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Message, Simulation, SimulationParams, Truth
-from tracker.simulation.scripted import WORD, show
+from tracker.simulation.scripted import show
+from tracker.simulation.shows import WORD
 from tracker.simulation.two_hands import SIDES, Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera

@@ -16,6 +16,7 @@ from tracker.simulation.motion import Motion
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.rooms import room_of
 from tracker.simulation.scenario import Simulation, SimulationParams
+from tracker.simulation.shows import WORD
 from tracker.simulation.two_hands import Dressed, TwoHandsSimulation
 from tracker.simulation.wearer import Wearer
 from tracker.vision.lenses import with_one_camera
@@ -109,7 +110,7 @@ def asked_for(simulation: Simulation) -> tuple[Asked, ...]:
 def _told(spec: DemoSpec, hand: HandModel, glove: GloveModel) -> Motion:
     """Imported when asked for: what these need brings all of scipy, and the demo starts first."""
     from tracker.simulation.recorded import load_motion
-    from tracker.simulation.scripted import WORD, show
+    from tracker.simulation.scripted import show
 
     if spec.motion.startswith(WORD):
         wearer = Wearer.random(hand, glove, spec.seed)

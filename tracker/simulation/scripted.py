@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
-from tracker.errors import ConfigError
 from tracker.geometry import so3
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS
@@ -16,6 +14,7 @@ from tracker.messages import Array
 from tracker.simulation.gestures import FIST, OPEN, pinch
 from tracker.simulation.motion import Poses
 from tracker.simulation.postures import posture
+from tracker.simulation.shows import Key, show_keys
 from tracker.simulation.smooth import minimum_jerk
 from tracker.simulation.wearer import Wearer
 
@@ -46,20 +45,6 @@ POSTURES = {
     "thumb_up": THUMB_UP,
     "point": POINT,
 }
-
-
-WORD = "show:"
-"""Before the name of an application, in place of a file of recorded motion."""
-
-
-class Key(NamedTuple):
-    """At ``t`` s the hand shows ``gesture`` with its palm's middle at ``palm`` m in G, turned from
-    palm down, fingers along x, by the rotation vector ``turn`` in degrees about G's axes."""
-
-    t: float
-    gesture: str
-    palm: tuple[float, float, float]
-    turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 class ScriptedHand:
@@ -99,7 +84,7 @@ def _angles(hand: HandModel, gesture: str, wearer: Wearer | None) -> Array:
 def show(
     name: str, hand: HandModel, wearer: Wearer | None = None, least: float = 0.0
 ) -> ScriptedHand:
-    """A wearer who uses an application: `WORD` and its name; again and again for ``least`` s.
+    """A wearer who uses an application, as `show_keys`; again and again for ``least`` s.
 
     Raises ConfigError for no such one.
     """
@@ -108,78 +93,3 @@ def show(
     for k in range(max(1, math.ceil(least / again))):
         keys += [key._replace(t=key.t + k * again) for key in once]
     return ScriptedHand(hand, keys, wearer)
-
-
-def show_keys(name: str) -> list[Key]:
-    """The keys of a `show`."""
-    known = name.removeprefix(WORD)
-    if known not in SHOWS:
-        raise ConfigError(f"There is no show {name!r}; there are {', '.join(SHOWS)}.")
-    keys, t = [], 0.0
-    for seconds, gesture, palm, turn in SHOWS[known]:
-        t += seconds
-        keys.append(Key(t, gesture, palm, turn))
-    return keys
-
-
-_FLAT, _EDGE, _TURNED = (0.0, 0.0, 0.0), (90.0, 0.0, 0.0), (0.0, 0.0, 35.0)
-_HOME = (0.15, 0.0, 0.12)
-SHOWS: dict[
-    str, list[tuple[float, str, tuple[float, float, float], tuple[float, float, float]]]
-] = {
-    "touch": [
-        (0.0, "open_palm", _HOME, _FLAT),
-        (1.5, "open_palm", _HOME, _FLAT),
-        (1.5, "open_palm", (0.15, 0.0, 0.07), _FLAT),
-        (0.8, "open_palm", (0.17, 0.03, 0.07), _FLAT),
-        (0.8, "open_palm", (0.17, -0.03, 0.07), _FLAT),
-        (1.0, "point", (0.15, 0.0, 0.12), _FLAT),
-        (1.0, "point", (0.18, 0.0, 0.08), _FLAT),
-        (1.0, "open_palm", _HOME, _FLAT),
-    ],
-    "arm": [
-        (0.0, "relaxed", _HOME, _FLAT),
-        (1.5, "relaxed", _HOME, _FLAT),
-        (0.6, "grasp", _HOME, _FLAT),
-        (1.5, "grasp", (0.18, 0.0, -0.01), _FLAT),
-        (0.4, "grasp", (0.18, 0.0, -0.01), _FLAT),
-        (0.4, "pinch_index", (0.18, 0.0, -0.01), _FLAT),
-        (0.8, "pinch_index", (0.18, 0.0, -0.01), _FLAT),
-        (1.2, "pinch_index", (0.16, 0.03, 0.09), _FLAT),
-        (0.6, "open_palm", (0.16, 0.03, 0.09), _FLAT),
-        (0.6, "open_palm", (0.16, 0.03, 0.09), _FLAT),
-        (0.6, "thumb_up", (0.16, 0.03, 0.09), _FLAT),
-        (0.8, "thumb_up", (0.16, 0.03, 0.09), _FLAT),
-    ],
-    "swarm": [
-        (0.0, "relaxed", (0.10, 0.0, 0.12), _FLAT),
-        (1.5, "relaxed", (0.10, 0.0, 0.12), _FLAT),
-        (0.8, "point", (0.10, 0.0, 0.12), _FLAT),
-        (1.0, "point", (0.15, 0.0, 0.12), _FLAT),
-        (0.8, "relaxed", (0.22, 0.0, 0.20), _FLAT),
-        (0.5, "pinch_index", (0.22, -0.02, 0.20), _FLAT),
-        (1.0, "pinch_index", (0.18, 0.06, 0.18), _FLAT),
-        (0.6, "relaxed", (0.12, 0.0, 0.22), _FLAT),
-        (0.6, "open_palm", (0.20, 0.03, 0.24), _EDGE),
-        (1.2, "open_palm", (0.20, 0.03, 0.02), _EDGE),
-        (0.6, "relaxed", (0.12, 0.0, 0.12), _FLAT),
-        (0.8, "thumb_up", (0.12, 0.0, 0.12), _FLAT),
-        (0.6, "fist", (0.12, 0.0, 0.12), _FLAT),
-        (0.6, "fist", (0.12, 0.0, 0.12), _FLAT),
-    ],
-    "place": [
-        (0.0, "relaxed", (0.10, 0.0, 0.12), _FLAT),
-        (1.5, "relaxed", (0.10, 0.0, 0.12), _FLAT),
-        (0.6, "point", (0.08, -0.0935, 0.16), _FLAT),
-        (1.5, "point", (0.08, -0.0935, 0.16), _FLAT),
-        (0.8, "relaxed", (0.24, -0.03, 0.14), _FLAT),
-        (0.5, "grasp", (0.24, -0.03, 0.14), _FLAT),
-        (1.2, "grasp", (0.20, 0.02, 0.14), _TURNED),
-        (0.5, "relaxed", (0.20, 0.02, 0.14), _TURNED),
-        (0.5, "pinch_index", (0.20, 0.02, 0.14), _FLAT),
-        (1.0, "pinch_index", (0.20, -0.04, 0.14), _FLAT),
-        (0.6, "open_palm", (0.12, 0.0, 0.14), _FLAT),
-        (1.2, "open_palm", (0.12, 0.0, 0.14), _FLAT),
-    ],
-}
-"""Seconds since the key before, gesture, palm and turn of each key, by application."""

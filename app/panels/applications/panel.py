@@ -86,7 +86,7 @@ class ApplicationsPanel(Panel):
 
     def _connect(self) -> None:
         row = self.controls
-        row.choice.currentIndexChanged.connect(lambda _i: self._run(row.chosen, None))
+        row.choice.currentIndexChanged.connect(lambda _i: self._run(row.chosen, self._usual()))
         row.again.clicked.connect(self._begin_anew)
         row.fit.clicked.connect(self._fit_next)
         row.settings.toggled.connect(self.form.setVisible)
@@ -114,6 +114,11 @@ class ApplicationsPanel(Panel):
         for button in (self.controls.again, self.controls.settings):
             button.setEnabled(bool(name) and not problem)
         self.view.setAccessibleDescription(self.controls.choice.currentText())
+
+    def _usual(self) -> dict[str, Any] | None:
+        """Settings that the chosen application is to begin with; None: its own defaults."""
+        name, settings = self.model.expected if self.model is not None else ("", {})
+        return settings if name == self.controls.chosen else None
 
     def _begin_anew(self) -> None:
         if self.model is not None and self.model.stage is not None:
@@ -144,7 +149,7 @@ class ApplicationsPanel(Panel):
         self._hand_model = HandSceneModel(setup)
         self.controls.offer(self.model.titles, setup.stage is not None)
         self.view.orbit.look_from(FIRST_LOOK)
-        name, settings = self.model.recorded
+        name, settings = self.model.expected
         if name in self.model.titles:
             self.choose(name, settings)
         self._make_bodies()
