@@ -18,9 +18,10 @@ P = TypeVar("P")
 
 class Connections(QObject):
     """``params`` has a field NAME for each connection's switch, NAME_port for its port, and
-    ``host``. Who inherits opens and closes, in `_apply`."""
+    ``host``. ``wanted`` names one that is to be closed and opened as it is wanted now."""
 
     changed = Signal()
+    wanted = Signal(str)
     names: tuple[str, ...] = ()
     settings_key = ""  # under which the parameters are remembered
     params: Any
@@ -51,11 +52,7 @@ class Connections(QObject):
         self.params = replace(self.params, **changes)
         self._store.update(**{self.settings_key: asdict(self.params)})
         for name in names:
-            self._apply(name)
-
-    def _apply(self, name: str) -> None:
-        """Close what is open and open it as it is wanted now."""
-        raise NotImplementedError
+            self.wanted.emit(name)
 
 
 def remembered(kind: type[P], data: dict[str, Any]) -> P:

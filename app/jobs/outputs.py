@@ -84,6 +84,7 @@ class Outputs(Connections):
         self.rule = remembered(HapticRule, store.value.haptics)
         self._openings: Openings[HandsOutput] = Openings(tasks, self.changed.emit)
         self.problems = self._openings.problems
+        self.wanted.connect(self._apply)
         host.running_changed.connect(lambda _on: self._apply_all())
         host.closed.connect(self._apply_all)
 

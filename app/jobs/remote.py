@@ -39,6 +39,7 @@ class RemoteControl(Connections):
         self.params: RemoteParams = remembered(RemoteParams, store.value.remote)
         self._openings: Openings[Door] = Openings(tasks, self.changed.emit)
         self.problems = self._openings.problems
+        self.wanted.connect(self._apply)
         self._open_all()
 
     def use(self, words: str, host: str = "") -> None:

@@ -46,6 +46,7 @@ class ConformanceDialog(LeadingDialog):
         self.run = ScriptRun(setup.hand.side, host.notes.add)
         self.setWindowTitle(self.tr("Conformance"))
         self.setObjectName("conformance")
+        self.due.connect(self._go_on)
         self.lead.start.clicked.connect(self.start)
         self.outcome.again.connect(self._again)
         self.outcome.page_wanted.connect(self.open_page)
@@ -73,7 +74,7 @@ class ConformanceDialog(LeadingDialog):
         self.run = ScriptRun(self._setup.hand.side, self._host.notes.add)
         self.pages.setCurrentWidget(self.lead)
 
-    def go_on(self) -> None:
+    def _go_on(self) -> None:
         self.run.tick(monotonic())
         cue = self.run.cue
         if cue.phase == Phase.DONE:

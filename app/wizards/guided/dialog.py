@@ -55,6 +55,7 @@ class GuidedDialog(LeadingDialog):
 
     def _connect(self) -> None:
         lead, outcome = self.lead, self.outcome
+        self.due.connect(self._go_on)
         lead.start.clicked.connect(self.start)
         lead.insist.clicked.connect(lambda: self.run.insist(monotonic()))
         lead.skip.clicked.connect(lambda: self.run.skip(monotonic()))
@@ -76,7 +77,7 @@ class GuidedDialog(LeadingDialog):
         self._outcomes = 0
         self.run.start(monotonic())
 
-    def go_on(self) -> None:
+    def _go_on(self) -> None:
         now = monotonic()
         self.run.tick(now)
         if self.run.phase == Phase.DONE:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QApplication, QDialog, QStackedWidget, QVBoxLayout, QWidget
 
@@ -18,7 +18,9 @@ INK = "#101418"  # on a state's colour: contrast 5 or more
 
 
 class LeadingDialog(QDialog):
-    """Not modal; it closes when the engine stops. Who inherits goes on in `go_on`."""
+    """Not modal; it closes when the engine stops. ``due``: a tick of the page that leads."""
+
+    due = Signal()
 
     def __init__(
         self,
@@ -56,11 +58,7 @@ class LeadingDialog(QDialog):
 
     def tick(self) -> None:
         if self.leads:
-            self.go_on()
-
-    def go_on(self) -> None:
-        """A tick of the page that leads."""
-        raise NotImplementedError
+            self.due.emit()
 
     def beep(self) -> None:
         """Where it is wanted."""

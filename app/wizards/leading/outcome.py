@@ -8,7 +8,6 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
     QLabel,
     QPushButton,
@@ -17,6 +16,8 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+
+from app.wizards.leading.page import foot_row
 
 
 class OutcomePage(QWidget):
@@ -52,16 +53,11 @@ class OutcomePage(QWidget):
         """With these buttons beside `again_button`; the last is what is usually wanted."""
         buttons[-1].setProperty("role", "primary")
         self.buttons += buttons
-        row = QHBoxLayout()
-        row.addWidget(self.again_button)
-        row.addStretch(1)
-        for button in buttons:
-            row.addWidget(button)
         column = QVBoxLayout(self)
         column.addWidget(self.heading)
         column.addWidget(self.words)
         column.addWidget(self.table, 1)
-        column.addLayout(row)
+        column.addLayout(foot_row(self.again_button, buttons))
 
     def tell(
         self,

@@ -14,6 +14,16 @@ from app.wizards.leading.stage import PoseStage
 NOW = "▶"  # sign of the step that is under way
 
 
+def foot_row(first: QWidget, rest: Iterable[QWidget]) -> QHBoxLayout:
+    """``first`` on the left of a page's foot, ``rest`` on its right."""
+    row = QHBoxLayout()
+    row.addWidget(first)
+    row.addStretch(1)
+    for widget in rest:
+        row.addWidget(widget)
+    return row
+
+
 class LeadingPage(QWidget):
     """Buttons and words; the dialog does what they ask."""
 
@@ -48,15 +58,10 @@ class LeadingPage(QWidget):
         upper.setSpacing(FAR)
         upper.addWidget(self.stage, 11)
         upper.addLayout(text, 9)
-        keys = QHBoxLayout()
-        keys.addWidget(self.sound)
-        keys.addStretch(1)
-        for button in buttons:
-            keys.addWidget(button)
         column = QVBoxLayout(self)
         column.addLayout(upper, 1)
         column.addWidget(self.chips)
-        column.addLayout(keys)
+        column.addLayout(foot_row(self.sound, buttons))
 
     def show_chips(self, chips: Iterable[tuple[str, str]]) -> None:
         """Signs and names of all steps; that which is under way stands out."""

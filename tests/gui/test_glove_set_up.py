@@ -1,0 +1,111 @@
+"""The window for the glove: wiggles lead, rest is waited for, a side is chosen."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import replace
+
+from gui_fakes import models, simulation
+
+from app.viewmodels.glove_setup import Phase, StillRun, WiggleRun
+from tracker.calibration.wiggle import WiggleTest
+from tracker.simulation.imu import ImuSimulator
+from tracker.simulation.wiggles import Wiggle, wiggling_wearer
+
+
+def samples(part: str, t: float, seconds: float):
+    """Of a simulated wearer, beginning at ``t``."""
+    hand, glove, _ = models()
+    wearer = wiggling_wearer(hand, glove, part, 2)
+    simulator = ImuSimulator(wearer, Wiggle(hand, part), 2)
+    return [replace(s, t=s.t + t) for s in simulator.samples(0.0, seconds)]
+
+
+def test_a_wiggle_run_leads_through_all_steps_by_what_it_sees():
+    hand, glove, _ = models()
+    run, t, asked = WiggleRun(WiggleTest(hand, glove)), 0.0, []
+    recent: list = []
+    while run.phase != Phase.DONE and t < 60:
+        part = run.part if run.phase != Phase.READY else "rest"
+        asked.append(run.part)
+        recent = (recent + samples(part, t, 1.0))[-1200:]
+        t += 1.0
+        run.look(recent)
+    assert list(dict.fromkeys(asked)) == ["thumb", "index", "middle", "hand"]
+    assert run.words == "Every IMU is where the glove file says." and run.part == "rest"
+
+
+def test_a_wearer_who_does_nothing_is_asked_again():
+    hand, glove, _ = models()
+    run, t, recent = WiggleRun(WiggleTest(hand, glove)), 0.0, []
+    while "Nothing moved" not in run.words and t < 30:
+        recent = (recent + samples("rest", t, 1.0))[-1200:]
+        t += 1.0
+        run.look(recent)
+    assert 10 < t < 20 and run.step == 0 and "thumb" in run.words
+
+
+def test_a_still_run_waits_for_rest_and_gives_up_in_words():
+    names = models()[1].imu_names
+    run = StillRun(names)
+    recent = samples("index", 0.0, 2.5)
+    run.look(recent[:1])
+    run.look(recent)
+    assert not run.done and "Waiting for rest" in run.words
+    recent += samples("rest", 2.5, 2.5)
+    run.look(recent)
+    assert run.done and run.pose is not None and run.pose.ok
+    restless = StillRun(names)
+    moved = samples("index", 0.0, 12.0)
+    restless.look(moved[:1])
+    restless.look(moved)
+    assert restless.done and "lay it flat" in restless.words
+
+
+def test_the_simulated_glove_is_measured_and_tested_by_clicks(window, qtbot):
+    window.run_command("glove_setup")
+    dialog = window.set_up.dialogs["glove"]
+    assert dialog.choice.port() == "simulated"
+    dialog.tabs.setCurrentWidget(dialog.still)
+    qtbot.waitUntil(dialog.still.start.isEnabled, timeout=30_000)
+    dialog.still.start.click()
+    qtbot.waitUntil(lambda: dialog.still.table.rowCount() == 7, timeout=30_000)
+    dialog.tabs.setCurrentWidget(dialog.wiggle)
+    dialog.wiggle.start.click()
+    qtbot.waitUntil(lambda: "thumb" in dialog.wiggle.now.text(), timeout=30_000)
+    dialog.close()
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_choosing_the_left_side_offers_left_files_and_is_stored(window, store, qtbot):
+    window.run_command("glove_setup")
+    choice = window.set_up.dialogs["glove"].choice
+    choice.side.setCurrentIndex(choice.side.findData("left"))
+    names = [choice.gloves.itemText(i) for i in range(choice.gloves.count())]
+    assert names == ["vist-small-left"] and choice.hands.currentText() == "reference-left"
+    window.set_up.dialogs["glove"].use.click()
+    assert (store.value.glove, store.value.hand) == ("vist-small-left", "reference-left")
+    assert simulation().glove.side == "right"
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+
+
+def test_gloves_that_are_found_after_the_window_for_them_has_gone_harm_nothing(
+    window, qtbot, monkeypatch
+):
+    gone = threading.Event()
+
+    def slow_ports():
+        assert gone.wait(30)
+        return []
+
+    monkeypatch.setattr("app.wizards.glove.wizard.serial_ports", slow_ports)
+    window.run_command("glove_setup")
+    dialog = window.set_up.dialogs["glove"]
+    destroyed = []
+    dialog.destroyed.connect(lambda: destroyed.append(True))
+    dialog.close()
+    qtbot.waitUntil(lambda: bool(destroyed), timeout=30_000)
+    gone.set()
+    with qtbot.captureExceptions() as exceptions:
+        qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
+    assert exceptions == []
