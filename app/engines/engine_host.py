@@ -61,14 +61,24 @@ class EngineHost(QObject):
     def setup(self) -> EngineSetup | None:
         return self._setup
 
-    def open(self, title: str, factory: SetupFactory, start: bool = True) -> None:
-        """Build an engine in the background (it compiles, opens ports) and start it."""
+    def open(
+        self, title: str, factory: SetupFactory, start: bool = True, keep: bool = False
+    ) -> None:
+        """Build an engine in the background (it compiles, opens ports) and start it.
+
+        ``keep``: what is open goes on until the new one is there, and if that cannot be built.
+        """
         if self.opening:
             return
-        self.shut_down()
+        if not keep:
+            self.shut_down()
         self.opening = True
-        self._factory = (title, factory)
-        self._tasks.run(title, factory, lambda setup: self.adopt(setup, start), self._opening_ended)
+
+        def built(setup: EngineSetup) -> None:
+            self._factory = (title, factory)
+            self.adopt(setup, start)
+
+        self._tasks.run(title, factory, built, self._opening_ended)
 
     def _opening_ended(self) -> None:
         self.opening = False

@@ -18,7 +18,9 @@ from tracker.messages import SEEN_LATELY, Array, Estimate, FrameResult, IntArray
 
 TRAIL_POINTS = 90  # 3 s of images at 30 a second
 FOLLOW = 0.3
-"""Share of the way that the view's centre goes to the hand at each image."""
+FOLLOW_S = 1 / 30
+"""Share of the way that the view's centre goes to the hand in this time, however often the view is
+drawn: on a busy computer too the hand stays in sight."""
 JUMP = 0.25  # m; a hand this far from the view's centre is found again, not followed
 MARKER_NEVER, MARKER_LATELY, MARKER_NOW = 0, 1, 2
 
@@ -173,12 +175,15 @@ def view_direction(name: str, R_GB: Array) -> Array:
     return {"back": z - 0.35 * x, "palm": -z - 0.35 * x, "side": y + 0.2 * z}[name]
 
 
-def followed(target: Array, scenes: Sequence[HandScene], found_before: bool) -> Array:
-    """(3,) where the view's centre goes from ``target``: some of the way to the hand or between
-    both, or at once to one that has just been found or is far away."""
+def followed(
+    target: Array, scenes: Sequence[HandScene], found_before: bool, elapsed: float = FOLLOW_S
+) -> Array:
+    """(3,) where the view's centre goes from ``target`` in ``elapsed`` s: some of the way to the
+    hand or between both, or at once to one that has just been found or is far away."""
+    share = 1.0 - (1.0 - FOLLOW) ** (max(elapsed, 0.0) / FOLLOW_S)
     centre = np.mean([scene.segment_p.mean(axis=0) for scene in scenes], axis=0)
     near = found_before and float(np.linalg.norm(centre - target)) < JUMP
-    return np.asarray(target + (FOLLOW if near else 1.0) * (centre - target))
+    return np.asarray(target + (share if near else 1.0) * (centre - target))
 
 
 def segment_states(hand: HandModel, estimate: Estimate, located: bool) -> IntArray:

@@ -81,6 +81,7 @@ class MainWindow(QMainWindow):
         self._make_panels()
         self._make_frame()
         self.docks = make_docks(self, self.panels)
+        self.messages.keep_clear(self.library.transport, self.docks["library"])
         self.layouts = LayoutKeeper(self, self.docks, self.store)
         self.sources = Sources(self.host, self.store, self.messages, self)
         Drops(self, self.sources.take_over)
@@ -191,6 +192,7 @@ class MainWindow(QMainWindow):
         self.start_page.open_session.connect(lambda: self.sources.choose_session(self.plan))
         self.start_page.library_asked.connect(lambda: self.show_panel("library"))
         self.library.replay.connect(self.sources.open_session)
+        self.library.transport.live_asked.connect(self.sources.go_live)
         self.log.report.connect(self.reports.ask)
         self.library.beside.connect(self.hand.show_reference)
         self.checklist.action.connect(self.run_command)
@@ -226,6 +228,7 @@ class MainWindow(QMainWindow):
         if not self.start_page.isHidden():  # later openings leave panels as the user put them
             self.start_page.hide()
             self.layouts.show_first()
+        self.library.transport.offer_live(self.sources.can_go_live)
         if setup.player is not None:
             self.show_panel("library", self.library.transport)
         self._enable()
@@ -289,6 +292,7 @@ class MainWindow(QMainWindow):
         self.ticker.stop()
         self.store.update(geometry=geometry_of(self), layout=self.layouts.current())
         self.set_up.shut_down()
+        self.sources.shut_down()
         self.host.end()
         self.tasks.shut_down()  # last: a recording that ends has the library read again
         self.outputs.shut_down()

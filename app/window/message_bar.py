@@ -2,17 +2,26 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Signal
 from PySide6.QtWidgets import QMainWindow, QTabBar, QVBoxLayout, QWidget
 
 from app.widgets.banner import Action, Banner
 from app.widgets.measures import NEAR
 from app.words import told
 
+MOVES = (
+    QEvent.Type.Resize,
+    QEvent.Type.LayoutRequest,
+    QEvent.Type.Move,
+    QEvent.Type.Show,
+    QEvent.Type.Hide,
+)
+
 
 class MessageBar(QWidget):
     """One sentence at a time, until it is dismissed or no longer true. It lies over the
-    lowest panels, above their tabs and the status bar, so that nothing moves under the pointer."""
+    lowest panels, above their tabs and the status bar, so that nothing moves under the pointer,
+    and never over what `keep_clear` names."""
 
     said = Signal(str, bool)  # a sentence, and whether there is nothing wrong
 
@@ -20,6 +29,7 @@ class MessageBar(QWidget):
         super().__init__(window)
         self.setObjectName("messages")
         self._window, self._about = window, ""
+        self._clear: list[tuple[QWidget, QWidget]] = []
         self.banner = Banner()
         self.banner.dismissed.connect(self.hide)
         column = QVBoxLayout(self)
@@ -48,8 +58,14 @@ class MessageBar(QWidget):
         if self._about == about:
             self.hide()
 
+    def keep_clear(self, part: QWidget, within: QWidget) -> None:
+        """``part``, which moves with ``within``, is used while a sentence stands here."""
+        self._clear.append((part, within))
+        for watched in (part, within):
+            watched.installEventFilter(self)
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
+        if event.type() in MOVES and self.isVisible():
             self._place()
         return super().eventFilter(watched, event)
 
@@ -61,4 +77,15 @@ class MessageBar(QWidget):
             (t.height() for t in tabs if t.isVisible()), default=0
         )
         height = self.heightForWidth(window.width())
-        self.setGeometry(0, window.height() - foot - height, window.width(), height)
+        place = QRect(0, window.height() - foot - height, window.width(), height)
+        for part, within in self._clear:
+            used = self._rect(part) & self._rect(within)
+            if part.isVisible() and used.intersects(place):
+                place.moveBottom(used.top() - 1)
+        self.setGeometry(place)
+
+    def _rect(self, widget: QWidget) -> QRect:
+        """In the window; a panel that floats is a window of its own."""
+        if widget.window() is not self._window:
+            return QRect()
+        return QRect(widget.mapTo(self._window, QPoint(0, 0)), widget.size())

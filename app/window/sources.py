@@ -6,7 +6,9 @@ to open at once.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +18,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from app.engines.demo_camera import DemoChoice
 from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost, SetupFactory
+from app.jobs.plugged import PlugWatch
 from app.platform.tasks import JobProgress
 from app.storage.settings import AppSettings, SettingsStore
 from app.viewmodels.recording import RecordingPlan
@@ -66,8 +69,22 @@ DEVICES = "devices"
 """What a banner's sentence is about."""
 
 
+@dataclass(frozen=True)
+class Opening:
+    """Something to be opened: what it is called, and what the window says meanwhile. ``keep``: what
+    is open goes on until this is there."""
+
+    name: str
+    title: str
+    factory: SetupFactory
+    keep: bool = False
+
+
 class Sources(QObject):
-    """Opens what the user asks for; ``messages`` is taken away by what is opened next."""
+    """Opens what the user asks for; ``messages`` is taken away by what is opened next.
+
+    A recording under way is ended by none of it unless the user says so.
+    """
 
     devices_asked = Signal()
     set_up_asked = Signal()
@@ -79,23 +96,48 @@ class Sources(QObject):
         self._host, self._store, self._messages, self._window = host, store, messages, window
         self.baud: int | None = None  # of the glove's line in this run; None: as the settings say
         self.looking_for_devices = False
+        self._live: Callable[[], None] | None = None
+        self.plugged = PlugWatch(host, store, self)
+        self.plugged.came.connect(self._came)
         host.opened.connect(self._choose_engine)
+        host.closed.connect(self.plugged.rest)
 
     def open_demo(self, choice: DemoChoice | None = None, camera: DemoCamera | None = None) -> None:
-        self._open(self.tr("Starting the demo"), demo_factory(choice, camera=camera))
+        def begun() -> None:
+            self._live = partial(self.open_demo, choice)
+
+        factory = demo_factory(choice, camera=camera)
+        self._open(Opening(self.tr("The demo"), self.tr("Starting the demo"), factory), begun)
 
     def open_devices(self) -> None:
         """Glove and camera, as the settings name them."""
         settings = self._store.value
         if self.baud is not None:
             settings = replace(settings, baud=self.baud)
-        self._open(self.tr("Looking for glove and camera"), hardware_factory(settings))
+        title = self.tr("Looking for glove and camera")
+        name = self.tr("The search for glove and camera")
+        self._open(Opening(name, title, hardware_factory(settings)), self._devices_begun)
+
+    def _devices_begun(self) -> None:
         self.looking_for_devices = True
+        self._live = self.open_devices
         self.devices_asked.emit()
 
     def open_session(self, path: Path) -> None:
-        """Replay a file through the same panels."""
-        self._open(self.tr("Opening {}").format(path.name), replay_factory(path))
+        """Replay a file through the same panels; one that cannot be read changes nothing."""
+        title = self.tr("Opening {}").format(path.name)
+        self._open(Opening(path.name, title, replay_factory(path), keep=True))
+
+    @property
+    def can_go_live(self) -> bool:
+        """Whether a replay is shown that came after a demo or devices."""
+        setup = self._host.setup
+        return self._live is not None and setup is not None and setup.player is not None
+
+    def go_live(self) -> None:
+        """From a replay back to the demo or the devices that were open before it."""
+        if self._live is not None:
+            self._live()
 
     def choose_session(self, plan: RecordingPlan) -> None:
         """Ask for a file, where recordings go to."""
@@ -111,16 +153,16 @@ class Sources(QObject):
         window.setWindowState(window.windowState() & ~Qt.WindowState.WindowMinimized)
         window.raise_()
         window.activateWindow()
-        if path and self._host.recording.request is not None:
-            text = self.tr("{} waits: a recording is under way.").format(Path(path).name)
-            open_now = (self.tr("Open it now"), lambda: self.open_session(Path(path)))
-            self._messages.say(text, open_now)
-        elif path:
+        if path:
             self.open_session(Path(path))
 
     def _choose_engine(self, setup: EngineSetup) -> None:
         """The one used last; half a rig has the one that can do with it."""
         self.looking_for_devices = False
+        if setup.missing:
+            self.plugged.begin()
+        else:
+            self.plugged.rest()
         if setup.other is not None and setup.glove_id is not None:
             self._store.update(both_hands=True)  # one that is unplugged is expected from now on
         if setup.whole:
@@ -137,13 +179,40 @@ class Sources(QObject):
         self.looking_for_devices = False
         show = (self.tr("Show the set-up"), self.set_up_asked.emit)
         self._messages.say(text, show, about=DEVICES)
+        if self._host.setup is None:
+            self.plugged.begin()
+
+    def _came(self, names: Sequence[str]) -> None:
+        """Where nothing is open it is looked at once; half a rig goes on until the user says so."""
+        if self._host.setup is None:
+            self.open_devices()
+            return
+        text = self.tr("Plugged in now: {}.").format(", ".join(names))
+        self._messages.say(text, (self.tr("Use it"), self.open_devices), about=DEVICES, good=True)
 
     def set_engine(self, name: str) -> None:
         """Track with another engine, now and after the next start."""
         self._store.update(engine=name)
         self._host.set_engine(name)
 
-    def _open(self, title: str, factory: SetupFactory) -> None:
+    def _open(self, what: Opening, begun: Callable[[], None] | None = None) -> None:
+        """``begun`` is called where it is opened now."""
+        if self._host.recording.request is not None:
+            text = self.tr("{} waits: a recording is under way.").format(what.name)
+            open_now = (self.tr("End it and open"), partial(self._open_now, what, begun))
+            self._messages.say(text, open_now)
+        else:
+            self._open_now(what, begun)
+
+    def _open_now(self, what: Opening, begun: Callable[[], None] | None) -> None:
         self._messages.hide()
         self.looking_for_devices = False
-        self._host.open(title, factory)
+        if not what.keep:
+            self.plugged.rest()
+        self._host.open(what.title, what.factory, keep=what.keep)
+        if begun is not None:
+            begun()
+
+    def shut_down(self) -> None:
+        """Nothing is looked for any more."""
+        self.plugged.shut_down()

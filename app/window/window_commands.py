@@ -152,7 +152,8 @@ def _replay(on: Targets) -> list[Command]:
     beside = partial(on.library.compare_selected, beside=True)
     menu = w.tr("&Replay")
     return [
-        Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space"),
+        Command("live", menu, w.tr("Back to the li&ve hand"), on.sources.go_live, "Ctrl+L"),
+        Command("play", menu, w.tr("&Play or pause"), bar.toggle, "Ctrl+Space", separator=True),
         Command("step_back", menu, w.tr("The image &before"), lambda: bar.step(-1), ","),
         Command("step", menu, w.tr("The &next image"), lambda: bar.step(1), "."),
         Command("note_before", menu, w.tr("The note &earlier"), lambda: bar.jump(-1), "Ctrl+,"),
@@ -291,7 +292,8 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("pause", recording),
         ("guided", host.running and guided),
         ("conformance", on.set_up.can_conform),
-        ("note", opened),
+        ("note", recordable),  # a replay's file is not written to again
+        ("live", on.sources.can_go_live),
     ):
         commands.enable(key, able)
     name = w.tr("Stop &recording") if recording else w.tr("&Record")

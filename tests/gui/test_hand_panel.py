@@ -134,6 +134,8 @@ def test_the_view_follows_a_hand_and_jumps_to_one_far_away(hand):
     centre = scene.segment_p.mean(axis=0)
     near, far = centre + [0.1, 0.0, 0.0], centre + [1.0, 0.0, 0.0]
     assert 0 < np.linalg.norm(followed(near, [scene], True) - centre) < 0.1
+    halves = followed(followed(near, [scene], True, 0.05), [scene], True, 0.05)
+    np.testing.assert_allclose(followed(near, [scene], True, 0.1), halves)
     for target, found_before in ((far, True), (near, False)):
         np.testing.assert_allclose(followed(target, [scene], found_before), centre)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QElapsedTimer, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
@@ -53,6 +53,8 @@ class HandPanel(Panel):
         self._hands: list[ShownHand] = []  # the main one first
         self._gestures: ShownGestures | None = None
         self._found = False
+        self._since = QElapsedTimer()  # the last drawing
+        self._since.start()
         self._skins = LatestJob(self.tr("Making the hand's skin"), self)
         self._skins.failed.connect(host.error)
         self.controls = HandControls()
@@ -197,7 +199,8 @@ class HandPanel(Panel):
             self.view.render_scene()
             return
         orbit = self.view.orbit
-        orbit.target = followed(orbit.target, scenes, self._found)
+        elapsed = self._since.restart() / 1000
+        orbit.target = followed(orbit.target, scenes, self._found, elapsed)
         self._found = True
         said = [s.caption for s in scenes if s.caption]
         if any(hand.skin is None for hand in self._hands):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -24,7 +25,9 @@ SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 
 
 class TransportBar(QWidget):
-    """Shown while there is a player."""
+    """Shown while there is a player. ``live_asked``: back to what was open before it."""
+
+    live_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,8 +47,14 @@ class TransportBar(QWidget):
     def _foot(self) -> QHBoxLayout:
         """What moves the replay, and where it is."""
         self.position = QLabel()
+        self.live_button = QToolButton()
+        self.live_button.setText(self.tr("Live"))
+        self.live_button.setToolTip(self.tr("Back to the live hand (Ctrl+L)"))
+        self.live_button.clicked.connect(self.live_asked)
+        self.live_button.hide()
         row = QHBoxLayout()
         row.setSpacing(TIGHT)
+        row.addWidget(self.live_button)
         row.addWidget(self._buttons(), 1)
         row.addWidget(self.position)
         return row
@@ -80,6 +89,10 @@ class TransportBar(QWidget):
         self.speed.currentIndexChanged.connect(self._set_speed)
         row.add(self.speed)
         return row
+
+    def offer_live(self, on: bool) -> None:
+        """Whether there is a live hand to go back to."""
+        self.live_button.setVisible(on)
 
     def set_player(self, player: Player | None) -> None:
         """Show a session from its start; None while there is none."""

@@ -1,0 +1,123 @@
+"""A day's order of things: devices that come late, a wrong file, a look at a take and back."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import pytest
+from gui_fakes import ScriptedEngine, scripted_setup
+from PySide6.QtCore import QPoint, QRect
+
+from app.jobs.plugged import Newcomers, PlugWatch, plugged_in
+from app.storage.settings import AppSettings
+from tracker.errors import DeviceError, FileError
+
+
+def test_what_comes_is_told_once_it_has_settled_and_again_after_it_was_gone():
+    newcomers = Newcomers()
+    there = ["ttyUSB0"]
+    assert newcomers.look(there) == []
+    assert newcomers.look([*there, "ttyUSB1"]) == []
+    assert newcomers.look([*there, "ttyUSB1"]) == ["ttyUSB1"]
+    assert newcomers.look([*there, "ttyUSB1"]) == []
+    assert newcomers.look(there) == []
+    newcomers.look([*there, "ttyUSB1"])
+    assert newcomers.look([*there, "ttyUSB1"]) == ["ttyUSB1"]
+    newcomers.forget()
+    assert newcomers.look(["another"]) == newcomers.look(["another"]) == []
+
+
+def test_a_port_and_a_camera_chosen_by_hand_are_looked_for_where_they_are(tmp_path, monkeypatch):
+    monkeypatch.setattr("app.jobs.plugged.serial_ports", lambda: ["/dev/ttyUSB0"])
+    monkeypatch.setattr("app.jobs.plugged.all_cameras", lambda: [SimpleNamespace(name="ZED")])
+    glove, film = tmp_path / "glove0", tmp_path / "film.avi"
+    settings = AppSettings(port=str(glove), camera=f"two:{film}")
+    assert plugged_in(settings) == {"/dev/ttyUSB0", "ZED"}
+    glove.touch()
+    film.touch()
+    assert plugged_in(settings) == {"/dev/ttyUSB0", "ZED", str(glove), str(film)}
+
+
+def test_a_watch_tells_of_newcomers_until_it_rests(qtbot, store):
+    there: set[str] = set()
+    watch = PlugWatch(SimpleNamespace(opening=False), store, look=lambda _s: frozenset(there))
+    watch._timer.setInterval(10)
+    told: list[list[str]] = []
+    watch.came.connect(told.append)
+    with qtbot.waitSignal(watch._timer.timeout):
+        watch.begin()
+    qtbot.waitUntil(lambda: watch._newcomers._known is not None)
+    there.add("glove")
+    qtbot.waitUntil(lambda: told == [["glove"]])
+    watch.rest()
+    assert not watch._timer.isActive()
+    watch.shut_down()
+
+
+@pytest.fixture
+def searches(window, monkeypatch):
+    """Titles of what the window has begun to open; nothing is."""
+    begun: list[str] = []
+    monkeypatch.setattr(window.host, "open", lambda title, *_a, **_k: begun.append(title))
+    return begun
+
+
+def test_where_nothing_is_open_a_device_that_comes_is_looked_at_at_once(window, searches):
+    window.sources.plugged.came.emit(["/dev/ttyUSB0"])
+    assert searches == ["Looking for glove and camera"]
+
+
+def test_half_a_rig_goes_on_and_offers_what_has_come(live, searches):
+    live.sources.plugged.came.emit(["/dev/ttyUSB0"])
+    assert searches == [] and "/dev/ttyUSB0" in live.banner.text()
+    live.banner.buttons[0].click()
+    assert searches == ["Looking for glove and camera"]
+
+
+def test_it_is_watched_while_something_is_missing_and_no_longer(window, qtbot):
+    def missing(_progress):
+        raise DeviceError("No glove was found.")
+
+    watch = window.sources.plugged
+    window.sources.looking_for_devices = True
+    window.host.open("Looking", missing)
+    qtbot.waitUntil(lambda: watch._timer.isActive(), timeout=10_000)
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    assert not watch._timer.isActive()
+
+
+def test_a_file_that_cannot_be_read_leaves_open_what_is_open(live, qtbot):
+    def bad(_progress):
+        raise FileError("bad.mcap is no session.")
+
+    setup = live.host.setup
+    live.host.open("Opening bad.mcap", bad, keep=True)
+    qtbot.waitUntil(lambda: "bad.mcap is no session" in live.banner.text(), timeout=10_000)
+    assert live.host.setup is setup and live.host.running and not live.host.opening
+
+
+def test_from_a_take_one_goes_back_to_what_was_live(window, searches):
+    window.sources.open_demo()
+    assert not window.sources.can_go_live
+    take = replace(scripted_setup(ScriptedEngine()), player=SimpleNamespace())
+    window.host._setup = take
+    assert window.sources.can_go_live
+    window.sources.go_live()
+    assert searches == ["Starting the demo"] * 2
+    window.host._setup = None
+
+
+def test_a_sentence_never_lies_over_the_transport(live, qtbot):
+    transport = live.library.transport
+    live.layouts.choose("look")
+    live.show_panel("library")
+    transport.setVisible(True)
+    live.messages.say("Something that stands there for a while.")
+    qtbot.waitUntil(lambda: transport.height() > 20 and live.banner.isVisible())
+
+    def apart() -> bool:
+        place = QRect(transport.mapTo(live, QPoint(0, 0)), transport.size())
+        return not place.intersects(live.messages.geometry())
+
+    qtbot.waitUntil(apart)
+    live.resize(live.width(), live.height() - 60)
+    qtbot.waitUntil(apart)
