@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import threading
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -56,8 +57,9 @@ class MadeSkins:
 MADE = MadeSkins()
 
 
+@lru_cache(maxsize=2 * KEPT)
 def _key(hand: HandModel, glove: GloveModel) -> bytes:
-    """Of all numbers in both, with eight digits."""
+    """Of all numbers in both, with eight digits; computed once for each pair of objects."""
     return hashlib.sha256(repr((hand, glove)).encode()).digest()
 
 

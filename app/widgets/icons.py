@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from PySide6.QtCore import QByteArray, QSize, Qt
-from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPalette, QPixmap, QPixmapCache
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
@@ -55,12 +55,15 @@ def icon(name: str, palette: QPalette) -> QIcon:
 
 
 def drawing(name: str, colour: QColor, size: int) -> QPixmap:
-    """``size`` px square. Raises FileNotFoundError for a name that is not in the set."""
-    pixmap = QPixmap(QSize(size, size))
+    """``size`` px square, made once. Raises FileNotFoundError for a name that is not in the set."""
+    pixmap, key = QPixmap(QSize(size, size)), f"lucide {name} {colour.name()} {size}"
+    if QPixmapCache.find(key, pixmap):
+        return pixmap
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
     QSvgRenderer(QByteArray(_svg(name).replace(INK, colour.name()).encode())).render(painter)
     painter.end()
+    QPixmapCache.insert(key, pixmap)
     return pixmap
 
 

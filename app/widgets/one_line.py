@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
+
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer
 from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLayout, QSizePolicy, QWidget
@@ -26,6 +28,7 @@ class OneLine(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._widgets: list[QWidget] = []
         self._inside = 0  # so many of them stand in the line
+        self._due = False  # they are to be fitted in the next turn of the loop
         self.more = MoreButton(self.tr("More"))
         self.more.hide()
         self._row = QHBoxLayout(self)
@@ -56,7 +59,7 @@ class OneLine(QWidget):
         return self._widgets[self._inside :]
 
     def sizeHint(self) -> QSize:
-        return QSize(self._needed(len(self._widgets)), self._height())
+        return QSize(self._needed()[-1], self._height())
 
     def minimumSizeHint(self) -> QSize:
         return QSize(self.more.sizeHint().width(), self._height())
@@ -64,17 +67,16 @@ class OneLine(QWidget):
     def _height(self) -> int:
         return max((w.sizeHint().height() for w in (self.more, *self._widgets)), default=0)
 
-    def _needed(self, count: int) -> int:
-        """px that the first ``count`` take, with the button where that is not all."""
-        shown = [w for w in self._widgets[:count] if not is_hidden(w)]
-        shown += [self.more] if count < len(self._widgets) else []
-        return sum(w.sizeHint().width() for w in shown) + NEAR * max(0, len(shown) - 1)
+    def _needed(self) -> list[int]:
+        """px that the first 0, 1, … all take, with the button where that is not all."""
+        each = [0 if is_hidden(w) else w.sizeHint().width() + NEAR for w in self._widgets]
+        taken = list(accumulate(each, initial=0))
+        more = self.more.sizeHint().width()
+        return [*(px + more for px in taken[:-1]), max(0, taken[-1] - NEAR)]
 
     def _share(self) -> None:
-        width, count = self.width(), len(self._widgets)
-        while count > 0 and self._needed(count) > width:
-            count -= 1
-        self._lay_out(count)
+        needed, width = self._needed(), self.width()
+        self._lay_out(max((n for n, px in enumerate(needed) if px <= width), default=0))
 
     def _lay_out(self, count: int) -> None:
         """The first ``count`` in the line, the others in the leaf."""
@@ -91,8 +93,15 @@ class OneLine(QWidget):
         self.more.setVisible(count < len(self._widgets))
         self.updateGeometry()
 
+    def _fit_soon(self) -> None:
+        """Once for all that changes until then, and not while it is being moved itself."""
+        if not self._due:
+            self._due = True
+            QTimer.singleShot(0, self, self._fit)
+
     def _fit(self) -> None:
         """Their sizes have changed, which layouts out of sight are not told."""
+        self._due = False
         for widget in (*self._widgets, self.more):
             widget.updateGeometry()
         self._share()
@@ -100,7 +109,7 @@ class OneLine(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        QTimer.singleShot(0, self, self._fit)
+        self._fit_soon()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -108,7 +117,7 @@ class OneLine(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in CHANGES:  # of how much room it needs
-            QTimer.singleShot(0, self, self._fit)  # not while it is being moved itself
+            self._fit_soon()
         return super().eventFilter(watched, event)
 
 

@@ -32,12 +32,11 @@ class ScrollPlot(QWidget):
     ) -> None:
         super().__init__(parent)
         self._limits = limits
-        self.plot = pg.PlotWidget()
+        self.plot = pg.PlotWidget(enableMenu=False)
         self.plot.setMinimumHeight(80)
         self.plot.setLabel("left", title)
         self.plot.setXRange(-span, 0, padding=0)
         self.plot.setMouseEnabled(x=False, y=False)
-        self.plot.setMenuEnabled(False)
         self.plot.hideButtons()
         self.plot.showGrid(y=True, alpha=0.2)
         if limits is not None:

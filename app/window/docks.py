@@ -20,7 +20,7 @@ def make_docks(window: QMainWindow, panels: Sequence[Panel]) -> dict[str, QDockW
     for panel in panels:
         dock = QDockWidget(panel.title(), window)
         dock.setObjectName(f"dock_{panel.name}")
-        dock.setWidget(Scrolled(panel))
+        dock.setWidget(Scrolled(panel, dock))  # a move from parent to parent dresses it all anew
         docks[panel.name] = dock
         window.addDockWidget(LEFT, dock)
         dock.hide()

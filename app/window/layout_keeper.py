@@ -38,6 +38,7 @@ class LayoutKeeper(QObject):
         self._named: QMenu | None = None
         self.shown = False  # docks stand; before, there is the start page
         self._shares: Shares = {}  # as long as the window has one size
+        self._noting = False  # they are to be noted in the next turn of the loop
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.timeout.connect(self._share_out)  # whatever was laid out since
@@ -182,12 +183,14 @@ class LayoutKeeper(QObject):
             if watched is self._window:
                 QTimer.singleShot(0, self, self._share_out)
                 self._rest.start(QUIET_MS)
-            else:
+            elif not self._noting:  # once for all docks that change together
+                self._noting = True
                 QTimer.singleShot(0, self, self._note_shares)
         return super().eventFilter(watched, event)
 
     def _note_shares(self) -> None:
         """A dock has another size, but not since the window has (of that Qt tells after it)."""
+        self._noting = False
         if not self._rest.isActive():
             self._shares = shares_of(self._window, self._docks)
 
