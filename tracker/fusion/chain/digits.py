@@ -113,7 +113,8 @@ class DigitSearch:
         base = segment_positions(state, self._layout)[grid.segments[0]]
         p_G = marker_positions(state, self._layout)[grid.markers][None]
         R = state.R_GB[self._layout.marker_segment[grid.markers]]
-        normal = np.einsum("mij,mj->mi", R, self._layout.glove.marker_normal[grid.markers])[None]
+        normal = np.einsum("mij,mj->mi", R, self._layout.glove.marker_normal[grid.markers])
+        normal = np.ascontiguousarray(normal)[None]
         hue, origin = self._layout.glove.marker_hue[grid.markers], np.zeros(3)
         way = seen.way(base)
         return float(
@@ -186,6 +187,8 @@ def _made(layout: ChainLayout, segments: IntArray) -> DigitPostures:
     normal = np.einsum("kmij,mj->kmi", rotation[:, rows], glove.marker_normal[markers])
     marker = place[:, rows] + at - place[:, :1]
     reach = float(np.sqrt((marker**2).sum(axis=2).max(initial=0.0)))
+    # einsum and what is picked by index may lie in another order: a kernel would be compiled anew
+    marker, normal = np.ascontiguousarray(marker), np.ascontiguousarray(normal)
     return DigitPostures(marker, normal, rotation, markers, segments, reach)
 
 
