@@ -4,13 +4,16 @@ To be imported before any kernel. The first call of a kernel out of a test's own
 arrays of no more than ``most`` numbers, is made twice: compiled, and plain with all kernels that it
 calls plain too. Results and what was written into arguments must agree, and plain kernels can write
 only to what their annotations say they write to. A run of all tests fails where a kernel that
-Python calls was never compared. Programs that tests start are not concerned.
+Python calls was never compared, and where the product calls one with other types than those that it
+was compiled for: a user would wait for a compiler there. Programs that tests start are not
+concerned.
 """
 
 from __future__ import annotations
 
 import functools
 import os
+import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -20,11 +23,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tracker.kernels import decorator, exported, signature
+from tracker.kernels import decorator, exported, library, signature
 from tracker.kernels.fingerprint import is_kernel, is_ours
 
 DONE = "GLOVETRACK_KERNELS_COMPARED"
 """Environment variable: a file that all processes of a run add kernels' names to."""
+
+MISFITS = "GLOVETRACK_KERNELS_MISFITS"
+"""Environment variable: a file of the calls whose types no compiled kernel fits."""
+
+PACKAGE = str(Path(decorator.__file__).parents[1].parent)
 
 MOST = 100_000
 """Numbers in all arrays of a call: Python takes microseconds for each."""
@@ -52,6 +60,8 @@ class Twins:
         """Every kernel of the product that is made from now on is compared."""
         make = decorator._make
         decorator._make = lambda function, options: self._compared(make(function, options))
+        fallback = library.Library._fallback
+        library.Library._fallback = lambda of, kernel: _noted(of, kernel, fallback(of, kernel))
 
     def _compared(self, kernel: Any) -> Any:
         name = _name(kernel)
@@ -120,6 +130,31 @@ class Compared:
         return getattr(self._kernel, name)
 
 
+def _noted(of: library.Library, kernel: Any, run: Callable[..., Any]) -> Callable[..., Any]:
+    """``run``, and that it was needed although the kernel is in the library."""
+    held = library._name(kernel)
+    if held not in of._entries or not of._is_of_its_source(kernel):
+        return run
+
+    def note(*args: Any) -> Any:
+        caller = _caller()
+        if MISFITS in os.environ and caller.startswith(PACKAGE) and "/tests/" not in caller:
+            types = ", ".join(library._described(arg) for arg in args)
+            with Path(os.environ[MISFITS]).open("a", encoding="utf-8") as misfits:
+                misfits.write(f"{caller}: {held}({types})\n")
+        return run(*args)
+
+    return note
+
+
+def _caller() -> str:
+    """The file and line that calls a kernel."""
+    frame = sys._getframe(2)
+    while frame.f_back is not None and frame.f_code.co_filename in (__file__, library.__file__):
+        frame = frame.f_back
+    return f"{frame.f_code.co_filename}:{frame.f_lineno}"
+
+
 def _name(kernel: Any) -> str:
     return f"{kernel.py_func.__module__}.{kernel.py_func.__qualname__}"
 
@@ -180,20 +215,26 @@ def _comparable(value: Any) -> np.ndarray:
 class EveryKernel:
     """A plugin of the process that has started the workers."""
 
-    def __init__(self, done: Path) -> None:
-        self._done = done
+    def __init__(self, done: Path, misfits: Path) -> None:
+        self._done, self._noted = done, misfits
         self._missing: list[str] = []
+        self._misfits: list[str] = []
 
     def pytest_sessionfinish(self, session: pytest.Session) -> None:
+        if self._noted.exists():
+            self._misfits = sorted(set(self._noted.read_text("utf-8").splitlines()))
         done = set(self._done.read_text("utf-8").splitlines()) if self._done.exists() else set()
         self._missing = [x for x in exported.exported() if x not in done and x not in OTHERWISE]
-        if self._missing and session.exitstatus == pytest.ExitCode.OK:
+        if (self._missing or self._misfits) and session.exitstatus == pytest.ExitCode.OK:
             session.exitstatus = pytest.ExitCode.TESTS_FAILED
 
     def pytest_terminal_summary(self, terminalreporter: Any) -> None:
         if self._missing:
             terminalreporter.section("kernels that were not compared with their twins")
             terminalreporter.write_line("\n".join(self._missing))
+        if self._misfits:
+            terminalreporter.section("calls of kernels with types that they were not compiled for")
+            terminalreporter.write_line("\n".join(self._misfits))
 
 
 def register(config: pytest.Config, folder: Path) -> None:
@@ -201,6 +242,9 @@ def register(config: pytest.Config, folder: Path) -> None:
     if hasattr(config, "workerinput"):
         return
     os.environ[DONE] = str(folder / "kernels_compared.txt")
+    os.environ.setdefault(MISFITS, str(folder / "kernels_misfits.txt"))
     every = config.args == config.getini("testpaths") and not config.option.keyword
     if every and not config.option.markexpr:
-        config.pluginmanager.register(EveryKernel(Path(os.environ[DONE])), "every_kernel")
+        config.pluginmanager.register(
+            EveryKernel(Path(os.environ[DONE]), Path(os.environ[MISFITS])), "every_kernel"
+        )

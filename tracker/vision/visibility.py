@@ -149,6 +149,8 @@ def visibility_at(
         (rig.right.width - 1.0, rig.right.height - 1.0),
     )  # fmt: skip
     seen = _Pixels(_recorded(rig.left, uv[0]), _recorded(rig.right, uv[1]), sd)
+    p_G, normal_G = np.ascontiguousarray(markers.p_G), np.ascontiguousarray(markers.normal_G)
+    markers = markers._replace(p_G=p_G, normal_G=normal_G)  # einsum leaves other orders
     return _priors(markers, hand, seen, view, params.factors)
 
 
