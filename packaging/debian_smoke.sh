@@ -3,12 +3,26 @@
 #
 #   packaging/debian_smoke.sh [PACKAGE]
 #
-# Needs root on Debian or Ubuntu. Also runs desktop-file-validate where it is, and lintian with
-# LINTIAN=1 before the command.
+# Needs root on Debian or Ubuntu. With FRESH=1 before the command all of it happens in a minimal
+# Debian that debootstrap makes and that is gone afterwards (needs bubblewrap too): with nothing
+# but what the package itself asks for. With LINTIAN=1 lintian looks at the package as well.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 package=$(realpath "${1:-$(ls -t dist/glovetrack_*.deb | head -1)}")
 work=$(mktemp -d)
+
+if [ -n "${FRESH:-}" ]; then
+    trap 'rm -rf --one-file-system "$work"' EXIT
+    echo "Making a minimal Debian"
+    debootstrap --variant=minbase bookworm "$work" >"$work.log" || { tail "$work.log" >&2 && exit 1; }
+    chmod 755 "$work"
+    cp /etc/resolv.conf "$work/etc"
+    bwrap --bind "$work" / --dev /dev --proc /proc --ro-bind "$PWD" /checkout \
+        --ro-bind "$package" "/${package##*/}" --unshare-pid --die-with-parent --clearenv \
+        --setenv PATH /usr/sbin:/usr/bin:/sbin:/bin --setenv DEBIAN_FRONTEND noninteractive \
+        /checkout/packaging/debian_smoke.sh "/${package##*/}"
+    exit
+fi
 trap 'rm -rf "$work"; dpkg --purge glovetrack &>/dev/null || true' EXIT
 
 as_user() { setpriv --reuid=nobody --regid=nogroup --clear-groups env -i HOME="$work" PATH=/usr/bin \
@@ -36,7 +50,8 @@ if [ -n "${LINTIAN:-}" ]; then # takes minutes; a program that brings its librar
     lintian --allow-root --tag-display-limit 0 --suppress-tags dir-or-file-in-opt,embedded-library \
         "$package" 2>/dev/null | grep -v shared-library-lacks-prerequisites || true
 fi
-expect "installs" dpkg -i "$package"
+apt-get update -qq
+expect "installs with what it needs" apt-get install -qq -y "$package"
 expect "all its files are there" test "$(left | wc -l)" -eq 9
 cd "$work" && chown nobody "$work"
 expect "the command is there" as_user glovetrack --version
@@ -44,6 +59,24 @@ expect "also without a home" as_user env HOME=/nonexistent glovetrack --version
 expect "a session is made" as_user glovetrack simulate -o "$work/session.mcap" --duration 2 --blobs-only
 expect "and tracked" as_user glovetrack track "$work/session.mcap" -o "$work/tracked.mcap"
 expect "the demo runs" as_user glovetrack demo --headless-report 3 --out "$work/demo"
+# A glove and a camera as devices of the system: a serial line and a pipe of images.
+mkdir -p "$work/.config/glovetrack" "$work/rig" && chown -R nobody "$work/.config" "$work/rig"
+cat >"$work/.config/glovetrack/window.json" <<JSON
+{"version": 3, "port": "$work/rig/glove", "camera": "$work/rig/camera.mjpeg", "calibration": "$work/rig/camera.yml"}
+JSON
+set -m # a process group of its own, to be ended as one
+as_user glovetrack rig "$work/rig" --duration 90 &>"$work/rig.log" &
+rig=$!
+set +m
+for _ in {1..300}; do [ -e "$work/rig/camera.yml" ] && break || sleep 0.1; done
+expect "devices are tracked" as_user glovetrack devices --headless-report 5 --out "$work/devices"
+kill -- -$rig && { wait $rig || true; }
+grep -E "^(rates|tracking|error)" "$work.log"
+# What the guide has a reader do so that the port may be opened.
+expect "its group is there" usermod -aG dialout nobody
+expect "devices are for who sits there" grep -q uaccess /usr/lib/udev/rules.d/70-glovetrack.rules
+expect "the manual page is one" sh -c "zcat /usr/share/man/man1/glovetrack.1.gz | grep -q '^.SH EXIT STATUS'"
+expect "the guide is in it" test -s /opt/glovetrack/_internal/resources/site/index.html
 if command -v desktop-file-validate >/dev/null; then
     expect "the desktop entry is valid" desktop-file-validate /usr/share/applications/glovetrack.desktop
 fi

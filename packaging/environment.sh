@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes the virtual environment and installs into it exactly what requirements.lock names, then
-# this checkout itself; with "test" what requirements-test.lock names, which is more.
+# this checkout itself; with "test" what requirements-test.lock names, which is more. Without it
+# `slim.py` takes out what the program never loads.
 #
 #   packaging/environment.sh FOLDER [test]
 #
@@ -56,3 +57,4 @@ if [ "${2:-}" = test ]; then lock=requirements-test.lock; fi
 echo "Installing the packages of $lock"
 install "$lock"
 pip --no-deps --no-build-isolation --editable .
+[ $lock != requirements.lock ] || "$folder/bin/python" packaging/slim.py

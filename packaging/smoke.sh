@@ -93,6 +93,7 @@ cat "$out/devices.log"
 for engine in chain vist switching madgwick; do
     step track-$engine inside glovetrack track practice.mcap -o $engine.mcap --engine $engine
 done
+step conformance inside glovetrack conformance --simulate --hands both -o simulated.html
 step batch inside glovetrack track practice.mcap demo/session.mcap -o batch --jobs 2
 step compare inside glovetrack compare chain.mcap vist.mcap
 

@@ -1,14 +1,19 @@
-"""The demo's camera, which is a process: started first, it gets ready while the window does."""
+"""The demo's camera, which is a process: started first, it gets ready while the window does.
+
+The simulator is imported when it is asked for: a window without a demo does not wait for it.
+"""
 
 from __future__ import annotations
 
 import os
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from tracker import library
-from tracker.simulation.camera_device import DemoCamera, NoSimulatedCamera, SimulatedCamera
-from tracker.simulation.demo import DemoSpec, WornTexts
 from tracker.simulation.shows import WORD
+
+if TYPE_CHECKING:
+    from tracker.simulation.camera_device import DemoCamera
+    from tracker.simulation.demo import DemoSpec, WornTexts
 
 DURATION = 900.0
 """s of motion; the hand then rests where it is."""
@@ -57,6 +62,8 @@ class DemoChoice:
 
 def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
     """The simulated wearer or wearers, and the camera."""
+    from tracker.simulation.demo import DemoSpec
+
     choice = choice or DemoChoice()
     hands = choice.hands
     worn = {side: _texts(side) for side in ("right", "left") if hands in (side, "both")}
@@ -76,11 +83,16 @@ def demo_spec(seed: int = SEED, choice: DemoChoice | None = None) -> DemoSpec:
 
 
 def _texts(side: str) -> WornTexts:
+    from tracker import library
+    from tracker.simulation.demo import WornTexts
+
     hand, glove = FILES[side]
     return WornTexts(library.text("hands", hand), library.text("gloves", glove))
 
 
 def start_camera(seed: int = SEED, choice: DemoChoice | None = None) -> DemoCamera:
     """A process that draws, where there is a camera; whoever gets it has to close it."""
+    from tracker.simulation.camera_device import NoSimulatedCamera, SimulatedCamera
+
     choice = choice or DemoChoice()
     return SimulatedCamera(demo_spec(seed, choice)) if choice.has_camera else NoSimulatedCamera()

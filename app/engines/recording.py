@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
@@ -17,10 +18,12 @@ from tracker.clock import monotonic
 from tracker.config import to_toml
 from tracker.errors import GlovetrackError
 from tracker.live.recording import Recorder
-from tracker.live.runner import LiveTracker
 from tracker.messages import Calibration, EngineState, Event, Message, Status
 from tracker.session.description import SessionInfo
 from tracker.vision.colours import profile_to_toml
+
+if TYPE_CHECKING:
+    from tracker.live.runner import LiveTracker
 
 LONGEST_CLOSING = 100.0
 """s, more than the recorder's process is waited for; its file can be recovered then."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
@@ -13,14 +14,18 @@ from tracker.errors import ConfigError
 from tracker.fusion.chain.calibration.control import renewed
 from tracker.fusion.chain.calibration.measured import measured_profile
 from tracker.fusion.chain.calibration.profile_file import WearerFile
-from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.profile import WearerProfile
 from tracker.fusion.engine import Engine
 
+if TYPE_CHECKING:
+    from tracker.fusion.chain.engine import ChainEngine
+
 
 def chain_of(engine: Engine) -> ChainEngine:
     """The engine, if it is one whose calibration can be worked on. Raises ConfigError."""
+    from tracker.fusion.chain.engine import ChainEngine  # by now it is loaded; a start does without
+
     if isinstance(engine, ChainEngine):
         return engine
     raise ConfigError(

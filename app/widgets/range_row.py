@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
-from superqt import QRangeSlider
 
 from app.widgets.hue_range import HueRangeSlider
 from app.widgets.measures import TIGHT
 from app.widgets.number_box import NumberBox
+from app.widgets.plain_range import PlainRangeSlider
 
 
 class RangeRow(QWidget):
@@ -22,7 +22,7 @@ class RangeRow(QWidget):
     def __init__(self, name: str, top: int, wraps: bool = False) -> None:
         super().__init__()
         self._wraps = wraps
-        self.slider = HueRangeSlider(top) if wraps else self._plain(top)
+        self.slider = HueRangeSlider(top) if wraps else PlainRangeSlider(top)
         self.slider.setAccessibleName(name)
         self.low, self.high = self._spin(top), self._spin(top)
         self.low.setAccessibleName(self.tr("{}, first").format(name))
@@ -37,13 +37,6 @@ class RangeRow(QWidget):
         row.setColumnStretch(2, 1)
         self._connect()
 
-    @staticmethod
-    def _plain(top: int) -> QRangeSlider:
-        slider = QRangeSlider(Qt.Orientation.Horizontal)
-        slider.setRange(0, top)
-        slider.setMinimumWidth(80)
-        return slider
-
     def _spin(self, top: int) -> NumberBox:
         box = NumberBox()
         box.setRange(0, top)
@@ -53,12 +46,8 @@ class RangeRow(QWidget):
         return box
 
     def _connect(self) -> None:
-        if isinstance(self.slider, HueRangeSlider):
-            self.slider.changed.connect(self._slid)
-            self.slider.released.connect(lambda: self._emit(False))
-        else:
-            self.slider.valueChanged.connect(lambda pair: self._slid(*pair))
-            self.slider.sliderReleased.connect(lambda: self._emit(False))
+        self.slider.changed.connect(self._slid)
+        self.slider.released.connect(lambda: self._emit(False))
         self.low.valueChanged.connect(self._typed)
         self.high.valueChanged.connect(self._typed)
 
@@ -72,19 +61,12 @@ class RangeRow(QWidget):
             box.setValue(value)
             box.blockSignals(False)
         self.slider.blockSignals(True)
-        if isinstance(self.slider, HueRangeSlider):
-            self.slider.set_values(low, high)
-        else:
-            self.slider.setValue((low, high))
+        self.slider.set_values(low, high)
         self.slider.blockSignals(False)
 
-    def _held(self) -> bool:
-        slider = self.slider
-        return slider.held if isinstance(slider, HueRangeSlider) else slider.isSliderDown()
-
     def _slid(self, low: int, high: int) -> None:
-        self.set_values(int(low), int(high))
-        self._emit(self._held())
+        self.set_values(low, high)
+        self._emit(self.slider.held)
 
     def _typed(self) -> None:
         low, high = self.values()

@@ -18,7 +18,6 @@ from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.still import StillPose
 from tracker.errors import ConfigError, GlovetrackError
 from tracker.fusion.chain.calibration.still_bias import with_gyro_bias
-from tracker.fusion.chain.engine import ChainEngine
 from tracker.fusion.engine import Engine
 from tracker.sensors.camera_controls import Locks, locks_text
 from tracker.sensors.camera_plugins import all_cameras
@@ -118,6 +117,8 @@ class SetUpDialogs(QObject):
 
     def take_bias(self, pose: StillPose) -> None:
         """The engine knows the gyros from now on, where it keeps what it knows of a wearer."""
+        from tracker.fusion.chain.engine import ChainEngine  # by now loaded; a start does without
+
         bias = np.array([i.gyro_bias for i in pose.imus])
         sd = np.array([i.gyro_bias_sd for i in pose.imus])
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import threading
 from dataclasses import replace
 
@@ -9,6 +10,7 @@ import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.wizards.firmware import FirmwareSetup
+from tests.firmware.bootloader import Bootloader
 from tracker.firmware.flash import FlashError, FlashJob
 from tracker.firmware.image import shipped_image, version_text
 from tracker.sensors.discovery import PortReport
@@ -78,6 +80,30 @@ def test_what_is_written_has_the_number_and_the_speed_that_were_chosen(
     assert board.jobs == [FlashJob(shipped_image(115_200).for_glove(12), PORT, 57_600)]
     assert "glove 12" in dialog.words.text()
     assert "It needs no newer one" in dialog.versions.text()
+
+
+@pytest.mark.skipif(shutil.which("avrdude") is None, reason="needs avrdude")
+def test_a_real_avrdude_writes_from_the_window_what_comes_with_the_program(window, qtbot) -> None:
+    """Into a bootloader on a simulated line, which holds the image with its number afterwards."""
+    chip = Bootloader()
+    dialog = FirmwareSetup(
+        window.host, window.tasks, window, find=lambda: [PortReport(chip.port, OLD)], greet=_newer
+    )
+    try:
+        qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
+        assert "1.0.0" in dialog.versions.text() and "needs no newer" not in dialog.versions.text()
+        dialog.number.setValue(12)
+        dialog.write.click()
+        qtbot.waitUntil(dialog.write.isEnabled, timeout=60_000)
+    finally:
+        chip.close()
+    image = shipped_image().for_glove(12)
+    assert bytes(chip.flash[: len(image.data)]) == image.data
+    assert "Written and read back; glove 12 answers" in dialog.words.text()
+
+
+def _newer(_port: str) -> Hello:
+    return replace(OLD, glove_id=12, firmware=shipped_image().version)
 
 
 def test_what_went_wrong_is_said_and_it_can_be_tried_again(

@@ -4,21 +4,58 @@ from __future__ import annotations
 
 import re
 import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import tomllib
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
-from app.__main__ import main
+from app.__main__ import WINDOW, main
+from app.window import start
+from tests.firmware.bootloader import Bootloader
+from tracker.messages import Event
+from tracker.session.reader import SessionReader
 
-GUIDE = Path(__file__).parents[2] / "docs" / "guide"
+ROOT = Path(__file__).parents[2]
+GUIDE = ROOT / "docs" / "guide"
 PAGES = sorted(GUIDE.glob("*.md"))
-BLOCK = re.compile(r"^```sh\n(.*?)^```", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^```(?:sh)?\n(.*?)^```\n|((?:^    .*\n)+)", re.MULTILINE | re.DOTALL)
+INLINE = re.compile(r"`(glovetrack [a-z][^`]*)`")
 LINK = re.compile(r"\]\((?!https?:)([^)#]+)")
+PORT = "/dev/ttyUSB0"
+ELSEWHERE = {
+    "glovetrack conformance --simulate --hands both -o simulated.html": (
+        *("packaging/smoke.sh", "conformance --simulate --hands both -o"),
+    ),
+    "glovetrack align tracked.mcap other.mcap -o aligned.json --figure aligned.png": (
+        *("tests/session/test_align.py", '"align", *map(str, takes), "-o", str(kept), "--figure"'),
+    ),
+    "glovetrack compare tracked.mcap other.mcap --align aligned.json": (
+        *("tests/session/test_align.py", '"--align", str(kept)'),
+    ),
+    "sudo usermod -aG dialout $USER": ("packaging/debian_smoke.sh", "usermod -aG dialout"),
+}
+"""Commands that want a minute, longer takes or a system of their own, and who runs them."""
+HEAD = "Timestamp (us),Gyroscope X (deg/s),Gyroscope Y (deg/s),Gyroscope Z (deg/s),"
+HEAD += "Accelerometer X (g),Accelerometer Y (g),Accelerometer Z (g)"
 
 
 def commands(page: Path) -> list[str]:
-    """Lines of the page's shell blocks."""
-    return [line for block in BLOCK.findall(page.read_text("utf-8")) for line in block.split("\n")]
+    """Lines of the page's blocks without what is told beside them."""
+    blocks = (a or b for a, b in BLOCK.findall(page.read_text("utf-8")))
+    lines = [re.split(r"\s{3,}", line.strip())[0] for b in blocks for line in b.split("\n")]
+    return [line for line in lines if re.match(r"(glovetrack|sudo|pip|pipx|apt|make)\b", line)]
+
+
+def needs_a_window(line: str) -> bool:
+    words = shlex.split(line)[1:]
+    return not words or words[0] in (*WINDOW, "remote") or words[0].endswith(".mcap")
 
 
 def run(line: str) -> int:
@@ -31,27 +68,160 @@ def run(line: str) -> int:
         return int(end.code or 0)
 
 
+class Sessions(NamedTuple):
+    """Three seconds without images, as recorded and as tracked."""
+
+    recorded: Path
+    tracked: Path
+
+
 @pytest.fixture(scope="module")
-def session(tmp_path_factory: pytest.TempPathFactory) -> bytes:
-    """Three seconds without images, made once for all pages."""
-    path = tmp_path_factory.mktemp("guide") / "session.mcap"
-    assert run(f"glovetrack simulate -o {path} --duration 3 --blobs-only") == 0
-    return path.read_bytes()
+def sessions(tmp_path_factory: pytest.TempPathFactory) -> Sessions:
+    folder = tmp_path_factory.mktemp("guide")
+    made = Sessions(folder / "session.mcap", folder / "tracked.mcap")
+    assert run(f"glovetrack simulate -o {made.recorded} --duration 3 --blobs-only") == 0
+    assert run(f"glovetrack track {made.recorded} -o {made.tracked} --with-sensors") == 0
+    return made
 
 
-@pytest.mark.parametrize(
-    "page", [p for p in PAGES if BLOCK.search(p.read_text("utf-8"))], ids=lambda p: p.stem
-)
-def test_every_command_of_a_page_runs(
-    page: Path, session: bytes, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.fixture
+def ran(
+    sessions: Sessions, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Callable[[str], None]]:
+    """Runs a line in an empty folder, with what a reader of the page has there."""
     monkeypatch.chdir(tmp_path)
-    for line in filter(None, commands(page)):
-        made = re.fullmatch(r"glovetrack simulate -o (\S+) --duration 3 --blobs-only", line)
-        if made:
-            Path(made[1]).write_bytes(session)
+
+    def run_it(line: str) -> None:
+        if re.fullmatch(r"glovetrack simulate -o \S+ --duration 3 --blobs-only", line):
+            shutil.copy(sessions.recorded, shlex.split(line)[3])
+        elif PORT in line:
+            _write_firmware(line, monkeypatch)
         else:
-            assert run(line) == 0, line
+            _provide(line, sessions)
+            allowed = {0, 1} if " conformance " in line else {0}  # 1: a rule is not kept
+            assert run(line) in allowed, line
+            made = re.findall(r"(?:-o|--figure) (\S+)", line)
+            assert [name for name in made if not Path(name).exists()] == []
+
+    yield run_it
+
+
+def _provide(line: str, sessions: Sessions) -> None:
+    """Takes of the reader's own that this line reads."""
+    outputs = re.findall(r"-o (\S+)", line)
+    for word in shlex.split(line)[2:]:
+        if word.endswith(".mcap") and word not in outputs and not Path(word).exists():
+            shutil.copy(sessions.tracked, word)
+        elif word == "log/":
+            for name in ("hand", "finger"):
+                rows = "\n".join(f"{k * 10_000},0,0,{k % 90},0,0,1" for k in range(200))
+                (Path(word) / name).mkdir(parents=True)
+                (Path(word) / name / "Inertial.csv").write_text(f"{HEAD}\n{rows}\n")
+
+
+def _write_firmware(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the real avrdude, into a bootloader that is simulated."""
+    if shutil.which("avrdude") is None:
+        return
+    monkeypatch.setattr("tracker.firmware.versions.greeting", lambda _port: None)
+    board = Bootloader()
+    try:
+        assert run(line.replace(PORT, board.port)) == 0
+    finally:
+        board.close()
+
+
+@pytest.mark.parametrize("page", [p for p in PAGES if commands(p)], ids=lambda p: p.stem)
+def test_every_command_of_a_page_runs(page: Path, ran: Callable[[str], None]) -> None:
+    lines = [line for line in commands(page) if line not in ELSEWHERE]
+    for line in lines:
+        if line.startswith("glovetrack") and not needs_a_window(line):
+            ran(line)
+
+
+def test_commands_that_are_not_run_here_are_run_elsewhere() -> None:
+    told = {line for page in PAGES for line in commands(page)}
+    assert set(ELSEWHERE) <= told
+    for name, words in ELSEWHERE.values():
+        assert words in (ROOT / name).read_text("utf-8")
+    others = {line for line in told - set(ELSEWHERE) if not line.startswith("glovetrack")}
+    assert others == {'pip install ".[streams]"'}
+
+
+def test_extras_that_pages_name_are_the_projects() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    texts = "".join(page.read_text("utf-8") for page in PAGES)
+    named = set(re.findall(r"pip install \"(?:\.|glovetrack)\[(\w+)\]\"", texts))
+    assert {"streams", "robot"} <= named <= set(project["optional-dependencies"])
+
+
+def test_every_option_that_the_text_names_exists(capsys: pytest.CaptureFixture[str]) -> None:
+    said = {words for page in PAGES for words in INLINE.findall(page.read_text("utf-8"))}
+    assert len(said) > 5
+    for line in sorted(said):
+        words = line.split()[1:]
+        assert run(f"glovetrack {words[0]} --help") == 0, line
+        help_text = capsys.readouterr().out
+        assert [w for w in words if w.startswith("--") and w not in help_text] == [], line
+
+
+@pytest.fixture
+def own_home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Settings, logs and recordings that nobody else uses, here and in a process of its own."""
+    for kind in ("CONFIG", "STATE", "DATA", "CACHE"):
+        monkeypatch.setenv(f"XDG_{kind}_HOME", str(tmp_path / kind))
+    for name, value in (("HOME", tmp_path), ("PYTHONPATH", ROOT)):
+        monkeypatch.setenv(name, str(value))
+    monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_the_commands_that_open_a_window_or_talk_to_it(
+    own_home: Path, sessions: Sessions, qapp: object, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The demo is opened, told to record, and then shows a session that a second start names."""
+    lines = {line for page in PAGES for line in commands(page) if needs_a_window(line)}
+    remote = ["start", 'note "the cup is taken"', "stop"]
+    opened = {"glovetrack demo", "glovetrack session.mcap"}
+    parsed = lines - opened - {f"glovetrack remote {words}" for words in remote}
+    assert opened <= lines and parsed == {"glovetrack demo --hands both"}
+    assert start._parser().parse_args(["--demo", "--hands", "both"]).hands == "both"
+    shutil.copy(sessions.tracked, own_home / "session.mcap")
+    program = [sys.executable, "-m", "app"]
+    with subprocess.Popen([*program, "demo"], cwd=own_home) as window:
+        try:
+            _wait(lambda: run("glovetrack remote status") == 0, window)
+            _wait(lambda: _runs(capsys), window)
+            for words in remote:
+                _wait(lambda words=words: _answered(f"glovetrack remote {words}", capsys), window)
+            second = subprocess.run([*program, "session.mcap"], cwd=own_home, timeout=60)
+            assert second.returncode == 0
+            window.send_signal(signal.SIGTERM)
+            assert window.wait(60) == 0
+        finally:
+            window.kill()
+    (take,) = (p for p in own_home.rglob("*.mcap") if p.name != "session.mcap")
+    with SessionReader(take) as reader:
+        assert "the cup is taken" in [m.text for m in reader.messages([Event])]
+
+
+def _runs(capsys: pytest.CaptureFixture[str]) -> bool:
+    """Whether the demo has begun, as the window says."""
+    assert run("glovetrack remote status") == 0
+    return "Nothing is running" not in capsys.readouterr().out
+
+
+def _answered(line: str, capsys: pytest.CaptureFixture[str]) -> bool:
+    """Whether it was heard: a window that is starting, on a busy computer, answers too late."""
+    return run(line) == 0 or "No window is open" not in capsys.readouterr().err
+
+
+def _wait(done: Callable[[], bool], window: subprocess.Popen[bytes], timeout: float = 90) -> None:
+    end = time.monotonic() + timeout
+    while not done():
+        assert window.poll() is None and time.monotonic() < end
+        time.sleep(0.1)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.stem)
@@ -68,7 +238,7 @@ def test_every_page_is_listed() -> None:
 
 def test_shortcuts_are_the_windows() -> None:
     """Each key that the guide names is one that the window knows."""
-    root = GUIDE.parents[1] / "app"
+    root = ROOT / "app"
     files = (
         *("window/window_commands.py", "panels/library/session_page.py"),
         "wizards/guided/dialog.py",

@@ -14,7 +14,6 @@ from functools import lru_cache
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter
 
 from tracker.calibration.colours_fit import Image, fit_samples, parted
 from tracker.messages import Array, IntArray
@@ -125,6 +124,8 @@ def _classes(
 
 def _density(parts: Sequence[Image]) -> Array:
     """(CHROMA_BINS, CHROMA_BINS, VALUE_BINS) share of the pixels, spread."""
+    from scipy.ndimage import gaussian_filter  # here: it loads much that a start does without
+
     counts = np.zeros(CHROMA_BINS * CHROMA_BINS * VALUE_BINS)
     total = 0
     for pixels in parts:

@@ -15,7 +15,6 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from tracker.hand.model import HandModel
 from tracker.hand.names import FINGERS, KEYPOINTS
@@ -161,6 +160,8 @@ def _add_palm(p: Array, q: Array, state: IntArray) -> None:
 
 def _along(bone: Array, q_wrist: Array) -> Array:
     """(n, 4) joints whose -z is along ``bone`` (n, 3), with y as near to the wrist's as can be."""
+    from scipy.spatial.transform import Rotation  # here: it loads much that a start does without
+
     z = -bone / np.linalg.norm(bone, axis=-1, keepdims=True)
     x = np.cross(_y_axis(q_wrist), z)
     x /= np.linalg.norm(x, axis=-1, keepdims=True)

@@ -5,7 +5,8 @@ import pytest
 
 from tests.conftest import RESOURCES
 from tracker.errors import ConfigError
-from tracker.fusion.vist import VistEngine, VistParams
+from tracker.fusion.vist.engine import VistEngine
+from tracker.fusion.vist.params import VistParams
 from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.messages import ImuSample, Tracking

@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tracker.fusion.vist import VistEngine, VistParams
+from tracker.fusion.vist.engine import VistEngine
+from tracker.fusion.vist.params import VistParams
 from tracker.messages import ImuSample, Tracking
 from tracker.simulation.random_postures import RandomPostures
 from tracker.simulation.scenario import Simulation
