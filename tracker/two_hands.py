@@ -106,7 +106,7 @@ class TwoHands:
     def feed_frame(self, frame: BlobFrame) -> None:
         """Take what was seen in an image of both hands."""
         pipelines = list(self.pipelines.values())
-        expected = [p.in_view(frame) for p in pipelines]
+        expected = [p.ahead.in_view(frame) for p in pipelines]
         pose = frame.pose or pipelines[0].camera_pose(frame.t)
         for pipeline, own in zip(
             pipelines, share(frame, expected, pipelines[0].rig, pose), strict=True

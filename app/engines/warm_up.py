@@ -49,6 +49,6 @@ def _search(simulation: Simulation, pipeline: Pipeline, detector: Detector) -> N
     index, t, arrival = next(simulation.exposures())
     frame, names = simulation.renderer.frame(t, arrival, index), detector.profile.hue_names
     detect_frame(detector, frame)
-    expected, rig = pipeline.region_prediction(MOTION), simulation.rig
+    expected, rig = pipeline.ahead.markers(MOTION), simulation.rig
     if expected is not None:
         detect_frame(detector, frame, expected.hints(rig, expected.t, rig.pose, names))

@@ -82,7 +82,7 @@ def _predictions(sim: Simulation, feed: Messages, times: Array) -> list[RegionPr
         else:
             pipeline.feed_frame(message)
             if pipeline.take_results():
-                known = pipeline.region_prediction(t, known)
+                known = pipeline.ahead.markers(t, known)
     return out
 
 

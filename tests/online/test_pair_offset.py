@@ -102,7 +102,7 @@ def mean_error(sim: Simulation, in_step: bool) -> tuple[Pipeline, float]:
         if isinstance(message, BlobFrame):
             pipeline.feed_frame(message)
             if not in_step:
-                pipeline._pair = PairOffset(sim.rig)
+                pipeline.pair_offset = PairOffset(sim.rig)
         elif isinstance(message, ImuSample):
             e = pipeline.feed_imu(message)
             if message.t > sim.duration / 2 and message.seq % 5 == 0:

@@ -107,7 +107,7 @@ def test_regions_find_what_the_whole_image_shows(sim: Simulation) -> None:
         elif isinstance(message, BlobFrame):
             pipeline.feed_frame(message)
             if pipeline.take_results() and estimate.tracking == Tracking.TRACKING:
-                seen = pipeline.region_prediction(estimate.t, seen)
+                seen = pipeline.ahead.markers(estimate.t, seen)
         if seen is None or not isinstance(message, BlobFrame) or compared >= 12:
             continue
         t = seen.t - 0.01 + 0.002 * compared

@@ -111,7 +111,7 @@ class LiveHand:
         if estimate is None or estimate.tracking != Tracking.TRACKING:
             return
         if matched >= SURE_SHARE * expected:
-            self.predicted = pipeline.region_prediction(estimate.t, before)
+            self.predicted = pipeline.ahead.markers(estimate.t, before)
 
     @property
     def is_gone(self) -> bool:

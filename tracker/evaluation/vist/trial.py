@@ -176,7 +176,7 @@ class ImageSearch:
 
     def look_ahead(self, pipeline: Pipeline, t: float) -> None:
         """Where markers are expected from the newest packet at ``t`` on."""
-        self._predicted = pipeline.region_prediction(t, self._predicted)
+        self._predicted = pipeline.ahead.markers(t, self._predicted)
 
 
 class MatchCheck:

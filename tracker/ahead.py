@@ -1,0 +1,73 @@
+"""Where the hand and its markers are expected in an image that is not there yet."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tracker.fusion.engine import Engine
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import BlobFrame
+from tracker.online.frame_timing import FrameTiming
+from tracker.online.pair_offset import PairOffset
+from tracker.vision.colours import hue_rows
+from tracker.vision.region_prediction import RegionPrediction
+from tracker.vision.sharing import HandInView
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand
+
+
+class Worn(NamedTuple):
+    """A glove on a hand."""
+
+    hand: HandModel
+    glove: GloveModel
+
+
+class Ahead:
+    """What an engine expects, at the instants at which the cameras will say that they exposed."""
+
+    def __init__(
+        self, worn: Worn, engine: Engine, timing: FrameTiming, pair_offset: PairOffset
+    ) -> None:
+        self._glove, self._engine = worn.glove, engine
+        self._timing, self._pair = timing, pair_offset
+        self._marker_segment = worn.glove.marker_segment(worn.hand)
+        self._shape = HandShape.of(worn.hand)
+
+    def markers(self, t: float, before: RegionPrediction | None = None) -> RegionPrediction | None:
+        """Where markers are expected at ``t``, not before the newest packet; None while searching.
+
+        Their speed is taken from where they were expected ``before``.
+        """
+        markers = self._engine.predicted_markers(t)
+        if markers is None:
+            return None
+        p_G, sd, ids = markers
+        return RegionPrediction(
+            t=t + self._timing.applied,
+            p_G=p_G,
+            v_G=np.zeros_like(p_G),
+            sd=sd,
+            size=self._glove.marker_size[ids],
+            hue=self._glove.marker_hue[ids],
+            hue_names=self._glove.hues,
+            right_late=self._pair.applied,
+        ).after(before)
+
+    def in_view(self, frame: BlobFrame) -> HandInView | None:
+        """The hand as it is expected in an image that was not fed yet, hues numbered as the
+        image's; None while its place is unknown."""
+        found = self._engine.expected(frame.t - self._timing.applied)
+        if found is None:
+            return None
+        estimate, glove, ids = found.estimate, self._glove, found.ids
+        segment = self._marker_segment[ids]
+        turned = np.einsum("mij,mj->mi", estimate.segment_R[segment], glove.marker_normal[ids])
+        return HandInView(
+            MarkerRows(found.p_G, turned, segment),
+            hue_rows(glove.hues, frame.hue_names)[glove.marker_hue[ids]],
+            found.sd,
+            PosedHand(self._shape, estimate.segment_R, estimate.segment_p),
+        )
