@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -36,6 +36,8 @@ NO_SCREEN = (
     "that answers.\n"
     "Without one: `glovetrack demo --headless-report 20`, or any other command (see the README)."
 )
+
+SingleShot = Qt.ConnectionType.SingleShotConnection
 
 ENDS = ("SIGINT", "SIGTERM", "SIGHUP")
 """Of Ctrl+C, of a logout or a shutdown, and of a terminal that is closed."""
@@ -124,8 +126,8 @@ def _show(
         window.calibration.profiles.begin_with(args.wearer)
     window.show()
     if args.demo:
-        if _demo(args).uses_application:
-            window.show_panel("applications")
+        if _demo(args).uses_application:  # once the layout of watching is there
+            window.host.opened.connect(lambda _setup: window.show_panel("applications"), SingleShot)
         window.sources.open_demo(_demo(args), camera)
     elif args.session is not None:
         window.sources.open_session(args.session)

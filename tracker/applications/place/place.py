@@ -23,6 +23,8 @@ from tracker.messages import Array
 AHEAD = np.array([0.22, 0.0, -0.06])  # m of the map's middle before the palm that is first seen
 REACH = 1.5  # m that a finger points
 AIM = np.deg2rad(15.0)  # the label nearest to the finger's direction within this is pointed at
+LABEL = 0.03  # m about a label that count as it, which from near is more than `AIM`
+KEEPS = 1.5  # times as far off may the finger be while it points at one: a tremor leaves it there
 BACK_AFTER = 0.8  # s of an open palm
 BUZZ, STRENGTH = 0.08, 0.7  # s
 SLIDE = 0.12  # m that a pinch is slid for the whole of a fade
@@ -123,11 +125,12 @@ class Place:
         if not hand.shows("point") or tip is None or root is None or self._middle is None:
             return None
         way = (tip - root) / max(float(np.linalg.norm(tip - root)), 1e-6)
-        best, least = None, AIM
+        best, least = None, 1.0
         for thing in THINGS:
             to = self._middle + thing.label + [0.0, 0.0, 0.04] - tip
             distance = float(np.linalg.norm(to))
             off = float(np.arccos(np.clip(to @ way / max(distance, 1e-6), -1.0, 1.0)))
+            off /= max(AIM, np.arctan2(LABEL, distance)) * (KEEPS if thing is self._aimed else 1.0)
             if off < least and distance < REACH:
                 best, least = thing, off
         return best
