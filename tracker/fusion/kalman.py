@@ -40,7 +40,7 @@ def correct(P: Array, HP: Array, HPH: Array, r: Array, R: Array) -> Array:
     return dx
 
 
-@kernel
+@kernel(nogil=False)
 def _mirror(P: Written[Matrix]) -> None:
     """Copy the lower triangle to the upper one, in tiles that stay in the cache."""
     n, tile = len(P), 32
@@ -76,14 +76,14 @@ def times(H: Matrix, P: Matrix) -> Matrix:
     return out
 
 
-@kernel
+@kernel(nogil=False)
 def products(H: Matrix, P: Matrix) -> tuple[Matrix, Matrix]:
     """H P (m, N) and H P Hᵀ (m, m)."""
     HP = times(H, P)
     return HP, times(H, HP.T.copy())
 
 
-@kernel
+@kernel(nogil=False)
 def joined(
     H_1: Matrix,
     HP_1: Matrix,

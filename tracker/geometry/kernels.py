@@ -45,7 +45,7 @@ def tmul3(A: Matrix, B: Matrix) -> Matrix:
     return mul3(A.T, B)
 
 
-@kernel
+@kernel(nogil=False)
 def rotate(A: Matrix, v: Vector) -> Vector:
     """A v of (3, 3) and (3,)."""
     out = np.empty(3)
@@ -134,7 +134,7 @@ def outer3(a: Vector, b: Vector) -> Matrix:
     return out
 
 
-@kernel
+@kernel(nogil=False)
 def rotate_all(R: Stack, v: Matrix) -> Stack:
     """R (n, 3, 3) times Exp of v (n, 3)."""
     out = np.empty_like(R)
@@ -149,7 +149,7 @@ def skew3(v: Vector) -> Matrix:
     return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
 
 
-@kernel
+@kernel(nogil=False)
 def cross3(a: Vector, b: Vector) -> Vector:
     """a x b of two (3,) vectors."""
     return np.array(
@@ -169,7 +169,7 @@ def zyx3(R: Matrix) -> tuple[float, float, float]:
     return a, b, c
 
 
-@kernel
+@kernel(nogil=False)
 def joint_angles3(R: Matrix, abducts: bool, twists: bool) -> tuple[float, float, float]:
     """(abduction, flexion, twist) of one joint rotation, as `so3.joint_angles`."""
     if twists:
@@ -238,7 +238,7 @@ def log3(R: Matrix) -> Vector:
     return gain * q[:3]
 
 
-@kernel
+@kernel(nogil=False)
 def relative_rotations(R: Stack, parent: IntVector) -> Matrix:
     """(n - 1, 3) rotation vectors of matrices (n, 3, 3), but for the first, against their parents.
 

@@ -20,7 +20,7 @@ SAME_WAY = 1e-15  # m², of the cross product per length: lines along each other
 # --- a line of sight
 
 
-@kernel(inline="always")
+@kernel(inline="always", nogil=False)
 def nearest_to_axis(
     dd: float, du: float, dw: float, uw: float, length: float
 ) -> tuple[float, float]:

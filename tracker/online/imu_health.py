@@ -57,7 +57,7 @@ class ImuHealth:
         self._last, self._same = kept.last, kept.same
 
 
-@kernel
+@kernel(nogil=False)
 def _judge(
     accel: Matrix,
     gyro: Matrix,

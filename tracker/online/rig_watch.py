@@ -198,7 +198,7 @@ class RigWatch:
         )
 
 
-@kernel
+@kernel(nogil=False)
 def median_residual(residual: Matrix) -> tuple[int, Vector]:
     """How many rows of residual (M, 4) px are finite, and the median of these, column by column."""
     finite = np.empty(residual.shape)
@@ -213,7 +213,7 @@ def median_residual(residual: Matrix) -> tuple[int, Vector]:
     return n, out
 
 
-@kernel
+@kernel(nogil=False)
 def leaders(counts: IntMatrix, means: Matrix) -> tuple[int, int, int, float]:
     """Of `row_votes`: the most votes for one shift the right way round, the most the wrong way
     round, the most the right way round more than three rows from the first, and its mean shift px.
@@ -230,7 +230,7 @@ def leaders(counts: IntMatrix, means: Matrix) -> tuple[int, int, int, float]:
     return counts[RIGHT_WAY, best], wrong, others, means[RIGHT_WAY, best]
 
 
-@kernel
+@kernel(nogil=False)
 def row_votes(
     left: Matrix,
     left_hue: IntVector,

@@ -299,7 +299,7 @@ def rigid(p_out: Array, p_in: Array) -> tuple[Array, float]:
     return _rigid(np.ascontiguousarray(p_out), np.ascontiguousarray(p_in))
 
 
-@kernel
+@kernel(nogil=False)
 def _rigid(p_out: Matrix, p_in: Matrix) -> tuple[Matrix, float]:
     """Compiled: numpy's checks would take longer than the arithmetic."""
     n = len(p_out)
@@ -319,7 +319,7 @@ def _rigid(p_out: Matrix, p_in: Matrix) -> tuple[Matrix, float]:
     return R, float(np.sqrt(total / n))
 
 
-@kernel
+@kernel(nogil=False)
 def _in_both(
     markers: IntVector, left: IntVector, right: IntVector
 ) -> tuple[IntVector, IntVector, IntVector]:
@@ -328,7 +328,7 @@ def _in_both(
     return seen, left[seen], right[seen]
 
 
-@kernel
+@kernel(nogil=False)
 def _placed(
     left: Matrix, right: Matrix, camera: StereoIntrinsics, R_GC: Matrix, nominal: Matrix
 ) -> tuple[Matrix, Matrix, float]:
@@ -346,13 +346,13 @@ def _placed(
     return p_G, R_GB, misfit
 
 
-@kernel
+@kernel(nogil=False)
 def _rotated(R: Matrix, rate_0: Vector, rate_1: Vector, dt: float) -> Matrix:
     """R (3, 3) after ``dt`` with a rate (3,) rad/s that goes from one to the other."""
     return mul3(R, exp3((rate_0 + rate_1) / 2 * dt))
 
 
-@kernel
+@kernel(nogil=False)
 def _point(
     nominal: Matrix,
     before: _RootView,

@@ -134,7 +134,7 @@ def _put_flexion(
     _put(h, at, joints, child, -rotate(joints.R_rest[child], rotate(R, y)), y, gain)
 
 
-@kernel
+@kernel(nogil=False)
 def _rows(
     at: Blocks, joints: Joints, R_GB: Stack, axes: AxisRows, flexions: FlexionRows
 ) -> tuple[Matrix, Vector, Vector]:

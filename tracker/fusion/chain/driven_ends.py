@@ -97,7 +97,7 @@ class EndsSureness:
         )  # fmt: skip
 
 
-@kernel
+@kernel(nogil=False)
 def sd_of_ends(
     skeleton: ChainSkeleton,
     R_rest: Stack,

@@ -80,7 +80,7 @@ def joint_lever(skeleton: ChainSkeleton, body: Body, child: int, a: int) -> Vect
     return x + body.joint[base] if base >= 0 else x
 
 
-@kernel
+@kernel(nogil=False)
 def positions(skeleton: ChainSkeleton, body: Body, p: Vector, points: Points) -> Matrix:
     """(n, 3) m in G; p (3,) as in `segment_origins`."""
     return points_of(segment_origins(skeleton, body, p), body, points)
@@ -97,7 +97,7 @@ def points_of(p_GB: Matrix, body: Body, points: Points) -> Matrix:
     return out
 
 
-@kernel
+@kernel(nogil=False)
 def segment_origins(skeleton: ChainSkeleton, body: Body, p: Vector) -> Matrix:
     """(A, 3) p_GB; p (3,) m in G is of the point at the skeleton's lever."""
     parent, R = skeleton.parent, body.R_GB
@@ -196,7 +196,7 @@ def put_own(
     return put_link(value, column, body.R_GB[a], x, unit, first, second, offset_at)
 
 
-@kernel
+@kernel(nogil=False)
 def jacobians(
     skeleton: ChainSkeleton, at: Blocks, body: Body, points: Points, offset_at: IntVector
 ) -> Stack:

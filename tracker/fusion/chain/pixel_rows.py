@@ -16,7 +16,7 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import IntMatrix, Matrix, Stack, Stack4, Vector, Written
 
 
-@kernel
+@kernel(nogil=False)
 def point_rows(
     prediction: Prediction, match: IntMatrix, left: Matrix, right: Matrix, noise: PixelNoise
 ) -> tuple[Matrix, Matrix, Vector, Matrix]:
@@ -108,7 +108,7 @@ def _solved(J: Matrix, r: Vector) -> tuple[Matrix, Vector]:
     return inverse, rotate(inverse, Jr)
 
 
-@kernel
+@kernel(nogil=False)
 def stack_rows(
     H: Stack, HP: Stack, A: Stack4, residual: Stack, noise: PixelNoise
 ) -> tuple[Matrix, Matrix, Vector, Matrix]:

@@ -117,7 +117,7 @@ class PixelModel:
         return point_rows(prediction, match, left.uv, right.uv, self._noise.pixel)
 
 
-@kernel
+@kernel(nogil=False)
 def worn(uv: Matrix, hue: IntVector, number: IntVector) -> tuple[Matrix, IntVector, IntVector]:
     """uv, hue and row of the blobs uv (n, 2) px, hue (n,) that are finite and have a number >= 0.
 
@@ -133,7 +133,7 @@ def worn(uv: Matrix, hue: IntVector, number: IntVector) -> tuple[Matrix, IntVect
     return uv[rows], number[hue[rows]], rows
 
 
-@kernel
+@kernel(nogil=False)
 def counted(match: IntMatrix, prior: Matrix) -> tuple[int, float]:
     """Markers of match (2, M) that any camera shows; the sum of the larger of its priors (2, M)."""
     either, expected = 0, 0.0
@@ -143,7 +143,7 @@ def counted(match: IntMatrix, prior: Matrix) -> tuple[int, float]:
     return either, expected
 
 
-@kernel
+@kernel(nogil=False)
 def matched(
     prediction: Prediction, left: SeenBlobs, right: SeenBlobs, marker_hue: IntVector
 ) -> IntMatrix:

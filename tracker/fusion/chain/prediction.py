@@ -61,7 +61,7 @@ class PosedRig(NamedTuple):
         return PosedRig(pose.R_GC.copy(), pose.p_GC.copy(), rig.intrinsics)
 
 
-@kernel
+@kernel(nogil=False)
 def viewed(
     skeleton: ChainSkeleton, body: Body, p: Vector, markers: Points, normal: Matrix, view: PosedRig
 ) -> tuple[Matrix, Matrix, Matrix, Matrix, Stack]:
@@ -80,7 +80,7 @@ def viewed(
     return p_GB, p_G, rotated(body.R_GB, markers.segment, normal), p_C, uv
 
 
-@kernel
+@kernel(nogil=False)
 def pixel_jacobians(p_C: Matrix, view: PosedRig) -> Stack4:
     """(2, n, 2, 3) d uv / d p_G of both cameras, of points p_C (n, 3) (eq. 21)."""
     n, R_GC, camera = len(p_C), view.R_GC, view.camera
@@ -97,7 +97,7 @@ def pixel_jacobians(p_C: Matrix, view: PosedRig) -> Stack4:
     return out
 
 
-@kernel
+@kernel(nogil=False)
 def expected(
     skeleton: ChainSkeleton,
     at: Blocks,

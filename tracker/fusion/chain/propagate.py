@@ -82,7 +82,7 @@ def transition(state: ChainState, layout: ChainLayout, readings: Moment, dt: flo
     return transition_by(layout.drive, layout.blocks, state.R_GB, state.imus, readings, dt)
 
 
-@kernel
+@kernel(nogil=False)
 def steps(
     drive: Drive,
     at: Blocks,
@@ -109,7 +109,7 @@ def steps(
     return p, v, R_GB
 
 
-@kernel
+@kernel(nogil=False)
 def carried(
     drive: Drive,
     dynamic: Dynamic,
@@ -194,7 +194,7 @@ def move_nominal(
     return p_new, v_new, rotate_all(R_GB, w * dt)
 
 
-@kernel
+@kernel(nogil=False)
 def transition_by(
     drive: Drive, at: Blocks, R_GB: Stack, imus: ImuErrors, readings: Moment, dt: float
 ) -> Matrix:

@@ -89,7 +89,7 @@ def frame_result(
     )
 
 
-@kernel
+@kernel(nogil=False)
 def _details(
     prediction: Prediction, match: IntMatrix, left: SeenBlobs, right: SeenBlobs
 ) -> tuple[Matrix, IntMatrix, Stack, Vector, int]:

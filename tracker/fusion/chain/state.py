@@ -132,7 +132,7 @@ class Fitting(NamedTuple):
     marker: Matrix
 
 
-@kernel
+@kernel(nogil=False)
 def _inject(
     at: Blocks,
     dynamic: Written[Dynamic],

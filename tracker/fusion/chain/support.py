@@ -97,7 +97,7 @@ def digit_of(layout: ChainLayout) -> IntArray:
     return out
 
 
-@kernel
+@kernel(nogil=False)
 def evidence(
     prediction: Prediction,
     match: IntMatrix,

@@ -59,7 +59,7 @@ def tilt_rows(
     return (H, r, var) if len(r) else None
 
 
-@kernel
+@kernel(nogil=False)
 def stacked_rows(
     mounted: MountedImus,
     drive: Drive,

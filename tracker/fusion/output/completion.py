@@ -90,7 +90,7 @@ def _rotation(a: float, b: float, c: float) -> Matrix:
     )
 
 
-@kernel
+@kernel(nogil=False)
 def complete(
     hand: HandTables, active: ActiveSegments
 ) -> tuple[Stack, Matrix, Matrix, Vector, BoolVector]:

@@ -146,7 +146,7 @@ def _inferred_deg(segment: str) -> float:
     return INFERRED_DEG[kind]
 
 
-@kernel
+@kernel(nogil=False)
 def whole_hand(
     hand: HandTables,
     keypoints: Keypoints,
@@ -172,7 +172,7 @@ def whole_hand(
     return points, q, state, sd, angles, angle_states(of_segment, angles_of, known), R, p
 
 
-@kernel
+@kernel(nogil=False)
 def sensed_lately(
     felt: Vector,
     imu_segment: IntVector,

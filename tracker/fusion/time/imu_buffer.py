@@ -198,7 +198,7 @@ class ImuBuffer:
             self.add(sample)
 
 
-@kernel
+@kernel(nogil=False)
 def _between(packets: Packets, at: float) -> tuple[Matrix, Matrix, BoolVector]:
     """accel, gyro (n, 3) and valid (n,) at an instant between two of the packets, linearly."""
     t, accel, gyro, valid = packets
@@ -208,7 +208,7 @@ def _between(packets: Packets, at: float) -> tuple[Matrix, Matrix, BoolVector]:
     return *between, np.logical_and(valid[k - 1], valid[k])
 
 
-@kernel
+@kernel(nogil=False)
 def cut(
     packets: Packets, start: float, end: float
 ) -> tuple[Vector, Vector, Stack, Stack, BoolMatrix]:
