@@ -53,6 +53,7 @@ EXPORTS = {
     "numpy_division": ((types.float64, types.float64), divided, {"error_model": "numpy"}),
     "lengths": ((VECTOR,), lengths, {}),
     "busy": ((types.int64,), busy, {"nogil": True}),
+    "undisturbed": ((types.int64,), busy, {"nogil": False}),
 }
 
 
@@ -86,7 +87,8 @@ def test_arrays_tuples_and_errors_come_out(compiled):
         compiled.lengths(np.zeros(0))
 
 
-def test_other_threads_run_meanwhile(compiled):
+@pytest.mark.parametrize(("name", "lets_go"), [("busy", True), ("undisturbed", False)])
+def test_other_threads_run_meanwhile_unless_it_keeps_the_lock(compiled, name, lets_go):
     ticks, is_over = [], threading.Event()
 
     def tick():
@@ -95,8 +97,9 @@ def test_other_threads_run_meanwhile(compiled):
 
     other = threading.Thread(target=tick)
     other.start()
-    compiled.busy(20_000_000)  # some tenths of a second
-    counted = len(ticks)
+    before = len(ticks)
+    getattr(compiled, name)(20_000_000)  # some tenths of a second
+    counted = len(ticks) - before
     is_over.set()
     other.join()
-    assert counted > 10
+    assert counted > 10 if lets_go else counted <= 2  # one each before and after the call itself
