@@ -6,7 +6,6 @@ import numpy as np
 
 from app.widgets.view3d.raster.grid import grid_cover
 from app.widgets.view3d.raster.layers import SOLID
-from app.widgets.view3d.raster.placing import NEAR
 from app.widgets.view3d.raster.shading import lit
 from app.widgets.view3d.raster.solids import (
     BLOCK,
@@ -101,23 +100,6 @@ def blend(view: View, rays: int, bundle: RayBundle) -> None:
         colours[k, 1] = green + through * (back >> 8 & 255) / 255
         colours[k, 2] = blue + through * (back & 255) / 255
         numbers[k] = number
-
-
-@kernel(error_model="numpy")
-def blend_surfaces(view: View, rays: int, bundle: RayBundle) -> None:
-    """The same as `blend` where rays meet nothing but surfaces, as `meet_surface` has left it:
-    without layers, which most of a hand's tiles have no need of."""
-    found, covers, skin, parts = bundle.found, bundle.share, bundle.skin, bundle.part
-    colours, numbers, at, backdrop = bundle.colour, bundle.number, bundle.at, view.backdrop
-    for k in range(rays):
-        met = found[k] >= NEAR
-        cover = covers[k] if met else 0.0
-        back = backdrop[at[k, 0], at[k, 1]]
-        for c in range(3):
-            own = skin[k, c] if met else 0.0
-            behind = (back >> (16 - 8 * c) & 255) / 255
-            colours[k, c] = cover * own + (1.0 - cover) * behind
-        numbers[k] = (len(view.kinds) + parts[k] + 1) & NUMBERS if met else 0
 
 
 @kernel(error_model="numpy", inline="always")

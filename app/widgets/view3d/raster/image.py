@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.widgets.view3d.raster.blending import blend, blend_surfaces
+from app.widgets.view3d.raster.blending import NUMBERS, blend
 from app.widgets.view3d.raster.ground import Ground, rule
 from app.widgets.view3d.raster.layers import gather
 from app.widgets.view3d.raster.placing import (
@@ -17,18 +17,21 @@ from app.widgets.view3d.raster.placing import (
     project_line,
     project_lines,
 )
-from app.widgets.view3d.raster.skin import meet_surface
+from app.widgets.view3d.raster.skin import light, surface_colour
 from app.widgets.view3d.raster.surfaces import (
     MORE,
     Samples,
     Surfaces,
-    fill_samples,
+    fill_middle,
+    fill_more,
     project_surfaces,
 )
 from app.widgets.view3d.raster.tiles import TILE, line_pairs, solid_pairs, sort_pairs
 from app.widgets.view3d.raster.view import WIDTH, RayBundle, View, new_bundle
+from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 from tracker.kernels.arrays import (
+    BoolMatrix,
     BoolVector,
     Int32Matrix,
     IntMatrix,
@@ -54,6 +57,15 @@ class Canvas(NamedTuple):
     samples: Samples
 
 
+class Tiles(NamedTuple):
+    """What each of T tiles may show: bodies and lines are ``items`` from its ``starts`` (T + 1,) to
+    the next, as `_sort` has them; surfaces where it is touched (T,)."""
+
+    items: IntVector
+    starts: IntVector
+    touched: BoolVector
+
+
 @kernel(error_model="numpy")
 def draw(
     bodies: Bodies,
@@ -65,78 +77,131 @@ def draw(
 ) -> None:
     """Fill the canvas with what the camera sees."""
     image, numbers = canvas.image, canvas.numbers
-    height, width = image.shape
     # 1. everything before the camera, and which tiles of the image it may touch
     places, sized = place_solids(bodies, camera)
     seen = project_surfaces(surfaces, camera)
+    light(surfaces, camera, seen)
     view = View(
         bodies.kinds, sized, places, bodies.looks, project_lines(bodies, strokes, camera),
         strokes.owner, camera.focal, camera.middle_u, camera.middle_v, canvas.backdrop, surfaces,
         seen, canvas.samples,
     )  # fmt: skip
-    items, starts = _sort(view, (height, width))
+    items, starts = _sort(view, image.shape)
     touched = np.zeros(len(starts) - 1, np.bool_)
+    boxes = np.zeros((0, 4), np.int64)
     if len(surfaces.faces):
-        fill_samples(surfaces, seen, canvas.samples, touched)
+        boxes = fill_middle(surfaces, seen, canvas.samples, touched)
+    tiles = Tiles(items, starts, touched)
     rule(_ground_lines(ground, camera), ground, canvas.backdrop)
     image[:] = canvas.backdrop
     numbers[:] = 0
     bundle = new_bundle(MOST_RAYS)
     # 2. a ray through each pixel's middle; 3. more where neighbours show something else
-    _first_rays(view, items, starts, touched, bundle, canvas)
-    _more_rays(view, items, starts, touched, bundle, canvas)
+    _first_rays(view, tiles, bundle, canvas)
+    wanted, edged = np.empty(image.shape, np.bool_), np.zeros(len(touched), np.bool_)
+    _mark_edges(tiles, canvas, wanted, edged)
+    if len(surfaces.faces):
+        fill_more(surfaces, seen, boxes, wanted, edged, canvas.samples)
+    _more_rays(view, tiles, wanted, edged, bundle, canvas)
 
 
 @kernel(error_model="numpy")
-def _first_rays(
-    view: View, items: IntVector, starts: IntVector, touched: BoolVector, bundle: RayBundle,
-    canvas: Canvas,
-) -> None:  # fmt: skip
+def _first_rays(view: View, tiles: Tiles, bundle: RayBundle, canvas: Canvas) -> None:
     """A ray through the middle of each pixel of the tiles that show anything."""
     image, numbers = canvas.image, canvas.numbers
     columns = (image.shape[1] + TILE - 1) // TILE
-    for tile in range(len(touched)):
-        span = starts[tile], starts[tile + 1]
-        if span[0] < span[1] or touched[tile]:
-            top, left = tile // columns * TILE, tile % columns * TILE
+    for tile in range(len(tiles.touched)):
+        span, surfaces = (tiles.starts[tile], tiles.starts[tile + 1]), tiles.touched[tile]
+        top, left = tile // columns * TILE, tile % columns * TILE
+        if span[0] < span[1]:
             rays = _middle_rays(view, image, top, left, bundle)
-            _colour(view, items, span, touched[tile], rays, bundle)
+            gather(view, tiles.items, span, surfaces, rays, bundle)
+            blend(view, rays, bundle)
             _paint(rays, bundle.at, bundle.colour, bundle.number, image, numbers)
+        elif surfaces:
+            _paint_surfaces(view, top, left, image, numbers)
 
 
 @kernel(error_model="numpy")
 def _more_rays(
-    view: View, items: IntVector, starts: IntVector, touched: BoolVector, bundle: RayBundle,
+    view: View, tiles: Tiles, wanted: BoolMatrix, edged: BoolVector, bundle: RayBundle,
     canvas: Canvas,
 ) -> None:  # fmt: skip
-    """`MORE` rays through each pixel whose neighbour shows something else."""
-    image, numbers = canvas.image, canvas.numbers
+    """`MORE` rays through each pixel ``wanted`` (H, W), all in tiles ``edged`` (T,)."""
+    image = canvas.image
     columns = (image.shape[1] + TILE - 1) // TILE
-    for tile in range(len(touched)):
-        span = starts[tile], starts[tile + 1]
-        if span[0] < span[1] or touched[tile]:
-            top, left = tile // columns * TILE, tile % columns * TILE
-            rays = _edge_rays(view, image, numbers, top, left, bundle)
-            _colour(view, items, span, touched[tile], rays, bundle)
+    for tile in range(len(edged)):
+        if not edged[tile]:
+            continue
+        span, surfaces = (tiles.starts[tile], tiles.starts[tile + 1]), tiles.touched[tile]
+        top, left = tile // columns * TILE, tile % columns * TILE
+        if span[0] < span[1]:
+            rays = _edge_rays(view, wanted, top, left, bundle)
+            gather(view, tiles.items, span, surfaces, rays, bundle)
+            blend(view, rays, bundle)
             _mix(rays, bundle.at, bundle.colour, image)
+        else:
+            _mix_surfaces(view, wanted, top, left, image)
 
 
 @kernel(error_model="numpy")
-def _colour(
-    view: View,
-    items: IntVector,
-    span: tuple[int, int],
-    surfaces: bool,
-    rays: int,
-    bundle: RayBundle,
+def _paint_surfaces(
+    view: View, top: int, left: int, image: Written[UInt32Matrix], numbers: Written[Int32Matrix]
 ) -> None:
-    """The colours of a tile's rays; its bodies are ``items`` in ``span``."""
-    if span[0] < span[1]:
-        gather(view, items, span, surfaces, rays, bundle)
-        blend(view, rays, bundle)
-    else:
-        meet_surface(view, rays, bundle)
-        blend_surfaces(view, rays, bundle)
+    """A tile that shows nothing but surfaces, as most of a hand's do: without bundles of rays,
+    which would be written and read for nothing."""
+    inverse, face, part = view.samples.inverse, view.samples.face, view.surfaces.part
+    height, width = image.shape
+    for v in range(top, min(top + TILE, height)):
+        for u in range(left, min(left + TILE, width)):
+            if inverse[0, v, u] > 0.0:
+                f = face[0, v, u]
+                colour, cover = surface_colour(view, f, u + 0.5, v + 0.5)
+                image[v, u] = packed(_over(view.backdrop[v, u], colour, cover))
+                numbers[v, u] = (len(view.kinds) + part[f] + 1) & NUMBERS
+
+
+@kernel(error_model="numpy")
+def _mix_surfaces(
+    view: View, wanted: BoolMatrix, top: int, left: int, image: Written[UInt32Matrix]
+) -> None:
+    """The mean of `MORE` rays and the first one in the pixels ``wanted`` of such a tile."""
+    inverse, face = view.samples.inverse, view.samples.face
+    height, width = image.shape
+    share = 1.0 / (len(MORE) + 1)
+    for v in range(top, min(top + TILE, height)):
+        for u in range(left, min(left + TILE, width)):
+            if not wanted[v, u]:
+                continue
+            back = view.backdrop[v, u]
+            red, green, blue = _parts(image[v, u])
+            for m in range(len(MORE)):
+                colour, cover = (0.0, 0.0, 0.0), 0.0
+                if inverse[m + 1, v, u] > 0.0:
+                    x, y = u + 0.5 + MORE[m][0], v + 0.5 + MORE[m][1]
+                    colour, cover = surface_colour(view, face[m + 1, v, u], x, y)
+                mixed = _over(back, colour, cover)
+                red, green, blue = red + mixed[0], green + mixed[1], blue + mixed[2]
+            image[v, u] = packed((share * red, share * green, share * blue))
+
+
+@kernel(error_model="numpy", inline="always")
+def _over(below: int, colour: Vector3, cover: float) -> Vector3:
+    """A share of a colour over 0xFFRRGGBB."""
+    if cover >= 1.0:
+        return colour
+    red, green, blue = _parts(below)
+    return (
+        cover * colour[0] + (1.0 - cover) * red,
+        cover * colour[1] + (1.0 - cover) * green,
+        cover * colour[2] + (1.0 - cover) * blue,
+    )
+
+
+@kernel(error_model="numpy", inline="always")
+def _parts(colour: int) -> Vector3:
+    """Red, green and blue of 0xFFRRGGBB, shares of one."""
+    return (colour >> 16 & 255) / 255, (colour >> 8 & 255) / 255, (colour & 255) / 255
 
 
 @kernel(error_model="numpy")
@@ -163,24 +228,41 @@ def _middle_rays(view: View, image: UInt32Matrix, top: int, left: int, bundle: R
 
 
 @kernel(error_model="numpy")
-def _edge_rays(
-    view: View, image: UInt32Matrix, numbers: Int32Matrix, top: int, left: int, bundle: RayBundle
-) -> int:
-    """`MORE` rays one after another through each pixel of a tile whose neighbour shows
-    something else."""
-    rays, (height, width) = 0, image.shape
+def _mark_edges(
+    tiles: Tiles, canvas: Canvas, wanted: Written[BoolMatrix], edged: Written[BoolVector]
+) -> None:
+    """Pixels of the tiles that show anything whose neighbour shows something else, and the tiles
+    that have any; ``wanted`` (H, W) of other tiles stays as it is."""
+    image, numbers = canvas.image, canvas.numbers
+    height, width = image.shape
+    columns = (width + TILE - 1) // TILE
+    for tile in range(len(edged)):
+        if tiles.starts[tile] == tiles.starts[tile + 1] and not tiles.touched[tile]:
+            continue
+        top, left = tile // columns * TILE, tile % columns * TILE
+        for v in range(top, min(top + TILE, height)):
+            above, below = max(v - 1, 0), min(v + 1, height - 1)
+            for u in range(left, min(left + TILE, width)):
+                before, after = max(u - 1, 0), min(u + 1, width - 1)
+                mine, colour = numbers[v, u], image[v, u]
+                wanted[v, u] = (
+                    (numbers[v, before] != mine and _differ(image[v, before], colour))
+                    or (numbers[v, after] != mine and _differ(image[v, after], colour))
+                    or (numbers[above, u] != mine and _differ(image[above, u], colour))
+                    or (numbers[below, u] != mine and _differ(image[below, u], colour))
+                )
+                if wanted[v, u]:
+                    edged[tile] = True
+
+
+@kernel(error_model="numpy")
+def _edge_rays(view: View, wanted: BoolMatrix, top: int, left: int, bundle: RayBundle) -> int:
+    """`MORE` rays one after another through each pixel ``wanted`` of a tile; how many."""
+    rays, (height, width) = 0, wanted.shape
     xs, ys, focal, middle_u, middle_v = bundle.x, bundle.y, view.focal, view.middle_u, view.middle_v
     for v in range(top, min(top + TILE, height)):
-        above, below = max(v - 1, 0), min(v + 1, height - 1)
         for u in range(left, min(left + TILE, width)):
-            before, after = max(u - 1, 0), min(u + 1, width - 1)
-            mine, colour = numbers[v, u], image[v, u]
-            if not (
-                (numbers[v, before] != mine and _differ(image[v, before], colour))
-                or (numbers[v, after] != mine and _differ(image[v, after], colour))
-                or (numbers[above, u] != mine and _differ(image[above, u], colour))
-                or (numbers[below, u] != mine and _differ(image[below, u], colour))
-            ):
+            if not wanted[v, u]:
                 continue
             for m in range(len(MORE)):
                 du, dv = MORE[m]
@@ -212,12 +294,7 @@ def _mix(rays: int, at: IntMatrix, colour: Matrix, image: Written[UInt32Matrix])
     share = 1.0 / (len(MORE) + 1)
     for k in range(0, rays, len(MORE)):
         v, u = at[k, 0], at[k, 1]
-        before = image[v, u]
-        red, green, blue = (
-            (before >> 16 & 255) / 255,
-            (before >> 8 & 255) / 255,
-            (before & 255) / 255,
-        )
+        red, green, blue = _parts(image[v, u])
         for j in range(k, k + len(MORE)):
             red, green, blue = red + colour[j, 0], green + colour[j, 1], blue + colour[j, 2]
         image[v, u] = packed((share * red, share * green, share * blue))

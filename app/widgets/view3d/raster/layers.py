@@ -37,7 +37,7 @@ def gather(
 ) -> None:
     """Fill the layers of the bundle's first ``rays`` with what they meet.
 
-    ``items`` in ``span`` (first, and behind the last): rows of bodies, or of a line behind them;
+    ``items`` in ``span`` (the first, and behind the last): rows of bodies, or of lines behind them;
     ``surfaces``: whether triangles are there too.
     """
     bundle.many[:rays] = 0

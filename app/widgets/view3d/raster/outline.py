@@ -5,10 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from app.widgets.view3d.raster.placing import Pinhole
-from app.widgets.view3d.raster.surfaces import Samples, Surfaces, fill_samples, project_surfaces
+from app.widgets.view3d.raster.surfaces import (
+    Samples,
+    Surfaces,
+    fill_middle,
+    fill_more,
+    project_surfaces,
+)
 from app.widgets.view3d.raster.tiles import TILE
 from tracker.kernels import kernel
-from tracker.kernels.arrays import UInt32Matrix, Vector, Written
+from tracker.kernels.arrays import BoolMatrix, BoolVector, UInt32Matrix, Vector, Written
 
 STEP = 0.008  # m of depth between neighbours that make a line inside the outline
 """A finger before the palm is farther from it than this."""
@@ -24,57 +30,82 @@ def draw_outline(
 ) -> None:
     """Draw the outline of surfaces over the image, in ``ink`` (3,); ``samples`` is room for it."""
     height, width = image.shape
-    rows, columns = (height + TILE - 1) // TILE, (width + TILE - 1) // TILE
-    touched = np.zeros(rows * columns, np.bool_)
-    fill_samples(surfaces, project_surfaces(surfaces, camera), samples, touched)
+    columns = (width + TILE - 1) // TILE
+    touched = np.zeros((height + TILE - 1) // TILE * columns, np.bool_)
+    seen = project_surfaces(surfaces, camera)
+    boxes = fill_middle(surfaces, seen, samples, touched)
+    near, edged = np.zeros((height, width), np.bool_), np.zeros(len(touched), np.bool_)
     for tile in range(len(touched)):
-        if not touched[tile]:
-            continue
-        top, left = tile // columns * TILE, tile % columns * TILE
-        if not _may_have_edge(samples, top, left):
-            continue
-        for v in range(max(top, 1), min(top + TILE, height - 1)):
-            for u in range(max(left, 1), min(left + TILE, width - 1)):
-                share = _edge(samples, v, u)
+        if touched[tile]:
+            _mark(samples, (tile // columns * TILE, tile % columns * TILE), columns, near, edged)
+    fill_more(surfaces, seen, boxes, near, edged, samples)
+    for tile in range(len(edged)):
+        if edged[tile] and touched[tile]:
+            _draw_tile(samples, near, tile // columns * TILE, tile % columns * TILE, ink, image)
+
+
+@kernel(error_model="numpy")
+def _mark(
+    samples: Samples,
+    corner: tuple[int, int],
+    columns: int,
+    near: Written[BoolMatrix],
+    edged: Written[BoolVector],
+) -> None:
+    """Pixels of a tile next to an end of the surface, or to a step in it, and the tiles around each
+    of them."""
+    inverse, (top, left) = samples.inverse, corner
+    height, width = near.shape
+    for v in range(max(top, 1), min(top + TILE, height - 1)):
+        for u in range(max(left, 1), min(left + TILE, width - 1)):
+            full, low, high = 0, np.float32(np.inf), np.float32(0.0)
+            for row in range(v - 1, v + 2):
+                for column in range(u - 1, u + 2):
+                    z = inverse[0, row, column]
+                    full += z > 0.0
+                    if z > 0.0:
+                        low, high = min(low, z), max(high, z)
+            if (0 < full < 9) or (full == 9 and 1.0 / low - 1.0 / high > STEP):
+                near[v, u] = True
+                for row in range((v - 1) // TILE, (v + 1) // TILE + 1):
+                    for column in range((u - 1) // TILE, (u + 1) // TILE + 1):
+                        edged[row * columns + column] = True
+
+
+@kernel(error_model="numpy")
+def _draw_tile(
+    samples: Samples,
+    near: BoolMatrix,
+    top: int,
+    left: int,
+    ink: Vector,
+    image: Written[UInt32Matrix],
+) -> None:
+    """The outline in one tile."""
+    height, width = image.shape
+    for v in range(max(top, 1), min(top + TILE, height - 1)):
+        for u in range(max(left, 1), min(left + TILE, width - 1)):
+            if near[v - 1 : v + 2, u - 1 : u + 2].any():
+                share = _edge(samples, near, v, u)
                 if share > 0.0:
                     image[v, u] = _over(image[v, u], ink, share)
 
 
 @kernel(error_model="numpy")
-def _may_have_edge(samples: Samples, top: int, left: int) -> bool:
-    """Whether a tile and the pixels around it are neither all empty nor, within `STEP`, one sheet:
-    most of a hand's tiles are."""
-    inverse = samples.inverse
-    height, width = inverse.shape[0], inverse.shape[1]
-    some_full, some_empty, low, high = False, False, np.inf, 0.0
-    for v in range(max(top - 1, 0), min(top + TILE + 1, height)):
-        for u in range(max(left - 1, 0), min(left + TILE + 1, width)):
-            for m in range(4):
-                if inverse[v, u, m] > 0.0:
-                    some_full = True
-                else:
-                    some_empty = True
-            near = np.float64(inverse[v, u, 0])
-            if near > 0.0:
-                low, high = min(low, near), max(high, near)
-    if some_full and some_empty:
-        return True
-    return some_full and 1.0 / low - 1.0 / high > STEP
-
-
-@kernel(error_model="numpy")
-def _edge(samples: Samples, v: int, u: int) -> float:
+def _edge(samples: Samples, near: BoolMatrix, v: int, u: int) -> float:
     """Share (0..1) of a pixel that the outline covers."""
     inverse = samples.inverse
     low, high, jump = 4, 0, False
-    mine = inverse[v, u, 0]
+    mine = inverse[0, v, u]
     for row in range(v - 1, v + 2):
         for column in range(u - 1, u + 2):
-            many = 0
-            for m in range(4):
-                many += inverse[row, column, m] > 0.0
+            other = inverse[0, row, column]
+            many = 4 if other > 0.0 else 0
+            if near[row, column]:
+                many = 0
+                for m in range(4):
+                    many += inverse[m, row, column] > 0.0
             low, high = min(low, many), max(high, many)
-            other = inverse[row, column, 0]
             if mine > 0.0 and other > 0.0 and 1.0 / other - 1.0 / mine > STEP:
                 jump = True
     if jump:

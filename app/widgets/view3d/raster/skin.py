@@ -1,12 +1,20 @@
-"""What a ray sees of a triangle: colour under light, hatching, dots."""
+"""What a ray sees of a triangle: colour under light, hatching, dots.
+
+Light falls on the points; between them colours are mixed. The triangles of a skin are a few pixels
+large, so nobody sees a difference to light on each pixel, which takes four times as long.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 
+from app.widgets.view3d.raster.placing import Pinhole
 from app.widgets.view3d.raster.shading import lit_in_camera
+from app.widgets.view3d.raster.surfaces import Surfaces
 from app.widgets.view3d.raster.view import RayBundle, View
+from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
+from tracker.kernels.arrays import Matrix, Written
 
 RING = 0.0042  # m from one line of the hatching to the next, along the surface
 LINE_PX = 1.5  # of the hatching
@@ -18,53 +26,71 @@ GLOSS = 0.16
 
 
 @kernel(error_model="numpy")
+def light(surfaces: Surfaces, camera: Pinhole, seen: Written[Matrix]) -> None:
+    """Fill in of each point of ``seen`` (V, `SEEN`), behind its place: the colour under light (3),
+    the shine on it, cover, hatch and dots."""
+    R, normals, dress = camera.R_GC, surfaces.normals, surfaces.dress
+    for i in range(len(seen)):
+        a, b, c = normals[i, 0], normals[i, 1], normals[i, 2]
+        x = R[0, 0] * a + R[1, 0] * b + R[2, 0] * c
+        y = R[0, 1] * a + R[1, 1] * b + R[2, 1] * c
+        z = R[0, 2] * a + R[1, 2] * b + R[2, 2] * c
+        length = np.sqrt(x * x + y * y + z * z) + 1e-12
+        ambient = dress[i, 4]
+        normal = x / length, y / length, z / length
+        bright, shine = lit_in_camera(normal, ambient, GLOSS * (1.0 - ambient))
+        for k in range(3):
+            seen[i, 3 + k] = dress[i, k] * bright
+        seen[i, 6], seen[i, 7] = shine, dress[i, 3]
+        seen[i, 8], seen[i, 9] = dress[i, 5], dress[i, 6]
+
+
+@kernel(error_model="numpy", inline="always")
+def surface_colour(view: View, f: int, x: float, y: float) -> tuple[Vector3, float]:
+    """Colour and cover of triangle f where the ray at (x, y) px meets it."""
+    seen, faces, along = view.seen, view.surfaces.faces, view.surfaces.along
+    i, j, k = faces[f, 0], faces[f, 1], faces[f, 2]
+    u, v = x - seen[k, 0], y - seen[k, 1]
+    ui, vi = seen[i, 0] - seen[k, 0], seen[i, 1] - seen[k, 1]
+    uj, vj = seen[j, 0] - seen[k, 0], seen[j, 1] - seen[k, 1]
+    double = ui * vj - uj * vi
+    si, sj = (u * vj - uj * v) / double, (ui * v - u * vi) / double
+    sk = 1.0 - si - sj
+    shine = si * seen[i, 6] + sj * seen[j, 6] + sk * seen[k, 6]
+    cover = si * seen[i, 7] + sj * seen[j, 7] + sk * seen[k, 7]
+    left = 1.0
+    if si * seen[i, 8] + sj * seen[j, 8] + sk * seen[k, 8] > 0.5:
+        p, q, r = along[i], along[j], along[k]
+        gu, gv = (p - r) * vj - (q - r) * vi, (q - r) * ui - (p - r) * uj
+        dark = _ring(si * p + sj * q + sk * r, np.sqrt(gu * gu + gv * gv) / abs(double))
+        left, shine = 1.0 - HATCH_DARKNESS * dark, shine * (1.0 - dark)
+    if si * seen[i, 9] + sj * seen[j, 9] + sk * seen[k, 9] > 0.5:
+        cover *= BETWEEN_DOTS + (1.0 - BETWEEN_DOTS) * _dot(x, y)
+    colour = (
+        min((si * seen[i, 3] + sj * seen[j, 3] + sk * seen[k, 3]) * left + shine, 1.0),
+        min((si * seen[i, 4] + sj * seen[j, 4] + sk * seen[k, 4]) * left + shine, 1.0),
+        min((si * seen[i, 5] + sj * seen[j, 5] + sk * seen[k, 5]) * left + shine, 1.0),
+    )
+    return colour, cover
+
+
+@kernel(error_model="numpy")
 def meet_surface(view: View, rays: int, bundle: RayBundle) -> None:
     """The depth of the surface that each ray meets into ``found``, its cover into ``share``, its
-    colour into ``skin``. One long loop: an array that is handed on costs more than its numbers."""
-    face, inverse, seen = view.samples.face, view.samples.inverse, view.seen
-    faces, dress, along, part = (
-        view.surfaces.faces, view.surfaces.dress, view.surfaces.along, view.surfaces.part
-    )  # fmt: skip
-    xs, ys, at, found, shares = bundle.x, bundle.y, bundle.at, bundle.found, bundle.share
-    skin, parts, focal = bundle.skin, bundle.part, view.focal
-    middle_u, middle_v = view.middle_u, view.middle_v
+    colour into ``skin``."""
+    face, inverse, part = view.samples.face, view.samples.inverse, view.surfaces.part
+    xs, ys, at = bundle.x, bundle.y, bundle.at
     for ray in range(rays):
         row, column, m = at[ray, 0], at[ray, 1], at[ray, 2]
-        f = face[row, column, m]
-        found[ray] = 0.0
-        if not inverse[row, column, m] > 0.0:
+        bundle.found[ray] = 0.0
+        if not inverse[m, row, column] > 0.0:
             continue
-        i, j, k = faces[f, 0], faces[f, 1], faces[f, 2]
-        depth = 1.0 / np.float64(inverse[row, column, m])
-        # shares of the corners in the image, then on the triangle
-        u, v = middle_u + focal * xs[ray] - seen[k, 0], middle_v + focal * ys[ray] - seen[k, 1]
-        ui, vi = seen[i, 0] - seen[k, 0], seen[i, 1] - seen[k, 1]
-        uj, vj = seen[j, 0] - seen[k, 0], seen[j, 1] - seen[k, 1]
-        double = ui * vj - uj * vi
-        si = (u * vj - uj * v) / double * seen[i, 2] * depth
-        sj = (ui * v - u * vi) / double * seen[j, 2] * depth
-        sk = 1.0 - si - sj
-        nx = si * seen[i, 3] + sj * seen[j, 3] + sk * seen[k, 3]
-        ny = si * seen[i, 4] + sj * seen[j, 4] + sk * seen[k, 4]
-        nz = si * seen[i, 5] + sj * seen[j, 5] + sk * seen[k, 5]
-        length = np.sqrt(nx * nx + ny * ny + nz * nz) + 1e-12
-        ambient = si * dress[i, 4] + sj * dress[j, 4] + sk * dress[k, 4]
-        normal = nx / length, ny / length, nz / length
-        bright, shine = lit_in_camera(normal, ambient, GLOSS * (1.0 - ambient))
-        cover = si * dress[i, 3] + sj * dress[j, 3] + sk * dress[k, 3]
-        if si * dress[i, 5] + sj * dress[j, 5] + sk * dress[k, 5] > 0.5:
-            x, y, z = along[i], along[j], along[k]
-            gu, gv = (x - z) * vj - (y - z) * vi, (y - z) * ui - (x - z) * uj
-            per_px = np.sqrt(gu * gu + gv * gv) / abs(double)
-            dark = _ring(si * x + sj * y + sk * z, per_px)
-            bright, shine = bright * (1.0 - HATCH_DARKNESS * dark), shine * (1.0 - dark)
-        if si * dress[i, 6] + sj * dress[j, 6] + sk * dress[k, 6] > 0.5:
-            dot = _dot(middle_u + focal * xs[ray], middle_v + focal * ys[ray])
-            cover *= BETWEEN_DOTS + (1.0 - BETWEEN_DOTS) * dot
-        for c in range(3):
-            colour = si * dress[i, c] + sj * dress[j, c] + sk * dress[k, c]
-            skin[ray, c] = min(colour * bright + shine, 1.0)
-        parts[ray], found[ray], shares[ray] = part[f], depth, cover
+        f = face[m, row, column]
+        x, y = view.middle_u + view.focal * xs[ray], view.middle_v + view.focal * ys[ray]
+        colour, cover = surface_colour(view, f, x, y)
+        bundle.skin[ray, 0], bundle.skin[ray, 1], bundle.skin[ray, 2] = colour
+        bundle.part[ray], bundle.share[ray] = part[f], cover
+        bundle.found[ray] = 1.0 / np.float64(inverse[m, row, column])
 
 
 @kernel(error_model="numpy", inline="always")

@@ -22,7 +22,7 @@ class SurfaceRows:
             np.empty((0, 3), np.int64),
             np.empty(0, np.int64),
         )
-        self._samples = Samples(np.empty((0, 0, 4), np.float32), np.empty((0, 0, 4), np.int32))
+        self._samples = Samples(np.empty((4, 0, 0), np.float32), np.empty((4, 0, 0), np.int32))
 
     def add(self, surface: Surface) -> RasterSurface:
         """Behind the others; not shown before it is draped."""
@@ -48,8 +48,8 @@ class SurfaceRows:
         """Room for an image so large; empty where there are no surfaces."""
         if not len(self.rows.faces):
             height = width = 0
-        if self._samples.face.shape[:2] != (height, width):
-            shape = (height, width, 4)
+        shape = (4, height, width)
+        if self._samples.face.shape != shape:
             self._samples = Samples(np.empty(shape, np.float32), np.empty(shape, np.int32))
         return self._samples
 
