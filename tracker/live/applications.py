@@ -9,6 +9,7 @@ from typing import NamedTuple
 from tracker.applications.stage import ApplicationStage
 from tracker.channels import Closed, Fifo
 from tracker.live.telemetry import Telemetry
+from tracker.live.urgency import run_soon
 from tracker.messages import Estimate
 
 MOST_WAITING = 200  # estimates, 2 s: an application that is too slow loses some
@@ -55,6 +56,7 @@ class ApplicationThread:
         self._stage.close()
 
     def _run(self) -> None:
+        run_soon()
         try:
             while True:
                 fed, self._next = self._next or self._inbox.get(WAIT), None

@@ -99,11 +99,11 @@ class LiveTracker:
         """Start all threads. Once only."""
         for side, reader in self._glove_readers.items():
             name = "glove" if len(self._glove_readers) == 1 else f"glove-{side}"
-            self._threads.start(name, reader.step)
+            self._threads.start(name, reader.step, soon=True)
         self._threads.start("camera", self._camera_reader.step)
         self._threads.start("colours", self._colours.step)
         self._threads.start("vision", self._vision.step)
-        self._threads.start("engine", self._feed)
+        self._threads.start("engine", self._feed, soon=True)
 
     def stop(self, patience: float | None = None) -> None:
         """End all threads, free the devices, finish the recording. May be called again.

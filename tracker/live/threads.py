@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from tracker.channels import Closed
 from tracker.errors import GlovetrackError
+from tracker.live.urgency import run_soon
 
 
 class ThreadGroup:
@@ -28,10 +29,11 @@ class ThreadGroup:
         """Whether the threads were told to end."""
         return self._stopping.is_set()
 
-    def start(self, name: str, step: Callable[[], None]) -> None:
-        """Repeat ``step``, which waits for its work a moment at most, in a thread of this name."""
+    def start(self, name: str, step: Callable[[], None], soon: bool = False) -> None:
+        """Repeat ``step``, which waits for its work a moment at most, in a thread of this name;
+        ``soon``: its work is short and cannot wait."""
         thread = threading.Thread(
-            target=self._run, args=(name, step), name=f"glovetrack-{name}", daemon=True
+            target=self._run, args=(name, step, soon), name=f"glovetrack-{name}", daemon=True
         )
         self._threads.append(thread)
         thread.start()
@@ -46,7 +48,9 @@ class ThreadGroup:
             thread.join()
         self._threads.clear()
 
-    def _run(self, name: str, step: Callable[[], None]) -> None:
+    def _run(self, name: str, step: Callable[[], None], soon: bool) -> None:
+        if soon:
+            run_soon()
         try:
             while not self._stopping.is_set():
                 self._turn(name)

@@ -7,8 +7,11 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.applications.hand import TIPS, HandSample
+from tracker.geometry import so3
 from tracker.geometry.triangles import Triangles, nearest
-from tracker.messages import Array
+from tracker.messages import Array, Validity
+
+LOST = int(Validity.LOST)
 
 
 class Contact(NamedTuple):
@@ -36,12 +39,14 @@ class Pads(NamedTuple):
 
 def pads(hand: HandSample) -> Pads:
     """The last bone's end, as far inside its tip as it is thick."""
-    rows = [(n, hand.point(n), hand.rotation(n)) for n in TIPS]
-    known = [(n, p, R) for n, p, R in rows if p is not None and R is not None]
-    R = np.array([r[2] for r in known]).reshape(-1, 3, 3)
-    radius = np.array([hand.radius[hand.names[r[0]]] for r in known])
-    tip = np.array([r[1] for r in known]).reshape(-1, 3)
-    return Pads([r[0] for r in known], R, tip - radius[:, None] * R[:, :, 0], radius)
+    names = [n for n in TIPS if n in hand.names]
+    rows = np.array([hand.names[n] for n in names], np.int64)
+    there = hand.state[rows] != LOST
+    there &= np.isfinite(hand.p[rows]).all(axis=1) & np.isfinite(hand.q[rows]).all(axis=1)
+    known = rows[there]
+    R, radius = so3.matrix_from_quat(hand.q[known]), hand.radius[known]
+    tips = [n for n, seen in zip(names, there.tolist(), strict=True) if seen]
+    return Pads(tips, R, hand.p[known] - radius[:, None] * R[:, :, 0], radius)
 
 
 class Placed(NamedTuple):
