@@ -11,7 +11,7 @@ from tracker.simulation.shows import SHOWS, show_keys, shown_application
 TOLD = {
     "touch": ["placed", "touch", "release"],
     "arm": ["placed", "clutch", "grab", "lifted", "stop", "go_on"],
-    "swarm": ["placed", "nudge", "dragged", "split", "merge"],
+    "swarm": ["placed", "nudge", "dragged", "stretched", "wall", "split", "cleared", "merge"],
     "place": ["placed", "point", "choose", "touch", "moved", "scaled", "faded", "back"],
 }
 
