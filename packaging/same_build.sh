@@ -10,7 +10,9 @@ sums() { # folder or file
         sha256sum <"$1"
     fi
 }
-if diff <(sums "$1") <(sums "$2") | sed -n 's/^[<>] [0-9a-f]*  //p' | sort -u | grep .; then
+differing=$(diff <(sums "$1") <(sums "$2") | sed -n 's/^[<>] [0-9a-f]*  //p' | sort -u || true)
+if [ -n "$differing" ]; then
+    echo "$differing"
     echo "These differ." >&2
     exit 1
 fi
