@@ -58,7 +58,11 @@ class Machine(NamedTuple):
 
     def start(self, line: str, user: str = "root") -> subprocess.Popen[str]:
         """Run a shell's line there, in a process group of its own."""
-        bound = {"/source": ROOT, "/dist": self.work / "dist", "/wheels": self.work / "wheels"}
+        bound = {
+            "/source": self.work / "source",
+            "/dist": self.work / "dist",
+            "/wheels": self.work / "wheels",
+        }
         words = ["bwrap", "--bind", str(self.root), "/", "--dev", "/dev", "--proc", "/proc"]
         words += ["--bind", str(self.work / "archives"), "/var/cache/apt/archives"]
         for there, here in bound.items():
@@ -276,31 +280,53 @@ def wheels(work: Path) -> None:
         subprocess.run([*words, "-r", str(ROOT / "requirements.lock"), "uv", "pip"], check=True)
 
 
+def source(work: Path) -> None:
+    """What is cloned: the commit that is checked out here."""
+    shutil.rmtree(work / "source", ignore_errors=True)
+    subprocess.run(["git", "clone", "-q", "--bare", str(ROOT), str(work / "source")], check=True)
+
+
+@contextmanager
+def overlay(place: Path, lower: list[Path], upper: Path) -> Iterator[Path]:
+    """Roots one above the other; what is written there lands in ``upper``."""
+    shutil.rmtree(place, ignore_errors=True)
+    for folder in (place / "root", place / "inner", upper):
+        folder.mkdir(parents=True, exist_ok=True)
+    layers = f"lowerdir={':'.join(map(str, lower))},upperdir={upper},workdir={place}/inner"
+    root = place / "root"
+    subprocess.run(["mount", "-t", "overlay", "-o", layers, "overlay", str(root)], check=True)
+    try:
+        yield root
+    finally:
+        subprocess.run(["umount", "--lazy", str(root)], check=False)
+
+
+def prepared(work: Path, way: str) -> Path:
+    """What stands beside a way, installed once: a layer above the minimal Debian."""
+    layer, ready = work / "ready" / way, work / "ready" / f"{way}.done"
+    if ready.exists():
+        return layer
+    shutil.rmtree(layer, ignore_errors=True)
+    with overlay(work / "now", [base(work)], layer) as root:
+        (root / "etc/apt/apt.conf.d/kept").write_text(
+            'Binary::apt::APT::Keep-Downloaded-Packages "true";\nAPT::Sandbox::User "root";\n'
+        )
+        (root / "root/.config/glovetrack").mkdir(parents=True)
+        streams = {"version": 3, "streams": {"udp": True, "udp_port": UDP_PORT}}
+        (root / "root/.config/glovetrack/window.json").write_text(json.dumps(streams))
+        install = "apt-get install -qq -y --no-install-recommends"
+        packages = " ".join(BESIDE[way])
+        Machine(root, work).run(f"apt-get update -qq && {install} {packages} ca-certificates")
+    ready.touch()
+    return layer
+
+
 @contextmanager
 def fresh(work: Path, way: str) -> Iterator[Machine]:
     """A clean machine with what stands beside its way, gone afterwards."""
-    place = work / "now"
-    shutil.rmtree(place, ignore_errors=True)
-    for name in ("upper", "inner", "root"):
-        (place / name).mkdir(parents=True)
-    layers = f"lowerdir={base(work)},upperdir={place}/upper,workdir={place}/inner"
-    subprocess.run(["mount", "-t", "overlay", "-o", layers, "overlay", place / "root"], check=True)
-    try:
-        machine = Machine(place / "root", work)
-        # As a Debian that somebody uses: its lists are there, and archives are kept.
-        (machine.root / "etc/apt/apt.conf.d/kept").write_text(
-            'Binary::apt::APT::Keep-Downloaded-Packages "true";\nAPT::Sandbox::User "root";\n'
-        )
-        (machine.root / "root/.config/glovetrack").mkdir(parents=True)
-        streams = {"version": 3, "streams": {"udp": True, "udp_port": UDP_PORT}}
-        (machine.root / "root/.config/glovetrack/window.json").write_text(json.dumps(streams))
-        packages = " ".join(BESIDE[way])
-        machine.run(
-            f"apt-get update -qq && apt-get install -qq -y --no-install-recommends {packages}"
-        )
-        yield machine
-    finally:
-        subprocess.run(["umount", "--lazy", place / "root"], check=False)
+    lower = [prepared(work, way), base(work)]
+    with overlay(work / "now", lower, work / "now" / "upper") as root:
+        yield Machine(root, work)
 
 
 def main() -> None:
@@ -315,6 +341,9 @@ def main() -> None:
     (work / "dist").symlink_to(args.dist.resolve())
     base(work)
     wheels(work)
+    source(work)
+    for way in args.ways or WAYS:
+        prepared(work, way)
     xvfb = ["Xvfb", DISPLAY, "-screen", "0", "1440x900x24", "-nolisten", "tcp"]
     screen = subprocess.Popen(xvfb, stderr=subprocess.DEVNULL)
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
