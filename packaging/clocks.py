@@ -314,7 +314,9 @@ def prepared(work: Path, way: str) -> Path:
         (root / "root/.config/glovetrack").mkdir(parents=True)
         streams = {"version": 3, "streams": {"udp": True, "udp_port": UDP_PORT}}
         (root / "root/.config/glovetrack/window.json").write_text(json.dumps(streams))
-        install = "apt-get install -qq -y --no-install-recommends"
+        install = (
+            "apt-get -o Dpkg::Options::=--force-unsafe-io install -qq -y --no-install-recommends"
+        )
         packages = " ".join(BESIDE[way])
         Machine(root, work).run(f"apt-get update -qq && {install} {packages} ca-certificates")
     ready.touch()
