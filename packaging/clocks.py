@@ -37,16 +37,19 @@ UDP_PORT = 9750
 PATIENCE = 900.0  # s
 TICKS = os.sysconf("SC_CLK_TCK")
 DRIVERS = ["libegl1", "libegl-mesa0", "libgl1", "libglx-mesa0", "fonts-dejavu-core"]
+SCREEN = [
+    *DRIVERS, "libdbus-1-3", "libfontconfig1", "libglib2.0-0", "libx11-6", "libx11-xcb1",
+    "libxcb-cursor0", "libxcb-icccm4", "libxcb-image0", "libxcb-keysyms1", "libxcb-randr0",
+    "libxcb-render-util0", "libxcb-shape0", "libxcb-xkb1", "libxkbcommon0", "libxkbcommon-x11-0",
+]  # fmt: skip
+"""What a Debian with a desktop has; a minimal one that has a screen lacks it."""
 BESIDE = {
-    "clone": ["git", "make", "g++", "python3-dev", "python3-venv", "ca-certificates"],
-    "clone-without-compiler": ["git", "make", "python3-venv", "ca-certificates"],
-    "wheel": ["python3-venv", *DRIVERS, "libglib2.0-0", "libxkbcommon-x11-0", "libdbus-1-3",
-              "libxcb-cursor0", "libxcb-icccm4", "libxcb-image0", "libxcb-keysyms1",
-              "libxcb-randr0", "libxcb-render-util0", "libxcb-shape0", "libxcb-xkb1",
-              "libfontconfig1"],
+    "clone": ["git", "make", "g++", "python3-dev", "python3-venv", *SCREEN],
+    "clone-without-compiler": ["git", "make", "python3-venv", *SCREEN],
+    "wheel": ["python3-venv", *SCREEN],
     "deb": [],
     "folder": DRIVERS,
-}  # fmt: skip
+}
 """Debian's packages that a fresh machine of each way has already."""
 
 
