@@ -45,31 +45,32 @@ UNKNOWN = b"\x99" + struct.pack("<Q", 0)
 
 
 @pytest.mark.parametrize(
-    ("content", "count"),
+    ("content", "count", "share"),
     [
-        (bytes(200 * 2**20), 1),
-        (bytes(4 * 2**20), 200),
-        (UNKNOWN * (20 * 10**6), 1),
-        (EMPTY_MESSAGE * (6 * 10**6), 1),
-        (EMPTY_MESSAGE * 900, 10_000),
+        (bytes(200 * 2**20), 1, 1.0),
+        (bytes(4 * 2**20), 200, 1.0),
+        (UNKNOWN * (20 * 10**6), 1, 1.0),
+        (EMPTY_MESSAGE * (6 * 10**6), 1, 1.0),
+        (EMPTY_MESSAGE * 900, 2_500, 0.25),
     ],
     ids=["one of zeros", "many of zeros", "unknown", "one of messages", "very many"],
 )
 def test_chunks_that_swell_into_records_are_bounded(
-    tmp_path: Path, content: bytes, count: int
+    tmp_path: Path, content: bytes, count: int, share: float
 ) -> None:
+    """``share``: of the time and memory that a file may take, where the file is that much shorter."""
     path = tmp_path / "bomb.mcap"
     path.write_bytes(MAGIC + HEADER + chunk(content) * count)
     content = b""
     started = time.process_time()
     for words in (["info"], ["verify"], ["export", "--format", "csv", "-o", str(tmp_path / "o")]):
         main([words[0], str(path), *words[1:]])
-    assert time.process_time() - started < 3 * SECONDS
+    assert time.process_time() - started < 3 * SECONDS * share
     tracemalloc.start()
     verify(path)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert peak < BYTES
+    assert peak < BYTES * share
 
 
 def attached(path: Path, session_info, **texts: str) -> Path:

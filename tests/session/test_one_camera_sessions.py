@@ -70,7 +70,7 @@ def test_a_measured_hand_has_its_length(one: Path, tmp_path: Path, capsys) -> No
 
 
 def test_without_a_camera_there_is_the_glove_alone(tmp_path: Path) -> None:
-    source = simulate(tmp_path / "none.mcap", "--lenses", "none", "--guided")
+    source = simulate(tmp_path / "none.mcap", "--lenses", "none")
     with SessionReader(source) as reader:
         assert not [name for name in reader.topic_names if name.startswith("/camera")]
         assert not any(isinstance(m, BlobFrame) for m in reader.messages())

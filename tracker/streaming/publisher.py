@@ -6,14 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from tracker.errors import GlovetrackError
 from tracker.gestures.recogniser import GestureRecogniser
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.hand.openxr import joint_radii
 from tracker.messages import Estimate, Validity
+from tracker.streaming.connection import LOOPBACK as LOOPBACK
+from tracker.streaming.connection import StreamError as StreamError
 
-LOOPBACK = "127.0.0.1"
 OWN, OPENXR = JOINT_SETS = ("own", "openxr")
 """What a message tells of a hand: its keypoints in G, or OpenXR's 26 joints in OpenXR's world."""
 
@@ -22,10 +22,6 @@ STATE_WORDS = {
     Validity.INFERRED: "inferred",
     Validity.MEASURED: "measured",
 }
-
-
-class StreamError(GlovetrackError):
-    """A stream cannot be opened or has failed."""
 
 
 class Publisher(Protocol):

@@ -6,7 +6,7 @@ import json
 import socket
 from typing import Any
 
-from tracker.streaming.publisher import StreamError
+from tracker.streaming.connection import StreamError
 from tracker.streaming.remote.params import RemoteParams
 
 ANSWER_BYTES = 65536

@@ -16,7 +16,7 @@ from concurrent.futures import Future
 from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from tracker.streaming.publisher import StreamError
+from tracker.streaming.connection import StreamError
 from tracker.streaming.remote import osc
 from tracker.streaming.remote.reception import Answer, DoorCounts, Reception
 from tracker.streaming.remote.request import MOST_BYTES, Reply, Request, parse

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from tracker.errors import ConfigError
-from tracker.streaming.publisher import LOOPBACK, StreamError
+from tracker.streaming.connection import LOOPBACK, StreamError
 from tracker.streaming.remote.doors import (
     Door,
     WebSocketDoor,
