@@ -1,12 +1,16 @@
 """Each kernel against its plain twin: the same source, run by Python and numpy.
 
-To be imported before any kernel. The first call of a kernel out of a test's own thread, and with
+To be imported before any kernel. A kernel's first call of a run out of a test's own thread, with
 arrays of no more than ``most`` numbers, is made twice: compiled, and plain with all kernels that it
 calls plain too. Results and what was written into arguments must agree, and plain kernels can write
 only to what their annotations say they write to. A run of all tests fails where a kernel that
 Python calls was never compared, and where the product calls one with other types than those that it
 was compiled for: a user would wait for a compiler there. Programs that tests start are not
 concerned.
+
+A kernel that only kernels call runs plain where a test calls it with small arrays: the product has
+it compiled inside of others alone, where it is compared, and numba would take seconds, up to 13 for
+one of them, to compile it by itself in each process.
 """
 
 from __future__ import annotations
@@ -36,6 +40,9 @@ PACKAGE = str(Path(decorator.__file__).parents[1].parent)
 
 MOST = 100_000
 """Numbers in all arrays of a call: Python takes microseconds for each."""
+
+FEW = 5_000
+"""The same, where Python alone does the work."""
 
 CLOSE = 1e-9
 """Relative to the largest number of an array: sums in another order, and another LAPACK."""
@@ -71,6 +78,11 @@ class Twins:
     def is_small(self, args: tuple[Any, ...]) -> bool:
         return _numbers(args) <= self.most
 
+    def was_compared(self, kernel: Any) -> bool:
+        """By another process of this run: a kernel of the product is compared once."""
+        done, name = Path(os.environ[DONE]), _name(kernel)
+        return is_ours(name) and done.exists() and name in done.read_text("utf-8").splitlines()
+
     def compare(self, kernel: Any, args: tuple[Any, ...]) -> Any:
         """The kernel's result, if the twin's is the same."""
         name = _name(kernel)
@@ -84,6 +96,11 @@ class Twins:
         with Path(os.environ[DONE]).open("a", encoding="utf-8") as done:
             done.write(f"{name}\n")
         return result
+
+    def plain(self, kernel: Any, args: tuple[Any, ...]) -> Any:
+        """What the twin makes of ``args``, with what it writes in them."""
+        with np.errstate(all="ignore"):
+            return self._twin(kernel)(*_guarded(kernel.py_func, args, _view))
 
     def _twin(self, kernel: Any) -> FunctionType:
         """A kernel's Python function in a world without compiled kernels."""
@@ -117,10 +134,22 @@ class Compared:
         self._kernel, self._twins, self._is_done = kernel, twins, False
 
     def __call__(self, *args: Any, **named: Any) -> Any:
+        if self._runs_plain and not named and _numbers(args) <= FEW:
+            return self._twins.plain(self._kernel, args)
         if self._is_done or named or not self._can_be_compared(args):
             return self._kernel(*args, **named)
         self._is_done = True
+        if self._twins.was_compared(self._kernel):
+            return self._kernel(*args)
         return self._twins.compare(self._kernel, args)
+
+    @functools.cached_property
+    def _runs_plain(self) -> bool:
+        """Only kernels call it; asked of the source where the library has not got it."""
+        name, made = _name(self._kernel), decorator._library()
+        if made is None or not is_ours(name) or name in made._entries:
+            return False
+        return name not in _exported()
 
     def _can_be_compared(self, args: tuple[Any, ...]) -> bool:
         in_test = threading.current_thread() is threading.main_thread()
@@ -153,6 +182,11 @@ def _caller() -> str:
     while frame.f_back is not None and frame.f_code.co_filename in (__file__, library.__file__):
         frame = frame.f_back
     return f"{frame.f_code.co_filename}:{frame.f_lineno}"
+
+
+@functools.cache
+def _exported() -> frozenset[str]:
+    return frozenset(exported.exported())
 
 
 def _name(kernel: Any) -> str:

@@ -58,7 +58,7 @@ UNKNOWN = b"\x99" + struct.pack("<Q", 0)
 def test_chunks_that_swell_into_records_are_bounded(
     tmp_path: Path, content: bytes, count: int, share: float
 ) -> None:
-    """``share``: of the time and memory that a file may take, where the file is that much shorter."""
+    """``share``: of the time and memory that a file may take, where it is that much shorter."""
     path = tmp_path / "bomb.mcap"
     path.write_bytes(MAGIC + HEADER + chunk(content) * count)
     content = b""
