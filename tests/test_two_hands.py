@@ -40,6 +40,12 @@ class Track:
 
     estimates: list[Estimate] = field(default_factory=list)
 
+    @property
+    def tracked(self) -> np.ndarray:
+        """(n,) bool, of the same instants as `off`."""
+        late = [e for e in self.estimates if e.t > SETTLED]
+        return np.array([e.tracking == Tracking.TRACKING for e in late])
+
     def off(self, sim: TwoHandsSimulation, side: str) -> np.ndarray:
         """(n,) m, means over the hand's 21 keypoints, once it has settled."""
         late = [e for e in self.estimates if e.t > SETTLED]
@@ -88,14 +94,15 @@ def longest(wrong: np.ndarray, period: float) -> float:
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_hands_that_cross_and_hide_one_another_are_tracked_as_well_as_alone(seed: int) -> None:
-    """In these two a hand lies wholly under the other for two seconds; there it may be lost."""
+    """In these two a hand lies wholly under the other for two seconds; there its IMUs carry it on
+    for a while, and then it may be lost."""
     sim = simulated(seed, 8.0)
     together = tracked(two(sim), sim.messages())
     for side in SIDES:
         off, free = together[side].off(sim, side), alone(sim, side).off(sim, side)
-        known = np.isfinite(off)
-        assert np.mean(off[known]) < 1.2 * np.mean(free[known]) + 0.001
-        assert known.mean() > 0.7
+        seen = together[side].tracked
+        assert np.mean(off[seen]) < 1.2 * np.mean(free[seen]) + 0.001
+        assert seen.mean() > 0.7 and np.isfinite(off).mean() > 0.75
         # the palms' middles are 2 to 25 cm apart: an exchange or a pull shows as 35 mm
         assert longest(off > 0.035, 0.05) <= 0.2
 

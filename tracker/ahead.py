@@ -70,4 +70,6 @@ class Ahead:
             hue_rows(glove.hues, frame.hue_names)[glove.marker_hue[ids]],
             found.sd,
             PosedHand(self._shape, estimate.segment_R, estimate.segment_p),
+            ids,
+            len(glove.markers),
         )

@@ -145,7 +145,11 @@ class RejectedBlobs(_Frozen):
 @record("blob_frame")
 @dataclass(frozen=True, eq=False, slots=True)
 class BlobFrame(_Frozen):
-    """What the detector found in one stereo exposure. A side without an image is None."""
+    """What the detector found in one stereo exposure. A side without an image is None.
+
+    ``unhidden`` (2, M), where there is another hand: the factor by which that one, standing before
+    them, lessens the probability that the left and the right camera see each marker of this one.
+    """
 
     t: float
     t_arrival: float
@@ -156,6 +160,7 @@ class BlobFrame(_Frozen):
     rejected_left: RejectedBlobs | None = None
     rejected_right: RejectedBlobs | None = None
     index: int = -1
+    unhidden: Array | None = None
 
 
 @record("frame_result")

@@ -10,8 +10,8 @@ from tracker.cli import main
 from tracker.evaluation.hands.command import summary, table
 from tracker.evaluation.hands.trial import HandFigures, longest
 
-GOOD = HandFigures(1, "left", 4.0, 4.0, 1.0, 1.0, 0.0)
-PULLED = HandFigures(1, "right", 6.0, 4.0, 0.9, 0.8, 1.5)
+GOOD = HandFigures(1, "left", 4.0, 4.0, 4.0, 1.0, 1.0, 0.0)
+PULLED = HandFigures(1, "right", 6.0, 4.0, 5.0, 0.9, 0.8, 1.5)
 
 
 def test_the_longest_run_counts_not_the_sum() -> None:
@@ -25,6 +25,7 @@ def test_goals_are_met_by_good_pairs_and_missed_by_one_that_is_pulled() -> None:
     assert summary([GOOD, GOOD])["ok"]
     found = summary([GOOD, PULLED])
     assert not found["ok"] and found["ratio"] == pytest.approx(1.25)
+    assert found["confusion"] == pytest.approx(10 / 9)
     assert found["longest_off_s"] == 1.5
     assert len(table([GOOD, PULLED], found)) == 4
 
@@ -35,7 +36,9 @@ def test_a_pair_is_tracked_by_the_command(tmp_path: Path) -> None:
     assert main(["evaluate", "hands", *words]) == 0
     found = json.loads(said.read_text())
     assert [row["side"] for row in found["rows"]] == ["left", "right"]
-    assert all(row["together_mm"] < 15 for row in found["rows"])
+    for row in found["rows"]:
+        assert row["together_mm"] < 15
+        assert row["confusion"] < 1.1, "what the other hand's markers cost"
 
 
 def test_an_unknown_engine_is_told(capsys: pytest.CaptureFixture[str]) -> None:

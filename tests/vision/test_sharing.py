@@ -23,7 +23,8 @@ def hand(points: np.ndarray, sd: float = 0.003, away: float = 0.05) -> HandInVie
     shape = HandShape(np.array([0.01]), np.array([0.005]), np.zeros(1))
     body = PosedHand(shape, np.eye(3)[None], points[:1] - away * TO_CAMERA)
     rows = MarkerRows(points, np.tile(TO_CAMERA, (len(points), 1)), np.zeros(len(points), np.int64))
-    return HandInView(rows, np.zeros(len(points), np.int64), np.full(len(points), sd), body)
+    n = len(points)
+    return HandInView(rows, np.zeros(n, np.int64), np.full(n, sd), body, np.arange(n), n)
 
 
 def seen(points: np.ndarray) -> BlobFrame:

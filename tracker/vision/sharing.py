@@ -35,12 +35,15 @@ class SharingParams:
 
 class HandInView(NamedTuple):
     """A hand as it is expected in an image: markers (m rows) with hue (m,), numbered as the image's
-    blobs, and sd (m,) m; and its segments, which hide what is behind them."""
+    blobs, and sd (m,) m; its segments, which hide what is behind them; and which ids (m,) of the
+    glove's ``total`` markers they are."""
 
     markers: MarkerRows
     hue: IntArray
     sd: Array
     body: PosedHand
+    ids: IntArray
+    total: int
 
 
 class _Markers(NamedTuple):
@@ -69,15 +72,35 @@ def share(
     known = [(i, hand) for i, hand in enumerate(hands) if hand is not None]
     if not known:
         return [frame for _ in hands]
-    left, right = _expected(known, rig, pose, params)
+    prior = _priors([hand for _, hand in known], rig, pose)
+    left, right = _expected(known, prior, rig, pose, params)
     owners = (
         owners_of(frame.left, left, rig.left, params),
         owners_of(frame.right, right, rig.right, params),
     )
-    return [
+    out = [
         replace(frame, left=_own(frame.left, owners[0], i), right=_own(frame.right, owners[1], i))
         for i in range(len(hands))
     ]
+    for (i, hand), p in zip(known, prior, strict=True):
+        if len(known) > 1:
+            out[i] = replace(out[i], unhidden=_unhidden(hand, p, rig, pose))
+    return out
+
+
+def _priors(hands: Sequence[HandInView], rig: StereoRig, pose: CameraPose) -> list[Array]:
+    """(2, m) of each hand's markers to be seen: hands hide one another."""
+    markers, body = _together(hands)
+    prior = visibility(body, markers, rig, pose)
+    return np.split(prior, np.cumsum([len(h.hue) for h in hands])[:-1], axis=1)
+
+
+def _unhidden(hand: HandInView, prior: Array, rig: StereoRig, pose: CameraPose) -> Array:
+    """(2, total) of the glove's markers: what of their ``prior`` (2, m) the other hand leaves."""
+    alone = visibility(hand.body, hand.markers, rig, pose)
+    out = np.ones((2, hand.total))
+    out[:, hand.ids] = np.where(alone > 0.0, prior / np.maximum(alone, 1e-12), 1.0)
+    return out
 
 
 def _own(blobs: Blobs | None, owner: IntArray, hand: int) -> Blobs | None:
@@ -122,15 +145,18 @@ def _costs(uv: Array, hue: IntArray, markers: _Markers, params: SharingParams) -
 
 
 def _expected(
-    known: Sequence[tuple[int, HandInView]], rig: StereoRig, pose: CameraPose, params: SharingParams
+    known: Sequence[tuple[int, HandInView]],
+    priors: Sequence[Array],
+    rig: StereoRig,
+    pose: CameraPose,
+    params: SharingParams,
 ) -> tuple[_Markers, _Markers]:
-    """The markers of all hands in the left and the right image; each hand hides the others'."""
+    """The markers of all hands in the left and the right image, with their ``priors`` (2, m)."""
     hands = [hand for _, hand in known]
-    markers, body = _together(hands)
     number = np.concatenate([np.full(len(h.hue), i, np.int64) for i, h in known])
     hue = np.concatenate([h.hue for h in hands])
-    prior = visibility(body, markers, rig, pose)
-    p_C = (markers.p_G - pose.p_GC) @ pose.R_GC
+    prior = np.concatenate(priors, axis=1)
+    p_C = (np.concatenate([h.markers.p_G for h in hands]) - pose.p_GC) @ pose.R_GC
     variance = np.concatenate([h.sd for h in hands]) ** 2 + params.placement_sd**2
     out = []
     for c in range(2):

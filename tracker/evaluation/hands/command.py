@@ -21,7 +21,8 @@ def add_evaluate_hands(protocols: Any) -> None:
     """Adds ``hands`` to the sub-parsers of ``evaluate``."""
     parser: argparse.ArgumentParser = protocols.add_parser(
         "hands",
-        help="two simulated hands that cross and hide one another, against each alone",
+        help="two simulated hands that cross and hide one another, against each alone, and against "
+        "each where the other one hides it and shows no markers",
     )
     parser.add_argument("--pairs", type=int, default=20, metavar="N")
     parser.add_argument("--seconds", type=float, default=20.0, metavar="S", help="of each pair")
@@ -61,12 +62,15 @@ def summary(rows: Sequence[HandFigures]) -> dict[str, Any]:
     """For programs: each hand, means over all, and whether the goals are met."""
     together = sum(r.together_mm for r in rows) / len(rows)
     alone = sum(r.alone_mm for r in rows) / len(rows)
+    covered = sum(r.covered_mm for r in rows) / len(rows)
     longest = max(r.longest_off_s for r in rows)
     return {
-        "rows": [asdict(r) | {"ratio": r.ratio} for r in rows],
+        "rows": [asdict(r) | {"ratio": r.ratio, "confusion": r.confusion} for r in rows],
         "together_mm": together,
         "alone_mm": alone,
+        "covered_mm": covered,
         "ratio": together / alone,
+        "confusion": together / covered,
         "longest_off_s": longest,
         "ok": together <= LONGEST_RATIO * alone and longest <= LONGEST_OFF,
     }
@@ -75,14 +79,17 @@ def summary(rows: Sequence[HandFigures]) -> dict[str, Any]:
 def table(rows: Sequence[HandFigures], found: dict[str, Any]) -> list[str]:
     """For people."""
     head = f"{'pair':>5} {'hand':<6}{'together mm':>12}{'alone mm':>10}{'ratio':>7}"
+    head += f"{'covered mm':>12}{'ratio':>7}"
     lines = [head + f"{'known':>8}{'tracked':>9}{'off, longest s':>16}"]
     for r in rows:
         lines.append(
             f"{r.seed:>5} {r.side:<6}{r.together_mm:>12.2f}{r.alone_mm:>10.2f}{r.ratio:>7.2f}"
+            f"{r.covered_mm:>12.2f}{r.confusion:>7.2f}"
             f"{r.known:>8.1%}{r.tracked:>9.1%}{r.longest_off_s:>16.2f}"
         )
     lines.append(
         f"{'all':>5} {'':<6}{found['together_mm']:>12.2f}{found['alone_mm']:>10.2f}"
-        f"{found['ratio']:>7.2f}{'':>17}{found['longest_off_s']:>16.2f}"
+        f"{found['ratio']:>7.2f}{found['covered_mm']:>12.2f}{found['confusion']:>7.2f}"
+        f"{'':>17}{found['longest_off_s']:>16.2f}"
     )
     return lines

@@ -1,4 +1,4 @@
-"""One simulated pair of hands tracked together, and each of them alone."""
+"""One simulated pair of hands tracked together, and each of them alone and covered."""
 
 from __future__ import annotations
 
@@ -26,14 +26,16 @@ EXCHANGED_MM = 35.0  # a hand farther off than this is at the other's markers, o
 
 @dataclass(frozen=True)
 class HandFigures:
-    """Of one hand over one trial: mean errors (mm) together and alone over instants at which its
-    position is known in both, ``known`` and ``tracked`` shares of the instants, and the longest
-    time (s) for which it is off by more than `EXCHANGED_MM`."""
+    """Of one hand over one trial: mean errors (mm) together, alone, and covered (where the other
+    hand hides it as it does, and brings no markers) over instants at which its position is known in
+    each; ``known`` and ``tracked`` shares of the instants; and the longest time (s) for which it is
+    off by more than `EXCHANGED_MM`."""
 
     seed: int
     side: str
     together_mm: float
     alone_mm: float
+    covered_mm: float
     known: float
     tracked: float
     longest_off_s: float
@@ -41,6 +43,11 @@ class HandFigures:
     @property
     def ratio(self) -> float:
         return self.together_mm / self.alone_mm
+
+    @property
+    def confusion(self) -> float:
+        """What the other hand's markers cost, beside what it hides."""
+        return self.together_mm / self.covered_mm
 
 
 @dataclass(frozen=True)
@@ -64,19 +71,26 @@ def run_trial(
     sim = TwoHandsSimulation(dressed, seed, seconds, fps)
     together = _together(sim, engine)
     return [
-        _figures(seed, side, _shown(sim.hands[side], together[side]), _alone(sim, side, engine))
+        _figures(
+            seed,
+            side,
+            _shown(sim.hands[side], together[side]),
+            _by_itself(sim.alone[side], engine),
+            _by_itself(sim.hands[side], engine),
+        )
         for side in SIDES
     ]
 
 
-def _figures(seed: int, side: str, both: _Shown, alone: _Shown) -> HandFigures:
+def _figures(seed: int, side: str, both: _Shown, alone: _Shown, covered: _Shown) -> HandFigures:
     known = np.isfinite(both.off_mm)
-    common = known & np.isfinite(alone.off_mm)
+    common = known & np.isfinite(alone.off_mm) & np.isfinite(covered.off_mm)
     return HandFigures(
         seed,
         side,
         float(both.off_mm[common].mean()),
         float(alone.off_mm[common].mean()),
+        float(covered.off_mm[common].mean()),
         float(known.mean()),
         float(both.tracked.mean()),
         longest(both.t, both.off_mm > EXCHANGED_MM),
@@ -112,8 +126,8 @@ def _together(sim: TwoHandsSimulation, engine: str) -> dict[str, list[Estimate]]
     return out
 
 
-def _alone(sim: TwoHandsSimulation, side: str, engine: str) -> _Shown:
-    hand = sim.alone[side]
+def _by_itself(hand: Simulation, engine: str) -> _Shown:
+    """Of a simulated hand whose blobs alone are seen."""
     pipeline, out = _make(hand, engine), []
     for message in hand.feed():
         if isinstance(message, BlobFrame):

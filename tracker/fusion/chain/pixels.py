@@ -88,8 +88,10 @@ class PixelModel:
         """From now on with a wearer's own synergies, as `Completion.wear`."""
         self._complete.wear(gains, aside)
 
-    def predict(self, state: ChainState, pose: CameraPose) -> Prediction:
-        """Where markers should be."""
+    def predict(
+        self, state: ChainState, pose: CameraPose, unhidden: Array | None = None
+    ) -> Prediction:
+        """Where markers should be; ``unhidden`` as a `BlobFrame` has it."""
         lay, rig, noise = self._layout, self._rig, self._noise.pixel
         view, markers, body = PosedRig.of(rig, pose), marker_points(state, lay), state.body
         p_GB, p_G, normal_G, p_C, uv = viewed(
@@ -98,6 +100,8 @@ class PixelModel:
         R_all, p_all, *_ = self._complete(state.R_GB, p_GB, state.scale3())
         seen = MarkerRows(p_G, normal_G, self._segment)
         prior = visibility_at(uv, PosedHand(self._shape, R_all, p_all), seen, rig, pose)
+        if unhidden is not None:
+            prior *= unhidden
         A = pixel_jacobians(p_C, view)
         rows, H, HP, cov, S = expected(
             lay.skeleton, lay.blocks, body, markers, state.P, prior, A, noise

@@ -97,7 +97,7 @@ class Recognition:
 
     def follow(self, state: ChainState, image: SeenImage) -> Recognised:
         """Blobs near where ``state`` expects markers, or where the last image left them."""
-        prediction = self._pixels.predict(state, image.pose)
+        prediction = self._pixels.predict(state, image.pose, image.frame.unhidden)
         compared, previous = prediction, self.kept.previous
         if previous is not None:
             compared = previous.at(image.frame.t, self._params.prior.velocity)
@@ -105,7 +105,7 @@ class Recognition:
 
     def look(self, state: ChainState, image: SeenImage) -> Recognised:
         """Blobs near where ``state`` expects markers, whatever was before."""
-        prediction = self._pixels.predict(state, image.pose)
+        prediction = self._pixels.predict(state, image.pose, image.frame.unhidden)
         return Recognised(prediction, self._pixels.match(prediction, image.blobs))
 
     def evidence(self, image: SeenImage, found: Recognised) -> Evidence:
