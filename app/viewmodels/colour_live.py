@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 
-from app.engines.engine import EngineSetup, one_camera
+from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_fits import Fit, FitWork
 from app.words import tr
@@ -46,7 +46,7 @@ class LiveImages:
         if not self._setup.whole:
             raise ConfigError(
                 tr(
-                    "Fitting to what is seen needs the glove and both cameras, calibrated. "
+                    "Fitting to what is seen needs the glove and its camera, calibrated. "
                     "Fit to one image instead."
                 )
             )
@@ -56,10 +56,8 @@ class LiveImages:
         """Take the latest images and all packets that came meanwhile."""
         self._take_packets(view)
         frame = view.frame
-        if frame is None or frame.left is None:
-            return
-        if frame.right is None and not one_camera(self._setup, frame):
-            return
+        if frame is None or (frame.left is None and frame.right is None):
+            return  # one of two may be covered
         if self._frames and not 0 <= frame.t - self._frames[-1].t <= MOST_IMAGES * GAP:
             self._frames.clear()  # a replay was moved, or the panel was out of sight
         if not self._frames or frame.t - self._frames[-1].t >= APART:

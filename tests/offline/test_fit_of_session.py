@@ -1,5 +1,7 @@
 """Colours that fit themselves to photographs of a desk, against the truth about them."""
 
+from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +10,11 @@ import pytest
 from tests.benchmarks.desk import detection, folder, load, tracked
 from tracker import library
 from tracker.calibration.colours_image import learn_image
+from tracker.messages import ImuSample, StereoFrame
 from tracker.offline.colours import check_session, fit_session
+from tracker.offline.colours_fit import Sensed, Worn, fit_messages
+from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.scenario import Simulation
 from tracker.vision.colours import (
     LEARNED_CELLS,
     ROOM,
@@ -18,6 +24,8 @@ from tracker.vision.colours import (
     parse_profile,
     profile_to_toml,
 )
+from tracker.vision.lenses import with_one_camera
+from tracker.vision.rig import ideal_rig
 
 SCENES = folder()
 needs_data = pytest.mark.skipif(SCENES is None, reason="needs the photographs of a desk")
@@ -58,3 +66,46 @@ def test_one_image_is_enough_to_learn_from(name: str) -> None:
     profile, _ = learn_image(image, FACTORY, 0.012, scene.info.rig.fx)
     assert detection(scene, profile, 6).recall >= 0.85
     assert tracked(scene, profile).longest_wrong <= 0.1
+
+
+LAMP = np.array([0.75, 1.0, 1.15])  # of blue, green and red
+
+
+@lru_cache(maxsize=1)
+def under_a_lamp() -> tuple[Worn, tuple[ImuSample | StereoFrame, ...]]:
+    """A simulated hand for a second, in light that the factory's colours are not made for."""
+    hand, glove = library.load()
+    sim = Simulation(hand, glove, RandomPostures(hand, 2, duration=0.9), 2, fps=8)
+    messages: list[ImuSample | StereoFrame] = []
+    for m in sim.feed(images=True):
+        if isinstance(m, StereoFrame):
+            assert m.left is not None and m.right is not None
+            lit = [np.clip(x * LAMP, 0, 255).astype(np.uint8) for x in (m.left, m.right)]
+            messages.append(replace(m, left=lit[0], right=lit[1]))
+        elif isinstance(m, ImuSample):
+            messages.append(m)
+    return Worn(hand, glove, sim.rig), tuple(messages)
+
+
+def seen_by(cameras: str) -> tuple[Worn, list[Sensed]]:
+    """The same with the left camera alone, or beside one without colours."""
+    worn, messages = under_a_lamp()
+    out: list[Sensed] = []
+    for m in messages:
+        if isinstance(m, StereoFrame):
+            assert m.right is not None
+            grey = np.repeat(m.right[..., 1:2], 3, axis=2)
+            m = replace(m, right=None if cameras == "one" else grey)
+        out.append(m)
+    return (worn._replace(rig=with_one_camera(ideal_rig())) if cameras == "one" else worn), out
+
+
+@pytest.mark.parametrize("cameras", ["one", "infrared"])
+def test_one_camera_is_enough_to_fit_to(cameras: str) -> None:
+    """And markers that it shows count, as those do that two cameras show: some that the factory's
+    colours miss are found."""
+    worn, messages = seen_by(cameras)
+    fit = fit_messages(messages, worn, FACTORY)
+    assert fit.after.sure > 15
+    assert fit.after.sure > fit.before.sure + 0.5
+    assert fit.after.tracked == fit.after.images >= 6

@@ -1,6 +1,6 @@
 """Colours that fit themselves to a recording, or to a few live images with the packets around them.
 
-Wide colours find a hand that IMUs, both cameras and the hand's build agree on; each of its markers
+Wide colours find a hand that IMUs, cameras and the hand's build agree on; each of its markers
 labels the pixels where it stands; from those the colours are learned. They are tried on images that
 they were not learned from, and refused where they explain fewer markers or more of the room.
 """
@@ -38,6 +38,7 @@ from tracker.vision.rig import StereoRig
 Sensed = ImuSample | StereoFrame
 LEAST_IMAGES = 2  # with a hand that is sure, to learn from
 LEAST_SHARE = 0.6  # of the markers that should be seen
+SHOWS = 0.2  # of the markers that the other camera shows, for a camera that shows the hand at all
 ROUNDS = 2  # of learning and looking again
 
 
@@ -67,7 +68,7 @@ class ColourCheck:
     images: int
     tracked: int
     hues: tuple[HueCheck, ...]
-    sure: float  # markers found by each camera, per image, with a hand or without
+    sure: float  # markers found by each camera that shows the hand, per image
 
     @property
     def found(self) -> float:
@@ -116,6 +117,14 @@ class Looked:
         """Markers found per image."""
         return sum(_found(r).sum() for r in self.results) / max(self.images, 1)
 
+    @property
+    def showing(self) -> NDArray[np.bool_]:
+        """(2,) bool: whether the left and the right camera show the hand at all: one may be
+        covered, or see no colours."""
+        found = np.sum([_by_camera(r).sum(axis=1) for r in self.results], axis=0, initial=0)
+        there = np.broadcast_to(found, 2)
+        return np.asarray((there > 0) & (there >= SHOWS * there.max()))
+
 
 def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile) -> SessionFit:
     """Colours for these packets and images, in the order of feeding.
@@ -137,12 +146,14 @@ def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile)
         if len(best.frames) < min(LEAST_IMAGES, best.images):
             raise GlovetrackError(
                 "The colours could not be fitted: no hand was found for sure, whatever the light. "
-                "Hold the hand flat and still in view of both cameras, in more or whiter light."
+                f"Hold the hand flat and still in view of {_cameras(worn)}, in more or whiter "
+                "light."
             )
         samples = _samples(best, worn, fitted.hue_names, odd=len(best.frames) < 4 or turn > 0)
         fitted, patches = learn(fitted, samples), samples.patches
         best = look(messages, worn, fitted)
-    old, new = checked(before, worn, profile), checked(best, worn, fitted)
+    showing = before.showing | best.showing
+    old, new = (checked(p, worn, c, showing) for p, c in ((before, profile), (best, fitted)))
     if _is_worse(new, old):
         raise GlovetrackError(
             f"The colours stay as they are: fitted ones find {new.sure:.1f} markers in an image "
@@ -163,8 +174,9 @@ def _starts(profile: ColourProfile) -> Iterator[ColourProfile]:
 def _is_worse(new: ColourCheck, old: ColourCheck) -> bool:
     """Whether colours explain fewer markers or more of the room than others of the same images.
 
-    Markers that one camera shows do not count: among many other things of their colour some are
-    found by chance, which would speak for the colours that find the most of everything.
+    Where two cameras show the hand, markers that only one of them shows do not count: among many
+    other things of their colour some are found by chance, which would speak for the colours that
+    find the most of everything.
     """
     fewer, same = new.sure < old.sure - 0.25, new.sure < old.sure + 0.5
     return fewer or (same and new.clashing > old.clashing + 1)
@@ -172,7 +184,8 @@ def _is_worse(new: ColourCheck, old: ColourCheck) -> bool:
 
 def check_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile) -> ColourCheck:
     """How well ``profile`` serves for these packets and images."""
-    return checked(look(messages, worn, profile), worn, profile)
+    looked = look(messages, worn, profile)
+    return checked(looked, worn, profile, looked.showing)
 
 
 def look(messages: Iterable[Sensed], worn: Worn, profile: ColourProfile) -> Looked:
@@ -216,7 +229,16 @@ def _take(
 
 def _found(result: FrameResult) -> NDArray[np.bool_]:
     """(M,) bool: matched in a camera."""
-    return np.logical_or(result.match_left >= 0, result.match_right >= 0)
+    return np.asarray(_by_camera(result).any(axis=0))
+
+
+def _by_camera(result: FrameResult) -> NDArray[np.bool_]:
+    """(2, M) bool: matched in the left and in the right one."""
+    return np.stack([result.match_left, result.match_right]) >= 0
+
+
+def _cameras(worn: Worn) -> str:
+    return "the camera" if worn.rig.one_camera else "both cameras"
 
 
 def _is_poor(looked: Looked) -> bool:
@@ -251,8 +273,11 @@ def _samples(
     return out
 
 
-def checked(looked: Looked, worn: Worn, profile: ColourProfile) -> ColourCheck:
-    """What a pass says of the colours, hue by hue."""
+def checked(
+    looked: Looked, worn: Worn, profile: ColourProfile, showing: NDArray[np.bool_]
+) -> ColourCheck:
+    """What a pass says of the colours, hue by hue; ``showing`` (2,) are the cameras that show the
+    hand."""
     names = profile.hue_names
     expected, found, other = np.zeros((3, len(names)))
     hue = np.array([names.index(m.hue) for m in worn.glove.markers])
@@ -270,16 +295,16 @@ def checked(looked: Looked, worn: Worn, profile: ColourProfile) -> ColourCheck:
             HueCheck(name, expected[k] / n, found[k] / n, other[k] / n)
             for k, name in enumerate(names)
         ),
-        sum(_found_by_all(b, r) for b, r in zip(looked.blobs, looked.results, strict=True))
+        sum(_found_by_all(b, r, showing) for b, r in zip(looked.blobs, looked.results, strict=True))
         / max(looked.images, 1),
     )
 
 
-def _found_by_all(blobs: BlobFrame, result: FrameResult) -> int:
-    """Markers matched in each camera that gave an image."""
-    sides = ((blobs.left, result.match_left), (blobs.right, result.match_right))
-    matched = [match >= 0 for there, match in sides if there is not None]
-    return int(np.all(matched, axis=0).sum())
+def _found_by_all(blobs: BlobFrame, result: FrameResult, showing: NDArray[np.bool_]) -> int:
+    """Markers matched in each camera that shows the hand and gave an image."""
+    gave = np.array([blobs.left is not None, blobs.right is not None])
+    asked = gave & showing if (gave & showing).any() else gave
+    return int(_by_camera(result)[asked].all(axis=0).sum()) if asked.any() else 0
 
 
 def _unmatched(blobs: Blobs, match: IntArray, hues: int) -> IntArray:
