@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from app.platform.tasks import JobProgress
-from app.storage.bound_gloves import as_bound, bound, bound_of
+from app.storage.bound_gloves import as_bound, bound, bound_of, ports_of
 from app.storage.settings import AppSettings
 from app.words import tr
 from tracker import library
@@ -30,6 +30,7 @@ class WornGlove:
     glove: GloveModel
     report: PortReport | None
     glove_id: int | None
+    port: str = ""  # where one that is not there was found, if that is on no list
 
     @property
     def side(self) -> str:
@@ -37,7 +38,7 @@ class WornGlove:
 
     def link(self) -> GloveLink:
         """To where it is; one that is not there is looked for until it comes."""
-        path, baud = (self.report.path, self.report.baud) if self.report else ("", BAUD)
+        path, baud = (self.report.path, self.report.baud) if self.report else (self.port, BAUD)
         place = GlovePort(path, baud, glove_id=self.glove_id)
         return GloveLink(place, len(self.glove.imus), LinkParams(baud=baud))
 
@@ -54,7 +55,8 @@ def find_worn(progress: JobProgress, settings: AppSettings) -> GlovesFound:
     """Look for the gloves. Where both hands' were set up both are looked for, else the first one
     that answers does. Raises DeviceError if none is there."""
     both = settings.both_hands or len(set(bound_sides(settings))) > 1
-    reports, troubles = ask_ports(progress, settings.port, settings.baud, not both)
+    named = [port for port in (settings.port, *(ports_of(settings) if both else ())) if port]
+    reports, troubles = ask_ports(progress, named, settings.baud, not both)
     if not reports:
         raise DeviceError(_none(troubles))
     found, words = _worn(settings, reports)
@@ -70,14 +72,14 @@ def bound_sides(settings: AppSettings) -> list[str]:
 
 
 def ask_ports(
-    progress: JobProgress, last: str, baud: int = 0, first_only: bool = True
+    progress: JobProgress, named: Sequence[str], baud: int = 0, first_only: bool = True
 ) -> tuple[list[PortReport], list[str]]:
-    """Ports with a glove behind them, the last one used first; and why others have none.
+    """Ports with a glove behind them, the ``named`` ones first; and why others have none.
 
     They are asked at ``baud``, or at all that a glove may speak.
     """
-    # one that is not on USB is on no list, and was chosen by hand
-    ports = [*([last] if last else []), *(p for p in serial_ports() if p != last)]
+    # those that are not on USB are on no list, and were chosen by hand
+    ports = list(dict.fromkeys((*named, *serial_ports())))
     reports, troubles = [], []
     for i, path in enumerate(ports):
         progress(0.4 * i / len(ports), path)
@@ -129,7 +131,7 @@ def _expected(settings: AppSettings, found: Sequence[WornGlove]) -> list[WornGlo
     if known is None:
         return []
     number, glove = known
-    return [_loaded(glove.glove, glove.hand, None, number)]
+    return [replace(_loaded(glove.glove, glove.hand, None, number), port=glove.port)]
 
 
 def _loaded(

@@ -11,12 +11,14 @@ from app.words import tr
 
 @dataclass(frozen=True)
 class BoundGlove:
-    """Side, files and wearer (a name, or empty) of one glove."""
+    """Side, files and wearer (a name, or empty) of one glove; ``port`` where it is found if that is
+    on no list, such as Bluetooth's."""
 
     side: str
     glove: str
     hand: str
     wearer: str = ""
+    port: str = ""
 
 
 def bound(settings: AppSettings, glove_id: int | None) -> BoundGlove | None:
@@ -25,6 +27,7 @@ def bound(settings: AppSettings, glove_id: int | None) -> BoundGlove | None:
     if not isinstance(said, dict):
         return None
     words = [said.get(name) for name in ("side", "glove", "hand", "wearer")]
+    words.append(said.get("port", ""))  # older versions kept none
     if not all(isinstance(word, str) for word in words):
         return None
     return BoundGlove(*map(str, words))
@@ -37,6 +40,12 @@ def bound_of(settings: AppSettings, side: str) -> tuple[int, BoundGlove] | None:
         if known is not None and known.side == side:
             return int(number), known
     return None
+
+
+def ports_of(settings: AppSettings) -> list[str]:
+    """Where gloves were found that are on no list."""
+    known = (bound(settings, int(number)) for number in settings.gloves if number.isdecimal())
+    return [glove.port for glove in known if glove is not None and glove.port]
 
 
 def with_bound(settings: AppSettings, glove_id: int, glove: BoundGlove) -> dict[str, Any]:

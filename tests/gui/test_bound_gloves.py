@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
 
+from app.engines import found_gloves
+from app.engines.found_gloves import find_worn
 from app.storage.bound_gloves import BoundGlove, as_bound, bound, with_bound
 from app.storage.settings import AppSettings, SettingsStore
 from app.wizards.glove.choice import ChoicePage
+from app.wizards.glove.wizard import GloveSetup
 from tracker.sensors.discovery import PortReport
 from tracker.sensors.protocol import Hello
+from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 
 LEFT = BoundGlove("left", "vist-small-left", "reference-left", "Ada")
 
@@ -64,3 +69,71 @@ def test_the_wizard_recalls_side_files_and_wearer_of_the_port_that_is_chosen(qtb
     assert page.glove_id() == 22 and page.bound() == LEFT
     page.ports.setCurrentIndex(page.ports.findData("/dev/a"))
     assert page.side.currentData() == "left", "a new glove keeps what was shown last"
+
+
+OFF_USB = {
+    11: BoundGlove("right", "vist-small", "reference-right", port="/dev/rfcomm0"),
+    22: replace(LEFT, port="/dev/rfcomm1"),
+}
+
+
+@pytest.fixture
+def bluetooth(monkeypatch) -> set[str]:
+    """Ports that answer, of two gloves that are on no list."""
+    there = {"/dev/rfcomm0", "/dev/rfcomm1"}
+    numbers = {glove.port: number for number, glove in OFF_USB.items()}
+
+    def find(paths, bauds):
+        path = paths[0]
+        said = hello(numbers[path]) if path in there else None
+        return [PortReport(path, said, trouble="" if said else "Silence.")]
+
+    monkeypatch.setattr(found_gloves, "find_gloves", find)
+    monkeypatch.setattr(found_gloves, "serial_ports", list)
+    return there
+
+
+def both_bound() -> AppSettings:
+    settings = AppSettings(port="/dev/rfcomm1", both_hands=True)
+    for number, glove in OFF_USB.items():
+        settings = replace(settings, gloves=with_bound(settings, number, glove))
+    return settings
+
+
+def test_gloves_on_ports_that_no_list_shows_are_found_where_they_were(bluetooth) -> None:
+    found = find_worn(lambda _share, _text: None, both_bound()).gloves
+    assert {g.side: g.report.path for g in found} == {
+        "left": "/dev/rfcomm1",
+        "right": "/dev/rfcomm0",
+    }
+
+
+def test_one_that_is_away_is_awaited_where_it_was(bluetooth) -> None:
+    bluetooth.discard("/dev/rfcomm0")
+    left, right = find_worn(lambda _share, _text: None, both_bound()).gloves
+    assert left.report is not None and right.report is None
+    assert (right.side, right.glove_id, right.port) == ("right", 11, "/dev/rfcomm0")
+
+
+@pytest.fixture
+def simulated_glove() -> Iterator[SimulatedGlove]:
+    """Number 22, on a line that is on no list."""
+    params = GloveDeviceParams(glove_id=22)
+    device = SimulatedGlove(iter(()), 7, params=params)
+    yield device
+    device.stop()
+
+
+def test_a_glove_at_a_port_chosen_by_hand_is_bound_with_its_port(
+    window, qtbot, store, simulated_glove, monkeypatch
+) -> None:
+    monkeypatch.setattr("app.wizards.glove.wizard.serial_ports", list)
+    dialog = GloveSetup(window.host, store, window.tasks, window)
+    dialog.show()
+    dialog.choice.add_port(simulated_glove.path)
+    dialog.choice.side.setCurrentIndex(dialog.choice.side.findData("left"))
+    qtbot.waitUntil(lambda: dialog._feed.glove_id == 22, timeout=30_000)
+    dialog._use()
+    known = bound(store.value, 22)
+    assert known is not None
+    assert (known.side, known.glove, known.port) == ("left", LEFT.glove, simulated_glove.path)

@@ -1,15 +1,23 @@
-"""The pipe of images that a simulated rig offers, read by OpenCV as any camera's stream."""
+"""A simulated rig's devices: images that OpenCV reads as any camera's, gloves that come and go."""
 
 import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from tracker import library
 from tracker.errors import FileError
 from tracker.messages import StereoFrame
-from tracker.sensors.image_input import CaptureFormat, StreamInput
-from tracker.simulation.rig_device import ImagePipe
+from tracker.offline.simulate import GLOVES
+from tracker.sensors.discovery import find_gloves
+from tracker.sensors.image_input import CaptureFormat, StreamInput, TwoCameraInput
+from tracker.simulation import rig_device
+from tracker.simulation.camera_device import NoSimulatedCamera
+from tracker.simulation.demo import DemoSpec, WornTexts
+from tracker.simulation.glove_process import GLOVE_IDS
+from tracker.simulation.rig_device import ImagePipe, SimulatedRig
 
 WIDTH, HEIGHT = 320, 240
 LEFT, RIGHT = 60, 180  # grey of the two images
@@ -50,3 +58,68 @@ def test_images_without_a_reader_are_lost_and_with_one_come_in_two_halves(tmp_pa
 def test_a_pipe_that_cannot_be_made_is_said(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="cannot be made"):
         ImagePipe(tmp_path / "nowhere" / "camera.mjpeg")
+
+
+@pytest.fixture
+def both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[SimulatedRig]:
+    """Two gloves; what the camera draws is tested elsewhere."""
+    monkeypatch.setattr(rig_device, "SimulatedCamera", lambda spec: NoSimulatedCamera())
+    worn = (WornTexts(*library.texts(GLOVES[side])) for side in ("right", "left"))
+    main, other = worn
+    devices = SimulatedRig(DemoSpec(*main, duration=5.0, other=other), tmp_path)
+    yield devices
+    devices.close()
+    assert not list(tmp_path.iterdir())
+
+
+def test_both_gloves_are_serial_lines_that_tell_their_numbers(both: SimulatedRig) -> None:
+    assert set(both.files.gloves) == {"left", "right"}
+    reports = find_gloves([str(path) for path in both.files.gloves.values()], patience=10.0)
+    numbers = {report.path: report.hello.glove_id for report in reports if report.hello}
+    assert numbers == {str(both.files.gloves[side]): n for side, n in GLOVE_IDS.items()}
+
+
+def test_a_glove_is_unplugged_and_plugged_by_words(both: SimulatedRig) -> None:
+    left, right = (both.files.gloves[side] for side in ("left", "right"))
+    assert both.heed("unplug left\n") == "The left glove is unplugged."
+    assert both.heed("unplug left") == "The left glove is unplugged already."
+    assert not left.is_symlink() and right.exists()
+    assert both.heed("plug left") == "The left glove is plugged."
+    (report,) = find_gloves([str(left)], patience=10.0)
+    assert report.hello is not None and report.hello.glove_id == GLOVE_IDS["left"]
+    assert both.heed("plug right") == "The right glove is plugged already."
+    for nonsense in ("", "plug", "pull left", "plug middle"):
+        assert both.heed(nonsense) == "Say plug or unplug, and left or right."
+
+
+def test_two_webcams_with_images_of_their_own_sizes_are_one_input(tmp_path: Path) -> None:
+    """Each sends when it likes."""
+    pipes = [ImagePipe(tmp_path / f"{name}.mjpeg") for name in ("left", "right")]
+    sizes = (HEIGHT, WIDTH), (2 * HEIGHT, 2 * WIDTH)
+    done = threading.Event()
+
+    def send(pipe: ImagePipe, size: tuple[int, int], period: float) -> None:
+        image = np.full((*size, 3), LEFT, np.uint8)
+        while not done.wait(period):
+            pipe.put(StereoFrame(0.0, 0.0, image, None, 0))
+
+    senders = [
+        threading.Thread(target=send, args=args)
+        for args in zip(pipes, sizes, (0.004, 0.007), strict=True)
+    ]
+    for sender in senders:
+        sender.start()
+    source = TwoCameraInput(*(str(p.path) for p in pipes), CaptureFormat(timeout_ms=30_000))
+    try:
+        source.open()
+        read = [source.read() for _ in range(3)]
+    finally:
+        source.close()
+        done.set()
+        for sender in senders:
+            sender.join()
+        for pipe in pipes:
+            pipe.close()
+    for pair in read:
+        assert pair is not None and pair[1] is not None
+        assert (pair[0].shape[:2], pair[1].shape[:2]) == sizes

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import os
+import select
+import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from tracker.simulation.demo import DemoSpec
     from tracker.vision.rig import StereoRig
 
 CALIBRATION = "camera.yml"
@@ -17,35 +22,87 @@ LASTS = 3600.0  # s of motion
 def add_rig(parser: argparse.ArgumentParser) -> None:
     """Arguments of the command."""
     parser.add_argument("folder", type=Path, help="gets glove, camera.mjpeg and camera.yml")
+    parser.add_argument(
+        "--hands",
+        choices=("right", "left", "both"),
+        default="right",
+        help="with gloves; of both they are glove_left and glove_right",
+    )
+    parser.add_argument("--lenses", choices=("one", "both"), default="both", help="of the camera")
     parser.add_argument("--fps", type=float, default=30.0, help="of the camera")
     parser.add_argument("--seed", type=int, default=1, help="of the wearer")
     parser.add_argument("--duration", type=float, metavar="S", help="end by itself")
+    parser.epilog = "Lines of standard input such as 'unplug left' and 'plug left' are heeded."
     parser.set_defaults(func=_rig)
 
 
 def _rig(args: argparse.Namespace) -> int:
-    from tracker import library
-    from tracker.simulation.demo import DemoSpec
     from tracker.simulation.rig_device import RigFiles, SimulatedRig
 
     args.folder.mkdir(parents=True, exist_ok=True)
-    spec = DemoSpec(*library.texts(), args.seed, args.duration or LASTS, args.fps)
     end = time.monotonic() + (args.duration or LASTS)
-    devices = SimulatedRig(spec, args.folder)
+    devices = SimulatedRig(_spec(args), args.folder)
     calibration = args.folder / CALIBRATION
+    heard = _Lines(devices.heed)
 
     def ready(files: RigFiles) -> None:
-        print(f"glove        {files.glove}")
+        for side, path in files.gloves.items():
+            print(f"{side + ' glove':<13}{path}")
         print(f"camera       {files.camera}")
         print(f"calibration  {calibration}", flush=True)
 
+    def stop() -> bool:
+        heard.take()
+        return time.monotonic() > end
+
     try:
         _save(calibration, devices.rig)
-        taken = devices.run(lambda: time.monotonic() > end, ready)
+        taken = devices.run(stop, ready)
     finally:
         devices.close()
     print(f"{taken} images were taken.")
     return 0
+
+
+def _spec(args: argparse.Namespace) -> DemoSpec:
+    from tracker import library
+    from tracker.offline.simulate import GLOVES
+    from tracker.simulation.demo import DemoSpec, WornTexts
+
+    sides = ("right", "left") if args.hands == "both" else (args.hands,)
+    main, *others = (WornTexts(*library.texts(GLOVES[side])) for side in sides)
+    return DemoSpec(
+        *main,
+        args.seed,
+        args.duration or LASTS,
+        args.fps,
+        other=others[0] if others else None,
+        one_camera=args.lenses == "one",
+    )
+
+
+class _Lines:
+    """Lines of standard input, as they come; each goes to ``heed``, and its answer is printed."""
+
+    def __init__(self, heed: Callable[[str], str]) -> None:
+        self._heed, self._begun = heed, b""
+        self._open = sys.stdin is not None and not sys.stdin.closed
+
+    def take(self) -> None:
+        """Those that are there now. Never waits."""
+        while self._open and _is_ours() and select.select([sys.stdin], [], [], 0.0)[0]:
+            data = os.read(sys.stdin.fileno(), 4096)
+            self._open = bool(data)  # an end of input is no end of the devices
+            *lines, self._begun = (self._begun + data).split(b"\n")
+            for line in lines:
+                print(self._heed(line.decode(errors="replace")), flush=True)
+
+
+def _is_ours() -> bool:
+    """Whether standard input may be read: a terminal stops those who read in the background."""
+    if not sys.stdin.isatty():
+        return True
+    return os.tcgetpgrp(sys.stdin.fileno()) == os.getpgrp()
 
 
 def _save(path: Path, rig: StereoRig) -> None:
@@ -55,5 +112,9 @@ def _save(path: Path, rig: StereoRig) -> None:
     from tracker.sensors.stereo_calibration import Intrinsics
 
     left, right = (Intrinsics(c.width, c.height, c.K, c.D) for c in (rig.left, rig.right))
+    words = "of the simulated camera"
+    if rig.one_camera:
+        save_calibration(path, left, note=words)
+        return
     T = np.array([-rig.baseline, 0.0, 0.0])
-    save_calibration(path, left, right, np.eye(3), T, "of the simulated camera")
+    save_calibration(path, left, right, np.eye(3), T, words)

@@ -243,9 +243,9 @@ def quantised(sample: ImuSample, accel_range_g: int = ACCEL_RANGE_G) -> np.ndarr
     return np.clip(np.nan_to_num(raw), -32768, 32767).astype(np.int16)
 
 
-def link_to(folder: Path, device: SimulatedGlove) -> Path:
+def link_to(folder: Path, device: SimulatedGlove, name: str = "glove") -> Path:
     """A stable name for a device whose path changes when it is plugged in again."""
-    link = folder / "glove"
+    link = folder / name
     link.unlink(missing_ok=True)
     link.symlink_to(device.path)
     return link

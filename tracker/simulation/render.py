@@ -45,9 +45,9 @@ class Renderer:
         self._K = np.array([rig.fx, rig.fy, rig.cx, rig.cy])
         seed = scene.seed
         disparity = round(rig.fx * rig.baseline / p.background.distance)
-        self._ground = make_background(
-            p.background, rig.left.width, rig.left.height, disparity, seed
-        )
+        sizes = [(camera.width, camera.height) for camera in (rig.left, rig.right)]
+        made = {s: make_background(p.background, *s, disparity, seed) for s in sizes}
+        self._ground = made[sizes[0]][0], made[sizes[1]][1]
         rng = rng_for(seed, "grain")
         self._grain = (p.noise * rng.standard_normal((509, 521, 3))).astype(np.float32)
         self._noisy = tuple(self._with_grain(g, rng) for g in self._ground)

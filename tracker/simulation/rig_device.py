@@ -6,10 +6,9 @@ both.
 
 from __future__ import annotations
 
-import contextlib
 import os
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -21,7 +20,9 @@ from tracker.messages import StereoFrame
 from tracker.simulation.camera_device import SimulatedCamera
 from tracker.simulation.demo import DemoSpec, build_scene, hands_of
 from tracker.simulation.drawn_ahead import DrawnAhead
-from tracker.simulation.glove_device import SimulatedGlove, link_to
+from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove, link_to
+from tracker.simulation.glove_process import GLOVE_IDS
+from tracker.simulation.scenario import Simulation
 
 QUALITY = 92  # of JPEG
 WAIT = 0.05  # s for an image, and between two looks for a reader
@@ -29,9 +30,10 @@ STARTS_WITHIN = 120.0  # s
 
 
 class RigFiles(NamedTuple):
-    """Where the devices are: the glove's serial line, and side-by-side images (MJPEG) in a pipe."""
+    """Where the devices are: each glove's serial line by its side, and images in a pipe (MJPEG; of
+    two cameras side by side)."""
 
-    glove: Path
+    gloves: Mapping[str, Path]
     camera: Path
 
 
@@ -88,20 +90,23 @@ class ImagePipe:
 
 
 class SimulatedRig:
-    """The first hand of a scene with its glove, and the camera, as files in ``folder``."""
+    """The gloves of a scene, and its camera, as files in ``folder``. A glove may be unplugged and
+    plugged in again."""
 
     def __init__(self, spec: DemoSpec, folder: Path) -> None:
         """Raises DeviceError or FileError where there cannot be any."""
-        simulation = next(iter(hands_of(build_scene(spec)).values()))
+        hands = hands_of(build_scene(spec))
+        self._folder, self._names = folder, _names(list(hands))
         self._camera = SimulatedCamera(spec)
         self._pipe = ImagePipe(folder / "camera.mjpeg")
-        self._packets = DrawnAhead(simulation.imu_samples())
-        self._glove = SimulatedGlove(self._packets, len(simulation.glove.imus))
-        self.files = RigFiles(link_to(folder, self._glove), self._pipe.path)
-        self.rig = simulation.rig
+        self._packets = {side: DrawnAhead(hand.imu_samples()) for side, hand in hands.items()}
+        self._gloves = {side: self._glove_of(hand) for side, hand in hands.items()}
+        links = {side: self._link(side) for side in hands}
+        self.files = RigFiles(links, self._pipe.path)
+        self.rig = spec.rig
 
     def run(self, stop: Callable[[], bool], ready: Callable[[RigFiles], None]) -> int:
-        """Until ``stop()``; ``ready`` hears when both are there. How many images were taken.
+        """Until ``stop()``; ``ready`` hears when all are there. How many images were taken.
 
         Raises DeviceError where the camera does not start.
         """
@@ -109,7 +114,8 @@ class SimulatedRig:
             raise DeviceError("The simulated camera did not start.")
         t_0 = time.monotonic()
         self._camera.begin(t_0)
-        self._glove.begin(t_0)
+        for glove in self._gloves.values():
+            glove.begin(t_0)
         ready(self.files)
         taken = 0
         while not stop():
@@ -118,11 +124,41 @@ class SimulatedRig:
                 taken += self._pipe.put(frame)
         return taken
 
+    def heed(self, words: str) -> str:
+        """Do what a line such as ``unplug left`` or ``plug left`` says; what was done, or what can
+        be said."""
+        verb, _, side = words.strip().partition(" ")
+        if side not in self._gloves or verb not in ("plug", "unplug"):
+            return f"Say plug or unplug, and {' or '.join(self._gloves)}."
+        link, glove = self.files.gloves[side], self._gloves[side]
+        if os.path.lexists(link) == (verb == "plug"):
+            return f"The {side} glove is {verb}ged already."
+        if verb == "plug":
+            glove.plug()
+            self._link(side)
+        else:
+            link.unlink()
+            glove.unplug()
+        return f"The {side} glove is {verb}ged."
+
+    def _link(self, side: str) -> Path:
+        return link_to(self._folder, self._gloves[side], self._names[side])
+
     def close(self) -> None:
-        """End both and take their files away. May be called again."""
+        """End all and take their files away. May be called again."""
         self._camera.close()
         self._pipe.close()
-        self._glove.stop()
-        self._packets.close()
-        with contextlib.suppress(OSError):
-            self.files.glove.unlink(missing_ok=True)
+        for side, glove in self._gloves.items():
+            glove.stop()
+            self._packets[side].close()
+            self.files.gloves[side].unlink(missing_ok=True)
+
+    def _glove_of(self, hand: Simulation) -> SimulatedGlove:
+        side = hand.glove.side
+        params = GloveDeviceParams(glove_id=GLOVE_IDS[side])
+        return SimulatedGlove(self._packets[side], len(hand.glove.imus), params=params)
+
+
+def _names(sides: Sequence[str]) -> dict[str, str]:
+    """Of the serial lines: one glove alone needs no side."""
+    return {side: "glove" if len(sides) == 1 else f"glove_{side}" for side in sides}

@@ -124,6 +124,7 @@ class SimulatedScene:
         camera = rig.right if right else rig.left
         some = np.isfinite(uv[:, 0])
         uv[some] = camera.unrectify(uv[some])
+        extent *= camera.K[0, 0] / rig.fx
         visible = (facing > self.params.facing) & (whole > self.params.whole)
         visible &= inside(camera, uv, extent)
         return SeenMarkers(uv, extent, visible, facing, whole)
@@ -174,7 +175,8 @@ class SimulatedScene:
         uv = self.rig.project(p_C, right).reshape(-1, 2)
         front = np.isfinite(uv[:, 0])
         uv[front] = camera.unrectify(uv[front])
-        size = 2 * radius[:, None] * [self.rig.fx, self.rig.fy] / np.maximum(p_C[:, 2:], 0.01)
+        focal = [camera.K[0, 0], camera.K[1, 1]]
+        size = 2 * radius[:, None] * focal / np.maximum(p_C[:, 2:], 0.01)
         hues = self.wearer.glove.hues
         known = np.array([h in hues for h in names], bool)
         seen = front & known & inside(camera, uv, size) & self._in_sight(now, p_C, radius, right)

@@ -34,11 +34,9 @@ class VirtualCamera:
         self._scene, self.fps = scene, fps
         self._rng = np.random.default_rng(seed)
         rig = scene.rig
-        shape = (rig.left.height, rig.left.width, 3)
-        self._noise = [
-            self._rng.integers(GREY - NOISE, GREY + NOISE, shape, np.uint8)
-            for _ in range(NOISE_IMAGES)
-        ]
+        sizes = [(camera.height, camera.width, 3) for camera in (rig.left, rig.right)]
+        made = {size: self._noise_of(size) for size in sizes}  # once where both have one size
+        self._noise = [made[size] for size in sizes]
         self._bgr = [fabric_bgr(hue) for hue in scene.wearer.glove.hues]
         self._fault = ""
         self._last: Pair | None = None
@@ -52,6 +50,12 @@ class VirtualCamera:
     def heal(self) -> None:
         """End the fault: what was moved stands where it stood."""
         self._fault = ""
+
+    def _noise_of(self, shape: tuple[int, int, int]) -> list[Image]:
+        return [
+            self._rng.integers(GREY - NOISE, GREY + NOISE, shape, np.uint8)
+            for _ in range(NOISE_IMAGES)
+        ]
 
     @property
     def gives(self) -> bool:
@@ -83,8 +87,10 @@ class VirtualCamera:
         frame = self._scene.blobs(self.t)
         assert frame.left is not None and frame.right is not None
         left, right = (
-            self._draw(blobs, shift)
-            for blobs, shift in zip((frame.left, frame.right), self._shifts(), strict=True)
+            self._draw(blobs, shift, noise)
+            for blobs, shift, noise in zip(
+                (frame.left, frame.right), self._shifts(), self._noise, strict=True
+            )
         )
         if self._fault in ("black", "black left"):
             left = np.zeros_like(left)
@@ -106,8 +112,8 @@ class VirtualCamera:
             return (0.0, 0.0), (-px, 0.0)
         return (px, 0.0), (px, 0.0)
 
-    def _draw(self, blobs: Blobs, shift: tuple[float, float]) -> Image:
-        image = self._noise[int(self._rng.integers(NOISE_IMAGES))].copy()
+    def _draw(self, blobs: Blobs, shift: tuple[float, float], noise: list[Image]) -> Image:
+        image = noise[int(self._rng.integers(NOISE_IMAGES))].copy()
         one = 1 << SUBPIXEL
         for uv, size, hue in zip(blobs.uv + np.array(shift), blobs.size, blobs.hue, strict=True):
             centre = (round(uv[0] * one), round(uv[1] * one))

@@ -30,6 +30,10 @@ class GloveFeed(Protocol):
     def trouble(self) -> str:
         """What keeps samples from coming, in words."""
 
+    @property
+    def glove_id(self) -> int | None:
+        """What the glove says that its number is; None where it has told none."""
+
     def recent(self) -> Sequence[ImuSample]:
         """Samples of the last seconds, oldest first."""
 
@@ -49,6 +53,11 @@ class SessionFeed:
     @property
     def trouble(self) -> str:
         return "" if self._host.setup is not None else tr("The session was closed.")
+
+    @property
+    def glove_id(self) -> int | None:
+        setup = self._host.setup
+        return setup.glove_id if setup is not None else None
 
     def recent(self) -> Sequence[ImuSample]:
         setup = self._host.setup
@@ -80,6 +89,11 @@ class PortFeed:
         self.trouble = ""
         self._thread = threading.Thread(target=self._run, name="glovetrack-set-up", daemon=True)
         self._thread.start()
+
+    @property
+    def glove_id(self) -> int | None:
+        hello = self._link.hello
+        return hello.glove_id if hello is not None else None
 
     def recent(self) -> Sequence[ImuSample]:
         with self._lock:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtWidgets import (
@@ -17,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.engines.engine_host import EngineHost
 from app.platform.tasks import JobProgress, TaskOwner
-from app.storage.bound_gloves import with_bound
+from app.storage.bound_gloves import bound, with_bound
 from app.storage.settings import SettingsStore
 from app.storage.wearers import WearerStore
 from app.wizards.glove.choice import SESSION, SIMULATED, ChoicePage
@@ -153,9 +154,7 @@ class GloveSetup(QDialog):
     def _use(self) -> None:
         port = self.choice.port()
         kept = self._store.value.port if port in (SESSION, SIMULATED) else port
-        if (number := self.choice.glove_id()) is not None:
-            gloves = with_bound(self._store.value, number, self.choice.bound())
-            self._store.update(gloves=gloves)
+        self._bind(port)
         self._store.update(
             port=kept,
             baud=self.choice.baud(),
@@ -165,6 +164,22 @@ class GloveSetup(QDialog):
         )
         self.chosen.emit()
         self.close()
+
+    def _bind(self, port: str) -> None:
+        """Remember side, files and wearer of the glove that was chosen, if it told its number; and
+        where it is, if no list of ports will show it."""
+        number = self.choice.glove_id()
+        if number is None and port != SIMULATED and self._feed is not None:
+            number = self._feed.glove_id
+        if number is None:
+            return
+        before = bound(self._store.value, number)
+        if port == SESSION:
+            place = before.port if before is not None else ""
+        else:
+            place = "" if port in serial_ports() else port
+        chosen = replace(self.choice.bound(), port=place)
+        self._store.update(gloves=with_bound(self._store.value, number, chosen))
 
     # --- what it does
 
