@@ -15,7 +15,7 @@ from tracker.calibration.stereo.checks import Extrinsics, extrinsics_of, rig_pro
 from tracker.calibration.stereo.collect import Answer, Collector
 from tracker.calibration.stereo.coverage import advice, coverage
 from tracker.calibration.stereo.files import load_rig, save_calibration
-from tracker.calibration.stereo.solve import Solution, solve
+from tracker.calibration.stereo.solve import Solution, SolveParams, solve
 from tracker.calibration.stereo.verify import verify
 from tracker.calibration.stereo.views import BoardFinder, BoardLook, StereoView
 from tracker.errors import ConfigError
@@ -191,3 +191,17 @@ def test_the_rectified_right_image_keeps_its_own_size() -> None:
     rig = rectified_rig(WIDE, WEBCAM, R, T)
     assert (rig.left.width, rig.right.width) == (1280, 640)
     assert np.array_equal(rig.left.P[:, :3], rig.right.P[:, :3])
+
+
+@pytest.mark.data
+def test_real_chessboard_images_of_one_camera_give_its_lens(data_folder: Path) -> None:
+    """The left ones of OpenCV's samples; PROVENANCE.txt tells f 536 px and 0.41 px."""
+    finder, found = BoardFinder(BoardSpec("chessboard", 10, 7, 0.025)), []
+    for path in sorted((data_folder / "stereo_chessboard").glob("left*.jpg")):
+        look = finder.look(cv2.imread(str(path)), None)
+        assert look.view is not None and look.view.right is None, f"{path.name}: {look.trouble}"
+        found.append(look.view)
+    s = solve(found, [(640, 480)], SolveParams(least_views=len(found)))
+    assert s.rms_px < 0.5
+    assert s.left.K[0, 0] == pytest.approx(536, rel=0.015)
+    assert rig_problems(Extrinsics(s.left, None, s.R, s.T)) == []
