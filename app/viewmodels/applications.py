@@ -11,12 +11,12 @@ from app.engines.engine import EngineSetup
 from app.words import told, tr
 from tracker.applications.drawing import Drawing
 from tracker.applications.registry import titles
-from tracker.applications.runner import BEGINS, KIND
+from tracker.applications.runner import BEGINS, ENDS, KIND
 from tracker.errors import ConfigError
 from tracker.streaming.publisher import StreamError
 
 PAGE_PORT = 9752
-NO_EVENTS = frozenset({BEGINS})
+NO_EVENTS = frozenset({BEGINS, ENDS})
 
 
 @dataclass(frozen=True)

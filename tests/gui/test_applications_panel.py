@@ -99,6 +99,10 @@ def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
     show(panel, stage, engine)
     assert told[-1].data["what"] == "ends"
     assert panel.model.drawing == ()
+    for _ in range(2):  # the end of the one before is not the next one's
+        panel.choose("compass")
+        show(panel, stage, engine)
+        assert panel.said.text() == "sample 1"
 
 
 def test_settings_are_changed_in_the_form(staged):
