@@ -32,7 +32,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
-DISPLAY = f":{90 + os.getpid() % 900}"
 UDP_PORT = 9750
 PATIENCE = 900.0  # s
 TICKS = os.sysconf("SC_CLK_TCK")
@@ -58,6 +57,7 @@ class Machine(NamedTuple):
 
     root: Path
     work: Path
+    display: str
 
     def start(self, line: str, user: str = "root") -> subprocess.Popen[str]:
         """Run a shell's line there, in a process group of its own."""
@@ -73,7 +73,7 @@ class Machine(NamedTuple):
         words += ["--unshare-pid", "--die-with-parent", "--clearenv", "--chdir", "/root"]
         environment = {
             "HOME": "/root", "PATH": "/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin",
-            "DISPLAY": DISPLAY, "LANG": "C.UTF-8", "PIP_FIND_LINKS": "/wheels",
+            "DISPLAY": self.display, "LANG": "C.UTF-8", "PIP_FIND_LINKS": "/wheels",
             "PIP_NO_INDEX": "1", "PIP_DISABLE_PIP_VERSION_CHECK": "1",
             "PIP_ROOT_USER_ACTION": "ignore", "DEBIAN_FRONTEND": "noninteractive",
         }  # fmt: skip
@@ -180,7 +180,7 @@ def watched(
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ear:
         ear.bind(("127.0.0.1", UDP_PORT))
         search = ["xdotool", "search", "--sync", "--onlyvisible", "--name", "Glovetrack"]
-        seen = subprocess.Popen(search, stdout=subprocess.DEVNULL, env={"DISPLAY": DISPLAY})
+        seen = subprocess.Popen(search, stdout=subprocess.DEVNULL, env={"DISPLAY": machine.display})
         process = machine.start(line)
         clock = Clock(process)
         until(lambda: seen.poll() is not None, process, clock)
@@ -321,17 +321,30 @@ def prepared(work: Path, way: str) -> Path:
             "apt-get -o Dpkg::Options::=--force-unsafe-io install -qq -y --no-install-recommends"
         )
         packages = " ".join(BESIDE[way])
-        Machine(root, work).run(f"apt-get update -qq && {install} {packages} ca-certificates")
+        Machine(root, work, "").run(f"apt-get update -qq && {install} {packages} ca-certificates")
     ready.touch()
     return layer
 
 
 @contextmanager
-def fresh(work: Path, way: str) -> Iterator[Machine]:
+def fresh(work: Path, way: str, display: str) -> Iterator[Machine]:
     """A clean machine with what stands beside its way, gone afterwards."""
     lower = [prepared(work, way), base(work)]
     with overlay(work / "now", lower, work / "now" / "upper") as root:
-        yield Machine(root, work)
+        yield Machine(root, work, display)
+
+
+@contextmanager
+def screen() -> Iterator[str]:
+    """An X server at a number that is free."""
+    words = ["Xvfb", "-displayfd", "1", "-screen", "0", "1440x900x24", "-nolisten", "tcp"]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+    with subprocess.Popen(words, text=True, **pipes) as server:
+        try:
+            assert server.stdout is not None
+            yield f":{server.stdout.readline().strip()}"
+        finally:
+            server.terminate()
 
 
 def main() -> None:
@@ -349,16 +362,12 @@ def main() -> None:
     source(work)
     for way in args.ways or WAYS:
         prepared(work, way)
-    xvfb = ["Xvfb", DISPLAY, "-screen", "0", "1440x900x24", "-nolisten", "tcp"]
-    screen = subprocess.Popen(xvfb, stderr=subprocess.DEVNULL)
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
     print("| way | step | clock s | CPU s | load |\n|---|---|---|---|---|")
-    try:
+    with screen() as display:
         for way in args.ways or WAYS:
-            with fresh(work, way) as machine:
+            with fresh(work, way, display) as machine:
                 WAYS[way](machine, Rows(way))
-    finally:
-        screen.terminate()
 
 
 if __name__ == "__main__":

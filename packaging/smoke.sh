@@ -16,10 +16,11 @@ done
 rm -rf "$out" && mkdir -p "$out/home"
 out=$(realpath "$out")
 
-display=:$((90 + $$ % 900))
-Xvfb $display -screen 0 1440x900x24 -nolisten tcp &>"$out/xvfb.log" &
+Xvfb -displayfd 3 -screen 0 1440x900x24 -nolisten tcp &>"$out/xvfb.log" 3>"$out/display" &
 screen=$!
 trap 'kill $screen' EXIT
+until [ -s "$out/display" ]; do sleep 0.05; done # it takes a number that is free
+display=:$(cat "$out/display")
 
 within() { # runs "words" with these words, where /out is the only place to write besides HOME
     bwrap --unshare-all --uid 1000 --gid 1000 --die-with-parent --clearenv \

@@ -20,6 +20,8 @@ import ast, sys
 OPTIONS = {"index-url": "--default-index", "extra-index-url": "--index", "find-links": "--find-links"}
 for line in sys.stdin:
     name, _, value = line.strip().partition("=")
+    if name.rpartition(".")[2] == "no-index" and ast.literal_eval(value) not in ("0", "false"):
+        print("--no-index")
     option = OPTIONS.get(name.rpartition(".")[2])
     for word in ast.literal_eval(value).split() if option else []:
         print(option, word, sep="\n")
