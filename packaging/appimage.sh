@@ -37,7 +37,7 @@ AppImage's runtime, in front of this program's files: MIT. It holds squashfuse (
 libfuse (LGPL-2.1), zstd (BSD-3-Clause), zlib (Zlib) and mimalloc (MIT); its source and theirs:
 https://github.com/AppImage/type2-runtime
 LICENCES
-nice mksquashfs "$root" "$work/image" -comp zstd -Xcompression-level 19 -b 1M -all-root -no-xattrs \
+nice mksquashfs "$root" "$work/image" -comp zstd -Xcompression-level 9 -b 1M -all-root -no-xattrs \
     -noappend -no-progress -quiet >/dev/null # its dates are SOURCE_DATE_EPOCH's
 cat "$runtime" "$work/image" >"$out/$name"
 chmod 755 "$out/$name"
