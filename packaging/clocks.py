@@ -307,7 +307,8 @@ def overlay(place: Path, lower: list[Path], upper: Path) -> Iterator[Path]:
 def prepared(work: Path, way: str) -> Path:
     """What stands beside a way, installed once: a layer above the minimal Debian."""
     layer, ready = work / "ready" / way, work / "ready" / f"{way}.done"
-    if ready.exists():
+    packages = f"--no-install-recommends ca-certificates {' '.join(BESIDE[way])}"
+    if ready.exists() and ready.read_text() == packages:
         return layer
     shutil.rmtree(layer, ignore_errors=True)
     with overlay(work / "now", [base(work)], layer) as root:
@@ -320,9 +321,8 @@ def prepared(work: Path, way: str) -> Path:
         install = (
             "apt-get -o Dpkg::Options::=--force-unsafe-io install -qq -y --no-install-recommends"
         )
-        packages = " ".join(BESIDE[way])
-        Machine(root, work, "").run(f"apt-get update -qq && {install} {packages} ca-certificates")
-    ready.touch()
+        Machine(root, work, "").run(f"apt-get update -qq && {install} {packages}")
+    ready.write_text(packages)
     return layer
 
 

@@ -5,7 +5,7 @@
 #
 # Needs root on Debian or Ubuntu. With FRESH=1 before the command all of it happens in a minimal
 # Debian that debootstrap makes and that is gone afterwards (needs bubblewrap too): with nothing
-# but what the package itself asks for. With LINTIAN=1 lintian looks at the package as well.
+# but what the package itself asks for. FRESH=FOLDER takes a copy of one that is there. With LINTIAN=1 lintian looks at the package as well.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 package=$(realpath "${1:-$(ls -t dist/glovetrack_*.deb | head -1)}")
@@ -13,8 +13,12 @@ work=$(mktemp -d)
 
 if [ -n "${FRESH:-}" ]; then
     trap 'rm -rf --one-file-system "$work"' EXIT
-    echo "Making a minimal Debian"
-    debootstrap --variant=minbase bookworm "$work" >"$work.log" || { tail "$work.log" >&2 && exit 1; }
+    if [ -d "$FRESH" ]; then
+        cp -a "$FRESH/." "$work"
+    else
+        echo "Making a minimal Debian"
+        debootstrap --variant=minbase bookworm "$work" >"$work.log" || { tail "$work.log" >&2 && exit 1; }
+    fi
     chmod 755 "$work"
     cp /etc/resolv.conf "$work/etc"
     bwrap --bind "$work" / --dev /dev --proc /proc --ro-bind "$PWD" /checkout \
