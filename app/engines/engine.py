@@ -183,6 +183,7 @@ class EngineSetup:
     truth: Callable[[float], ReferenceHand | None] | None = None
     simulated: bool = False
     player: Player | None = None  # of a recorded session
+    cut_off: bool = False  # the session has no end: what it holds can be recovered
     command: Callable[[Callable[[Engine], None]], None] | None = None  # in the engine's own thread
     reference_tracking: ReferenceTracking | None = None
     camera_controls: CameraControls | None = None  # of a device that is open

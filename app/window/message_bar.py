@@ -67,6 +67,7 @@ class MessageBar(QWidget):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in MOVES and self.isVisible():
             self._place()
+            self.raise_()  # docks that are laid out anew come over it
         return super().eventFilter(watched, event)
 
     def _place(self) -> None:

@@ -53,8 +53,14 @@ class RecentSessions(QObject):
         self._tasks.run(self.tr("Looking for earlier sessions"), job, self._page.show_earlier)
 
     def _opened(self, setup: EngineSetup) -> None:
-        if setup.player is not None:
-            self._remember(setup.player.path)
+        if setup.player is None:
+            return
+        path = setup.player.path
+        self._remember(path)
+        if setup.cut_off:
+            text = self.tr("The recording {} was cut off. What it holds can be recovered.")
+            help_it = (self.tr("Recover"), partial(self.recover, path))
+            self._messages.say(text.format(path.name), help_it)
 
     def _remember(self, path: Path) -> None:
         self._store.update(recent=with_recent(self._store.value.recent, path))

@@ -134,3 +134,12 @@ def test_recent_sessions_come_newest_first_and_the_newest_is_among_them(tmp_path
     os.utime(newer, (2e9, 2e9))
     found = look_back([str(older)] * 5, sessions, datetime.now(), lambda *_: None)
     assert [r.row.path for r in found.recent] == [newer, older]
+
+
+def test_a_session_that_was_cut_off_says_so_when_it_is_opened(started, sessions, qtbot):
+    started.sources.open_session(sessions / "P02_fist.mcap")
+    qtbot.waitUntil(lambda: "P02_fist.mcap was cut off" in started.banner.text(), timeout=30_000)
+    assert started.banner.buttons[0].text() == "Recover"
+    started.sources.open_session(sessions / "P01_pinch.mcap")
+    qtbot.waitUntil(lambda: "P01_pinch" in started.windowTitle(), timeout=30_000)
+    assert not started.banner.isVisible()

@@ -44,6 +44,11 @@ class ReplayEngine:
         """None where the session has no camera, or none that was calibrated."""
         return self.info.rig
 
+    @property
+    def is_finished(self) -> bool:
+        """Whether the recording was ended, and not cut off."""
+        return self._reader.source.contents.finished
+
     def read_events(self) -> None:
         """Find the notes and events for the timeline, and begin where there is something to see; a
         damaged end has none."""
@@ -120,6 +125,7 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
             truth=engine.hands.references[seen.side].truth(),
             simulated=info.simulated,
             player=engine.player,
+            cut_off=not engine.is_finished,
             stage=engine.hands.stages[seen.side],
         )
         for seen in info.hands

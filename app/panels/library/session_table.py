@@ -62,10 +62,13 @@ class SessionTable(QTableWidget):
         self.setAccessibleName(self.tr("Recorded sessions"))
 
     def set_widths(self, widths: Sequence[int]) -> None:
-        """Of the columns, px; the usual ones where they are not of this table."""
+        """Of the columns, px; the usual ones where they are not of this table. The last column has
+        what the others leave: were it as wide as it was once, the table would scroll sideways
+        where there is less room now."""
         good = len(widths) == len(WIDTHS) and all(NARROWEST <= w <= 2000 for w in widths)
-        for column, width in enumerate(widths if good else WIDTHS):
+        for column, width in enumerate((widths if good else WIDTHS)[:-1]):
             self.setColumnWidth(column, width)
+        self.setColumnWidth(len(WIDTHS) - 1, NARROWEST)
 
     def widths(self) -> list[int]:
         return [self.columnWidth(column) for column in range(self.columnCount())]
