@@ -183,6 +183,11 @@
       <translation>Der Stream {} läuft.</translation>
     </message>
     <message>
+      <location filename="app/jobs/plugged.py" />
+      <source>Looking for devices</source>
+      <translation>Geräte werden gesucht</translation>
+    </message>
+    <message>
       <location filename="app/jobs/remote.py" />
       <source>Remote control by {}</source>
       <translation>Fernsteuerung über {}</translation>
@@ -1576,6 +1581,16 @@
       <location filename="app/panels/library/transport.py" />
       <source>Position in the session</source>
       <translation>Stelle in der Sitzung</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/transport.py" />
+      <source>Live</source>
+      <translation>Live</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/transport.py" />
+      <source>Back to the live hand (Ctrl+L)</source>
+      <translation>Zurück zur laufenden Hand (Strg+L)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -4606,13 +4621,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>Starting the demo</source>
-      <translation>Demo wird gestartet</translation>
+      <source>Looking for glove and camera</source>
+      <translation>Handschuh und Kamera werden gesucht</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>Looking for glove and camera</source>
-      <translation>Handschuh und Kamera werden gesucht</translation>
+      <source>The search for glove and camera</source>
+      <translation>Die Suche nach Handschuh und Kamera</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
@@ -4626,8 +4641,28 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/sources.py" />
-      <source>Open it now</source>
-      <translation>Jetzt öffnen</translation>
+      <source>The demo</source>
+      <translation>Die Demo</translation>
+    </message>
+    <message>
+      <location filename="app/window/sources.py" />
+      <source>Starting the demo</source>
+      <translation>Demo wird gestartet</translation>
+    </message>
+    <message>
+      <location filename="app/window/sources.py" />
+      <source>Plugged in now: {}.</source>
+      <translation>Jetzt eingesteckt: {}.</translation>
+    </message>
+    <message>
+      <location filename="app/window/sources.py" />
+      <source>Use it</source>
+      <translation>Verwenden</translation>
+    </message>
+    <message>
+      <location filename="app/window/sources.py" />
+      <source>End it and open</source>
+      <translation>Beenden und öffnen</translation>
     </message>
     <message>
       <location filename="app/window/sources.py" />
@@ -4868,6 +4903,11 @@ change {}: {}</source>
       <location filename="app/window/window_commands.py" />
       <source>Add a &amp;note…</source>
       <translation>&amp;Notiz hinzufügen…</translation>
+    </message>
+    <message>
+      <location filename="app/window/window_commands.py" />
+      <source>Back to the li&amp;ve hand</source>
+      <translation>Zu&amp;rück zur laufenden Hand</translation>
     </message>
     <message>
       <location filename="app/window/window_commands.py" />
