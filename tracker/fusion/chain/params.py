@@ -94,7 +94,7 @@ class ConstraintParams:
     stiff_abduction: float = 0.12  # rad, of a joint that hardly abducts
     synergy: float = 0.13  # rad, for a segment seen only by markers
     limit: float = 0.05  # rad, beyond a joint's limit
-    tilt: float = 0.5  # m/s², a finger's accelerometer against the chain's
+    tilt: float = 0.3  # m/s², a finger's accelerometer against the chain's
     tilt_kinematic: float = 0.15  # share of the kinematic part
     period: float = 0.03  # s between two uses of tilt, or of anatomy while no image comes
 
