@@ -2896,8 +2896,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colour_live.py" />
-      <source>Fitting to what is seen needs the glove and both cameras, calibrated. Fit to one image instead.</source>
-      <translation>Anpassen an das, was zu sehen ist, braucht den Handschuh und beide Kameras, kalibriert. Stattdessen an ein Bild anpassen.</translation>
+      <source>Fitting to what is seen needs the glove and its camera, calibrated. Fit to one image instead.</source>
+      <translation>Das Anpassen an das Gesehene braucht den Handschuh und seine Kamera, kalibriert. Stattdessen an ein Bild anpassen.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
