@@ -33,7 +33,7 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[1]
 UDP_PORT = 9750
-PATIENCE = 900.0  # s
+PATIENCE = 3600.0  # s
 TICKS = os.sysconf("SC_CLK_TCK")
 DRIVERS = ["libegl1", "libegl-mesa0", "libgl1", "libglx-mesa0", "fonts-dejavu-core"]
 SCREEN = [
@@ -102,14 +102,21 @@ class Clock:
     def __init__(self, process: subprocess.Popen[str]) -> None:
         self._began, self._process = time.monotonic(), process
         self._most: dict[int, float] = {}
+        self._looked = 0.0
         self.load = os.getloadavg()[0]
 
     def read(self) -> tuple[float, float]:
-        self.look()
+        self.look(0.0)
         return time.monotonic() - self._began, sum(self._most.values())
 
-    def look(self) -> None:
-        """Processes are gone when they are waited for, so each one's own time is kept."""
+    def look(self, pause: float = 0.1) -> None:
+        """Processes are gone when they are waited for, so each one's own time is kept.
+
+        Not more often than every ``pause`` s: to look takes its own share of a core.
+        """
+        if time.monotonic() < self._looked + pause:
+            return
+        self._looked = time.monotonic()
         family = {self._process.pid}
         for pid, (parent, used) in sorted(_processes().items()):
             if parent in family or pid in family:

@@ -21,7 +21,7 @@ if [ -n "${FRESH:-}" ]; then
     fi
     chmod 755 "$work"
     cp /etc/resolv.conf "$work/etc"
-    bwrap --bind "$work" / --dev /dev --proc /proc --ro-bind "$PWD" /checkout \
+    bwrap --bind "$work" / --dev /dev --perms 1777 --tmpfs /dev/shm --proc /proc --ro-bind "$PWD" /checkout \
         --ro-bind "$package" "/${package##*/}" --unshare-pid --die-with-parent --clearenv \
         --setenv PATH /usr/sbin:/usr/bin:/sbin:/bin --setenv DEBIAN_FRONTEND noninteractive \
         /checkout/packaging/debian_smoke.sh "/${package##*/}"

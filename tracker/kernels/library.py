@@ -84,11 +84,13 @@ class Library:
         """What runs for arguments that the library has nothing for."""
 
         def run(*args: Any) -> Any:
+            function = self._by_numba(kernel)
             if not logged.is_set():
                 logged.set()
+                level = logging.WARNING if function is kernel.py_func else logging.DEBUG
                 types = ", ".join(_described(arg) for arg in args)
-                _log.debug("not in the library: %s(%s)", kernel.__qualname__, types)
-            return self._by_numba(kernel)(*args)
+                _log.log(level, "not in the library: %s(%s)", kernel.__qualname__, types)
+            return function(*args)
 
         logged = threading.Event()
         return run
