@@ -23,7 +23,7 @@ from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
 
 IMAGES = 2
-SECONDS = 8.0  # of the film: what has ended is not found
+SECONDS, FPS = 8.0, 10.0  # of the film: what has ended is not found
 
 
 @pytest.fixture
@@ -45,9 +45,9 @@ def film(tmp_path_factory):
     """A side-by-side film of the simulated hand."""
     path = tmp_path_factory.mktemp("film") / "stereo.avi"
     size = (2 * 1280, 720)
-    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, size)
+    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), FPS, size)
     pairs = [frame_and_blobs(30 + i)[0] for i in range(IMAGES)]
-    for k in range(round(10 * SECONDS)):
+    for k in range(round(FPS * SECONDS)):
         frame = pairs[k % IMAGES]
         writer.write(np.hstack([frame.left, frame.right]))
     writer.release()
@@ -147,8 +147,8 @@ def test_a_glove_alone_is_recorded_and_replayed(glove_alone, qtbot, tmp_path):
 def test_one_webcam_is_a_whole_rig(window, qtbot, store, tmp_path, device):
     """Its image is not wide enough for two; its calibration is of one camera."""
     path, rig = tmp_path / "webcam.avi", extrinsics_of(simulation().rig)
-    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), 10.0, (1280, 720))
-    for k in range(round(10 * SECONDS)):
+    writer = cv2.VideoWriter(str(path), cv2.VideoWriter.fourcc(*"MJPG"), FPS, (1280, 720))
+    for k in range(round(FPS * SECONDS)):
         writer.write(frame_and_blobs(30 + k % IMAGES)[0].left)
     writer.release()
     save_calibration(tmp_path / "webcam.yml", rig.left)
@@ -174,6 +174,7 @@ def test_a_camera_without_glove_or_calibration_gives_its_images(window, qtbot, s
     assert not _done(window, "Glove found") and not _done(window, "Camera calibrated")
     view = window.host.snapshot()
     assert view.frame.left is not None and len(view.blobs.left) > 5, "colours can be tuned"
+    assert window.host.setup.image_rate() == pytest.approx(FPS), "a film is paced by its own rate"
 
 
 def test_a_device_that_vanishes_turns_its_line_within_a_second(connected, qtbot, device):

@@ -77,7 +77,8 @@ class StreamInput:
 
     def open(self) -> None:
         self._capture = open_capture(self._source, self._want)
-        self.fps = self._want.fps or float(self._capture.get(cv2.CAP_PROP_FPS))
+        wanted = self._want.fps if self.live else 0.0  # a film has a rate of its own
+        self.fps = wanted or float(self._capture.get(cv2.CAP_PROP_FPS))
 
     def read(self) -> Pair | None:
         if self._capture is None:
