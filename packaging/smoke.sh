@@ -79,7 +79,7 @@ step demo-first inside glovetrack demo --headless-report 2 --out first
 step demo inside glovetrack demo --headless-report $seconds --out demo
 cat "$out/demo.log"
 step verify inside glovetrack verify demo/session.mcap
-formats=$(inside glovetrack export --help | grep -o '{[a-z0-9,]*}' | head -1 | tr -d '{}' | tr , ' ')
+formats=$(inside glovetrack export --help | grep -o '{[a-z0-9.,]*}' | head -1 | tr -d '{}' | tr , ' ')
 for format in $formats; do
     step $format inside glovetrack export demo/session.mcap --format $format -o "made.$format"
 done

@@ -8,13 +8,18 @@ from app.widgets.view3d.raster.solids import Rotation
 from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 
+DIGITS = 9
+"""Behind the point, of directions worked out here: their last bits depend on the processor, and the
+compiled kernels are those of the computer that compiled them only where all constants agree."""
+
 
 def _lamp(azimuth_deg: float, elevation_deg: float, strength: float) -> tuple[float, ...]:
     """Direction in C towards a lamp, from the camera's right-hand side and from above, and how
     strong it is."""
     a, e = np.deg2rad(azimuth_deg), np.deg2rad(elevation_deg)
     way = np.sin(a) * np.cos(e), -np.sin(e), -np.cos(a) * np.cos(e)
-    return float(way[0]), float(way[1]), float(way[2]), strength
+    x, y, z = (round(float(w), DIGITS) for w in way)
+    return x, y, z, strength
 
 
 KEY = _lamp(10, 50, 0.75)
@@ -28,7 +33,8 @@ def _halfway(lamp: tuple[float, ...]) -> tuple[float, ...]:
     """Between a lamp and the camera: the normal that shines most."""
     way = np.array(lamp[:3]) - [0.0, 0.0, 1.0]
     unit = way / np.linalg.norm(way)
-    return float(unit[0]), float(unit[1]), float(unit[2])
+    x, y, z = (round(float(u), DIGITS) for u in unit)
+    return x, y, z
 
 
 GLOSS = _halfway(KEY)
