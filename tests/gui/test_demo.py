@@ -126,6 +126,7 @@ def test_a_recorder_that_is_killed_is_said_and_then_a_camera_and_the_rest_goes_o
     assert needs_recovery(first)
     second = _recorded(demo, qtbot, tmp_path)
     assert second != first
+    qtbot.waitUntil(lambda: not needs_recovery(second), timeout=20_000)  # a slow disk goes on
     with SessionReader(second) as reader:
         assert reader.source.contents.finished
         assert {StereoFrame, Estimate} <= {type(m) for m in reader.messages()}

@@ -78,6 +78,7 @@ def test_the_isaac_record_has_a_file_that_is_chosen_and_never_replaced(
     for name in ("take.mcap", "take_2.mcap"):
         panel.boxes["isaac"].click()
         qtbot.waitUntil(lambda: "sending" in panel.cells["isaac"]["state"].text(), timeout=10_000)
+        qtbot.waitUntil(lambda: panel.cells["isaac"]["sent"].text() not in "–0", timeout=10_000)
         panel.boxes["isaac"].click()
         path = chosen.parent / name
         qtbot.waitUntil(lambda path=path: _records(path) == ["right"], timeout=10_000)

@@ -271,7 +271,7 @@ def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     assert path.name == "pinch-of-salt.mcap"
     assert recorded.banner.text().startswith("pinch-of-salt is whole")
     button(recorded, "Show it").click()
-    qtbot.waitUntil(lambda: recorded.host.running, timeout=30_000)
+    qtbot.waitUntil(lambda: recorded.host.setup.player is not None, timeout=30_000)
     assert recorded.host.setup.player.path == path
 
 

@@ -118,6 +118,8 @@ def owners_of(
         return np.zeros(0, np.int64)
     uv = camera.rectify(np.array(blobs.uv))
     owner = np.full(len(uv), EVERYONE, np.int64)
+    if len(markers.hue) == 0:  # each hand that is known lies wholly under another
+        return owner
     # 1. The markers of all hands compete for all blobs.
     row = assign_gated(
         uv, blobs.hue, markers.uv, markers.S, markers.hue, markers.prior, params.gate
