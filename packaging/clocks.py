@@ -344,7 +344,17 @@ def fresh(work: Path, way: str, display: str) -> Iterator[Machine]:
 @contextmanager
 def screen() -> Iterator[str]:
     """An X server at a number that is free."""
-    words = ["Xvfb", "-displayfd", "1", "-screen", "0", "1440x900x24", "-nolisten", "tcp"]
+    words = [
+        "Xvfb",
+        "-displayfd",
+        "1",
+        "-noreset",
+        "-screen",
+        "0",
+        "1440x900x24",
+        "-nolisten",
+        "tcp",
+    ]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
     with subprocess.Popen(words, text=True, **pipes) as server:
         try:

@@ -16,7 +16,7 @@ done
 rm -rf "$out" && mkdir -p "$out/home"
 out=$(realpath "$out")
 
-Xvfb -displayfd 3 -screen 0 1440x900x24 -nolisten tcp &>"$out/xvfb.log" 3>"$out/display" &
+Xvfb -displayfd 3 -noreset -screen 0 1440x900x24 -nolisten tcp &>"$out/xvfb.log" 3>"$out/display" &
 screen=$!
 trap 'kill $screen' EXIT
 until [ -s "$out/display" ]; do sleep 0.05; done # it takes a number that is free
