@@ -66,7 +66,8 @@ class EngineHost(QObject):
     ) -> None:
         """Build an engine in the background (it compiles, opens ports) and start it.
 
-        ``keep``: what is open goes on until the new one is there, and if that cannot be built.
+        ``keep``: what is open goes on until the new one is there, if that cannot be built, and if a
+        recording has begun meanwhile.
         """
         if self.opening:
             return
@@ -75,10 +76,20 @@ class EngineHost(QObject):
         self.opening = True
 
         def built(setup: EngineSetup) -> None:
+            if keep and self.recording.request is not None:
+                self._refuse(title, setup)
+                return
             self._factory = (title, factory)
             self.adopt(setup, start)
 
         self._tasks.run(title, factory, built, self._opening_ended)
+
+    def _refuse(self, title: str, setup: EngineSetup) -> None:
+        """Let a built engine go: it would end a recording that nobody has ended."""
+        self.opening = False
+        setup.engine.stop()
+        setup.close()
+        self.error.emit(self.tr("{}: not now, a recording has begun meanwhile.").format(title))
 
     def _opening_ended(self) -> None:
         self.opening = False

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-import multiprocessing as mp
 from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
+
+from tracker.child import start_child
 
 SOFTWARE = (
     "llvmpipe",
@@ -59,20 +61,14 @@ class GraphicsQuery(QObject):
         self._timer = QTimer(self)
         self._timer.timeout.connect(self._look)
         self._pipe: Connection | None = None
-        self._process: mp.process.BaseProcess | None = None
+        self._process: BaseProcess | None = None
         self._waited_ms = 0
 
     def start(self) -> None:
         """Begin, unless there is no screen to draw on."""
         if QGuiApplication.platformName() in WITHOUT_SCREEN:
             return
-        context = mp.get_context("spawn")
-        self._pipe, theirs = context.Pipe(duplex=False)
-        self._process = context.Process(
-            target=_answer, args=(theirs,), name="glovetrack-graphics", daemon=True
-        )
-        self._process.start()
-        theirs.close()
+        self._pipe, self._process = start_child("glovetrack-graphics", _answer)
         self._timer.start(PERIOD_MS)
 
     def _look(self) -> None:

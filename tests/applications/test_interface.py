@@ -19,7 +19,7 @@ from tests.applications.hands import GLOVE, HAND, estimates, outcomes, words
 from tests.conftest import ROOT
 from tracker.applications.drawing import Line, Points
 from tracker.applications.hand import HandReader, foretold
-from tracker.applications.registry import kind, make, names, titles
+from tracker.applications.registry import BUILT_IN, kind, make, names, titles
 from tracker.applications.runner import ApplicationRunner
 from tracker.applications.stage import ApplicationStage
 from tracker.cli import main
@@ -80,6 +80,21 @@ def test_the_example_is_short_and_listed(installed: None) -> None:
     assert len((EXAMPLE / "glovetrack_air_drawing.py").read_text().splitlines()) < 60
     assert "air-drawing" in names()
     assert titles()["air-drawing"] == "Drawing in the air"
+
+
+def test_ours_are_called_what_their_classes_say_and_named_without_their_packages(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert {n: t for n, t in titles().items() if n in BUILT_IN} == {
+        n: kind(n).title for n in BUILT_IN
+    }
+    monkeypatch.setitem(sys.modules, "mujoco", None)  # as where it is not installed
+    room = kind("arm").__module__.rpartition(".")[0]
+    for name in [n for n in sys.modules if n.startswith(room)]:
+        monkeypatch.delitem(sys.modules, name)
+    assert titles()["arm"] == "Robot arm"
+    with pytest.raises(ConfigError, match=r"arm needs a package .*glovetrack\[robot\]"):
+        kind("arm")
 
 
 def test_a_pinch_draws_the_way_of_the_hand_and_a_fist_wipes_it(installed: None) -> None:

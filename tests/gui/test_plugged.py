@@ -1,5 +1,6 @@
 """A day's order of things: devices that come late, a wrong file, a look at a take and back."""
 
+import threading
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -7,6 +8,7 @@ import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import QPoint, QRect
 
+from app.engines.engine import RecordingRequest
 from app.jobs.plugged import Newcomers, PlugWatch, plugged_in
 from app.storage.settings import AppSettings
 from tracker.errors import DeviceError, FileError
@@ -93,6 +95,25 @@ def test_a_file_that_cannot_be_read_leaves_open_what_is_open(live, qtbot):
     live.host.open("Opening bad.mcap", bad, keep=True)
     qtbot.waitUntil(lambda: "bad.mcap is no session" in live.banner.text(), timeout=10_000)
     assert live.host.setup is setup and live.host.running and not live.host.opening
+
+
+def test_a_recording_that_begins_while_a_file_is_being_opened_goes_on(live, qtbot, tmp_path):
+    let, built = threading.Event(), []
+
+    def slow(_progress):
+        let.wait(10.0)
+        built.append(scripted_setup(ScriptedEngine()))
+        return built[0]
+
+    setup = live.host.setup
+    live.host.open("Opening take.mcap", slow, keep=True)
+    assert live.host.record(RecordingRequest(tmp_path / "now.mcap", "", ""))
+    let.set()
+    qtbot.waitUntil(lambda: "Opening take.mcap: not now" in live.banner.text(), timeout=10_000)
+    assert live.host.recording.request is not None
+    assert live.host.setup is setup and live.host.running and not live.host.opening
+    assert (built[0].engine.started, built[0].engine.stopped) == (0, 1)
+    live.host.recording.end()
 
 
 def test_from_a_take_one_goes_back_to_what_was_live(window, searches):

@@ -10,20 +10,30 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from importlib import import_module
 from importlib.metadata import entry_points
-from typing import Any, get_type_hints
+from typing import Any, NamedTuple, get_type_hints
 
 from tracker.applications.interface import Application
 from tracker.config import from_dict
 from tracker.errors import ConfigError
 
 GROUP = "glovetrack.applications"
-BUILT_IN: dict[str, tuple[str, str]] = {
-    "touch": ("touch.touch", "Touch"),
-    "arm": ("arm.arm", "RobotArm"),
-    "place": ("place.place", "Place"),
-    "swarm": ("swarm.swarm", "Swarm"),
+
+
+class BuiltIn(NamedTuple):
+    """Where an application of ours is, and what it is called where it cannot be loaded."""
+
+    module: str
+    kind: str
+    title: str
+
+
+BUILT_IN = {
+    "touch": BuiltIn("touch.touch", "Touch", "Virtual object to touch"),
+    "arm": BuiltIn("arm.arm", "RobotArm", "Robot arm"),
+    "place": BuiltIn("place.place", "Place", "Virtual place"),
+    "swarm": BuiltIn("swarm.swarm", "Swarm", "Drone swarm"),
 }
-"""Module and class by name; imported when asked for."""
+"""By name; imported when asked for."""
 EXTRA = 'pip install "glovetrack[robot]"'
 _log = logging.getLogger(__name__)
 Maker = Callable[[Any], Application]
@@ -38,9 +48,10 @@ def names() -> list[str]:
 def kind(name: str) -> type[Application]:
     """The class. Raises ConfigError where there is none, or it cannot be loaded."""
     if name in BUILT_IN:
-        module, attribute = BUILT_IN[name]
+        ours = BUILT_IN[name]
         try:
-            found: type[Application] = getattr(import_module(f"{__package__}.{module}"), attribute)
+            module = import_module(f"{__package__}.{ours.module}")
+            found: type[Application] = getattr(module, ours.kind)
         except ImportError as error:
             raise ConfigError(
                 f"The application {name} needs a package that is not installed ({error}). "
@@ -57,11 +68,12 @@ def kind(name: str) -> type[Application]:
 
 
 def titles() -> dict[str, str]:
-    """What each is called, by name; one that cannot be loaded is left out and logged."""
+    """What each is called, by name. Ours are all named: one that lacks a package says so when it
+    is chosen. A plug-in that cannot be loaded is left out and logged."""
     out = {}
     for name in names():
         try:
-            out[name] = kind(name).title
+            out[name] = BUILT_IN[name].title if name in BUILT_IN else kind(name).title
         except ConfigError as error:
             _log.warning("%s", error)
     return out

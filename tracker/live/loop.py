@@ -7,7 +7,7 @@ a session read back in that order gives the same states bit for bit.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
@@ -36,6 +36,9 @@ from tracker.online.colour_watch import ColourWatch
 from tracker.two_hands import Hands, Sided, TwoHands
 from tracker.vision.region_prediction import RegionPrediction, together
 from tracker.vision.rig import StereoRig
+
+BEST = (Tracking.SEARCHING, Tracking.LOST, Tracking.COASTING, Tracking.TRACKING)
+"""The better known, the later."""
 
 SILENCE = 0.1  # s without packets after which the screen follows the images alone
 SAID_BEFORE = 5.0  # s for which one hand's words are not said of the other's sake again
@@ -68,6 +71,20 @@ class ArrivalOrder:
         return seconds(self._last_ns)
 
 
+class SaidOnce:
+    """What both hands' pipelines notice of the one camera: the same again within ``patience`` s is
+    no news."""
+
+    def __init__(self, patience: float) -> None:
+        self._patience = patience
+        self._last: dict[str, float] = {}
+
+    def is_news(self, text: str, now: float) -> bool:
+        """Whether it was not said shortly before ``now`` (s)."""
+        last, self._last[text] = self._last.get(text, float("-inf")), now
+        return now - last >= self._patience
+
+
 class LiveLoop:
     """`feed` is for one thread; everything else may be called from any.
 
@@ -95,10 +112,10 @@ class LiveLoop:
         self._finishing: list[RecordingThread] = []
         self._next_report = 0.0
         self._at_start: dict[str, dict[str, float]] = {}  # figures when the recording began
-        self._said: dict[str, float] = {}  # when a pipeline said this last
+        self._said = SaidOnce(0.0 if alone else SAID_BEFORE)
         self._exchange = _exchange_watch(hands)
         for side, hand in self.seen.items():
-            hand.telemetry.ask(partial(self._camera_figures, side))
+            hand.telemetry.ask(partial(_camera_figures, self, side))
 
     # ---- one message after another
 
@@ -153,15 +170,9 @@ class LiveLoop:
             if hand.history.silent(blobs.t_arrival, SILENCE):
                 self._show(hand, self.hands.pipelines[side].predict(blobs.t), record=False)
         if any(hand.estimate is not None for hand in self.seen.values()):
-            self.colours.look(blobs, self._best_tracking())
+            self.colours.look(blobs, _best(hand.tracking for hand in self.seen.values()))
         now = self.clock()
         self.load.image(now, now - found.frame.t_arrival, found.missed)
-
-    def _best_tracking(self) -> Tracking:
-        """Of the hand that is known best: the colours fit where any hand is found."""
-        states = {hand.tracking for hand in self.seen.values()}
-        known = (Tracking.TRACKING, Tracking.COASTING, Tracking.LOST)
-        return next((state for state in known if state in states), Tracking.SEARCHING)
 
     def _feed_reference(self, message: Sided | BlobFrame) -> None:
         reference = self._reference
@@ -206,7 +217,8 @@ class LiveLoop:
     def _take_results(self) -> None:
         for side, pipeline in self.hands.pipelines.items():
             for text in pipeline.take_words():
-                self._say_once(text)
+                if self._said.is_news(text, self.clock()):
+                    self.journal.say("device", text)
             hand = self.seen[side]
             hand.take(self.hands.take_results(side), pipeline)
             for text in hand.sides.take_words() if hand.sides is not None else ():
@@ -217,13 +229,6 @@ class LiveLoop:
             self.journal.say("tracking", text)
         for text in self.load.take_words():
             self.journal.say("load", text)
-
-    def _say_once(self, text: str) -> None:
-        """What both hands' pipelines notice of the one camera is said once."""
-        now = self.clock()
-        if len(self.seen) == 1 or now - self._said.get(text, -SAID_BEFORE) >= SAID_BEFORE:
-            self.journal.say("device", text)
-        self._said[text] = now
 
     def _report(self) -> None:
         """Once a second: calibration and status, for the screen and the file."""
@@ -244,9 +249,6 @@ class LiveLoop:
                 status = self.status(side)
                 own = counted_since(self._at_start[side], status.values)
                 self.journal.record(replace(status, values=own), side)
-
-    def _camera_figures(self, side: str) -> dict[str, float]:
-        return camera_figures(self.hands.pipelines[side])
 
     # ---- from any thread
 
@@ -323,6 +325,16 @@ class LiveLoop:
             if self.journal.recording:
                 engine = next(iter(self.hands.pipelines.values())).settings.engine
                 self.journal.record(EngineState(self._order.mark(), engine, self.hands.get_state()))
+
+
+def _best(states: Iterable[Tracking]) -> Tracking:
+    """Of the hand that is known best: the colours fit where any hand is found."""
+    return max(states, key=BEST.index)
+
+
+def _camera_figures(loop: LiveLoop, side: str) -> dict[str, float]:
+    """Of the pipeline that the hand has now: another engine is another pipeline."""
+    return camera_figures(loop.hands.pipelines[side])
 
 
 def _exchange_watch(hands: Hands) -> ExchangeWatch | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing as mp
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -10,6 +9,7 @@ from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from typing import TYPE_CHECKING, NamedTuple
 
+from tracker.child import start_child
 from tracker.clock import monotonic
 from tracker.errors import GlovetrackError
 from tracker.hand.model import HandModel
@@ -71,15 +71,9 @@ class RobotProcess:
         keypoint_names: tuple[str, ...],
         heard: Callable[[Answer, float], None],
     ) -> None:
-        context = mp.get_context("spawn")
-        self._pipe, theirs = context.Pipe()
         self._heard = heard
-        self._process = context.Process(
-            target=serve, args=(theirs, settings, hand, keypoint_names), name="glovetrack-robot",
-            daemon=True,
-        )  # fmt: skip
-        self._process.start()
-        theirs.close()
+        name = "glovetrack-robot"
+        self._pipe, self._process = start_child(name, serve, settings, hand, keypoint_names)
         self._lock = threading.Lock()
         self._latest: tuple[Estimate | RobotState, float] | None = None
         self._arrival: float | None = STARTING  # of what was sent and not answered

@@ -8,7 +8,6 @@ as a camera would drop it, and the gap in ``index`` tells.
 from __future__ import annotations
 
 import contextlib
-import multiprocessing as mp
 import time
 from collections import deque
 from collections.abc import Sequence
@@ -18,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tracker.child import start_child
 from tracker.clock import nanoseconds, seconds
 from tracker.messages import Event, StereoFrame
 from tracker.sensors.sources import NoCamera
@@ -52,16 +52,9 @@ class SimulatedCamera:
         self._events: list[Event] = []
         self._asked: deque[Asked] = deque()  # of other threads, to be sent by the one that reads
         self._closed = False
-        context = mp.get_context("spawn")
-        self._pipe, theirs = context.Pipe()
-        self._process = context.Process(
-            target=_draw_for_ever,
-            args=(spec, self._memory.name, self._shape, theirs),
-            name="glovetrack-camera",
-            daemon=True,
+        self._pipe, self._process = start_child(
+            "glovetrack-camera", _draw_for_ever, spec, self._memory.name, self._shape
         )
-        self._process.start()
-        theirs.close()
 
     def wait_ready(self, timeout: float) -> bool:
         """Whether the first image could be drawn within ``timeout`` s. Call it once."""
@@ -167,7 +160,7 @@ class NoSimulatedCamera(NoCamera):
 DemoCamera = SimulatedCamera | NoSimulatedCamera
 
 
-def _draw_for_ever(spec: DemoSpec, name: str, shape: tuple[int, ...], pipe: Connection) -> None:
+def _draw_for_ever(pipe: Connection, spec: DemoSpec, name: str, shape: tuple[int, ...]) -> None:
     """The other process: draws until the pipe closes."""
     memory = attached(name)
     try:

@@ -7,12 +7,12 @@ for the making of packets; figures of latency would tell of the simulation.
 from __future__ import annotations
 
 import contextlib
-import multiprocessing as mp
 import sys
 from collections.abc import Mapping
 from multiprocessing.connection import Connection
 from typing import NamedTuple
 
+from tracker.child import start_child
 from tracker.errors import DeviceError, GlovetrackError
 from tracker.glove.model import GloveModel
 from tracker.simulation.asked import Asked
@@ -45,13 +45,7 @@ class GloveProcess:
     """The gloves of a `DemoSpec`; getting ready takes the process a second or two."""
 
     def __init__(self, spec: DemoSpec) -> None:
-        context = mp.get_context("spawn")
-        self._pipe, theirs = context.Pipe()
-        self._process = context.Process(
-            target=_serve, args=(spec, theirs), name="glovetrack-glove", daemon=True
-        )
-        self._process.start()
-        theirs.close()
+        self._pipe, self._process = start_child("glovetrack-glove", _serve, spec)
 
     def paths(self, timeout: float) -> Mapping[str, str]:
         """Of the gloves' lines by side, once they are there. Call it once.
@@ -88,7 +82,7 @@ class GloveProcess:
             self._pipe.send(what)
 
 
-def _serve(spec: DemoSpec, pipe: Connection) -> None:
+def _serve(pipe: Connection, spec: DemoSpec) -> None:
     """The other process: gloves until the pipe closes."""
     sys.setswitchinterval(SWITCH_S)
     with contextlib.suppress(EOFError, OSError, KeyboardInterrupt), contextlib.ExitStack() as worn:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing as mp
 import os
 import socket
 import struct
@@ -14,6 +13,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
+from tracker.child import start_child
 from tracker.errors import FileError, GlovetrackError
 from tracker.session.description import SessionInfo
 from tracker.session.recording.child import serve
@@ -34,13 +34,7 @@ class RecorderProcess:
     """
 
     def __init__(self, prepare: Callable[[], object] | None = None) -> None:
-        context = mp.get_context("spawn")
-        self._pipe, theirs = context.Pipe()
-        self._process = context.Process(
-            target=serve, args=(theirs, prepare), name="glovetrack-recorder", daemon=True
-        )
-        self._process.start()
-        theirs.close()
+        self._pipe, self._process = start_child("glovetrack-recorder", serve, prepare)
         _limit_sending(self._pipe)
         self._told: Failed | None = None
         self._left = False

@@ -1,0 +1,25 @@
+"""A process of its own for one job, with a pipe to it."""
+
+from __future__ import annotations
+
+import multiprocessing as mp
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
+from typing import Any
+
+
+def start_child(
+    name: str, serve: Callable[..., object], *args: Any
+) -> tuple[Connection, BaseProcess]:
+    """Our end of the pipe and the process, which runs ``serve(its end, *args)``.
+
+    It is started anew, since a fork would copy locks that threads hold, and ends with this one.
+    Its end of the pipe is closed here, so that ours tells when it has gone.
+    """
+    context = mp.get_context("spawn")
+    ours, theirs = context.Pipe()
+    process = context.Process(target=serve, args=(theirs, *args), name=name, daemon=True)
+    process.start()
+    theirs.close()
+    return ours, process
