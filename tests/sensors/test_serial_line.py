@@ -6,13 +6,22 @@ import fcntl
 import os
 import pty
 import termios
+import threading
+import tty
 from collections.abc import Iterator
 from types import ModuleType
 
 import pytest
 
 from tracker.sensors.protocol import BAUD
-from tracker.sensors.serial_line import SerialPort, UsbPort, crosses_uart, reason, usb_ports
+from tracker.sensors.serial_line import (
+    SerialPort,
+    UsbPort,
+    crosses_uart,
+    read_waiting,
+    reason,
+    usb_ports,
+)
 
 FTDI, WCH, SILABS, ARDUINO, TEENSY = 0x0403, 0x1A86, 0x10C4, 0x2341, 0x16C0
 
@@ -131,3 +140,57 @@ def test_complaints_are_words_of_the_system_at_hand(
     said = reason(error, system)
     assert words in said
     assert ("sudo" in said) == (system == "linux")
+
+
+def test_what_waits_is_read_at_once_and_nothing_is_read_of_an_empty_line() -> None:
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    port = SerialPort(os.ttyname(slave), BAUD)
+    try:
+        assert read_waiting(port, 0.0) == b""
+        os.write(master, b"first")
+        os.write(master, b" second")
+        assert read_waiting(port, 5.0) == b"first second"
+        assert read_waiting(port, 0.0) == b""
+    finally:
+        port.close()
+        os.close(slave)
+        os.close(master)
+    with pytest.raises(OSError):
+        read_waiting(port, 0.0)
+    with pytest.raises(OSError):
+        port.write(b"x")
+
+
+def test_a_cable_that_is_out_is_an_os_error_to_whoever_reads() -> None:
+    master, slave = pty.openpty()
+    port = SerialPort(os.ttyname(slave), BAUD)
+    os.close(slave)
+    os.close(master)
+    with pytest.raises(OSError):
+        read_waiting(port, 5.0)
+    port.close()
+
+
+def test_all_is_written_also_where_the_line_takes_a_part_of_it_at_once() -> None:
+    master, slave = pty.openpty()
+    tty.setraw(slave)
+    port = SerialPort(os.ttyname(slave), BAUD)
+    data, heard = bytes(range(256)) * 128, bytearray()
+
+    def listen() -> None:
+        while len(heard) < taken + len(data):
+            heard.extend(os.read(master, 4096))
+
+    try:
+        taken = os.write(port.fd, data)
+        assert taken < len(data)  # so much it does not take, and now nothing
+        listener = threading.Thread(target=listen)
+        listener.start()
+        assert port.write(data) == len(data)
+        listener.join(10)
+        assert bytes(heard) == data[:taken] + data
+    finally:
+        port.close()
+        os.close(slave)
+        os.close(master)

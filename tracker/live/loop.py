@@ -141,10 +141,10 @@ class LiveLoop:
             hand.history.add(sample)
             self.journal.record(sample, side)
             estimate = self.hands.feed_imu(side, sample)
-            self._show(hand, estimate, record=True)
             hand.applications.put(estimate, sample.t_arrival)
             for follow in hand.followers:
                 follow(estimate, sample.t_arrival)
+            self._show(hand, estimate, record=True)
         if hand.sides is not None:
             hand.sides.packet(sample, estimate.tracking)
         if self._exchange is not None:

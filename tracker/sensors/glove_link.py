@@ -42,7 +42,7 @@ from tracker.sensors.protocol import (
     encode,
 )
 from tracker.sensors.serial_line import Port as Port
-from tracker.sensors.serial_line import WiredPort, reason
+from tracker.sensors.serial_line import WiredPort, read_waiting, reason
 from tracker.sensors.serial_line import serial_port as serial_port
 
 DEGREE = np.pi / 180
@@ -155,10 +155,12 @@ class GloveLink:
     def poll(self, timeout: float) -> Sequence[ImuSample | Event]:
         """Samples and events, after waiting at most ``timeout`` s for bytes."""
         out: list[ImuSample | Event] = []
-        if self._port is None and not self._open(timeout):
+        if self._port is None:
+            self._open(timeout)
+        if self._port is None:
             return [*out, *self._words.take()]
         try:
-            data = self._read(timeout)
+            data = read_waiting(self._port, timeout)
             now = self._clock()
             for frame in self.decoder.feed(data):
                 if self._port is not None:  # a stranger's was closed
@@ -184,24 +186,23 @@ class GloveLink:
 
     # ---- the port
 
-    def _open(self, timeout: float) -> bool:
+    def _open(self, timeout: float) -> None:
         now = self._clock()
         if now < self._next_open:
             time.sleep(min(timeout, self._next_open - now))
-            return False
+            return
         self._next_open, self._write_error = now + self.params.reopen_every, None
         try:
             self._port = self._open_port()
         except (serial.SerialException, OSError) as error:
             self._words.once("open", f"The glove's port cannot be opened: {reason(error)}")
-            return False
+            return
         self._words.topics.discard("open")
         self.figures.opened += 1
         self.figures.latency_ms = getattr(self._port, "latency_ms", None)
         counters, self.decoder = self.decoder.counters, FrameDecoder()
         self.decoder.counters = counters
         self._greet(now)
-        return True
 
     def _greet(self, now: float) -> None:
         self.state, self._since, self._asked = LinkState.GREETING, now, False
@@ -218,15 +219,6 @@ class GloveLink:
         wire_time = BITS_PER_BYTE * len(packet) / baud if baud else 0.0
         said = 1 / self.hello.rate_hz if self.hello is not None and self.hello.rate_hz else None
         return PacketClock(1 / self.params.rate_hz, wire_time, said)
-
-    def _read(self, timeout: float) -> bytes:
-        port = self._port
-        assert port is not None
-        if port.timeout != timeout:  # the line is set anew each time, which takes it a while
-            port.timeout = timeout
-        first = port.read(1)
-        waiting = port.in_waiting if first else 0
-        return first + (port.read(min(waiting, 65536)) if waiting else b"")
 
     def _send(self, frame: Frame) -> None:
         """Where that fails `poll` frees the port, which it may be reading from now."""

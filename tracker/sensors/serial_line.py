@@ -7,9 +7,11 @@ numbers tell.
 
 from __future__ import annotations
 
+import os
+import select
 import sys
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import NamedTuple, Protocol, runtime_checkable
 
@@ -27,6 +29,7 @@ BRIDGE_BOARDS = frozenset(
 UART_NAMES = ("ttyUSB", "ttyS", "ttyAMA", "cu.usbserial", "cu.SLAB", "cu.wchusb", "COM")
 CDC_NAMES = ("ttyACM", "cu.usbmodem", "tty.usbmodem", "COM")  # a COM port on USB that is no bridge
 GOOD_LATENCY_MS = 2
+MOST_AT_ONCE = 65536  # bytes
 LATENCY_FILES = Path("/sys/bus/usb-serial/devices")
 
 
@@ -94,6 +97,21 @@ def crosses_uart(path: str, ports: Iterable[UsbPort]) -> bool:
     return not name.startswith(CDC_NAMES)
 
 
+def read_waiting(port: Port, timeout: float) -> bytes:
+    """What there is, after waiting at most ``timeout`` s for the first byte. Raises OSError."""
+    return (
+        port.read_waiting(timeout) if isinstance(port, SerialPort) else _read_waiting(port, timeout)
+    )
+
+
+def _read_waiting(port: Port, timeout: float) -> bytes:
+    if port.timeout != timeout:  # the line is set anew each time, which takes it a while
+        port.timeout = timeout
+    first = port.read(1)
+    waiting = port.in_waiting if first else 0
+    return first + (port.read(min(waiting, MOST_AT_ONCE)) if waiting else b"")
+
+
 @contextmanager
 def _as_os_error() -> Iterator[None]:
     """A port that goes away while it is being set is an OSError like at any other time: pyserial
@@ -125,6 +143,36 @@ class SerialPort(serial.Serial):
         """What pyserial does for each change of time-out or speed. Raises OSError alone."""
         with _as_os_error():
             super()._reconfigure_port(*force, **named)
+
+    def read_waiting(self, timeout: float) -> bytes:
+        """What there is, after waiting at most ``timeout`` s for the first byte. Raises OSError.
+
+        Where it can be, with two calls of the system in place of pyserial's five: after each of
+        them a thread waits for Python's lock, and a packet with it.
+        """
+        if not self.is_open:
+            raise serial.PortNotOpenError
+        if sys.platform == "win32":
+            return _read_waiting(self, timeout)
+        if not select.select([self.fd], [], [], timeout)[0]:
+            return b""
+        try:
+            data = os.read(self.fd, MOST_AT_ONCE)
+        except BlockingIOError:  # somebody else was here before
+            return b""
+        if not data:  # ready, and nothing there: so systems say that the cable is out
+            raise serial.SerialException("the device is no longer there")
+        return data
+
+    def write(self, data: bytes) -> int:
+        """All of it; with one call of the system where it takes so much at once. Raises OSError."""
+        if not self.is_open:
+            raise serial.PortNotOpenError
+        done = 0
+        if sys.platform != "win32":
+            with suppress(BlockingIOError):  # it has no room: pyserial waits for some
+                done = os.write(self.fd, data)
+        return done if done == len(data) else done + (super().write(data[done:]) or 0)
 
     @property
     def latency_ms(self) -> int | None:
