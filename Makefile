@@ -1,6 +1,7 @@
 # make demo         the application on a simulated glove and camera
-# make test         linters, type checker, import contracts and all tests; those on real recordings
-#                   read data/ or the folder that GLOVETRACK_DATA names, and are skipped without it
+# make test         linters, all tests, and beside them the type checker and import contracts, whose
+#                   words come last; tests on real recordings read data/ or the folder that
+#                   GLOVETRACK_DATA names, and are skipped without it
 # make lint         the same without the tests
 # make firmware     the glove's firmware and its simulator; prints their sizes
 # make screenshots  images of the window for the documentation
@@ -25,6 +26,12 @@ SCREEN := $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname -s)))
 OFFSCREEN := QT_QPA_PLATFORM=offscreen
 FIRMWARE_BUILD := build/firmware
 PEERS := build/peers
+# Tests wait for processes, disks and devices: with one worker more no core is idle meanwhile.
+WORKERS := $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1)
+# Tests start hundreds of processes, and each would compile every module anew where the environment
+# forbids to keep what was compiled, as many images of containers do.
+KEPT := PYTHONDONTWRITEBYTECODE=
+TYPES := $(BIN)/mypy && $(BIN)/lint-imports
 
 .PHONY: demo test lint firmware screenshots translations docs package wheel bench bench-peers kernels lock clean
 .DELETE_ON_ERROR:
@@ -38,14 +45,18 @@ else
 	$(OFFSCREEN) $(BIN)/python -m app --demo --headless-report 30 --out demo
 endif
 
-test: lint
-	$(OFFSCREEN) $(BIN)/pytest -n 2 --dist worksteal --durations=30
+test: $(READY_FOR_TESTS)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	@mkdir -p build
+	{ $(TYPES); } >build/types.txt 2>&1 & types=$$!; \
+	$(KEPT) $(OFFSCREEN) $(BIN)/pytest -n $(WORKERS) --dist worksteal --durations=30; tests=$$?; \
+	wait $$types; checked=$$?; cat build/types.txt; exit $$((tests + checked))
 
 lint: $(READY_FOR_TESTS)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
-	$(BIN)/lint-imports
+	$(TYPES)
 
 firmware:
 	packaging/system_libraries.sh firmware

@@ -1,5 +1,6 @@
 """Fixtures that many folders share, and where real recordings are."""
 
+import gc
 import os
 import tempfile
 from pathlib import Path
@@ -29,6 +30,12 @@ def pytest_configure(config: pytest.Config) -> None:
     config.add_cleanup(folder.cleanup)
     crash_traces.register(config, Path(folder.name))
     kernel_twins.register(config, Path(folder.name))
+
+
+def pytest_collection_finish() -> None:
+    """A million objects of tests and modules stay to the end: the collector need not look again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture

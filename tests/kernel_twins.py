@@ -22,7 +22,7 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 from types import FunctionType, ModuleType, SimpleNamespace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -193,22 +193,37 @@ def _name(kernel: Any) -> str:
     return f"{kernel.py_func.__module__}.{kernel.py_func.__qualname__}"
 
 
+class Guard(NamedTuple):
+    """What a kernel's annotation says of one argument."""
+
+    may_write: bool
+    members: tuple[Guard, ...]  # of a tuple
+
+
 def _guarded(function: Any, args: tuple[Any, ...], other: Callable[[Any], Any]) -> tuple[Any, ...]:
     """``other`` arrays in place of those given, that can be written where the kernel says so."""
-    annotations = signature.parameters(function).values()
-    pairs = zip(args, annotations, strict=False)  # what is not given has its default
-    return tuple(_guard(value, annotation, False, other) for value, annotation in pairs)
+    pairs = zip(args, _guards(function), strict=False)  # what is not given has its default
+    return tuple(_guard(value, guard, other) for value, guard in pairs)
 
 
-def _guard(value: Any, annotation: Any, written: bool, other: Callable[[Any], Any]) -> Any:
+@functools.cache
+def _guards(function: Any) -> tuple[Guard, ...]:
+    return tuple(_guard_of(annotation) for annotation in signature.parameters(function).values())
+
+
+def _guard_of(annotation: Any, written: bool = False) -> Guard:
     written = written or signature.is_written(annotation)
+    inside = signature.members(annotation) or ()
+    return Guard(written, tuple(_guard_of(member, written) for _, member in inside))
+
+
+def _guard(value: Any, guard: Guard, other: Callable[[Any], Any]) -> Any:
     if isinstance(value, np.ndarray):
         made = other(value)
-        made.setflags(write=written and made.flags.writeable)
+        made.setflags(write=guard.may_write and made.flags.writeable)
         return made
     if isinstance(value, tuple):
-        members = [member for _, member in signature.members(annotation) or ()]
-        made = [_guard(v, m, written, other) for v, m in zip(value, members, strict=True)]
+        made = [_guard(v, m, other) for v, m in zip(value, guard.members, strict=True)]
         return type(value)(*made) if hasattr(value, "_fields") else tuple(made)
     return value
 

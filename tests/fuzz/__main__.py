@@ -63,7 +63,7 @@ def main() -> None:
     named = next((word for word in sys.argv[1:] if word in NAMES), "")
     with atheris.instrument_imports(include=followed(named), exclude=compiled()):
         from tests.fuzz.examples import examples
-        from tests.fuzz.targets import INFO, TARGETS, TOPICS
+        from tests.fuzz.targets import INFO, TARGETS, topics
     parser = argparse.ArgumentParser(prog="python -m tests.fuzz")
     parser.add_argument("target", choices=NAMES)
     parser.add_argument("--minutes", type=float, default=60.0)
@@ -74,7 +74,7 @@ def main() -> None:
     corpus, found = args.corpus / args.target, args.found / args.target
     for folder in (corpus, found):
         folder.mkdir(parents=True, exist_ok=True)
-    for k, example in enumerate(examples(args.target, INFO, TOPICS)):
+    for k, example in enumerate(examples(args.target, INFO, topics())):
         (corpus / f"example-{k}").write_bytes(example)
     atheris.Setup(
         [

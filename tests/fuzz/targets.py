@@ -7,6 +7,7 @@ checksums and lengths, which are made true around the bytes.
 from __future__ import annotations
 
 import contextlib
+import functools
 import struct
 import tempfile
 import zlib
@@ -47,8 +48,14 @@ HAND, GLOVE = library.load(library.DEFAULT_GLOVE, "")
 INFO = SessionInfo(
     HAND, GLOVE, *library.texts(library.DEFAULT_GLOVE, ""), ANCHOR, ideal_rig(64, 48)
 )
-TOPICS, BEGUN = topics_of(INFO), begun(INFO)
+BEGUN = begun(INFO)
 _folder = tempfile.TemporaryDirectory(prefix="glovetrack-fuzz-")
+
+
+@functools.cache
+def topics() -> list[tuple[str, str, bytes]]:
+    """Of a recording, which takes seconds to make: not where the tests are only collected."""
+    return topics_of(INFO)
 
 
 def _file(data: bytes, name: str = "a.mcap") -> Path:
@@ -102,7 +109,7 @@ def messages(data: bytes) -> None:
         out.attach(name, text, 0)
     at, stamp = 0, ANCHOR.wall_ns
     while at + 3 <= len(data) and stamp < ANCHOR.wall_ns + 50 * 10**7:
-        topic, kind, _ = TOPICS[data[at] % len(TOPICS)]
+        topic, kind, _ = topics()[data[at] % len(topics())]
         (length,) = struct.unpack_from("<H", data, at + 1)
         stamp += 10**7
         out.write(out.channel(topic, kind), stamp, stamp, data[at + 3 : at + 3 + length], 0)

@@ -7,6 +7,7 @@ be imported, nothing be said twice, and no list be kept.
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TypeGuard
@@ -19,24 +20,42 @@ ROOT = Path(__file__).parents[2]
 
 def kernels(root: Path = ROOT) -> list[str]:
     """``package.module.function`` of all kernels of the product, in order."""
-    return sorted(name for module, tree in _modules(root) for name in _defined(module, tree))
+    return sorted(_all(list(_sources(root))))
 
 
 def exported(root: Path = ROOT) -> list[str]:
     """Those of them that are named outside of kernels, in order."""
-    modules = list(_modules(root))
-    all_kernels = {name for module, tree in modules for name in _defined(module, tree)}
-    named = {name for module, tree in modules for name in _named(module, tree)}
+    sources = list(_sources(root))
+    all_kernels = _all(sources)
+    named = set[str]()
+    for module, source in sources:
+        if _may_name(all_kernels, source):
+            named |= _named(module, ast.parse(source))
     return sorted(all_kernels & named)
 
 
-def _modules(root: Path) -> Iterator[tuple[str, ast.Module]]:
+def _all(sources: list[tuple[str, bytes]]) -> set[str]:
+    """Full names of the kernels of these modules."""
+    may_hold = [(module, source) for module, source in sources if b"@kernel" in source]
+    return {name for module, source in may_hold for name in _defined(module, ast.parse(source))}
+
+
+def _may_name(all_kernels: set[str], source: bytes) -> bool:
+    """Whether a kernel's name stands in it, and its module's too: in most it does not, and to parse
+    them all would take seconds."""
+    words = {word.decode() for word in re.findall(rb"[A-Za-z_]\w*", source)}
+    split = (name.rsplit(".", 2)[1:] for name in all_kernels)
+    return b"@kernel" in source or any(words.issuperset(pair) for pair in split)
+
+
+def _sources(root: Path) -> Iterator[tuple[str, bytes]]:
+    """Each module's full name and its source."""
     for package in OURS:
         folder = root / package.removeprefix(INSTALLED_IN)
         for path in sorted(folder.rglob("*.py")):
             parts = path.relative_to(root).with_suffix("").parts
             module = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
-            yield f"{INSTALLED_IN}{module}", ast.parse(path.read_bytes())
+            yield f"{INSTALLED_IN}{module}", path.read_bytes()
 
 
 def _defined(module: str, tree: ast.Module) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,6 +21,8 @@ class SmallFiles:
     def __call__(self) -> None:
         import resource
 
+        # Python 3.11 would leave half of a compiled module there (CPython issue 126606).
+        sys.dont_write_bytecode = True
         resource.setrlimit(resource.RLIMIT_FSIZE, (self.limit, self.limit))
 
 
