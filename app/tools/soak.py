@@ -2,7 +2,8 @@
 
 ``--cycles 200`` opens and closes the window that often on an engine and looks for threads, timers
 and memory left behind. ``--minutes 10`` runs the demo off-screen at full rate with everything
-visible, then a while with the 3D view hidden. Both write what they measured as JSON.
+visible, then a while with the 3D view hidden; ``--hands both`` and ``--lenses one`` are the demo's.
+Both write what they measured as JSON.
 """
 
 from __future__ import annotations
@@ -27,8 +28,9 @@ import psutil
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
-from app.engines.demo_camera import DemoChoice, start_camera
+from app.engines.demo_camera import HANDS, LENSES, DemoChoice, start_camera
 from app.platform.process_tuning import tune_process
+from tracker.messages import Tracking
 
 if TYPE_CHECKING:
     from app.window.main_window import MainWindow
@@ -68,8 +70,13 @@ class Soak:
     refreshes_hidden_3d_hz: float = float("nan")
     loop_gap_p99_ms: float = float("nan")  # between turns of the window's event loop
     loop_gap_most_ms: float = float("nan")
-    imu_lost: float = float("nan")
+    imu_lost: float = float("nan")  # of all gloves
     frames_dropped: float = float("nan")
+    images_hz: float = float("nan")  # that the camera gave, and of them those searched
+    searched_hz: float = float("nan")
+    tracked: dict[str, float] = field(default_factory=dict)  # share of the time, by side
+    most_shed: int = 0  # of `tracker.messages.Shed`
+    cores: dict[str, float] = field(default_factory=dict)  # processor time a second, by process
     latency_ms: dict[str, float] = field(default_factory=dict)
     load: float = float("nan")
 
@@ -78,6 +85,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="app.tools.soak", description=__doc__)
     parser.add_argument("--cycles", type=int, default=0)
     parser.add_argument("--minutes", type=float, default=0.0)
+    parser.add_argument("--fps", type=float, default=FPS, help="of the demo's camera")
+    parser.add_argument("--hands", choices=HANDS, default="right", help="before it")
+    parser.add_argument("--lenses", choices=LENSES, default="both", help="that it has")
     parser.add_argument("--json", type=Path, default=None, help="a file for the figures")
     args = parser.parse_args(argv)
     tune_process()
@@ -89,7 +99,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         if args.cycles:
             figures["cycles"] = asdict(cycle(app, args.cycles, Path(folder)))
         if args.minutes:
-            figures["soak"] = asdict(soak(args.minutes, Path(folder)))
+            choice = DemoChoice(args.fps, args.hands, lenses=args.lenses)
+            figures["soak"] = asdict(soak(args.minutes, choice, Path(folder)))
     text = json.dumps(figures, indent=2)
     print(text)
     if args.json is not None:
@@ -206,9 +217,9 @@ class LoopGaps:
         return round(float(np.percentile(gaps, 99)), 1), round(float(gaps.max()), 1)
 
 
-def soak(minutes: float, folder: Path) -> Soak:
+def soak(minutes: float, choice: DemoChoice, folder: Path) -> Soak:
     """The demo with everything visible for ``minutes``, then a while without the 3D view."""
-    camera = start_camera(choice=DemoChoice(FPS))
+    camera = start_camera(choice=choice)
     from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
     from app.window.pauses import keep_pauses_short
@@ -221,8 +232,8 @@ def soak(minutes: float, folder: Path) -> Soak:
     keep_pauses_short(window.host)
     window.show()
     try:
-        window.host.open("demo", demo_factory(DemoChoice(FPS), camera=camera))
-        return _watch(window, Soak(minutes, FPS))
+        window.host.open("demo", demo_factory(choice, camera=camera))
+        return _watch(window, Soak(minutes, choice.fps))
     finally:
         window.close()
 
@@ -235,13 +246,17 @@ def _watch(window: MainWindow, out: Soak) -> Soak:
     out.start_to_tracked_s = round(time.time() - STARTED, 2)
     out.memory_mb.append(memory_mb())
     before, began, gaps = window.ticker.ticks, time.monotonic(), LoopGaps()
+    pace, cores = _Pace(window), _core_seconds()
     left = 60.0 * out.minutes
     while left > 0:
         wait_until(lambda: False, min(60.0, left))
         left -= 60.0
         out.memory_mb.append(memory_mb())
-    out.refreshes_hz = round((window.ticker.ticks - before) / (time.monotonic() - began), 1)
+    lasted = time.monotonic() - began
+    out.refreshes_hz = round((window.ticker.ticks - before) / lasted, 1)
     out.loop_gap_p99_ms, out.loop_gap_most_ms = gaps.stop()
+    out.cores = {k: round((v - cores.get(k, 0.0)) / lasted, 2) for k, v in _core_seconds().items()}
+    pace.tell(out)
     _take_status(window, out)
     window.docks["hand"].hide()
     before, began = window.ticker.ticks, time.monotonic()
@@ -252,18 +267,71 @@ def _watch(window: MainWindow, out: Soak) -> Soak:
 
 
 def _tracked(window: MainWindow) -> bool:
-    from tracker.messages import Tracking
-
     view = window.host.snapshot()
     if view is None or view.estimate is None:
         return False
     return bool(view.estimate.tracking == Tracking.TRACKING)
 
 
+class _Pace:
+    """Asks both hands how they are, twice a second from when it is made."""
+
+    PERIOD_MS = 500
+
+    def __init__(self, window: MainWindow) -> None:
+        self._window = window
+        self._tracked: dict[str, list[bool]] = {}
+        self._images: list[float] = []
+        self._shed = 0
+        self._dropped, self._began = self._now("frames_dropped"), time.monotonic()
+        self._timer = QTimer()
+        self._timer.timeout.connect(self._look)
+        self._timer.start(self.PERIOD_MS)
+
+    def tell(self, out: Soak) -> None:
+        """What was seen so far; no more is looked at."""
+        self._timer.stop()
+        lost = self._now("frames_dropped") - self._dropped
+        out.images_hz = round(sum(self._images) / max(len(self._images), 1), 1)
+        out.searched_hz = round(out.images_hz - lost / (time.monotonic() - self._began), 1)
+        out.tracked = {k: round(sum(v) / len(v), 3) for k, v in self._tracked.items()}
+        out.most_shed = self._shed
+
+    def _now(self, name: str) -> float:
+        view = self._window.host.snapshot()
+        status = view.status if view is not None else None
+        return status.values.get(name, 0.0) if status is not None else 0.0
+
+    def _look(self) -> None:
+        setup = self._window.host.setup
+        for hand in setup.hands if setup is not None else ():
+            status = hand.tracked.status()
+            known = status.tracking == Tracking.TRACKING
+            self._tracked.setdefault(hand.side, []).append(known)
+        self._images.append(self._now("frame_rate_hz"))
+        self._shed = max(self._shed, int(self._now("load_shed")))
+
+
+def _core_seconds() -> dict[str, float]:
+    """Processor time (s) so far of this process and of each that it has started, by name."""
+    held = {"window": time.process_time()}
+    for child in active_children():
+        times = psutil.Process(child.pid).cpu_times()
+        held[child.name] = times.user + times.system
+    return held
+
+
+def _lost(window: MainWindow) -> float:
+    """Packets of all gloves that are missing."""
+    setup = window.host.setup
+    hands = setup.hands if setup is not None else ()
+    return sum(hand.tracked.status().values.get("imu_lost", float("nan")) for hand in hands)
+
+
 def _take_status(window: MainWindow, out: Soak) -> None:
     view = window.host.snapshot()
     values = view.status.values if view is not None and view.status is not None else {}
-    out.imu_lost = values.get("imu_lost", float("nan"))
+    out.imu_lost = _lost(window)
     out.frames_dropped = values.get("frames_dropped", float("nan"))
     out.latency_ms = {k: round(v, 2) for k, v in values.items() if k.startswith("latency")}
     held = {c.name: psutil.Process(c.pid).memory_info().rss / MB for c in active_children()}
