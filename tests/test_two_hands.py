@@ -16,7 +16,7 @@ from tracker.session.engine_state import pack, unpack
 from tracker.settings import Settings
 from tracker.simulation.meeting import Meeting
 from tracker.simulation.two_hands import SIDES, Dressed, Sided, TwoHandsSimulation
-from tracker.two_hands import TwoHands
+from tracker.two_hands import ANEW_EVERY, TwoHands
 
 GLOVES = {"left": "vist-small-left", "right": "vist-small"}
 SETTLED = 2.0  # s, from which on the wearers' sizes are known somewhat
@@ -219,3 +219,27 @@ def test_packets_of_one_side_are_of_its_own_wearer() -> None:
         sample = own[side][0]
         assert isinstance(sample, ImuSample)
         assert np.array_equal(replace(sample, seq=0).accel, first.accel)
+
+
+def test_a_hand_that_is_not_there_is_looked_for_seldom_and_found_soon(monkeypatch) -> None:
+    """A search from nothing takes as long as ten images, and the other hand waits for it."""
+    sim, comes = simulated(3, 2.4, 60.0), 1.6
+    hands, searched, found = two(sim), [], []
+    starter = hands.pipelines["left"].engine._tracker._starter
+    before = starter.candidates
+    monkeypatch.setattr(
+        starter, "candidates", lambda *a, **k: searched.append(a[3]) or before(*a, **k)
+    )
+    right = iter([sim.alone["right"].scene.blobs(t, a, i) for i, t, a in sim.exposures()])
+    for side, message in sim.messages():
+        if isinstance(message, ImuSample):
+            estimate = hands.feed_imu(side, message)
+            if side == "left" and not found and estimate.tracking == Tracking.TRACKING:
+                found.append(message.t)
+        elif isinstance(message, BlobFrame):
+            only = next(right)
+            hands.feed_frame(only if message.t < comes else message)
+    tried = np.array(searched)
+    tracked_since = 0.3  # s, in which the right hand is found
+    assert len(tried) > 4 and np.diff(tried[tried > tracked_since]).min() >= ANEW_EVERY
+    assert found[0] - comes <= ANEW_EVERY + 0.1

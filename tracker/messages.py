@@ -43,6 +43,15 @@ class Tracking(IntEnum):
     LOST = 3  # position unknown; articulation may still be measured
 
 
+@record("search")
+class Search(IntEnum):
+    """How far an image is searched for a hand that is not seen where it is expected."""
+
+    NEAR = 0  # only where it is expected
+    AGAIN = 1  # anywhere, bent as it is by its IMUs
+    ANEW = 2  # as if nothing were known of it, where that is needed
+
+
 class _Frozen:
     """Makes every array field read-only when the message is built."""
 
@@ -149,6 +158,7 @@ class BlobFrame(_Frozen):
 
     ``unhidden`` (2, M), where there is another hand: the factor by which that one, standing before
     them, lessens the probability that the left and the right camera see each marker of this one.
+    ``search`` is how far a hand may be looked for: a search takes as long as ten images.
     """
 
     t: float
@@ -161,6 +171,7 @@ class BlobFrame(_Frozen):
     rejected_right: RejectedBlobs | None = None
     index: int = -1
     unhidden: Array | None = None
+    search: Search = Search.ANEW
 
 
 @record("frame_result")

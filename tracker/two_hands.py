@@ -7,14 +7,22 @@ estimates are the same to the last bit. `Hands` is either: what feeds one feeds 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tracker.errors import ConfigError
-from tracker.messages import BlobFrame, CameraImuSample, Estimate, Event, FrameResult, ImuSample
+from tracker.messages import (
+    BlobFrame,
+    CameraImuSample,
+    Estimate,
+    Event,
+    FrameResult,
+    ImuSample,
+    Search,
+)
 from tracker.pipeline import Pipeline, PipelineKept
 from tracker.records import record
 from tracker.vision.sharing import share
@@ -22,6 +30,9 @@ from tracker.vision.sharing import share
 SIDES = ("left", "right")
 CLASH_BLOBS = 6
 """Blobs that two hands took for their own in one image: one of the hands is not there."""
+AGAIN_EVERY, ANEW_EVERY = 0.045, 0.25
+"""s at least between two searches for a hand that is not there while the other one is tracked, and
+waits for it meanwhile: one from nothing takes as long as ten images."""
 
 
 class Sided(NamedTuple):
@@ -71,11 +82,14 @@ class OneHand:
 @dataclass(eq=False)
 class TwoHandsKept:
     """All of two hands that changes. ``left`` and ``right`` are their pipelines', ``last`` what the
-    newest image gave each of them; the left one's first."""
+    newest image gave each of them; the left one's first. Instants (s) of the last images in which a
+    hand could be searched for, as it was bent and from nothing."""
 
     left: PipelineKept
     right: PipelineKept
     last: list[FrameResult | None]
+    last_again: float = -np.inf
+    last_anew: float = -np.inf
 
 
 class TwoHands:
@@ -96,6 +110,7 @@ class TwoHands:
         self._fresh = {side: p.get_state() for side, p in self.pipelines.items()}
         self._last: dict[str, FrameResult | None] = dict.fromkeys(SIDES)
         self._results: dict[str, list[FrameResult]] = {side: [] for side in SIDES}
+        self._last_again = self._last_anew = -np.inf
 
     def feed_imu(self, side: str, sample: ImuSample) -> Estimate:
         """Take a packet of one glove; that hand at the packet's instant."""
@@ -108,11 +123,21 @@ class TwoHands:
         pipelines = list(self.pipelines.values())
         expected = [p.ahead.in_view(frame) for p in pipelines]
         pose = frame.pose or pipelines[0].camera_pose(frame.t)
-        for pipeline, own in zip(
-            pipelines, share(frame, expected, pipelines[0].rig, pose), strict=True
-        ):
-            pipeline.feed_frame(own)
+        search = self._search(frame.t)
+        parts = share(frame, expected, pipelines[0].rig, pose)
+        for pipeline, own, other in zip(pipelines, parts, reversed(expected), strict=True):
+            pipeline.feed_frame(own if other is None else replace(own, search=search))
         self._collect()
+
+    def _search(self, t: float) -> Search:
+        """How far a hand may be looked for in the image of ``t`` beside one that is tracked."""
+        again, anew = t - self._last_again >= AGAIN_EVERY, t - self._last_anew >= ANEW_EVERY
+        if anew:
+            self._last_again = self._last_anew = t
+            return Search.ANEW
+        if again:
+            self._last_again = t
+        return Search.AGAIN if again else Search.NEAR
 
     def feed_camera_imu(self, sample: CameraImuSample) -> None:
         """Take a sample of the camera's own IMU."""
@@ -160,13 +185,15 @@ class TwoHands:
     def get_state(self) -> TwoHandsKept:
         """Everything that changes and that estimates depend on."""
         left, right = (self.pipelines[side].get_state() for side in SIDES)
-        return TwoHandsKept(left, right, [self._last[side] for side in SIDES])
+        last = [self._last[side] for side in SIDES]
+        return TwoHandsKept(left, right, last, self._last_again, self._last_anew)
 
     def set_state(self, state: Any) -> None:
         """Go on from `get_state`."""
         self.pipelines["left"].set_state(state.left)
         self.pipelines["right"].set_state(state.right)
         self._last = dict(zip(SIDES, state.last, strict=True))
+        self._last_again, self._last_anew = state.last_again, state.last_anew
 
 
 Hands = OneHand | TwoHands

@@ -21,7 +21,7 @@ from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracking import TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
-from tracker.messages import BlobFrame, FrameResult, ImuSample, Tracking
+from tracker.messages import BlobFrame, FrameResult, ImuSample, Search, Tracking
 from tracker.records import record
 from tracker.vision.rig import StereoRig
 
@@ -108,7 +108,7 @@ class ChainTracker:
         image = self._recognition.image(frame)
         found = self._recognition.follow(self.state, image)
         found, seen = self._second.through_the_crowd(image, found)
-        if self._judge.should_search(frame.t, found.tally):
+        if self._judge.should_search(frame.t, found.tally) and frame.search >= Search.AGAIN:
             found = self._search_again(image, found)
             seen = self._recognition.evidence(image, found)
         if not seen.is_credible or not self._is_back(image, found):
@@ -173,7 +173,7 @@ class ChainTracker:
 
     def _start(self, frame: BlobFrame, known: WearerProfile | None) -> FrameResult | None:
         # 1. Postures that gravity allows, voted for in the image.
-        if not self._judge.should_start(frame.t):
+        if frame.search < Search.ANEW or not self._judge.should_start(frame.t):
             return None
         image = self._recognition.image(frame)
         t = frame.t

@@ -34,6 +34,7 @@ from tracker.messages import (
     CameraPose,
     FrameResult,
     ImuSample,
+    Search,
     Tracking,
 )
 from tracker.records import record
@@ -165,7 +166,8 @@ class VistTracker:
 
     def start(self, frame: BlobFrame) -> FrameResult | None:
         """Look for the hand from nothing, at most every ``search_period``."""
-        if frame.t - self._track.last_search < self._params.tracking.search_period:
+        since = frame.t - self._track.last_search
+        if frame.search < Search.ANEW or since < self._params.tracking.search_period:
             return None
         self._track.last_search = frame.t
         seen = seen_blobs(frame, self._rig, self._layout.chain.glove.hues)
