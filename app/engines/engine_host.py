@@ -156,6 +156,11 @@ class EngineHost(QObject):
 
     # --- what the user asks
 
+    @property
+    def records(self) -> bool:
+        """Whether what is open can be recorded; a replay cannot."""
+        return self._setup is not None and self._setup.make_recorder is not None
+
     def record(self, request: RecordingRequest) -> bool:
         """Begin a file; False, with an `error`, where that is impossible."""
         return self._setup is not None and self.recording.begin(self._setup, request)

@@ -102,6 +102,7 @@ class Recording(QObject):
         self._closing: tuple[Path, PausableRecorder] | None = None  # its disk is behind
         self._left = False  # its engine is gone and tells nothing of it any more
         self.request: RecordingRequest | None = None
+        self.ended_by = ""  # what has ended the last one, where the user has not
 
     @property
     def paused(self) -> bool:
@@ -145,6 +146,7 @@ class Recording(QObject):
             self.failed.emit(str(error))
             return False
         self._setup, self.request, self._began = setup, request, self._clock()
+        self.ended_by = ""
         setup.engine.set_recorder(self._recorder)
         self.changed.emit(True)
         self.begun.emit()
@@ -165,7 +167,7 @@ class Recording(QObject):
         To be called now and then.
         """
         if self._recorder is not None and self._recorder.broken:
-            self.end()
+            self.end(self._recorder.problem)
         if self._closing is not None and self._closing[1].closed:
             (path, recorder), self._closing = self._closing, None
             if self._left and recorder.problem:
@@ -197,13 +199,14 @@ class Recording(QObject):
             return self.request.path
         return self._closing[0] if self._closing is not None else None
 
-    def end(self) -> None:
+    def end(self, by: str = "") -> None:
         """End the file; the engine writes what waits and closes it, before or after this returns.
 
-        `finished` comes when it is closed, by `look`.
+        `finished` comes when it is closed, by `look`. ``by``: the reason, where the user does not.
         """
         if self._setup is None or self.request is None or self._recorder is None:
             return
+        self.ended_by = by
         self._closing, self._left = (self.request.path, self._recorder), False
         self._setup.engine.set_recorder(None)
         self._setup = self._recorder = self.request = None

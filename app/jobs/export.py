@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress, RunningJob, TaskOwner
 from app.viewmodels.states import BAD, GOOD, IDLE, SKY, StateLook
 from app.words import mark
@@ -50,18 +52,22 @@ def export_job(request: ExportRequest) -> Job:
     """A job that writes the file; cancelled, it leaves none behind."""
 
     def run(progress: JobProgress) -> Path:
-        from tracker.session.export.run import export, export_dataset
-
         progress(0.0, request.form)
-        options = _options(request)
-        if request.also:
-            sources = [request.source, *request.also]
-            export_dataset(sources, request.form, request.target, options, progress)
-        else:
-            export(request.source, request.form, request.target, options, progress)
+        aside("export", partial(_export, request), progress)
         return request.target
 
     return run
+
+
+def _export(request: ExportRequest, progress: Callable[..., None]) -> None:
+    from tracker.session.export.run import export, export_dataset
+
+    options = _options(request)
+    if request.also:
+        sources = [request.source, *request.also]
+        export_dataset(sources, request.form, request.target, options, progress)
+    else:
+        export(request.source, request.form, request.target, options, progress)
 
 
 def _options(request: ExportRequest) -> ExportOptions:

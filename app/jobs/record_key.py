@@ -33,7 +33,7 @@ class RecordKey(QObject):
             self._host.recording.end()
         elif self.left:
             self.cancel()
-        elif self._plan.countdown and self._host.running:
+        elif self._plan.countdown and self._host.running and self._host.records:
             self._set(self._plan.countdown)
             self._timer.start()
         else:

@@ -14,11 +14,11 @@ from app.storage.image_folder import Image
 from app.viewmodels.camera_overlay import NO_LAYERS, Layers, hand_box, overlay
 from app.viewmodels.colour_images import masks_image
 from app.viewmodels.colours import hue_colours
-from app.widgets.flow_layout import FlowLayout
 from app.widgets.icons import beside, dress
 from app.widgets.image_view import ImageView
 from app.widgets.measures import NEAR, TIGHT
 from app.widgets.more_button import MoreButton
+from app.widgets.one_line import OneLine
 from tracker.messages import Shed, StereoFrame
 
 BOTH, LEFT_ONLY, RIGHT_ONLY = range(3)
@@ -41,10 +41,10 @@ class CamerasPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, TIGHT, NEAR, NEAR)
         column.setSpacing(TIGHT)
-        self._controls = FlowLayout(spacing=NEAR)
+        self._controls = OneLine()
         self._add_views()
         self._add_layers()
-        column.addLayout(self._controls)
+        column.addWidget(self._controls)
         splitter = QSplitter(Qt.Orientation.Horizontal)
         splitter.setChildrenCollapsible(False)
         for image in (self.left, self.right):
@@ -64,7 +64,7 @@ class CamerasPanel(Panel):
         """A box for each layer of the overlay, behind one button."""
         self.more = MoreButton(self.tr("Layers"), "layers")
         self.more.setToolTip(self.tr("What is drawn over the images"))
-        self._controls.addWidget(self.more)
+        self._controls.add(self.more)
         names = (
             ("blobs", self.tr("Blobs"), self.tr("A ring round each blob; dashed: of no marker")),
             (
@@ -109,14 +109,14 @@ class CamerasPanel(Panel):
         self.set_up.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         dress(self.set_up, "settings-2")
         for widget in (self.sides, self.follow, self.freeze, self.masks, self.set_up):
-            self._controls.addWidget(widget)
+            self._controls.add(widget)
 
     def _open(self, setup: EngineSetup) -> None:
         """A switch for each hue of the profile."""
         self._view = None
         self.freeze.setChecked(False)
         for box in self.hue_boxes.values():
-            self._controls.removeWidget(box)
+            self._controls.take_out(box)
             box.deleteLater()
         self.hue_boxes = {}
         for name in setup.profile.hue_names:
@@ -126,7 +126,7 @@ class CamerasPanel(Panel):
             box.setChecked(True)
             box.setToolTip(self.tr("Show the mask of {}").format(name))
             box.toggled.connect(self._redraw)
-            self._controls.addWidget(box)
+            self._controls.add(box)
         self._toggle_masks(self.masks.isChecked())
         words = self.tr("No image yet") if setup.has_camera else self.tr("There is no camera")
         for image in (self.left, self.right):

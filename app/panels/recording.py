@@ -62,6 +62,8 @@ class RecordingPanel(Panel):
         column.addStretch(1)
         host.recording.changed.connect(self._recording_changed)
         host.running_changed.connect(lambda _on: self._enable())
+        host.opened.connect(lambda _setup: self._enable())
+        host.closed.connect(self._enable)
         key.counted.connect(lambda _left: self._enable())
         self._enable()
 
@@ -208,7 +210,8 @@ class RecordingPanel(Panel):
         if self._key.left:
             words = self.tr("Not now ({})").format(self._key.left)
         self.record_button.setText(words)
-        self.record_button.setEnabled(self.host.running)
+        self.record_button.setEnabled(self.host.running and self.host.records)
+        self.note_text.setEnabled(self.host.records)
         self.pause_button.setEnabled(recording)
         self.pause_button.setChecked(self.host.recording.paused and recording)
         for field in (self.participant, self.task, self.name_template):
@@ -224,7 +227,7 @@ class RecordingPanel(Panel):
         self.warning.setText(room.warning)
         self.warning.setVisible(bool(room.warning))
         if room.full and request is not None:
-            self.host.recording.end()
+            self.host.recording.end(self.tr("The recording was ended: the disk is nearly full."))
 
     def _show_growth(self, path: Path) -> float:
         """Name, time, size and messages of the file being written; returns its bytes per second."""

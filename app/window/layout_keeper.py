@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEvent, QObject, QTimer
+from PySide6.QtCore import QEvent, QObject, QTimer, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QInputDialog, QMainWindow, QMenu
 
@@ -31,10 +31,13 @@ QUIET_MS = 250  # after the last change of the window's size
 class LayoutKeeper(QObject):
     """Switches layouts, and keeps their shares while the window changes its size."""
 
+    chosen_early = Signal(str)  # a job, before docks stand
+
     def __init__(self, window: QMainWindow, docks: Docks, store: SettingsStore) -> None:
         super().__init__(window)
         self._window, self._docks, self._store = window, docks, store
         self._jobs: dict[str, QAction] = {}
+        self._changes: dict[str, QAction] = {}  # what is done with kept layouts
         self._named: QMenu | None = None
         self.shown = False  # docks stand; before, there is the start page
         self._shares: Shares = {}  # as long as the window has one size
@@ -59,9 +62,11 @@ class LayoutKeeper(QObject):
             ("rename_layout", self.tr("&Rename a layout…"), self._ask_rename),
             ("delete_layout", self.tr("&Delete a layout…"), self._ask_delete),
         ):
-            commands.add(Command(key, menu, text, run, separator=key == "keep_layout"))
+            separator = key == "keep_layout"
+            self._changes[key] = commands.add(Command(key, menu, text, run, separator=separator))
         self._named = commands.menu(menu).addMenu(self.tr("Kept layouts"))
         self._list_named()
+        self._tick()
         return list(self._jobs.values())
 
     # --- the jobs
@@ -79,6 +84,7 @@ class LayoutKeeper(QObject):
         if not self.shown:
             self._store.update(job=job, layout={})
             self._tick()
+            self.chosen_early.emit(job)
             return
         self._leave()
         self._store.update(job=job)
@@ -144,6 +150,8 @@ class LayoutKeeper(QObject):
         for name in self._store.value.layouts:
             self._named.addAction(name, partial(self.put_on, name))
         self._named.setEnabled(bool(self._store.value.layouts))
+        for key in ("rename_layout", "delete_layout"):
+            self._changes[key].setEnabled(bool(self._store.value.layouts))
 
     def _ask_name(self) -> None:
         title = self.tr("Keep this layout")

@@ -82,6 +82,7 @@ class MainWindow(QMainWindow):
         self._make_frame()
         self.docks = make_docks(self, self.panels)
         self.messages.keep_clear(self.library.transport, self.docks["library"])
+        self.messages.keep_clear(self.recording.record_button, self.docks["recording"])
         self.layouts = LayoutKeeper(self, self.docks, self.store)
         self.sources = Sources(self.host, self.store, self.messages, self)
         Drops(self, self.sources.take_over)
@@ -185,6 +186,7 @@ class MainWindow(QMainWindow):
         self.set_up.restart.connect(self.sources.open_devices)
         self.set_up.changed.connect(self._show_set_up)
         self.sources.devices_asked.connect(self._show_set_up)
+        self.layouts.chosen_early.connect(self._show_set_up_list)
         self.sources.set_up_asked.connect(lambda: self.show_panel("checklist"))
         self.cameras.set_up_asked.connect(self.set_up.open_camera)
         self.start_page.demo.connect(lambda: self.sources.open_demo())
@@ -245,6 +247,13 @@ class MainWindow(QMainWindow):
         if self.host.setup is None:
             self.checklist.refresh(None)
             self.docks["checklist"].show()
+
+    def _show_set_up_list(self, job: str) -> None:
+        """*Set up* beside the start page is the list; of other jobs there is nothing to see yet."""
+        if job == "set_up":
+            self._show_set_up()
+        else:
+            self.docks["checklist"].hide()
 
     # --- commands
 

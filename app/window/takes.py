@@ -15,6 +15,7 @@ from app.panels.library.panel import LibraryPanel
 from app.platform.tasks import RunningJob, TaskOwner
 from app.viewmodels.takes import TakeReport, missing_text, rename, report_text
 from app.window.message_bar import MessageBar
+from app.words import told
 from tracker.errors import GlovetrackError
 
 ABOUT = "take"
@@ -85,13 +86,13 @@ class Takes(QObject):
     def _checked(self, report: TakeReport) -> None:
         if self._host.recording.request is not None:
             return  # the next one is under way
-        path = report.path
+        path, ended_by = report.path, self._host.recording.ended_by
         self._messages.say(
-            report_text(report),
+            " ".join(filter(None, (told(ended_by), report_text(report)))),
             (self.tr("Show it"), partial(self._library.replay.emit, path)),
             (self.tr("Export…"), partial(self._library.ask_export_of, [path])),
             (self.tr("Rename…"), partial(self._ask_name, report)),
-            good=not report.problem,
+            good=not report.problem and not ended_by,
         )
 
     # --- notes

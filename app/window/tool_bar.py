@@ -49,6 +49,7 @@ class ToolBar(QToolBar):
         self._fill()
         for action, job in zip(jobs, JOBS, strict=True):
             dress(action, job.icon)
+            action.setIconVisibleInMenu(False)  # there a tick says which one is on
             action.setIconText(beside(action.text()))
         self.segments = Segments(jobs)
         self.addWidget(self.segments)

@@ -278,7 +278,6 @@ def enable_commands(on: Targets, commands: Commands) -> None:
     """Those that make sense in the state the engine is in."""
     host, w = on.host, on.window
     opened = host.setup is not None
-    recordable = host.setup is not None and host.setup.make_recorder is not None
     guided = host.setup is not None and host.setup.guide is not None
     recording = host.recording.request is not None
     both = host.setup is not None and host.setup.other is not None
@@ -288,11 +287,11 @@ def enable_commands(on: Targets, commands: Commands) -> None:
         ("start", opened and not host.running),
         ("stop", host.running),
         ("close", opened),
-        ("record", host.running and recordable),
+        ("record", host.running and host.records),
         ("pause", recording),
         ("guided", host.running and guided),
         ("conformance", on.set_up.can_conform),
-        ("note", recordable),  # a replay's file is not written to again
+        ("note", host.records),  # a replay's file is not written to again
         ("live", on.sources.can_go_live),
     ):
         commands.enable(key, able)

@@ -109,3 +109,14 @@ def test_gloves_that_are_found_after_the_window_for_them_has_gone_harm_nothing(
     with qtbot.captureExceptions() as exceptions:
         qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)
     assert exceptions == []
+
+
+def test_the_port_is_free_when_the_window_is_told_of_the_glove(window, qtbot):
+    window.run_command("glove_setup")
+    dialog = window.set_up.dialogs["glove"]
+    reader, read_then = dialog._feed._thread, []
+    dialog.chosen.connect(lambda: read_then.append(reader.is_alive()))
+    dialog.use.click()
+    qtbot.waitUntil(lambda: bool(read_then), timeout=30_000)
+    assert read_then == [False]
+    qtbot.waitUntil(lambda: not window.tasks.tasks, timeout=30_000)

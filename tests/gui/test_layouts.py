@@ -49,6 +49,29 @@ def test_watching_gives_images_and_hand_all_the_room_there_is(watched, qtbot):
     assert min(h for _, h in shares.values()) > 0.85  # the tool bar has the rest
 
 
+def test_looking_again_shows_more_than_one_session_beside_the_transport(watched, qtbot):
+    watched.layouts.choose("look")
+    size_to(watched, SMALL, qtbot)
+    watched.library.transport.show()
+    qtbot.wait(50)
+    table = watched.library.table
+    assert table.viewport().height() >= 2 * table.verticalHeader().defaultSectionSize()
+    for button in watched.library.buttons.values():
+        assert button.isHidden() or not button.visibleRegion().isEmpty(), button.text()
+
+
+def test_the_start_page_says_which_layout_comes_first(window):
+    assert window.layouts._jobs["all"].isChecked()
+
+
+def test_set_up_beside_the_start_page_is_the_list(window):
+    first, second, *_ = window.tool_bar.segments.buttons
+    first.click()
+    assert window.docks["checklist"].isVisible() and window.start_page.isVisible()
+    second.click()
+    assert not window.docks["checklist"].isVisible()
+
+
 @pytest.mark.parametrize("job", JOBS, ids=lambda job: job.name)
 def test_a_layout_kept_on_a_small_screen_is_the_same_on_a_large_one_and_back(watched, qtbot, job):
     watched.layouts.choose(job.name)
@@ -105,8 +128,10 @@ def test_a_job_comes_back_as_it_was_left_and_resets_to_what_it_was(watched):
 def test_kept_layouts_are_listed_renamed_deleted_and_survive_a_restart(
     watched, store, qtbot, no_leaks
 ):
+    assert not watched.commands.actions["rename_layout"].isEnabled()
     watched.layouts.choose("look")
     watched.layouts.keep("lab")
+    assert watched.commands.actions["rename_layout"].isEnabled()
     watched.layouts.rename("lab", "Lab A")
     assert [a.text() for a in watched.layouts._named.actions()] == ["Lab A"]
     watched.layouts.choose("watch")

@@ -232,7 +232,7 @@ def test_an_open_session_from_anywhere_is_exported_in_several_formats(
     manager = FileManager()
     QDesktopServices.setUrlHandler("file", manager, "show")
     try:
-        qtbot.mouseClick(library.tabs.widget(1).folder_button, Qt.MouseButton.LeftButton)
+        qtbot.mouseClick(library.pages.page(1).folder_button, Qt.MouseButton.LeftButton)
         assert [u.toLocalFile() for u in manager.urls] == [str(out)]
     finally:
         QDesktopServices.unsetUrlHandler("file")

@@ -65,3 +65,13 @@ def test_the_checklist_asks_for_light_and_lives_with_the_room(window, advice, do
     unread = next(s for s in steps(view) if s.name == "Light")
     assert not unread.done
     assert unread.reason == "Waits for images."
+
+
+def test_another_word_for_the_light_moves_nothing_beside_it(live, qtbot):
+    live.show_panel("colours")
+    chip, places = live.colours.light.chip, []
+    for word in ("good", "colours in the room, markers missed"):
+        chip.show_state("", "●", word)
+        qtbot.wait(20)
+        places.append((live.colours.tools.geometry(), live.colours.light.geometry()))
+    assert places[0] == places[1]

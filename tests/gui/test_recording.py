@@ -1,11 +1,12 @@
 """Record, pause, note, stop; and what a closing window leaves behind."""
 
+import dataclasses
 import threading
 from datetime import datetime
 
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog
 
@@ -333,3 +334,27 @@ def test_what_a_note_keeps_beside_its_text_stays_with_another_wording(recording,
     first, second = notes_in(recorders[0])
     assert first.t == second.t == 12.5 and second.text == "go left"
     assert first.data["lsl"] == second.data["lsl"] == {"stamp": 3.25}
+
+
+def test_a_replay_offers_no_recording_and_counts_nothing_down(window, engine, store):
+    store.update(countdown=3)
+    setup = scripted_setup(engine)
+    window.host.adopt(dataclasses.replace(setup, make_recorder=None))
+    assert window.host.running
+    assert not window.recording.record_button.isEnabled()
+    assert not window.recording.note_text.isEnabled()
+    window.record_key.press()
+    assert window.record_key.left == 0
+
+
+def test_what_is_said_leaves_the_record_button_in_sight(live, qtbot):
+    live.show_panel("recording")
+    live.messages.say("The name holds a word that is none.")
+    button = live.recording.record_button
+
+    def is_free() -> bool:
+        place = QRect(button.mapTo(live, QPoint(0, 0)), button.size())
+        return not place.intersects(live.messages.geometry())
+
+    qtbot.waitUntil(is_free, timeout=10_000)
+    assert not button.visibleRegion().isEmpty()

@@ -261,6 +261,15 @@ def test_after_stop_one_line_says_how_the_recording_is(recorded, take):
     )
 
 
+def test_a_full_disk_is_named_beside_how_the_recording_is(recorded, qtbot, monkeypatch):
+    recorded.run_command("record")
+    monkeypatch.setattr("app.panels.recording.free_bytes", lambda _folder: 10_000_000)
+    recorded.recording.refresh(None)
+    assert recorded.host.recording.request is None
+    qtbot.waitUntil(lambda: "disk is nearly full" in recorded.banner.text(), timeout=30_000)
+    assert "is whole" in recorded.banner.text()
+
+
 def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     [path] = recorded.plan.folder.glob("*.mcap")
     button(recorded, "Rename").click()

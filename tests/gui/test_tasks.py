@@ -1,8 +1,15 @@
 """Long jobs and the objects that stand for them."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
+
+from app.platform.aside import aside
+from app.platform.tasks import JobProgress
+from tracker.errors import FileError, GlovetrackError
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -36,3 +43,33 @@ def test_an_owner_may_go_before_the_end_of_its_job_has_arrived():
         [sys.executable, "-c", OWNER_GOES_FIRST], cwd=ROOT, capture_output=True, text=True
     )
     assert (done.returncode, done.stdout.strip()) == (0, "True"), done.stderr
+
+
+def _share_of_process(progress) -> tuple[int, int]:
+    progress(0.5)
+    return os.getpid(), os.nice(0)
+
+
+def _refuse(progress) -> None:
+    progress(0.2)
+    raise FileError("The disk is full.")
+
+
+def _vanish(progress) -> None:
+    progress(0.2)
+    os._exit(3)
+
+
+def test_work_aside_is_done_by_a_kinder_process_and_tells_how_far_it_is():
+    told = []
+    pid, nice = aside(
+        "work", _share_of_process, JobProgress(lambda share, _text: told.append(share))
+    )
+    assert pid != os.getpid() and nice > os.nice(0)
+    assert told == [0.5]
+
+
+@pytest.mark.parametrize(("work", "words"), [(_refuse, "disk is full"), (_vanish, "in the middle")])
+def test_work_aside_that_ends_early_says_so(work, words):
+    with pytest.raises(GlovetrackError, match=words):
+        aside("work", work, JobProgress(lambda *_: None))

@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtGui import QColor, QPalette
 
 from app.widgets.icons import NAME, drawing
+from app.widgets.legible import contrast_of, legible
 from app.widgets.measures import SPACES, TYPES
 from app.window.theme import DARK, LIGHT, style_sheet
 
@@ -51,31 +52,19 @@ def test_the_garbage_collector_does_not_free_widgets_that_are_being_dressed():
     assert (done.returncode, done.stdout.strip()) == (0, "20"), done.stderr
 
 
-def luminance(colour: str) -> float:
-    """Of sRGB, 0 to 1, as WCAG 2.1 defines it."""
-    channels = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
-    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-def contrast(one: str, other: str) -> float:
-    dark, light = sorted((luminance(one), luminance(other)))
-    return (light + 0.05) / (dark + 0.05)
-
-
 def test_black_on_white_has_the_contrast_of_the_definition():
-    assert contrast("#000000", "#FFFFFF") == 21.0
+    assert contrast_of("#000000", "#FFFFFF") == 21.0
 
 
 @pytest.mark.parametrize("c", [LIGHT, DARK], ids=["light", "dark"])
 def test_all_text_has_the_contrast_of_wcag_aa(c):
     for ground in (c.window, c.base, c.raised):
-        assert contrast(c.text, ground) >= 7
-        assert contrast(c.faint, ground) >= 4.5
-        assert contrast(c.danger, ground) >= 4.5
+        assert contrast_of(c.text, ground) >= 7
+        assert contrast_of(c.faint, ground) >= 4.5
+        assert contrast_of(c.danger, ground) >= 4.5
     for ground, text in ((c.accent, c.on_accent), c.notice, c.good, c.warning, (c.border, c.text)):
-        assert contrast(ground, text) >= 4.5
-    assert contrast(c.accent, c.window) >= 3  # WCAG 1.4.11, of controls
+        assert contrast_of(ground, text) >= 4.5
+    assert contrast_of(c.accent, c.window) >= 3  # WCAG 1.4.11, of controls
 
 
 @pytest.mark.parametrize("name", ["light", "dark"])
@@ -140,3 +129,13 @@ def test_spaces_and_type_sizes_of_thestyle_sheet_are_those_of_the_scale(c):
     assert numbers and numbers <= set(SPACES)
     sizes = {int(n) for n in re.findall(r"font-size: (\d+)pt", sheet)}
     assert sizes and sizes <= set(TYPES)
+
+
+@pytest.mark.parametrize("c", [LIGHT, DARK], ids=["light", "dark"])
+def test_what_is_written_in_the_3d_view_has_that_contrast_too(live, c):
+    live.hand.view.set_background(c.scene)
+    written = live.hand.view._view._labels
+    assert [label.text for label in written] == ["x", "y", "z", "5 cm"]
+    for label in written:
+        assert contrast_of(label.colour, c.scene) >= 4.5, label.text
+    assert legible(c.text, c.scene) == c.text.lower(), "what is legible stays as it is"

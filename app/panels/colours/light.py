@@ -13,6 +13,7 @@ from app.widgets.image_shapes import Ring
 from app.widgets.more_button import MoreButton
 
 WIDTH = 320  # px, of the advice
+SAID = 100  # px, of the light in a word: each second another, and what stands beside it stays
 
 
 class ColoursLight(QWidget):
@@ -27,6 +28,7 @@ class ColoursLight(QWidget):
         self._job = LatestJob(self.tr("Reading the light"), self)
         self._job.failed.connect(self.failed)
         self.chip = Chip()
+        self.chip.setFixedWidth(SAID)
         self.advice = QLabel()
         self.advice.setWordWrap(True)
         self.advice.setFixedWidth(WIDTH)
@@ -40,7 +42,7 @@ class ColoursLight(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(button)
-        row.addWidget(self.chip, 1)
+        row.addWidget(self.chip)
         self._show()
 
     def look_at(self, shown: ShownImage, tuning: ColourTuning) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QHeaderView,
     QProgressBar,
     QPushButton,
@@ -16,12 +15,13 @@ from PySide6.QtWidgets import (
 
 from app.jobs.export import ExportQueue, QueueItem
 from app.panels.library.session_files import open_folder
-from app.widgets.measures import NEAR
+from app.widgets.measures import TIGHT
+from app.widgets.one_line import OneLine
 from app.words import tr
 
 
 class ExportList(QWidget):
-    """Shows an `ExportQueue`."""
+    """Shows an `ExportQueue`. ``head``: its buttons, not laid out here."""
 
     def __init__(self, queue: ExportQueue, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,17 +42,14 @@ class ExportList(QWidget):
         self.cancel_button.clicked.connect(self.cancel_selected)
         clear = QPushButton(self.tr("Forget what has ended"))
         clear.clicked.connect(queue.forget_ended)
-        row = QHBoxLayout()
-        row.addWidget(self.cancel_button)
         self.folder_button = QPushButton(self.tr("Open folder"))
         self.folder_button.clicked.connect(self.show_folder)
-        row.addWidget(clear)
-        row.addWidget(self.folder_button)
-        row.addStretch(1)
+        self.head = OneLine()
+        for button in (self.cancel_button, clear, self.folder_button):
+            self.head.add(button)
         column = QVBoxLayout(self)
-        column.setContentsMargins(0, NEAR, 0, 0)
-        column.addWidget(self.table, 1)
-        column.addLayout(row)
+        column.setContentsMargins(0, TIGHT, 0, 0)
+        column.addWidget(self.table)
         queue.changed.connect(self._show)
         self.table.itemSelectionChanged.connect(self._enable)
         self._enable()

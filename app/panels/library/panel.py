@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup, Player
 from app.engines.engine_host import EngineHost
@@ -17,6 +17,7 @@ from app.jobs.library_scan import LibraryScan
 from app.panels.library.comparing import Comparing
 from app.panels.library.export_list import ExportList
 from app.panels.library.exporting import Exporting
+from app.panels.library.pages import Pages
 from app.panels.library.session_files import SessionFiles, open_folder
 from app.panels.library.session_page import SessionPage
 from app.panels.library.track_dialog import TrackDialog
@@ -54,21 +55,20 @@ class LibraryPanel(Panel):
         self.table.set_widths(store.value.library_columns)
         self._scan = LibraryScan(tasks, self)
         self._comparing = Comparing(host, tasks, self)
-        self.tabs = QTabWidget()
-        self.tabs.setDocumentMode(True)
-        self.tabs.addTab(self.page, self.tr("Sessions"))
-        self.tabs.setCornerWidget(self.page.corner)
-        self.tabs.addTab(ExportList(self.exports), self.tr("Exports"))
+        listed = ExportList(self.exports)
+        self.pages = Pages()
+        self.pages.add(self.page, self.page.head, self.tr("Sessions"))
+        self.pages.add(listed, listed.head, self.tr("Exports"))
         column = QVBoxLayout(self)
         column.setContentsMargins(NEAR, TIGHT, NEAR, NEAR)
         column.setSpacing(NEAR)
-        column.addWidget(self.tabs, 1)
+        column.addWidget(self.pages, 1)
         column.addWidget(self.transport)
         self._connect()
 
     def _connect(self) -> None:
         self.exports.changed.connect(self._name_exports)
-        self.exporting.begun.connect(lambda: self.tabs.setCurrentIndex(1))
+        self.exporting.begun.connect(lambda: self.pages.bar.setCurrentIndex(1))
         self.files.changed.connect(self.rescan)
         self.host.opened.connect(self._opened)
         self.host.closed.connect(lambda: self._set_player(None))
@@ -110,7 +110,7 @@ class LibraryPanel(Panel):
 
     def _name_exports(self) -> None:
         waiting = sum(i.open for i in self.exports.items)
-        self.tabs.setTabText(
+        self.pages.bar.setTabText(
             1, self.tr("Exports ({})").format(waiting) if waiting else self.tr("Exports")
         )
 

@@ -18,19 +18,20 @@ from PySide6.QtWidgets import (
 
 from app.panels.library.session_table import SessionTable
 from app.viewmodels.library import SessionRow
-from app.widgets.measures import NEAR
+from app.widgets.measures import NEAR, TIGHT
 from app.widgets.one_line import OneLine
 
-SEARCH = 280  # px
+SEARCH = (140, 280)  # px, at least and at most
+BUTTONS = 3  # times the room of the search
 
 
 class SessionPage(QWidget):
     """Says what is ``asked``: a key of `buttons` or of `actions`."""
 
     asked = Signal(str)
-    corner: QWidget
-    """Holds the search. Not laid out here: it stands beside the tabs, where it takes no line of its
-    own."""
+    head: QWidget
+    """Buttons and search. Not laid out here: it stands beside the tabs, where it takes no line of
+    its own."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -40,19 +41,21 @@ class SessionPage(QWidget):
         self.table.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.table.customContextMenuRequested.connect(self._show_menu)
         self.search = QLineEdit()
-        self.search.setFixedWidth(SEARCH)
+        self.search.setMinimumWidth(SEARCH[0])
+        self.search.setMaximumWidth(SEARCH[1])
         self.search.setPlaceholderText(self.tr("Search by name, tag, date or quality"))
         self.search.setClearButtonEnabled(True)
         self.search.setAccessibleName(self.tr("Search"))
         self.search.textChanged.connect(self.table.show_only)
-        self.corner = QWidget()  # tabs give a corner what it asks for, a field asks for little
-        beside = QHBoxLayout(self.corner)
-        beside.setContentsMargins(0, 0, 0, 0)
-        beside.addWidget(self.search)
+        self.head = QWidget()
+        line = QHBoxLayout(self.head)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.setSpacing(NEAR)
+        line.addWidget(self._buttons(), BUTTONS)
+        line.addWidget(self.search, 1)
         column = QVBoxLayout(self)
-        column.setContentsMargins(0, NEAR, 0, 0)
-        column.addWidget(self.table, 1)
-        column.addWidget(self._buttons())
+        column.setContentsMargins(0, TIGHT, 0, 0)
+        column.addWidget(self.table)
         self.enable()
 
     def _buttons(self) -> OneLine:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.viewmodels.library import THUMBNAIL_WIDTH, Details, SessionRow
 
-ROW_HEIGHT = 44
+ROW_HEIGHT = 40
 QUALITY, TAGS = 5, 6
 WIDTHS = (260, 130, 70, 80, 110, 200, 140)  # px, until the user has chosen others
 NARROWEST = 48  # px

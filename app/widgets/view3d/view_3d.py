@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
+from app.widgets.legible import legible
 from app.widgets.view3d.orbit import Orbit
 from app.widgets.view3d.orbit_control import OrbitControl
 from app.widgets.view3d.painted_view import PaintedView
@@ -85,7 +87,7 @@ class View3D(QWidget):
         if view.scene is not None:
             view.scene.set_background(self._background)
             view.scene.set_ink(contrast(self._background))
-        view.set_labels(self._labels)
+        self._write_labels()
         self.scene_changed.emit()
 
     # --- drawing
@@ -107,12 +109,18 @@ class View3D(QWidget):
         if self.scene is not None:
             self.scene.set_background(colour)
             self.scene.set_ink(contrast(colour))
+        self._write_labels()
 
     def set_labels(self, labels: Sequence[Label]) -> None:
         """Short texts beside points of G, over everything."""
         self._labels = tuple(labels)
+        self._write_labels()
+
+    def _write_labels(self) -> None:
         if self._view is not None:
-            self._view.set_labels(self._labels)
+            ground = self._background
+            told = (replace(w, colour=legible(w.colour, ground)) for w in self._labels)
+            self._view.set_labels(tuple(told))
 
     def render_scene(self) -> None:
         """Draw the scene from the orbit's eye; a card that fails gives way to the painted view."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QTimer, Signal
@@ -146,10 +146,14 @@ class GloveSetup(QDialog):
             self.choice.words.setText(told(str(error)))
             return None
 
-    def _leave(self) -> None:
+    def _leave(self, then: Callable[[], None] | None = None) -> None:
+        """``then`` is called once the port is free for others."""
         feed, self._feed = self._feed, None
         if feed is not None:
-            self._tasks.run(self.tr("Freeing the glove's port"), lambda _progress: feed.stop())
+            title = self.tr("Freeing the glove's port")
+            self._tasks.run(title, lambda _progress: feed.stop(), ended=then)
+        elif then is not None:
+            then()
 
     def _use(self) -> None:
         port = self.choice.port()
@@ -162,6 +166,11 @@ class GloveSetup(QDialog):
             hand=self.choice.hands.currentText(),
             wearer=str(self.choice.wearers.currentData()),
         )
+        self.use.setEnabled(False)
+        self._leave(self._used)
+
+    def _used(self) -> None:
+        """The window opens the port at once: it must not find it taken by this dialog."""
         self.chosen.emit()
         self.close()
 

@@ -1,0 +1,84 @@
+"""A job's work in a process of its own, which leaves lock and processor to what tracks the hand."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from typing import Any
+
+from app.platform.tasks import Cancelled, JobProgress
+from app.words import tr
+from tracker.child import start_child
+from tracker.errors import GlovetrackError
+
+Work = Callable[[Callable[..., None]], Any]
+STEP = 0.01  # of the work: as often it tells how far it is, and hears whether it is wanted
+KINDNESS = 10  # that the window and the trackers come first
+
+
+def aside(name: str, work: Work, progress: JobProgress) -> Any:
+    """What ``work(progress)`` returns; it and its result are pickled.
+
+    Raises Cancelled, GlovetrackError with the sentence that the work has ended with, RuntimeError
+    where it has failed otherwise.
+    """
+    pipe, process = start_child(f"glovetrack {name}", _serve, work)
+    try:
+        return _follow(pipe, progress)
+    finally:
+        pipe.close()
+        process.join()
+
+
+def _follow(pipe: Connection, progress: JobProgress) -> Any:
+    while True:
+        try:
+            kind, value = pipe.recv()
+            if kind == "share":
+                progress(value)
+                pipe.send(True)
+        except (EOFError, OSError) as error:
+            raise GlovetrackError(
+                tr("It ended in the middle: was there too little memory?")
+            ) from error
+        if kind == "done":
+            return value
+        if kind == "refused":
+            raise GlovetrackError(value)
+        if kind == "failed":
+            raise RuntimeError(value)
+
+
+def _serve(pipe: Connection, work: Work) -> None:
+    """In the process: the work, and what has become of it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # meant for the window, which then lets go
+    if hasattr(os, "nice"):
+        os.nice(KINDNESS)
+    try:
+        answer = ("done", work(_Teller(pipe)))
+    except Cancelled:
+        return
+    except GlovetrackError as error:
+        answer = ("refused", str(error))
+    except (OSError, MemoryError, ValueError) as error:
+        answer = ("failed", f"{type(error).__name__}: {error}")
+    pipe.send(answer)
+
+
+class _Teller:
+    """Asks at each step of the work whether it is wanted still."""
+
+    def __init__(self, pipe: Connection) -> None:
+        self._pipe, self._told = pipe, -STEP
+
+    def __call__(self, share: float, _text: str = "") -> None:
+        if share - self._told < STEP:
+            return
+        self._told = share
+        try:
+            self._pipe.send(("share", share))
+            self._pipe.recv()
+        except (EOFError, OSError) as error:  # nobody is there any more
+            raise Cancelled from error
