@@ -35,4 +35,7 @@ class Pages(QWidget):
         self.bar.addTab(title)
 
     def page(self, index: int) -> QWidget:
-        return self._pages.widget(index)
+        found = self._pages.widget(index)
+        if found is None:
+            raise IndexError(index)
+        return found
