@@ -75,7 +75,7 @@ class Starter:
         ``known`` is what has been learned of the wearer.
         """
         packets = [s for s in buffer if t - LOOK_BACK <= s.t <= t + 0.05]
-        if len(packets) < 5:
+        if len(packets) < 5 or not self._shows_enough(seen, pose):
             return []
         state, postures = self._by_packets(packets, t, known)
         headings = np.arange(0, 2 * np.pi, np.deg2rad(self._search.heading_step_deg))
@@ -88,6 +88,14 @@ class Starter:
                 keep_size(moved.P, self._layout)
             out.append(moved)
         return out
+
+    def _shows_enough(self, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> bool:
+        """Whether `_best` could find any hand there: postures by gravity take 30 ms, and most
+        images in which a hand is looked for show none."""
+        counts = [len(s.uv) for s in seen]
+        if min(counts) == 0:
+            return max(counts) >= self._mono.min_support
+        return len(self.points(seen, pose).p_G) >= self._search.min_points
 
     def by_gravity(
         self, buffer: ImuBuffer, known: WearerProfile | None = None
