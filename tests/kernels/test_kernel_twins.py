@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from kernel_twins import DONE, Compared, Twins, _copy, _guard, assert_same
+from kernel_twins import DONE, Compared, Twins, _copy, _guard, _guard_of, assert_same
 
 from tracker.kernels import kernel
 from tracker.kernels.arrays import Vector, Written
@@ -86,7 +86,8 @@ def test_members_of_tuples_are_written_only_where_it_is_said():
     hints = {"state": State, "whole": Written[State], "two": tuple[Vector, Vector]}
     state, two = State(np.zeros(2), np.zeros(2)), (np.zeros(2), np.zeros(2))
     copies = [
-        _guard(v, hints[k], False, _copy) for k, v in zip(hints, (state, state, two), strict=True)
+        _guard(value, _guard_of(hint), _copy)
+        for value, hint in zip((state, state, two), hints.values(), strict=True)
     ]
     assert parts(*copies) == [False, True, True, True, False, False]
 
