@@ -52,8 +52,8 @@ def compared(first: Path, second: Path) -> Comparison:
     figures = compare(first, second)
     errors: list[dict[str, float]] = []
     truth = _with_truth(first, second)
-    for path in (first, second):
-        errors.append(truth_error_mm(path, truth) if truth is not None else {})
+    for path, other in ((first, second), (second, first)):
+        errors.append(truth_error_mm(path, truth, other) if truth is not None else {})
     engines = _engine_of(first), _engine_of(second)
     return Comparison(first, second, figures, (errors[0], errors[1]), engines)
 

@@ -9,6 +9,8 @@ from typing import Any
 
 from app.words import tr
 
+SHOWN = 0.005  # mm; less is not to be seen in the figures
+
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
@@ -72,7 +74,7 @@ def summary(c: Comparison) -> str:
         "{} instants in common; keypoints differ by {} on average, joints by {} (rms)."
     ).format(f["compared"], _mm(f["mean_mm"]), _deg(f["rms_deg"]))
     first, second = (_mean(e) for e in c.errors_mm)
-    if math.isfinite(first) and math.isfinite(second):
+    if abs(first - second) >= SHOWN:  # never of one that is not known
         better = c.names[second < first]
         nearer = tr("{} is nearer to the truth: {} on average.")
         text = f"{text} {nearer.format(better, _mm(min(first, second)))}"

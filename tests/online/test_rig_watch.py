@@ -178,6 +178,25 @@ def test_a_silent_glove_explains_a_jump(silence: float, jumps: int) -> None:
     assert watch.state.jumps == jumps
 
 
+@pytest.mark.parametrize(
+    ("velocity", "jumps"), [((200, 200), 0), ((-200, -200), 0), ((200, -200), 1), ((20, 20), 1)]
+)
+def test_an_image_of_another_instant_explains_a_jump(velocity: Shift, jumps: int) -> None:
+    """By 9 px both ways a hand goes on in 45 ms, but not across its way, and not a slow one."""
+
+    def seen(t: float, off_px: float) -> FrameResult:
+        places = np.tile(np.array(velocity, float) * t, (MARKERS, 1))
+        return replace(result(t, off_px), predicted_left=places)
+
+    watch = RigWatch(ideal_rig())
+    for t in np.arange(3.0, 4.04, 0.01):
+        watch.packet(t)
+    for t in np.arange(3.0, 4.0, 0.033):
+        watch.check(seen(t, 0.1))
+    watch.check(seen(4.02, 9.0))
+    assert watch.state.jumps == jumps
+
+
 def test_no_jump_where_nothing_agreed_before() -> None:
     watch = RigWatch(ideal_rig())
     for k in range(200):

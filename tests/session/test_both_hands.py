@@ -14,6 +14,7 @@ from tracker.conformance.run import read_take
 from tracker.errors import ConfigError
 from tracker.isaac.reader import read_records
 from tracker.messages import BlobFrame, Estimate, ImuSample, StereoFrame
+from tracker.offline.crop import crop
 from tracker.offline.options import TrackOptions
 from tracker.offline.simulate import SimulateOptions, build_both, simulate
 from tracker.offline.track import track
@@ -174,3 +175,13 @@ def test_each_hand_is_compared(tracked: Path, recorded: Path, tmp_path: Path) ->
     assert not apart["identical"]
     assert all(0.1 < hand["mean_mm"] < 30 for hand in apart["hands"].values())
     assert apart["max_mm"] == max(h["max_mm"] for h in apart["hands"].values())
+
+
+def test_a_part_is_as_near_to_the_truth_as_the_whole_at_the_same_instants(
+    recorded: Path, tracked: Path, tmp_path: Path
+) -> None:
+    part = tmp_path / "part.mcap"
+    crop(tracked, part, start=1.0)
+    whole = truth_error_mm(tracked, recorded, beside=part)
+    assert whole == pytest.approx(truth_error_mm(part, recorded, beside=tracked))
+    assert whole != pytest.approx(truth_error_mm(tracked, recorded))

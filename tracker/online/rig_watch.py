@@ -15,7 +15,9 @@ What cannot be seen: a lens that was already moved along the baseline when track
 
 from __future__ import annotations
 
+import itertools
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from statistics import median
 from typing import Any
@@ -29,6 +31,7 @@ from tracker.vision.rig import StereoRig
 
 SHIFTS = 24  # rows, either way, among which the commonest shift is looked for
 RIGHT_WAY, WRONG_WAY = 0, 1
+EXPECTED = 6  # images over which the markers' velocity is told
 
 
 @dataclass(frozen=True)
@@ -50,6 +53,7 @@ class RigWatchParams:
     packet_gap: float = 0.035  # s without a packet: then it is the hand that was not followed
     ahead: float = 0.015  # s that an image is of after the last packet: neither was it then
     settle: float = 0.3  # s after such a gap, and after markers were not seen to agree
+    late: float = 0.2  # s that an image may be older or newer than its stamp says
 
 
 @dataclass(frozen=True)
@@ -74,6 +78,7 @@ class RigWatch:
         self._agreed = -np.inf  # when markers last stood where they were expected
         self._agreed_since = np.inf  # how long they have
         self._packet = self._gap_end = -np.inf
+        self._expected: deque[tuple[float, Array]] = deque(maxlen=EXPECTED)
         self._words: list[str] = []
         self.state = RigState()
 
@@ -104,7 +109,9 @@ class RigWatch:
             self._agreed = -np.inf
             return
         if result.tracking != Tracking.TRACKING:
+            self._expected.clear()
             return
+        self._expected.append((result.t, result.predicted_left))
         both, (left_u, left_v, right_u, right_v) = median_residual(result.residual)
         if both < p.jump_markers:
             return
@@ -122,8 +129,21 @@ class RigWatch:
         elif result.t - self._agreed <= p.jump_gap:
             settled = self._agreed - self._agreed_since >= p.settle
             self._agreed = -np.inf  # one jump is told once
-            if settled:  # else how fast the hand moves is hardly known yet
+            vector = np.array([right_u + left_u, right_v + left_v]) / 2 / self._scale
+            # settled: else how fast the hand moves is hardly known yet
+            if settled and (apart > together or not self._is_late(vector)):
                 self._note_jump(apart, together)
+
+    def _is_late(self, jump: Array) -> bool:
+        """Whether ``jump`` (2,) px is how far the markers move in the time by which the stamp of an
+        image may be wrong: a busy computer takes images from a webcam late and unevenly."""
+        velocity = _velocity(self._expected) / self._scale
+        speed_2 = float(velocity @ velocity)
+        if not speed_2 > 0:
+            return False
+        late = float(jump @ velocity) / speed_2
+        beside = float(np.linalg.norm(jump - late * velocity))
+        return abs(late) <= self._params.late and beside < self._params.jump_px
 
     def take_words(self) -> list[str]:
         """Sentences for the log since the last call."""
@@ -196,6 +216,17 @@ class RigWatch:
             (focal / p.farthest, focal / p.nearest),
             p.row_px * self._scale,
         )
+
+
+def _velocity(expected: Sequence[tuple[float, Array]]) -> Array:
+    """(2,) px/s of the markers in the left image, as expected from image to image; 0 if unknown."""
+    steps = []
+    for (t, before), (t_next, after) in itertools.pairwise(expected):
+        moved = after - before
+        moved = moved[np.isfinite(moved).all(axis=1)]
+        if len(moved) and t_next > t:
+            steps.append(np.median(moved, axis=0) / (t_next - t))
+    return np.median(steps, axis=0) if steps else np.zeros(2)
 
 
 @kernel(nogil=False)

@@ -148,8 +148,9 @@ def _on_lines(t: Array, values: Array, at: Array) -> Array:
     return np.asarray(out)
 
 
-def truth_error_mm(tracked: Path, truth: Path) -> dict[str, float]:
-    """Mean distance (mm) of each keypoint of ``tracked`` from the truth that ``truth`` holds.
+def truth_error_mm(tracked: Path, truth: Path, beside: Path | None = None) -> dict[str, float]:
+    """Mean distance (mm) of each keypoint of ``tracked`` from the truth that ``truth`` holds, at the
+    instants that ``beside`` has too.
 
     Empty where it holds none or no instant is common; NaN for a keypoint that was always lost.
     Raises FileError if ``tracked`` holds no estimates.
@@ -162,6 +163,10 @@ def truth_error_mm(tracked: Path, truth: Path) -> dict[str, float]:
         series = recorded_series(reader)
     if not true:
         return {}
+    if beside is not None:
+        with SessionReader(beside) as reader:
+            other = recorded_series(reader)
+        series = series.rows(common_rows(series.stamp_ns, other.stamp_ns)[0])
     rows, true_rows = common_rows(series.stamp_ns, stamps)
     if len(rows) == 0:
         return {}
