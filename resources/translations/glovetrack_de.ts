@@ -38,6 +38,11 @@
       <translation>Die Hand wird allein nach ihren IMUs gezeigt, ohne Ort.</translation>
     </message>
     <message>
+      <location filename="app/engines/engine_host.py" />
+      <source>{}: not now, a recording has begun meanwhile.</source>
+      <translation>{}: jetzt nicht, inzwischen hat eine Aufnahme begonnen.</translation>
+    </message>
+    <message>
       <location filename="app/engines/found_gloves.py" />
       <source>No glove was found: no USB serial port is there. Is it plugged in?</source>
       <translation>Kein Handschuh gefunden: Es gibt keinen seriellen USB-Anschluss. Ist er eingesteckt?</translation>
@@ -1999,6 +2004,11 @@
     </message>
     <message>
       <location filename="app/panels/recording.py" />
+      <source>The recording was ended: the disk is nearly full.</source>
+      <translation>Die Aufnahme wurde beendet: Die Festplatte ist fast voll.</translation>
+    </message>
+    <message>
+      <location filename="app/panels/recording.py" />
       <source>Not now ({})</source>
       <translation>Nicht jetzt ({})</translation>
     </message>
@@ -2346,6 +2356,11 @@
       <location filename="app/panels/streams.py" />
       <source>Motor {}</source>
       <translation>Motor {}</translation>
+    </message>
+    <message>
+      <location filename="app/platform/aside.py" />
+      <source>It ended in the middle: was there too little memory?</source>
+      <translation>Es endete mittendrin: War zu wenig Arbeitsspeicher da?</translation>
     </message>
     <message>
       <location filename="app/platform/bug_report.py" />
@@ -5591,6 +5606,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />
+      <source>Freeing the glove's port</source>
+      <translation>Anschluss des Handschuhs wird freigegeben</translation>
+    </message>
+    <message>
+      <location filename="app/wizards/glove/wizard.py" />
       <source>Waiting for the glove's answer…</source>
       <translation>Auf die Antwort des Handschuhs wird gewartet…</translation>
     </message>
@@ -5598,11 +5618,6 @@ change {}: {}</source>
       <location filename="app/wizards/glove/wizard.py" />
       <source>The glove answers.</source>
       <translation>Der Handschuh antwortet.</translation>
-    </message>
-    <message>
-      <location filename="app/wizards/glove/wizard.py" />
-      <source>Freeing the glove's port</source>
-      <translation>Anschluss des Handschuhs wird freigegeben</translation>
     </message>
     <message>
       <location filename="app/wizards/glove/wizard.py" />

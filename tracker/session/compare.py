@@ -149,8 +149,8 @@ def _on_lines(t: Array, values: Array, at: Array) -> Array:
 
 
 def truth_error_mm(tracked: Path, truth: Path, beside: Path | None = None) -> dict[str, float]:
-    """Mean distance (mm) of each keypoint of ``tracked`` from the truth that ``truth`` holds, at the
-    instants that ``beside`` has too.
+    """Mean distance (mm) of each keypoint of ``tracked`` from the truth that ``truth`` holds, at
+    the instants that ``beside`` has too.
 
     Empty where it holds none or no instant is common; NaN for a keypoint that was always lost.
     Raises FileError if ``tracked`` holds no estimates.
