@@ -5,8 +5,10 @@ from __future__ import annotations
 import fcntl
 import os
 import pty
+import sys
 import termios
 import threading
+import time
 import tty
 from collections.abc import Iterator
 from types import ModuleType
@@ -142,6 +144,14 @@ def test_complaints_are_words_of_the_system_at_hand(
     assert ("sudo" in said) == (system == "linux")
 
 
+def wait_for(slave: int, count: int) -> None:
+    """Until so many bytes have come through: the system hands them over in its own time."""
+    deadline = time.monotonic() + 10
+    while int.from_bytes(fcntl.ioctl(slave, termios.FIONREAD, bytes(4)), sys.byteorder) < count:
+        assert time.monotonic() < deadline, "they did not come within 10 s"
+        time.sleep(0.001)
+
+
 def test_what_waits_is_read_at_once_and_nothing_is_read_of_an_empty_line() -> None:
     master, slave = pty.openpty()
     tty.setraw(slave)
@@ -150,6 +160,7 @@ def test_what_waits_is_read_at_once_and_nothing_is_read_of_an_empty_line() -> No
         assert read_waiting(port, 0.0) == b""
         os.write(master, b"first")
         os.write(master, b" second")
+        wait_for(slave, len(b"first second"))
         assert read_waiting(port, 5.0) == b"first second"
         assert read_waiting(port, 0.0) == b""
     finally:
