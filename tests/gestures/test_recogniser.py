@@ -109,6 +109,31 @@ def test_a_lost_hand_shows_nothing() -> None:
     assert told(lost) == []
 
 
+def inferred(frames: list[Estimate], *fingers: str) -> list[Estimate]:
+    """The same, but no sensor tells these fingers' angles."""
+    state = frames[0].angle_state.copy()
+    for i, name in enumerate(HAND.joint_names):
+        if name.startswith(fingers):
+            state[i] = int(Validity.INFERRED)
+    return [replace(e, angle_state=state) for e in frames]
+
+
+def test_a_half_open_hand_is_an_open_palm_where_all_fingers_are_measured_alone() -> None:
+    """Beside two straight fingers the others may be bent: to tell it of these takes more."""
+    half, flat = (lasting(bent(angle, 0, *FINGERS), 0.0, 0.5) for angle in (45.0, 5.0))
+    assert told(half) == told(flat) == [("open_palm", True)]
+    assert told(inferred(half, "ring", "little")) == []
+    assert told(inferred(flat, "ring", "little")) == [("open_palm", True)]
+    assert told(inferred(lasting(SHAPES["fist"], 0, 0.5), "ring", "little")) == [("fist", True)]
+
+
+def test_a_posture_of_which_nothing_is_measured_does_not_begin() -> None:
+    for name in ("open_palm", "fist"):
+        frames = lasting(SHAPES[name], 0.0, 0.5)
+        assert told(inferred(frames, *FINGERS)) == []
+        assert told(frames + inferred(lasting(SHAPES[name], 0.5, 0.5), *FINGERS)) == [(name, True)]
+
+
 def test_a_hand_that_is_searched_for_shows_nothing() -> None:
     searching = [replace(e, tracking=Tracking.SEARCHING) for e in lasting(SHAPES["fist"], 0, 1)]
     assert told(searching) == []
