@@ -7,7 +7,7 @@ import pytest
 
 from tracker import library
 from tracker.glove.mirror import mirrored_glove, mirrored_hand
-from tracker.messages import BlobFrame, ImuSample
+from tracker.messages import BlobFrame, ImuSample, Tracking
 from tracker.pipeline import Pipeline
 from tracker.side_watch import SideWatch
 from tracker.simulation.random_postures import RandomPostures
@@ -32,8 +32,15 @@ def test_the_files_of_both_sides_are_mirror_images() -> None:
         np.testing.assert_allclose(a.R_BI, b.R_BI, atol=1e-9)
 
 
-@pytest.mark.parametrize(("worn", "expected"), [(LEFT, ["left"]), (RIGHT, [])])
-def test_a_left_glove_on_a_right_ones_files_is_said_once(worn, expected) -> None:
+@pytest.mark.parametrize(
+    ("worn", "not_found", "expected"),
+    [
+        (LEFT, Tracking.SEARCHING, ["left"]),
+        (LEFT, Tracking.LOST, ["left"]),  # found by mistake before
+        (RIGHT, Tracking.SEARCHING, []),
+    ],
+)
+def test_a_left_glove_on_a_right_ones_files_is_said_once(worn, not_found, expected) -> None:
     hand, glove = library.load(*worn)
     sim = Simulation(hand, glove, RandomPostures(hand, 0, duration=4.0), 0, fps=20)
     own_hand, own_glove = library.load(*RIGHT)
@@ -41,7 +48,8 @@ def test_a_left_glove_on_a_right_ones_files_is_said_once(worn, expected) -> None
     watch, words = SideWatch(pipeline, patience=0.3), []
     for message in sim.feed():
         if isinstance(message, ImuSample):
-            watch.packet(message, pipeline.feed_imu(message).tracking)
+            tracking = pipeline.feed_imu(message).tracking
+            watch.packet(message, not_found if tracking == Tracking.SEARCHING else tracking)
         elif isinstance(message, BlobFrame):
             pipeline.feed_frame(message)
             watch.frame(message)

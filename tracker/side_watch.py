@@ -1,7 +1,8 @@
 """Noticing a left glove on a right one's files, and the other way round, from what is seen.
 
-A glove's patches lie mirrored on the other hand, so the hand is never found: blobs enough, and no
-hand among them. Then the same packets and images are tried on the mirrored glove and hand.
+A glove's patches lie mirrored on the other hand, so the hand is not found, or by mistake and lost
+again: blobs enough, and no hand among them. Then the same packets and images are tried on the
+mirrored glove and hand.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ class SideWatch:
         """A packet, and what our own pipeline knows after it."""
         step = 0.0 if self._last is None else min(max(sample.t - self._last, 0.0), 0.1)
         self._last = sample.t
-        if tracking != Tracking.SEARCHING:
+        if tracking in (Tracking.TRACKING, Tracking.COASTING):
             self._begin_anew()
         elif self._trial is not None:
             self._try(self._trial, sample, step)
