@@ -37,8 +37,6 @@ TYPES := $(BIN)/mypy && $(BIN)/lint-imports
 .DELETE_ON_ERROR:
 
 demo: $(READY)
-	test -e $(VENV)/.kernels || { nice -n 19 packaging/kernels.sh $(VENV) >$(VENV)/kernels.txt 2>&1 \
-		&& touch $(VENV)/.kernels; } & # those that the demo does without
 ifneq ($(SCREEN),)
 	$(BIN)/glovetrack demo
 else
@@ -107,12 +105,11 @@ SET_UP := pyproject.toml packaging/environment.sh packaging/system_libraries.sh 
 $(READY): requirements.lock $(SET_UP)
 	packaging/system_libraries.sh app
 	packaging/environment.sh $(VENV)
-	packaging/kernels.sh $(VENV) --for-demo
-	rm -f $(VENV)/.kernels
+	packaging/kernels.sh $(VENV) --for-demo $(if $(SCREEN),--shown)
 	touch $@
 
 $(READY_FOR_TESTS): requirements-test.lock $(SET_UP)
 	packaging/system_libraries.sh app
 	packaging/environment.sh $(VENV) test
 	packaging/kernels.sh $(VENV)
-	touch $@ $(READY) $(VENV)/.kernels
+	touch $@ $(READY)

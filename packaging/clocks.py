@@ -10,7 +10,7 @@ hand in FOLDER after the first run (Debian's packages as apt's archives, Python'
 that no line to a registry is measured. ``dist`` has what ``make package`` and ``make wheel`` leave.
 
 A window is there when the X server shows it; a hand is tracked when the first estimate that
-measured the index fingertip arrives by UDP. Beside each clock stand the seconds of processor that
+measured the index finger arrives by UDP. Beside each clock stand the seconds of processor that
 it took, of all processes on the fresh machine, and this machine's load when it began.
 """
 
@@ -211,10 +211,10 @@ def until(done: Callable[[], bool], process: subprocess.Popen[str], clock: Clock
 
 
 def tracked(ear: socket.socket) -> bool:
-    """Whether an estimate has come that measured a fingertip."""
+    """Whether an estimate has come that measured a finger, as far as it has sensors."""
     while select.select([ear], [], [], 0)[0]:
         said = json.loads(ear.recv(65536))
-        if said["keypoints"]["index_tip"]["state"] == "measured":
+        if said["keypoints"]["index_dip"]["state"] == "measured":
             return True
     return False
 
@@ -236,8 +236,12 @@ def begin(machine: Machine, rows: Rows, program: str) -> None:
 def clone(machine: Machine, rows: Rows) -> None:
     timed(machine, rows, "git clone", "git clone -q /source glovetrack")
     demo = "cd glovetrack && make demo"
-    compiled = machine.root / "root/glovetrack/.venv/.kernels"
-    watched(machine, rows, demo, "make demo, first", hand=True, then=compiled.exists)
+    kernels = machine.root / "root/glovetrack/tracker/kernels"
+
+    def all_compiled() -> bool:  # those that the demo does without too
+        return (kernels / "_compiled_tracker_fusion_vist.txt").exists()
+
+    watched(machine, rows, demo, "make demo, first", hand=True, then=all_compiled)
     watched(machine, rows, demo, "make demo, second", hand=True)
     begin(machine, rows, "glovetrack/.venv/bin/glovetrack")
     size(machine, rows, "glovetrack/.venv")

@@ -30,6 +30,7 @@ from tracker.toml_reader import read_text
 if TYPE_CHECKING:
     from app.platform.crash import CrashWatch
     from app.platform.single_instance import Instance
+    from app.storage.settings import SettingsStore
 
 NO_SCREEN = (
     "There is no screen to open the window on: neither DISPLAY nor WAYLAND_DISPLAY names one "
@@ -89,31 +90,37 @@ def _report(app: QApplication, args: argparse.Namespace) -> int:
 
 
 def _run(app: QApplication, args: argparse.Namespace) -> int:
+    from app.platform.compiling import compile_before_start
     from app.platform.crash import CrashWatch, log_folder, log_to_file
     from app.platform.single_instance import Instance, hand_over
+    from app.platform.translation import install
+    from app.storage.settings import SettingsStore
 
     if not args.demo and hand_over(args.session):
         return 0  # the window that is open has it now
+    store = SettingsStore()
+    install(app, store.value.language)
+    compile_before_start(app)
     log_to_file(log_folder())
     crashes, instance = CrashWatch(log_folder()), Instance()
     try:
-        return _show(app, args, crashes, instance)
+        return _show(app, args, store, crashes, instance)
     finally:
         instance.close()
         crashes.end()
 
 
 def _show(
-    app: QApplication, args: argparse.Namespace, crashes: CrashWatch, instance: Instance
+    app: QApplication,
+    args: argparse.Namespace,
+    store: SettingsStore,
+    crashes: CrashWatch,
+    instance: Instance,
 ) -> int:
     camera = start_camera(choice=_demo(args)) if args.demo else None
-    from app.platform.translation import install
-    from app.storage.settings import SettingsStore
     from app.window.main_window import MainWindow
     from app.window.pauses import keep_pauses_short
 
-    store = SettingsStore()
-    install(app, store.value.language)
     window = MainWindow(store, crashes)
     instance.asked.connect(window.sources.take_over)
     close_when_told(window)

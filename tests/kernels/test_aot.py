@@ -7,6 +7,8 @@ tracker/kernels/README.md, and keep numba below that version in pyproject.toml u
 import importlib.util
 import shutil
 import threading
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 
 import numpy as np
 import pytest
@@ -57,15 +59,20 @@ EXPORTS = {
 }
 
 
+def compile_into(folder):
+    module = aot.ExtensionModule("canary", folder)
+    for name, (arguments, function, options) in EXPORTS.items():
+        module.add(name, arguments, function, {"nopython": True, **options})
+    module.compile()
+
+
 @pytest.fixture(scope="module")
 def compiled(tmp_path_factory):
     if not (shutil.which("g++") or shutil.which("clang++") or shutil.which("cl")):
         pytest.skip("no C++ compiler here")
     folder = tmp_path_factory.mktemp("aot")
-    module = aot.ExtensionModule("canary", folder)
-    for name, (arguments, function, options) in EXPORTS.items():
-        module.add(name, arguments, function, {"nopython": True, **options})
-    module.compile()
+    with ProcessPoolExecutor(1, get_context("spawn")) as pool:  # it does nothing else with numba
+        pool.submit(compile_into, folder).result()
     spec = importlib.util.spec_from_file_location("canary", next(folder.glob("canary*")))
     made = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(made)

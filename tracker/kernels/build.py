@@ -30,7 +30,7 @@ import numba
 import numpy as np
 from setuptools import Distribution, Extension
 
-from tracker.kernels import aot, exported, kept, numba_types, parts
+from tracker.kernels import aot, exported, kept, numba_types, parts, tools
 from tracker.kernels.fingerprint import fingerprint
 from tracker.kernels.parts import HERE
 from tracker.kernels.signature import SignatureError, signature
@@ -135,7 +135,7 @@ def _build_side_by_side(entries: dict[str, list[Entry]]) -> None:
             error = future.exception()
             if error is not None:
                 failed.append(f"{waiting[future]} ({error})")
-            print(f"compiled {done} of {len(waiting)}: {waiting[future]}", flush=True)
+            print(tools.said(waiting[future], done, len(waiting)), flush=True)
     if failed:
         raise SystemExit(f"Not compiled: {', '.join(failed)}")
 

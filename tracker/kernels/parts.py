@@ -17,7 +17,13 @@ from tracker.kernels.signature import INSTALLED_IN
 HERE = Path(__file__).parent
 PREFIX = "_compiled_"
 DIVIDED = ("tracker_fusion", "tracker_simulation")
-NOT_FOR_THE_DEMO = ("tracker_inertial", "tracker_fusion_vist", "tracker_simulation_recorded")
+NOT_FOR_THE_DEMO = (
+    "tracker_applications",
+    "tracker_fusion_vist",
+    "tracker_inertial",
+    "tracker_simulation_desk",
+    "tracker_simulation_recorded",
+)
 """Parts that a first look at the demo does without; they are compiled after the others."""
 
 

@@ -1,0 +1,102 @@
+"""The window of the very first start from source: kernels are compiled, and one sees how far."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+from PySide6.QtCore import QEventLoop, QProcess, Qt
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QApplication, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
+
+from tracker.kernels import tools
+
+FOR_DEMO = "--for-demo"
+WIDTH_PX = 460
+NICE = 19  # the rest is compiled while the window is in use
+
+
+class CompilingWindow(QWidget):
+    """Shows a compiler's progress. It closes when that ends, or when the user does not wait."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setWindowTitle(self.tr("Glovetrack – first start"))
+        self.text = QLabel(
+            self.tr(
+                "Compiling the numerical kernels for this computer. This happens once and takes "
+                "a minute or two on two cores."
+            )
+        )
+        self.text.setWordWrap(True)
+        self.bar = QProgressBar()
+        self.bar.setRange(0, 0)
+        self.later = QPushButton(self.tr("Start without waiting"))
+        self.later.setToolTip(
+            self.tr(
+                "What is not compiled yet is compiled when it is first needed: the window pauses."
+            )
+        )
+        self.later.clicked.connect(self.close)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.text)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.later, alignment=Qt.AlignmentFlag.AlignRight)
+        self.setFixedWidth(WIDTH_PX)
+        self._said = ""
+        self._process = QProcess(self)
+        self._process.setProcessChannelMode(QProcess.ProcessChannelMode.MergedChannels)
+        self._process.readyReadStandardOutput.connect(self._read)
+        self._waiting = QEventLoop(self)
+        self._process.finished.connect(self._waiting.quit)
+        self._process.errorOccurred.connect(self._waiting.quit)
+
+    def run(self, command: list[str]) -> bool:
+        """Show it until the command has ended; whether that went well."""
+        self.show()
+        self._process.start(command[0], command[1:])
+        self._waiting.exec()
+        ended = self._process.state() == QProcess.ProcessState.NotRunning
+        well = ended and self._process.exitStatus() == QProcess.ExitStatus.NormalExit
+        well = well and self._process.exitCode() == 0
+        if not ended:
+            self._process.kill()
+            self._process.waitForFinished()
+        elif not well:
+            print(self._said, file=sys.stderr)
+        self.hide()
+        return well
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        super().closeEvent(event)
+        self._waiting.quit()
+
+    def _read(self) -> None:
+        said = bytes(self._process.readAllStandardOutput().data()).decode(errors="replace")
+        self._said += said
+        print(said, end="", flush=True)
+        for line in self._said.splitlines():
+            far = tools.progress(line)
+            if far is not None:
+                self.bar.setRange(0, far[1])
+                self.bar.setValue(far[0])
+
+
+def compile_before_start(app: QApplication) -> None:
+    """Where kernels were never compiled and can be: do it in sight, and begin anew with them.
+
+    What the demo does without is compiled beside the window that opens then. Does nothing where
+    there is a library, or where the user did not want to wait: numba compiles then as it goes.
+    """
+    if not tools.are_wanted():
+        return
+    done = CompilingWindow().run(tools.command(FOR_DEMO))
+    app.processEvents()
+    if done:
+        subprocess.Popen(_nicely(tools.command()), stdout=subprocess.DEVNULL)
+        os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
+
+
+def _nicely(command: list[str]) -> list[str]:
+    return ["nice", "-n", str(NICE), *command] if sys.platform != "win32" else command
