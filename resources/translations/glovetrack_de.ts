@@ -2413,6 +2413,26 @@
       <translation>die letzten {} s der offenen Sitzung: Sensordaten und Tracking, mit Kamerabildern</translation>
     </message>
     <message>
+      <location filename="app/platform/compiling.py" />
+      <source>Glovetrack – first start</source>
+      <translation>Glovetrack – erster Start</translation>
+    </message>
+    <message>
+      <location filename="app/platform/compiling.py" />
+      <source>Compiling the numerical kernels for this computer. This happens once and takes a minute or two on two cores.</source>
+      <translation>Die Rechenkerne werden für diesen Rechner übersetzt. Das geschieht einmal und dauert auf zwei Prozessorkernen ein bis zwei Minuten.</translation>
+    </message>
+    <message>
+      <location filename="app/platform/compiling.py" />
+      <source>Start without waiting</source>
+      <translation>Ohne Warten beginnen</translation>
+    </message>
+    <message>
+      <location filename="app/platform/compiling.py" />
+      <source>What is not compiled yet is compiled when it is first needed: the window pauses.</source>
+      <translation>Was noch nicht übersetzt ist, wird es, sobald es gebraucht wird: Das Fenster stockt dann.</translation>
+    </message>
+    <message>
       <location filename="app/platform/crash.py" />
       <source>Something went wrong inside Glovetrack ({}: {}).</source>
       <translation>In Glovetrack ist etwas schiefgegangen ({}: {}).</translation>
