@@ -17,6 +17,8 @@ from app.window import pauses
 
 @pytest.fixture(autouse=True)
 def _thawed() -> Iterator[None]:
+    """Nothing is set aside before: the run of all tests does it too, with what was collected."""
+    gc.unfreeze()
     yield
     gc.unfreeze()
 
