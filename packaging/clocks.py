@@ -187,8 +187,11 @@ def watched(
     """
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ear:
         ear.bind(("127.0.0.1", UDP_PORT))
-        search = ["xdotool", "search", "--sync", "--onlyvisible", "--name", "Glovetrack"]
-        seen = subprocess.Popen(search, stdout=subprocess.DEVNULL, env={"DISPLAY": machine.display})
+        search = ["xdotool", "search", "--onlyvisible", "--name", "Glovetrack"]
+        there = {"stdout": subprocess.DEVNULL, "env": {"DISPLAY": machine.display}}
+        while subprocess.run(search, check=False, **there).returncode == 0:
+            time.sleep(0.05)  # the one before has not gone yet
+        seen = subprocess.Popen([*search[:2], "--sync", *search[2:]], **there)
         process = machine.start(line)
         clock = Clock(process)
         until(lambda: seen.poll() is not None, process, clock)

@@ -2,11 +2,12 @@
 
 import importlib
 import textwrap
+from typing import get_args, get_type_hints
 
 import pytest
 
 from tracker.kernels.exported import exported, kernels
-from tracker.kernels.signature import signature
+from tracker.kernels.signature import members, signature
 
 SOURCES = {
     "tracker/small.py": """
@@ -66,3 +67,20 @@ def test_a_kernel_is_exported_if_something_other_than_a_kernel_names_it(tmp_path
 def test_every_kernel_says_its_types(name):
     module, _, function = name.rpartition(".")
     signature(getattr(importlib.import_module(module), function).py_func)
+
+
+def has_a_class_of_ours(annotation) -> bool:
+    inside = members(annotation) or []
+    named = any(name for name, _ in inside)
+    return named or any(
+        has_a_class_of_ours(a) for a in (*get_args(annotation), *dict(inside).values())
+    )
+
+
+def test_what_python_calls_returns_no_named_tuple():
+    """Its class would be looked for by the module's name in this tree, which a wheel has under
+    another one: the compiled call would end the process."""
+    for name in exported():
+        module, _, function = name.rpartition(".")
+        made = getattr(importlib.import_module(module), function)
+        assert not has_a_class_of_ours(get_type_hints(made.py_func).get("return")), name

@@ -42,16 +42,6 @@ class PatchShapes(NamedTuple):
     flat: IntVector
 
 
-class SeenPatches(NamedTuple):
-    """uv (M, 2) px of the seen area's centroid, extent (M, 2) px, facing (M,) mean cosine of what
-    is seen of the whole, whole (M,) share of what faces the camera that is not hidden."""
-
-    uv: Matrix
-    extent: Matrix
-    facing: Vector
-    whole: Vector
-
-
 class _Axes(NamedTuple):
     """Of P capsules: unit vector (P, 3) from ``a`` to ``b`` (zero for a ball) and length (P,) m."""
 
@@ -62,8 +52,10 @@ class _Axes(NamedTuple):
 @kernel
 def view_patches(
     eye: Vector, K: Vector, now: Instant, patches: PatchShapes, pattern: Stack
-) -> SeenPatches:
-    """The patches of ``now`` from ``eye`` (3,) in C with K = (fx, fy, cx, cy).
+) -> tuple[Matrix, Matrix, Vector, Vector]:
+    """The patches of ``now`` from ``eye`` (3,) in C with K = (fx, fy, cx, cy): uv (M, 2) px of the
+    seen area's centroid, extent (M, 2) px, facing (M,) mean cosine of what is seen of the whole,
+    whole (M,) share of what faces the camera that is not hidden.
 
     Each is looked at in the points of `sample_pattern`.
     """
@@ -110,7 +102,7 @@ def view_patches(
             extent[m, 0], extent[m, 1] = high_u - low_u, high_v - low_v
             facing[m] = seen / samples
             whole[m] = seen / turned
-    return SeenPatches(uv, extent, facing, whole)
+    return uv, extent, facing, whole
 
 
 @kernel

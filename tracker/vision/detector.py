@@ -24,6 +24,7 @@ from tracker.vision.hue_table import hue_table
 from tracker.vision.shape_tests import (
     ExpectedBlobs,
     RegionLimits,
+    Sorted,
     first_failure,
     parted,
     windows_around,
@@ -118,7 +119,7 @@ class Detector:
         scan = Scan(pixels, self._table, visited, mark, self._scratch.runs(extent), extent)
         windows = self._windows(width, height, hints)
         rows = search.find_regions(scan, windows, self.params.min_area_px)
-        found = parted(rows, first_failure(rows, self._limits, _expected(hints)))
+        found = Sorted(*parted(rows, first_failure(rows, self._limits, _expected(hints))))
         why = tuple(REASONS[k] for k in found.reason.tolist())
         blobs = Blobs(found.uv, found.size, found.hue, found.score)
         return blobs, RejectedBlobs(found.other_uv, found.other_hue, why)

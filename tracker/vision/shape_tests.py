@@ -94,8 +94,10 @@ def _suits(row: Vector, limits: RegionLimits, expected: ExpectedBlobs) -> bool:
 
 
 @kernel
-def parted(rows: Matrix, reason: IntVector) -> Sorted:
-    """Regions (n, COLUMNS) by what they fail, as `first_failure` says."""
+def parted(
+    rows: Matrix, reason: IntVector
+) -> tuple[Matrix, Matrix, IntVector, Vector, Matrix, IntVector, IntVector]:
+    """The members of `Sorted`: regions (n, COLUMNS) by what they fail, as `first_failure` says."""
     n, m = 0, 0
     for i in range(len(rows)):
         n += reason[i] < 0
@@ -117,7 +119,7 @@ def parted(rows: Matrix, reason: IntVector) -> Sorted:
             other_uv[m, 0], other_uv[m, 1] = rows[i, search.U], rows[i, search.V]
             other_hue[m], why[m] = int(rows[i, search.HUE]), reason[i]
             m += 1
-    return Sorted(uv, size, hue, score, other_uv, other_hue, why)
+    return uv, size, hue, score, other_uv, other_hue, why
 
 
 @kernel
