@@ -43,6 +43,7 @@ class FirmwareSetup(FormDialog):
         self._host, self._tasks = host, tasks
         self._find, self._write_with, self._greet = find, write, greet
         self._found: dict[str, PortReport] = {}
+        self._is_busy = False
         self.setWindowTitle(self.tr("Glove firmware"))
         self.ports, self.speeds, self.boards = QComboBox(), QComboBox(), QComboBox()
         self.ports.setEditable(True)
@@ -121,7 +122,7 @@ class FirmwareSetup(FormDialog):
             if not advice(report.hello.firmware):
                 told.append(self.tr("It needs no newer one."))
         self.versions.setText(" ".join(told))
-        self.write.setEnabled(bool(self.ports.currentText().strip()))
+        self._allow()
 
     # --- writing
 
@@ -162,6 +163,11 @@ class FirmwareSetup(FormDialog):
         self.words.setText(words)
 
     def _set_busy(self, busy: bool) -> None:
+        self._is_busy = busy
         self.busy.setVisible(busy)
-        self.again.setEnabled(not busy)
-        self.write.setEnabled(not busy and bool(self.ports.currentText().strip()))
+        self._allow()
+
+    def _allow(self) -> None:
+        """One thing at a time: what ends later would end the writing's waiting, too."""
+        self.again.setEnabled(not self._is_busy)
+        self.write.setEnabled(not self._is_busy and bool(self.ports.currentText().strip()))

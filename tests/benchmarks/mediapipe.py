@@ -47,16 +47,19 @@ class HandsPeer:
         self._folder = tempfile.TemporaryDirectory()
         images = Path(self._folder.name) / "pairs.npy"
         np.save(images, pairs)
-        self._process = subprocess.Popen(
-            [str(python), str(WORKER), str(images)],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            text=True,
-        )
+        said = images.with_name("stderr.txt")
+        with said.open("wb") as complaints:
+            self._process = subprocess.Popen(
+                [str(python), str(WORKER), str(images)],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=complaints,
+                text=True,
+            )
         if self._line() != "ready":
+            last = said.read_text(errors="replace").strip().rpartition("\n")[2]
             self.close()
-            raise PeerAbsentError("mediapipe does not start there")
+            raise PeerAbsentError(f"mediapipe does not start there: {last or 'not a word'}")
 
     def _line(self) -> str:
         assert self._process.stdout is not None

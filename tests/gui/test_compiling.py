@@ -41,7 +41,7 @@ def test_a_program_that_is_not_there_holds_up_nobody(window):
 
 def test_who_does_not_wait_ends_the_compiler(window, qtbot):
     QTimer.singleShot(200, window.later.click)
-    assert not window.run([sys.executable, "-c", "import time; time.sleep(600)"])
+    assert not window.run([sys.executable, "-c", "import sys; sys.stdin.read()"])  # it waits for us
     assert window._process.state() == window._process.ProcessState.NotRunning
 
 

@@ -30,6 +30,7 @@ class Board:
         self.may_end.set()
 
     def find(self) -> list[PortReport]:
+        self.may_end.wait(20)
         return [PortReport("/dev/ttyS0", None), PortReport(PORT, self.hello)]
 
     def write(self, job: FlashJob) -> None:
@@ -80,6 +81,19 @@ def test_what_is_written_has_the_number_and_the_speed_that_were_chosen(
     assert board.jobs == [FlashJob(shipped_image(115_200).for_glove(12), PORT, 57_600)]
     assert "glove 12" in dialog.words.text()
     assert "It needs no newer one" in dialog.versions.text()
+
+
+def test_nothing_is_written_while_gloves_are_looked_for(
+    dialog: FirmwareSetup, board: Board, qtbot
+) -> None:
+    """Another port's name shows other versions, which is no leave to begin a second thing."""
+    board.may_end.clear()
+    dialog.again.click()
+    dialog.ports.setCurrentText("/dev/ttyUSB7")
+    assert not dialog.write.isEnabled() and not dialog.again.isEnabled()
+    board.may_end.set()
+    qtbot.waitUntil(dialog.write.isEnabled, timeout=20_000)
+    assert dialog.again.isEnabled()
 
 
 @pytest.mark.skipif(shutil.which("avrdude") is None, reason="needs avrdude")
