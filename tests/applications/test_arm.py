@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import socket
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tests.applications.hands import datas, outcomes, words
+from tracker.applications.arm.arm import ArmSettings, RobotArm
 from tracker.applications.arm.robot import AXES, REST, SixAxisArm, ToolPose
 from tracker.applications.arm.stream import ArmSink, from_json, to_json
 from tracker.applications.drawing import Mesh
@@ -101,6 +103,19 @@ def test_an_open_palm_stops_it_until_a_thumb_says_go_on() -> None:
     assert len(set(angles)) == 1
     (confirmed,) = datas(found, "confirm")
     assert abs(confirmed["at"][1]) < 0.01
+
+
+def test_a_palm_that_is_only_likely_stops_it_too() -> None:
+    """Ring and little finger inferred: the gesture takes a value of 0.95, the stop 0.6."""
+    (first, *seen) = [
+        o.hand for o in outcomes("arm", [Key(0.0, "grasp", UP), Key(0.3, "grasp", UP)])
+    ]
+    for value, stops in ((0.55, False), (0.7, True)):
+        arm = RobotArm(ArmSettings(place=tuple(FOOT)))
+        told = [w.what for w in arm.step(first).events]
+        for hand in seen:
+            told += [w.what for w in arm.step(replace(hand, values={"open_palm": value})).events]
+        assert ("stop" in told) == stops
 
 
 def test_inverse_kinematics_reaches_what_forward_kinematics_gives() -> None:

@@ -127,6 +127,19 @@ def test_a_half_open_hand_is_an_open_palm_where_all_fingers_are_measured_alone()
     assert told(inferred(lasting(SHAPES["fist"], 0, 0.5), "ring", "little")) == [("fist", True)]
 
 
+def test_a_grasp_that_is_passed_by_is_told_where_all_fingers_are_measured_alone() -> None:
+    """0.12 s of it on the way: less than 0.15 s, which it has to last beside inferred fingers."""
+    way = bent(40, 25, *FINGERS) | {"thumb_cmc_flexion": 22.0}  # a value of 0.84
+    brief, long = (lasting(way, 0.0, s) + lasting({}, s, 0.1) for s in (0.12, 0.2))
+    assert ("grasp", True) in told(brief)
+    assert ("grasp", True) not in told(inferred(brief, "ring", "little"))
+    assert ("grasp", True) in told(inferred(long, "ring", "little"))
+    plain = lasting(
+        bent(50, 30, *FINGERS) | {"thumb_cmc_flexion": 22.0}, 0.0, 0.1
+    )  # a value of 1: 0.06 s will do
+    assert ("grasp", True) in told(inferred(plain, "ring", "little"))
+
+
 def test_a_posture_of_which_nothing_is_measured_does_not_begin() -> None:
     for name in ("open_palm", "fist"):
         frames = lasting(SHAPES[name], 0.0, 0.5)

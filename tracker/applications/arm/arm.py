@@ -3,7 +3,8 @@
 A closed hand, grasping or pinching, is the clutch: while it is closed the gripper moves as the palm
 does, ``scale`` times as far; opened, the arm stays, and the hand may go back. A pinch that lasts
 closes the gripper, the next one opens it. An open palm stops the arm until a thumb up says that it
-may go on; a thumb up else marks the place where the gripper is.
+may go on; a thumb up else marks the place where the gripper is. A palm that is only likely, where
+ring and little finger are inferred, stops it as well: a stop too many does no harm.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from tracker.applications.drawing import Drawing, Line, Mesh, Points, Primitive,
 from tracker.applications.hand import HandSample
 from tracker.applications.interface import Command, Happening, JointCommand, PoseCommand, Step
 from tracker.geometry import so3
+from tracker.gestures.values import BEGINS_AT
 from tracker.messages import Array
 
 CLUTCH = ("grasp", "pinch_index")
@@ -118,7 +120,8 @@ class RobotArm:
     # --- what the hand says
 
     def _signs(self, hand: HandSample, events: list[Happening]) -> None:
-        if self._palm.tells(hand.shows("open_palm"), hand.t) and not self._stopped:
+        palm = hand.shows("open_palm") or hand.value("open_palm") > BEGINS_AT
+        if self._palm.tells(palm, hand.t) and not self._stopped:
             self._stopped, self._clutched = True, None
             events.append(Happening("stop"))
         if self._thumb.tells(hand.shows("thumb_up"), hand.t):
