@@ -12,7 +12,7 @@ from app.words import told, tr
 from tracker.applications.drawing import Drawing
 from tracker.applications.registry import titles
 from tracker.applications.runner import BEGINS, ENDS, KIND
-from tracker.errors import ConfigError
+from tracker.errors import GlovetrackError
 from tracker.streaming.publisher import StreamError
 
 PAGE_PORT = 9752
@@ -54,7 +54,7 @@ class ApplicationsModel:
             return tr("Applications run on a tracked hand: open the demo, devices or a session.")
         try:
             self.stage.show(name, settings)
-        except (ConfigError, ImportError) as error:
+        except (GlovetrackError, ImportError) as error:
             return told(str(error))
         return ""
 
@@ -75,7 +75,7 @@ class ApplicationsModel:
         try:
             if self.stage is not None:
                 self.stage.set(key, value)
-        except ConfigError as error:
+        except GlovetrackError as error:
             return told(str(error))
         return ""
 

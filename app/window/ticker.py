@@ -17,6 +17,9 @@ from app.window.status_bar import StatusBar
 from tracker.messages import Tracking
 
 TICK_MS = 16
+DUTY = 0.6
+"""Share of a processor that the window takes, painting included. What tracks the hand shares
+Python's lock with it: a window that paints all the time holds up every packet."""
 STATUS_PERIOD = 0.25  # s
 RATE_OVER_S = 1.0
 NO_HAND_AFTER = 3.0  # s
@@ -49,6 +52,7 @@ class Ticker(QObject):
         self._hand_missed = False
         host.opened.connect(self._begin)
         host.closed.connect(self._clear)
+        self._last = (0.0, 0.0)  # when panels were refreshed, and this thread's time (s) by then
         self._counted = (0.0, 0)  # when, and how many ticks there had been
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -70,8 +74,11 @@ class Ticker(QObject):
         self._bar.show_status(None, False)
 
     def _tick(self) -> None:
+        now, spent = time.monotonic(), time.thread_time()
+        if spent - self._last[1] > DUTY * (now - self._last[0]):
+            return
+        self._last = now, spent
         self.ticks += 1
-        now = time.monotonic()
         view = self._host.snapshot()
         if view is not None:
             self._refresher.refresh(view)

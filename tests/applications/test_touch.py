@@ -13,9 +13,10 @@ from tracker.applications.drawing import Line, Mesh
 from tracker.applications.hand import HandReader
 from tracker.applications.interface import MotorCommand
 from tracker.applications.motors import LASTS_MS, PULLS, THREE, MotorSink, pulls
+from tracker.applications.runner import ApplicationRunner
 from tracker.applications.touch.contact import Placed, contacts, pads
-from tracker.applications.touch.meshes import load_mesh
-from tracker.errors import FileError
+from tracker.applications.touch.meshes import load_mesh, solid
+from tracker.errors import ConfigError, FileError
 from tracker.geometry.triangles import triangles_of
 from tracker.messages import Event
 from tracker.simulation.scripted import Key
@@ -147,6 +148,17 @@ def test_the_shipped_rabbit_is_closed() -> None:
     rabbit = trimesh.Trimesh(*load_mesh("rabbit"))
     assert rabbit.is_watertight
     assert rabbit.volume > 0.05
+
+
+def test_another_mesh_is_read_where_it_is_set_and_a_bad_one_changes_nothing(table: str) -> None:
+    runner = ApplicationRunner("touch", HAND, GLOVE, {"mesh": "rabbit"})
+    with pytest.raises(ConfigError, match="no mesh 'unicorn'"):
+        runner.set("mesh", "unicorn")
+    runner.set("mesh", table)
+    assert solid(table) is solid(table), "it was read once"
+    (first, *_) = [o for e in estimates(PRESS)[:2] for o in runner.feed(e)]
+    shown = next(d for d in first.drawing if isinstance(d, Mesh))
+    assert shown.points is solid(table).file.points and runner.settings.mesh == table
 
 
 def test_what_is_no_mesh_is_refused_in_words(tmp_path: Path) -> None:

@@ -23,6 +23,7 @@ from tracker.sensors.serial_line import (
     read_waiting,
     reason,
     usb_ports,
+    write_now,
 )
 
 FTDI, WCH, SILABS, ARDUINO, TEENSY = 0x0403, 0x1A86, 0x10C4, 0x2341, 0x16C0
@@ -150,6 +151,22 @@ def wait_for(slave: int, count: int) -> None:
     while int.from_bytes(fcntl.ioctl(slave, termios.FIONREAD, bytes(4)), sys.byteorder) < count:
         assert time.monotonic() < deadline, "they did not come within 10 s"
         time.sleep(0.001)
+
+
+def test_a_motor_command_does_not_wait_for_a_line_that_is_full() -> None:
+    master, slave = pty.openpty()
+    port = SerialPort(os.ttyname(slave), BAUD)
+    port.write_timeout = 60.0  # what pyserial would wait: the test hangs where it is asked to
+    try:
+        fits = sum(iter(lambda: port.write_now(bytes(4096)), 0))
+        assert fits > 0 and port.write_now(b"x") == 0
+        write_now(port, b"buzz")
+    finally:
+        port.close()
+        os.close(slave)
+        os.close(master)
+    with pytest.raises(OSError):
+        port.write_now(b"x")
 
 
 def test_what_waits_is_read_at_once_and_nothing_is_read_of_an_empty_line() -> None:

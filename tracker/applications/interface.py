@@ -84,6 +84,8 @@ class Application(Protocol):
     ``settings`` is a frozen dataclass that `tracker.config` can read (numbers, texts, booleans,
     tuples of numbers, with defaults); another one may be put in its place between two steps.
     ``between``: how many foretold samples it wants after each measured one.
+    Where the class has a ``prepare(settings)``, it is called before other settings take the place,
+    in the thread of the one who sets: for what takes long, and to refuse it (GlovetrackError).
     """
 
     name: ClassVar[str]

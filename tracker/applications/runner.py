@@ -15,6 +15,7 @@ from tracker.applications.drawing import Drawing
 from tracker.applications.hand import HandReader, HandSample, foretold
 from tracker.applications.interface import Command, Happening, Step
 from tracker.applications.registry import changed, make
+from tracker.errors import ConfigError, GlovetrackError
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Estimate, Event
@@ -65,7 +66,13 @@ class ApplicationRunner:
 
     def set(self, key: str, value: Any) -> None:
         """Change a setting from the next sample on. Raises ConfigError."""
-        changed(self.application.settings, key, value, self.name)
+        settings = changed(self.application.settings, key, value, self.name)
+        prepare = getattr(self.application, "prepare", None)
+        if prepare is not None:
+            try:
+                prepare(settings)
+            except GlovetrackError as error:
+                raise ConfigError(str(error)) from error
         self._settings[key] = value
         self._changes.append((key, value))
 

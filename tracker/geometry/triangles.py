@@ -107,7 +107,7 @@ def nearest(mesh: Triangles, points: Array) -> Nearest:
     return out
 
 
-@kernel
+@kernel(nogil=False)
 def _nearest(mesh: Triangles, points: Matrix, out: Written[Nearest]) -> None:
     for i in range(len(points)):
         p = (points[i, 0], points[i, 1], points[i, 2])

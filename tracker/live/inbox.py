@@ -1,12 +1,17 @@
-"""What waits for the engine thread: packets and commands all of them, images only a few."""
+"""What waits for the engine thread: packets and commands all of them, images only a few.
+
+Packets go before images: one is done in a tenth of the time, and a robot or a motor waits for it.
+What is fed is stamped then (`tracker.live.loop.ArrivalOrder`), so a session has the order that was.
+"""
 
 from __future__ import annotations
 
 import threading
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from tracker.channels import Fifo
+from tracker.channels import Closed
 from tracker.fusion.engine import Engine
 from tracker.messages import BlobFrame, StereoFrame
 from tracker.two_hands import Sided
@@ -49,36 +54,52 @@ class Inbox:
     """Filled by any thread, emptied by one. A lost packet is lost motion, a late image is not."""
 
     def __init__(self) -> None:
-        self._items: Fifo[Item] = Fifo(SIZE)
-        self._frames = self._skipped = 0
-        self._counting = threading.Lock()
+        self._changed = threading.Condition()
+        self._items: deque[Sided | EngineCommand | GuidedCommand] = deque()
+        self._frames: deque[DetectedFrame] = deque()
+        self._overflowed = self._skipped = 0
+        self._closed = False
 
     def put(self, item: Sided | EngineCommand | GuidedCommand) -> None:
         """Append; what finds it full is lost and counted."""
-        self._items.put(item)
+        with self._changed:
+            if self._closed:
+                return
+            if len(self._items) >= SIZE:
+                self._overflowed += 1
+                return
+            self._items.append(item)
+            self._changed.notify()
 
     def put_frame(self, found: DetectedFrame) -> None:
         """Append, or skip the image where the engine has older ones to do."""
-        with self._counting:
-            if self._frames >= MAX_FRAMES_BEHIND:
+        with self._changed:
+            if self._closed:
+                return
+            if len(self._frames) >= MAX_FRAMES_BEHIND:
                 self._skipped += 1
                 return
-            self._frames += self._items.put(found)
+            self._frames.append(found)
+            self._changed.notify()
 
     def get(self, timeout: float) -> Item | None:
-        """The oldest; None if there is none within ``timeout`` s.
-
-        Raises Closed once it is closed and empty.
-        """
-        item = self._items.get(timeout)
-        if isinstance(item, DetectedFrame):
-            with self._counting:
-                self._frames -= 1
-        return item
+        """The oldest packet or command, else the oldest image; None if there is none within
+        ``timeout`` s. Raises Closed once it is closed and empty."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._items or self._frames or self._closed, timeout)
+            if self._items:
+                return self._items.popleft()
+            if self._frames:
+                return self._frames.popleft()
+            if self._closed:
+                raise Closed
+            return None
 
     def close(self) -> None:
         """Refuse what comes and wake who waits."""
-        self._items.close()
+        with self._changed:
+            self._closed = True
+            self._changed.notify_all()
 
     @property
     def skipped(self) -> int:
@@ -87,4 +108,6 @@ class Inbox:
 
     def figures(self) -> dict[str, float]:
         """What was lost because the engine is far behind, and what waits for it."""
-        return {"imu_overflow": self._items.overflowed, "engine_waiting": len(self._items)}
+        with self._changed:
+            waiting = len(self._items) + len(self._frames)
+            return {"imu_overflow": self._overflowed, "engine_waiting": waiting}

@@ -42,7 +42,7 @@ from tracker.sensors.protocol import (
     encode,
 )
 from tracker.sensors.serial_line import Port as Port
-from tracker.sensors.serial_line import WiredPort, read_waiting, reason
+from tracker.sensors.serial_line import WiredPort, read_waiting, reason, write_now
 from tracker.sensors.serial_line import serial_port as serial_port
 
 DEGREE = np.pi / 180
@@ -50,6 +50,7 @@ LONG_SILENCE = 60.0  # s, after which seq may have wrapped unseen
 SLOW_MOST_HZ = 100  # packets a second that 115200 baud carry
 USUAL_GYRO_DPS = 2000  # where the glove has not said it
 ANSWER_WITHIN = 1.0  # s that a HELLO may be under way after it was asked for
+MOMENT = 0.002  # s that a motor command waits for another frame to be written
 LOST_AT_MOST = 200  # packets, while a HELLO is answered
 OTHER_RATE = 0.05  # share by which the rate may differ from what was asked for
 
@@ -173,8 +174,17 @@ class GloveLink:
         return [*out, *self._words.take()]
 
     def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> None:
-        """Let a motor run; nothing happens while the glove is away. From any thread."""
-        self._send(Haptic(channel, amplitude, duration_ms))
+        """Let a motor run; nothing happens while the glove is away. From any thread: it waits for
+        nobody, and where the line has no room the motor hears nothing."""
+        if not self._writing.acquire(timeout=MOMENT):
+            return
+        try:
+            if self._port is not None:
+                write_now(self._port, encode(Haptic(channel, amplitude, duration_ms)))
+        except (serial.SerialException, OSError) as error:
+            self._write_error = error
+        finally:
+            self._writing.release()
 
     def close(self) -> None:
         """Stop the stream and free the port. May be called again."""

@@ -104,6 +104,15 @@ def read_waiting(port: Port, timeout: float) -> bytes:
     )
 
 
+def write_now(port: Port, data: bytes) -> None:
+    """As much as the line has room for: what is told again soon must not be waited for. Raises
+    OSError."""
+    if isinstance(port, SerialPort):
+        port.write_now(data)
+    else:
+        port.write(data)
+
+
 def _read_waiting(port: Port, timeout: float) -> bytes:
     if port.timeout != timeout:  # the line is set anew each time, which takes it a while
         port.timeout = timeout
@@ -166,13 +175,21 @@ class SerialPort(serial.Serial):
 
     def write(self, data: bytes) -> int:
         """All of it; with one call of the system where it takes so much at once. Raises OSError."""
+        done = 0 if sys.platform == "win32" else self.write_now(data)
+        return done if done == len(data) else done + (super().write(data[done:]) or 0)
+
+    def write_now(self, data: bytes) -> int:
+        """As much as there is room for, without waiting where the system can; how many bytes.
+
+        Raises OSError.
+        """
         if not self.is_open:
             raise serial.PortNotOpenError
-        done = 0
-        if sys.platform != "win32":
-            with suppress(BlockingIOError):  # it has no room: pyserial waits for some
-                done = os.write(self.fd, data)
-        return done if done == len(data) else done + (super().write(data[done:]) or 0)
+        if sys.platform == "win32":
+            return super().write(data) or 0
+        with suppress(BlockingIOError):
+            return os.write(self.fd, data)
+        return 0
 
     @property
     def latency_ms(self) -> int | None:

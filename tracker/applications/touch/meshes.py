@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
@@ -10,6 +11,7 @@ import numpy as np
 
 from resources import folder
 from tracker.errors import FileError
+from tracker.geometry.triangles import Triangles, triangles_of
 from tracker.messages import Array, IntArray
 
 MOST_BYTES = 50_000_000
@@ -22,6 +24,26 @@ class MeshFile(NamedTuple):
 
     points: Array
     faces: IntArray
+
+
+class Solid(NamedTuple):
+    """A mesh, and what it takes to be felt."""
+
+    file: MeshFile
+    triangles: Triangles
+
+
+def solid(name: str) -> Solid:
+    """As `load_mesh`, which takes some tenths of a second of a large mesh, but at once where the
+    file was read before and has not changed. Raises FileError."""
+    path = Path(name)
+    return _solid(name, path.stat().st_mtime_ns if path.is_file() else 0)
+
+
+@lru_cache(maxsize=4)
+def _solid(name: str, _written_ns: int) -> Solid:
+    file = load_mesh(name)
+    return Solid(file, triangles_of(*file))
 
 
 def load_mesh(name: str) -> MeshFile:

@@ -15,9 +15,8 @@ from tracker.applications.drawing import Drawing, Line, Mesh, Points, Text
 from tracker.applications.hand import HandSample
 from tracker.applications.interface import Command, Happening, MotorCommand, Step, Value
 from tracker.applications.touch.contact import Contact, Placed, contacts, pads
-from tracker.applications.touch.meshes import load_mesh
+from tracker.applications.touch.meshes import solid
 from tracker.geometry import so3
-from tracker.geometry.triangles import triangles_of
 from tracker.messages import Array
 
 LEAVE = 0.001  # m beyond the surface at which a touch ends: a tremor is felt once
@@ -47,17 +46,18 @@ class Touch:
 
     def __init__(self, settings: TouchSettings) -> None:
         self.settings = settings
-        self._loaded = ""
+        self._loaded, self._solid = settings.mesh, solid(settings.mesh)
         self._place: Array | None = None
         self._touching: set[str] = set()
-        self._load()
+
+    @staticmethod
+    def prepare(settings: TouchSettings) -> None:
+        """Read the mesh. Raises FileError."""
+        solid(settings.mesh)
 
     def _load(self) -> None:
-        """Raises FileError."""
         if self._loaded != self.settings.mesh:
-            self._file = load_mesh(self.settings.mesh)
-            self._mesh = triangles_of(*self._file)
-            self._loaded = self.settings.mesh
+            self._loaded, self._solid = self.settings.mesh, solid(self.settings.mesh)
 
     def step(self, hand: HandSample) -> Step:
         self._load()
@@ -66,7 +66,7 @@ class Touch:
         if place is None:
             return Step(events=self._let_go(events))
         s = self.settings
-        thing = Placed(self._mesh, so3.rz(np.deg2rad(s.turn)), s.size, place)
+        thing = Placed(self._solid.triangles, so3.rz(np.deg2rad(s.turn)), s.size, place)
         if not hand.located:
             return Step(self._drawing(thing, []), self._let_go(events))
         found = contacts(pads(hand), thing)
@@ -113,9 +113,7 @@ class Touch:
 
     def _drawing(self, thing: Placed, felt: list[Contact]) -> Drawing:
         colour = FELT if felt else QUIET
-        mesh = Mesh(
-            "object", self._file.points, self._file.faces, colour, thing.size * thing.R, thing.p
-        )
+        mesh = Mesh("object", *self._solid.file, colour, thing.size * thing.R, thing.p)
         arrows = [
             Line(
                 f"push {c.tip}",

@@ -1,0 +1,32 @@
+"""The window's timer: how much of a processor showing may take."""
+
+import time
+from types import SimpleNamespace
+
+from app.window.ticker import DUTY, Ticker
+
+WORK = 0.03  # s of processor time that a look at the engine takes here
+
+
+class Busy(Ticker):
+    """Painting, as the event loop does it between two ticks."""
+
+    def _tick(self) -> None:
+        before = self.ticks
+        super()._tick()
+        end = time.thread_time() + WORK * (self.ticks - before)
+        while time.thread_time() < end:
+            pass
+
+
+def test_a_window_that_has_much_to_paint_leaves_the_processor_to_the_tracking(window, qtbot):
+    bar = SimpleNamespace(show_status=lambda *_: None, show_recording=lambda *_: None)
+    bar.show_hands = bar.show_rate = bar.show_status
+    ticker = Busy(window.host, [], bar)
+    ticker.start()
+    qtbot.waitUntil(lambda: ticker.ticks >= 2, timeout=20_000)
+    began, spent, ticks = time.monotonic(), time.thread_time(), ticker.ticks
+    qtbot.waitUntil(lambda: ticker.ticks >= ticks + 20, timeout=60_000)
+    ticker.stop()
+    share = (time.thread_time() - spent) / (time.monotonic() - began)
+    assert share < DUTY + 0.15  # the rest of the window, and the wait itself, take some
