@@ -15,7 +15,7 @@ from tracker.fusion.chain.filter import Rows
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.loose import LooseRows
 from tracker.fusion.chain.params import ChainParams
-from tracker.fusion.chain.pixels import PixelModel, SeenBlobs, Tally, seen_blobs
+from tracker.fusion.chain.pixels import USUAL_LN_DET, PixelModel, SeenBlobs, Tally, seen_blobs
 from tracker.fusion.chain.prediction import Prediction
 from tracker.fusion.chain.previous import PreviousPrediction
 from tracker.fusion.chain.reports import frame_result
@@ -26,6 +26,7 @@ from tracker.records import record
 from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import StereoMatches, all_pairs
 
+FOLLOWED_PX = 4.0  # median, of one camera's blobs from where they were expected
 NOBODY = -2  # whose blob one is that no marker is matched with
 
 
@@ -158,6 +159,20 @@ class Recognition:
             for side, match, uv in zip(image.blobs, found.match, found.prediction.uv, strict=True)
         ]
         return float(np.median(np.concatenate(apart))) if found.tally.matched else np.inf
+
+    def is_unsure(self, image: SeenImage, found: Recognised) -> bool:
+        """Whether markers were expected less surely than gates are made for, by the camera that
+        sees something."""
+        S = found.prediction.S[1 if len(image.blobs[0].uv) == 0 else 0]
+        return len(S) > 0 and float(np.median(np.log(np.linalg.det(S)))) > USUAL_LN_DET
+
+    def is_followed(self, image: SeenImage, found: Recognised) -> bool:
+        """Whether one camera's blobs are where they were expected; two cameras are asked nothing.
+
+        One camera tells distance by how far markers are apart, posture and size taken for granted:
+        while these do not fit, distance and its speed are wrong by more than the filter believes.
+        """
+        return not image.is_mono or self.misfit_px(image, found) <= FOLLOWED_PX
 
     def rows(self, state: ChainState, image: SeenImage, found: Recognised) -> Rows:
         """What the recognised blobs say of ``state``."""

@@ -1,6 +1,6 @@
 """What is tried where an image does not speak clearly for the pose that was expected.
 
-Three doubts, each settled by trying: correct the hand on a copy, look at the image again from
+Four doubts, each settled by trying: correct the hand on a copy, look at the image again from
 there, and believe it only if the image then supports it. Nothing moves before.
 """
 
@@ -67,7 +67,9 @@ class SecondLook:
         moved, and near where that puts them few blobs are left to choose from.
         """
         seen = self._recognition.evidence(image, found)
-        if seen.is_credible or image.is_mono:
+        if image.is_mono:
+            return self._by_one_camera(image, found, seen)
+        if seen.is_credible:
             return found, seen
         shift = self._starter.shift(self._filter.state, image.blobs, image.pose)
         if shift is None:
@@ -79,6 +81,19 @@ class SecondLook:
         self._filter.move(moved)
         expected = self._recognition.look(moved, image)
         return Recognised(expected.prediction, there.match), fitted
+
+    def _by_one_camera(
+        self, image: SeenImage, found: Recognised, seen: Evidence
+    ) -> tuple[Recognised, Evidence]:
+        """Where gates are wide, markers once more from where all of them together put the hand.
+
+        Just found, the hand may have moved far by the next image: each marker by itself then takes
+        its neighbour's blob for its own as gladly, and a finger that seems longer is a hand nearer.
+        """
+        if not self._recognition.is_unsure(image, found):
+            return found, seen
+        there, fitted = self._fitted(image, self._filter.state)
+        return Recognised(found.prediction, there.match), fitted
 
     def after_a_while(self, image: SeenImage, found: Recognised) -> bool:
         """Whether the hand that the blobs correct fits them: after a while out of sight gates are

@@ -122,7 +122,8 @@ class ChainTracker:
         if enough:
             self.shown.held(frame.t)
         self._judge.judge(frame.t, enough)
-        sure = self._judge.support(frame.t, enough and seen.is_likely)
+        likely = seen.is_likely and self._recognition.is_followed(image, found)
+        sure = self._judge.support(frame.t, enough and likely)
         self.shown.supported(frame.t, seen, sure)
         result = self._finish(image, found)
         self._judge.looked(frame.t, image.most_blobs)
