@@ -54,8 +54,8 @@ class RecordingPanel(Panel):
         column = QVBoxLayout(self)
         column.setContentsMargins(APART, APART, APART, APART)
         column.setSpacing(APART)
+        column.addLayout(self._buttons())  # first: in sight in the lowest dock
         column.addLayout(self._form())
-        column.addLayout(self._buttons())
         self.notes = NoteList(host.notes, host.recording)
         column.addWidget(self.notes)
         column.addLayout(self._figures())
@@ -144,6 +144,8 @@ class RecordingPanel(Panel):
         self.messages_label = QLabel("–")
         self.losses_label = QLabel("–")
         self.disk_label = QLabel("–")
+        for label in (self.size_label, self.messages_label, self.losses_label, self.disk_label):
+            label.setWordWrap(True)
         self.warning = QLabel()
         self.warning.setProperty("role", "warning")
         self.warning.hide()

@@ -27,7 +27,8 @@ class Job:
 
     Groups of docks in tabs, from the top down in each column and below both; the first of a group
     is in front. ``left``: share of the width; ``top``: of the height that each column's first
-    group has; ``below``: that of what is below both columns.
+    group has; ``below``: that of what is below both columns. ``right_px`` and ``below_px``: what
+    their panels need at least, on a small screen or a large scale more than that share.
     """
 
     name: str
@@ -37,6 +38,8 @@ class Job:
     top: tuple[float, float] = (1.0, 1.0)
     across: tuple[str, ...] = ()
     below: float = 0.0
+    right_px: int = 0
+    below_px: int = 0
 
     @property
     def shown(self) -> set[str]:
@@ -53,7 +56,12 @@ JOBS = (
     ),
     Job("watch", "eye", ((("cameras",),), (("hand",),)), 0.55),
     Job(
-        "record", "circle-dot", ((("cameras",), ("hand",)), (("recording", "log"),)), 0.70, (0.5, 1)
+        "record",
+        "circle-dot",
+        ((("cameras",), ("hand",)), (("recording", "log"),)),
+        0.70,
+        (0.5, 1),
+        right_px=320,
     ),
     Job(
         "look",
@@ -62,6 +70,7 @@ JOBS = (
         0.55,
         across=("library", "motion", "log"),
         below=0.48,
+        below_px=222,
     ),
     Job(
         "all",
@@ -75,9 +84,13 @@ JOBS = (
         ),
         0.58,
         (0.55, 0.55),
+        right_px=450,
+        below_px=222,
     ),
 )
 FIRST = "watch"
+HALF_AND_MORE = 0.62
+"""Of the window at most for a side that needs its room; the images keep the rest."""
 BESIDE = {"robot": "hand"}
 """Docks that come to stand beside another one when they are called, where that is in sight."""
 OVER = {"applications": "hand"}
@@ -131,7 +144,7 @@ def arrange(window: QMainWindow, docks: Docks, job: Job) -> None:
         docks[name].setVisible(name in job.shown)
     for group in _groups(job):
         docks[group[0]].raise_()
-    resize(window, docks, _shares(job))
+    resize(window, docks, _shares(job, inside(window)))
 
 
 def _groups(job: Job) -> list[tuple[str, ...]]:
@@ -147,14 +160,19 @@ def _add(window: QMainWindow, docks: Docks, area: Qt.DockWidgetArea, names: Sequ
         window.tabifyDockWidget(docks[first], docks[second])
 
 
-def _shares(job: Job) -> Shares:
+def _shares(job: Job, room: QSize) -> Shares:
     shares: Shares = {}
-    above = 1.0 - job.below
-    for column, width, top in zip(job.columns, (job.left, 1 - job.left), job.top, strict=True):
+    least = min(HALF_AND_MORE, job.below_px / room.height())
+    below = max(job.below, least) if job.across else 0.0
+    left = min(job.left, max(1 - HALF_AND_MORE, 1 - job.right_px / room.width()))
+    above = 1.0 - below
+    highest = 1.0 if job.across else 1.0 - least
+    for column, width, top in zip(job.columns, (left, 1 - left), job.top, strict=True):
         for i, group in enumerate(column):
-            shares[group[0]] = (width, above * (top if i == 0 else 1 - top))
+            share = min(top, highest) if i == 0 else 1 - min(top, highest)
+            shares[group[0]] = (width, above * share)
     if job.across:
-        shares[job.across[0]] = (1.0, job.below)
+        shares[job.across[0]] = (1.0, below)
     return shares
 
 

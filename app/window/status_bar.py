@@ -16,6 +16,9 @@ RATES = ("imu_rate_hz", "frame_rate_hz", "estimate_rate_hz")
 """Fields that are cut last: what arrives, and how often, is asked for most."""
 
 
+NARROW = 1200  # px, with everything in it
+
+
 class StatusBar(QStatusBar):
     def __init__(self, tasks: TaskOwner, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -47,8 +50,12 @@ class StatusBar(QStatusBar):
         self.tracking.show_state(look.colour, look.sign, look.word, self.tracking.toolTip())
         for field in fields(status if running else None):
             text = f"{field.name} {field.text}".strip()
-            self.chips[field.key].setVisible(bool(text))
+            self.chips[field.key].setVisible(bool(text) and self._has_room(field.key))
             self.chips[field.key].show_state(field.look.colour, field.look.sign, text, field.tip)
+
+    def _has_room(self, key: str) -> bool:
+        """A job under way, with its *Cancel*, comes before what the rates leave unsaid."""
+        return key in RATES or self._watched is None or self.width() > NARROW
 
     def show_hands(self, hands: Mapping[str, Status | None], running: bool) -> None:
         """Of two hands each by its name, that of the panels first; after `show_status`."""

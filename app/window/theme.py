@@ -6,6 +6,7 @@ import gc
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPalette
@@ -13,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.widgets.icons import recolour
 from app.widgets.measures import APART, FAR, FIGURE, HEADING, NEAR, TIGHT, WIDE
+from resources import folder
 
 THEMES = ("system", "light", "dark")
 
@@ -31,6 +33,7 @@ class Colours:
     on_accent: str
     scene: str  # background of the 3D view
     danger: str  # of what records, or is wrong: contrast 4.5 or more
+    tick: str  # a drawing in the colour of `on_accent`
     notice: tuple[str, str] = ("#6B2A00", "#FFE9DC")  # background and text of what went wrong
     good: tuple[str, str] = ("#0B4F3C", "#FFE9DC")
     warning: tuple[str, str] = ("#5A3A00", "#FFE3B0")
@@ -47,6 +50,7 @@ LIGHT = Colours(
     "#FFFFFF",
     "#E9EDF2",
     "#B3261E",
+    "tick-light.svg",
 )
 DARK = Colours(
     "#1E2227",
@@ -59,6 +63,7 @@ DARK = Colours(
     "#0B1116",
     "#181C21",
     "#FF8A80",
+    "tick-dark.svg",
 )
 
 
@@ -137,6 +142,11 @@ def _frame(c: Colours) -> str:
     return f"""
     QMainWindow::separator {{ background: {c.window}; width: {TIGHT}px; height: {TIGHT}px; }}
     QMainWindow::separator:hover {{ background: {c.accent}; }}
+    QTabBar::tab {{ color: {c.faint}; padding: {TIGHT}px {APART}px; border: none;
+        border-bottom: 2px solid transparent; }}
+    QTabBar::tab:selected {{ color: {c.text}; border-bottom-color: {c.accent}; }}
+    QTabBar::tab:hover {{ color: {c.text}; }}
+    QTabBar::tab:selected:focus {{ background: {c.raised}; }}
     QMenuBar {{ background: {c.window}; }}
     QDockWidget {{ font-weight: 600; border: 1px solid {c.accent}; }}
     QDockWidget::title {{ background: {c.window}; padding: {TIGHT}px {NEAR}px;
@@ -191,6 +201,11 @@ def _words(c: Colours) -> str:
     """
 
 
+def _tick(c: Colours) -> str:
+    """Its file, as style sheets want it."""
+    return Path(str(folder("icons")), c.tick).as_posix()
+
+
 def _fields(c: Colours) -> str:
     return f"""
     QLineEdit[readOnly="true"] {{ background: transparent; border: none; color: {c.faint}; }}
@@ -198,6 +213,11 @@ def _fields(c: Colours) -> str:
         selection-color: {c.on_accent}; border: 1px solid {c.border}; }}
     QHeaderView::section {{ background: {c.raised}; padding: {TIGHT}px {NEAR}px; border: none;
         border-right: 1px solid {c.border}; border-bottom: 1px solid {c.border}; }}
+    QCheckBox::indicator:checked, QListView::indicator:checked {{ width: 12px; height: 12px;
+        background: {c.accent}; border: 1px solid {c.accent}; border-radius: 2px;
+        image: url("{_tick(c)}"); }}
+    QCheckBox::indicator:checked:disabled, QListView::indicator:checked:disabled {{
+        background: {c.faint}; border-color: {c.faint}; }}
     QCheckBox::indicator:unchecked, QListView::indicator:unchecked,
     QRadioButton::indicator:unchecked {{ width: 12px; height: 12px;
         background: {c.base}; border: 1px solid {c.faint}; }}

@@ -54,6 +54,43 @@ def test_at_1366_by_768_sessions_stand_above_the_transport_of_a_replay(window, q
     assert window.library.table.viewport().height() >= 44  # a session
 
 
+@pytest.mark.parametrize("size", [(911, 464), (960, 500), (1280, 672), (1366, 720)])
+@pytest.mark.parametrize("job", ["look", "all"])
+def test_a_replay_has_a_session_and_its_transport_in_sight_on_every_screen(
+    window, qtbot, size, job
+):
+    """1366 x 768 at 150 %, 1920 x 1080 at 200 %, 1280 x 720, 1366 x 768, less bar and frame."""
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    window.resize(*size)
+    QApplication.processEvents()
+    window.run_command(f"job_{job}")
+    window.reset_layout()
+    window.show_panel("library")
+    library = window.library
+    library.transport.show()
+    area = window.docks["library"].widget()
+    library.refresh(None)
+    qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() == 0)
+    assert area.horizontalScrollBar().maximum() == 0
+    assert library.table.height() >= 72  # a heading and a session
+    assert library.transport.timeline.width() >= 120
+
+
+@pytest.mark.parametrize("size", [(911, 464), (960, 500), (1280, 672), (1366, 720)])
+@pytest.mark.parametrize("job", ["record", "all"])
+def test_record_is_in_sight_and_nothing_scrolls_sideways_on_every_screen(window, qtbot, size, job):
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    window.resize(*size)
+    QApplication.processEvents()
+    window.run_command(f"job_{job}")
+    window.reset_layout()
+    window.show_panel("recording")
+    area = window.docks["recording"].widget()
+    button = window.recording.record_button
+    qtbot.waitUntil(lambda: area.horizontalScrollBar().maximum() == 0)
+    assert button.visibleRegion().boundingRect().size() == button.size()
+
+
 def test_nothing_in_the_tool_bar_moves_when_a_recording_begins(window, qtbot):
     window.host.adopt(scripted_setup(ScriptedEngine()))
     window.resize(1366, 768)

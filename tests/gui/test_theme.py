@@ -4,10 +4,12 @@ import ast
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QCheckBox
 
 from app.widgets.icons import NAME, drawing
 from app.widgets.legible import contrast_of, legible
@@ -65,6 +67,18 @@ def test_all_text_has_the_contrast_of_wcag_aa(c):
     for ground, text in ((c.accent, c.on_accent), c.notice, c.good, c.warning, (c.border, c.text)):
         assert contrast_of(ground, text) >= 4.5
     assert contrast_of(c.accent, c.window) >= 3  # WCAG 1.4.11, of controls
+
+
+@pytest.mark.parametrize("c", [LIGHT, DARK], ids=["light", "dark"])
+def test_a_ticked_box_is_a_box_of_the_accent_colour_with_a_tick_in_it(qapp, c):
+    """Qt's own has no frame once the others are dressed."""
+    qapp.setStyleSheet(style_sheet(c))
+    box = QCheckBox()
+    box.setChecked(True)
+    image = box.grab().toImage()
+    seen = Counter(image.pixelColor(x, y).name() for x in range(16) for y in range(image.height()))
+    assert seen[c.accent.lower()] > 60  # of 144 px
+    assert seen[c.on_accent.lower()] >= 3  # the middle of its strokes
 
 
 @pytest.mark.parametrize("name", ["light", "dark"])

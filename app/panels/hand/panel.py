@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QElapsedTimer, Qt
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from app.engines.engine import EngineSetup
@@ -31,6 +31,8 @@ FIRST_LOOK = np.array([-0.75, 0.25, 0.85])
 """From behind the hand and above it, as its owner sees it."""
 DISTANCE = {1: 0.42, 2: 0.75}
 """Of the eye from one hand or from the middle of two, at the first look."""
+
+LOW = 170  # px, more than the panel needs at least; below, the hand needs the legend's line
 
 
 class HandPanel(Panel):
@@ -66,7 +68,7 @@ class HandPanel(Panel):
         column.setSpacing(NEAR)
         column.addWidget(self.controls)
         column.addWidget(self.view, 1)
-        column.addLayout(self._legend())
+        column.addWidget(self._legend())
         host.opened.connect(self._open)
         host.hand_changed.connect(self._open)
         host.closed.connect(self._clear)
@@ -74,8 +76,10 @@ class HandPanel(Panel):
     def title(self) -> str:
         return self.tr("Hand")
 
-    def _legend(self) -> QHBoxLayout:
-        row = QHBoxLayout()
+    def _legend(self) -> QWidget:
+        self.legend = QWidget()
+        row = QHBoxLayout(self.legend)
+        row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(WIDE)
         words = {
             Validity.MEASURED: self.tr("measured"),
@@ -89,7 +93,11 @@ class HandPanel(Panel):
         self.gesture.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.gesture.setToolTip(self.tr("What the hand shows now, and how much of it"))
         row.addWidget(self.gesture, 1)
-        return row
+        return self.legend
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.legend.setVisible(self.height() >= LOW)
 
     # --- what is wanted
 

@@ -15,6 +15,7 @@ class Pages(QWidget):
         self.bar = QTabBar()
         self.bar.setDocumentMode(True)
         self.bar.setExpanding(False)
+        self.bar.setDrawBase(False)
         self._pages, self._heads = QStackedWidget(), QStackedWidget()
         line = QHBoxLayout()
         line.setSpacing(APART)

@@ -28,6 +28,8 @@ from app.storage.settings import SettingsStore, sessions_folder
 from app.viewmodels.library import Details, SessionRow
 from app.widgets.measures import NEAR, TIGHT
 
+LOW = 260  # px, more than the panel needs at least; below, the list needs the transport's lines
+
 
 class LibraryPanel(Panel):
     name = "library"
@@ -211,6 +213,7 @@ class LibraryPanel(Panel):
         self._comparing.set_player(player)
 
     def refresh(self, view: Snapshot | None) -> None:
+        self.transport.put_in_one_line(self.height() < LOW)
         self.transport.refresh()
         self._comparing.follow()
 

@@ -23,6 +23,7 @@ ROW_HEIGHT = 40
 QUALITY, TAGS = 5, 6
 WIDTHS = (260, 130, 70, 80, 110, 200, 140)  # px, until the user has chosen others
 NARROWEST = 48  # px
+LEAST_HEIGHT = 72  # px: a heading and a session
 
 
 class SessionTable(QTableWidget):
@@ -49,6 +50,7 @@ class SessionTable(QTableWidget):
         vertical.setDefaultSectionSize(ROW_HEIGHT)
         self.setIconSize(QSize(THUMBNAIL_WIDTH, ROW_HEIGHT - 4))
         self.setShowGrid(False)
+        self.setMinimumHeight(LEAST_HEIGHT)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
@@ -103,10 +105,13 @@ class SessionTable(QTableWidget):
                 self.show_details(row.path, known[row.path])
             self._show_or_hide(i)
         again = [i for i, row in enumerate(rows) if row.path in before]
+        called = bool(self._coming)
         if again:
             self._coming = set()
         seen = [i for i in range(len(rows)) if not self.isRowHidden(i)]
         self._select(again or seen[:1])
+        if called and again:
+            self._bring_in_sight(again[0])
 
     def choose(self, path: Path) -> None:
         """Select this session, now or when `show_rows` brings it."""
@@ -114,6 +119,7 @@ class SessionTable(QTableWidget):
         self._coming = set() if rows else {path}
         if rows:
             self._select(rows)
+            self._bring_in_sight(rows[0])
 
     def _select(self, rows: Sequence[int]) -> None:
         """All of them; `selectRow` by itself would leave the last one alone."""
@@ -125,7 +131,11 @@ class SessionTable(QTableWidget):
         model.select(chosen, flags.ClearAndSelect | flags.Rows)
         if rows:
             model.setCurrentIndex(self.model().index(rows[0], 0), flags.NoUpdate)
-            self.scrollTo(self.model().index(rows[0], 0))
+
+    def _bring_in_sight(self, row: int) -> None:
+        """Only of one that was called for: a list that is read anew stays where it is, with the
+        newest session on top."""
+        self.scrollTo(self.model().index(row, 0))
 
     def show_details(self, path: Path, details: Details) -> None:
         row = next((i for i, r in enumerate(self._rows) if r.path == path), None)

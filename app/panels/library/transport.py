@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QComboBox,
     QHBoxLayout,
     QLabel,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -37,12 +37,17 @@ class TransportBar(QWidget):
         self.timeline.sought.connect(self.seek)
         self.timeline.stepped.connect(self.step)
         self.timeline.range_changed.connect(self.set_range)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(TIGHT)
-        column.addWidget(self.timeline)
-        column.addLayout(self._foot())
+        self._lines = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._lines.setContentsMargins(0, 0, 0, 0)
+        self._lines.setSpacing(TIGHT)
+        self._lines.addWidget(self.timeline, 2)
+        self._lines.addLayout(self._foot(), 3)
         self.set_player(None)
+
+    def put_in_one_line(self, on: bool) -> None:
+        """The timeline beside the buttons, where there is more width than height."""
+        beside, above = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+        self._lines.setDirection(beside if on else above)
 
     def _foot(self) -> QHBoxLayout:
         """What moves the replay, and where it is."""
@@ -65,8 +70,8 @@ class TransportBar(QWidget):
         self.loop_button.setCheckable(True)
         row = OneLine()
         buttons = (
-            (QToolButton(), "◂", self.tr("The image before (,)"), lambda: self.step(-1)),
             (self.play_button, self.tr("Pause"), self.tr("Ctrl+Space"), self.toggle),
+            (QToolButton(), "◂", self.tr("The image before (,)"), lambda: self.step(-1)),
             (QToolButton(), "▸", self.tr("The next image (.)"), lambda: self.step(1)),
             (QToolButton(), "◂✎", self.tr("The note before (Ctrl+,)"), lambda: self.jump(-1)),
             (QToolButton(), "✎▸", self.tr("The next note (Ctrl+.)"), lambda: self.jump(1)),
