@@ -149,6 +149,7 @@ class ApplicationsPanel(Panel):
         self._hand_model = HandSceneModel(setup)
         self.controls.offer(self.model.titles, setup.stage is not None)
         self.view.orbit.look_from(FIRST_LOOK)
+        self._fit_next()
         name, settings = self.model.expected
         if name in self.model.titles:
             self.choose(name, settings)
