@@ -8,8 +8,6 @@ from app.platform.tasks import Job, JobProgress
 from app.viewmodels.takes import TakeReport
 from app.words import told
 
-PLACES = 200  # at which tracking is looked at
-
 
 def check_job(path: Path) -> Job:
     """A job that reads all of the file and gives its `TakeReport`."""
@@ -24,10 +22,16 @@ def check_job(path: Path) -> Job:
             findings = verify(path, progress)
             errors = [f"{f.where}: {f.what}" for f in findings if f.severity == "error"]
             with SessionReader(path) as reader:
-                q, duration = quality(reader, PLACES), reader.duration
+                q, duration = quality(reader), reader.duration
         except GlovetrackError as error:
             return TakeReport(path, told(str(error)))
         problem = errors[0] if errors else ""
-        return TakeReport(path, problem, duration, q.packets_lost, q.tracked, q.by_imus)
+        glove, camera = (
+            sum(f.silence for f in findings if f.where.startswith(device))
+            for device in ("/glove", "/camera")
+        )
+        return TakeReport(
+            path, problem, duration, q.packets_lost, q.tracked, q.by_imus, glove, camera
+        )
 
     return run

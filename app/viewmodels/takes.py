@@ -23,7 +23,7 @@ SLOW = 0.6  # of the images that the camera should give
 class TakeReport:
     """``problem``: the worst that is wrong with the file, empty where it is whole. ``duration`` s;
     ``tracked`` 0..1 of that time; None where the file does not tell; ``by_imus``: without a place,
-    so that it says nothing.
+    so that it says nothing. ``glove_silent`` and ``camera_silent``: s for which nothing came.
     """
 
     path: Path
@@ -32,6 +32,8 @@ class TakeReport:
     packets_lost: int | None = None
     tracked: float | None = None
     by_imus: bool = False
+    glove_silent: float = 0.0
+    camera_silent: float = 0.0
 
 
 def report_text(report: TakeReport) -> str:
@@ -43,6 +45,10 @@ def report_text(report: TakeReport) -> str:
     if report.packets_lost is not None:
         lost = report.packets_lost
         parts.append(packets_lost(lost))
+    if report.glove_silent:
+        parts.append(tr("nothing from the glove for {:.1f} s").format(report.glove_silent))
+    if report.camera_silent:
+        parts.append(tr("no image for {:.1f} s").format(report.camera_silent))
     if report.by_imus:
         parts.append(tr("by its IMUs alone"))
     elif report.tracked is None:

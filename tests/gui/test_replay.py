@@ -81,9 +81,12 @@ def test_steps_go_through_every_image_and_back(replay, frames, qtbot):
 
 
 def test_a_paused_replay_shows_the_place_it_is_sent_to(replay, frames, qtbot):
+    """It stands there to the microsecond, with the image that was the last one then."""
     replay.player.seek(2.0)
-    due = next(f for f in frames if f.t_arrival - replay.start_t >= 2.0)
+    due = [f for f in frames if f.t_arrival - replay.start_t <= 2.0][-1]
     qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=10_000)
+    qtbot.waitUntil(lambda: replay.player.images_due == 0, timeout=10_000)
+    assert replay.player.position == 2.0
     estimate = replay.hands.moments["right"].latest_estimate()
     assert estimate is not None and abs(estimate.t - due.t) < 0.1
     assert not replay.player.playing
@@ -143,7 +146,7 @@ def test_the_other_tracking_stands_beside_this_one(replay, sessions, frames, qtb
     assert replay.player.reference("right") is None
     replay.player.set_reference(sessions["vist"])
     replay.player.seek(2.5)
-    due = next(f for f in frames if f.t_arrival - replay.start_t >= 2.5)
+    due = [f for f in frames if f.t_arrival - replay.start_t <= 2.5][-1]
     qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=30_000)  # it stands still from then on
     qtbot.waitUntil(lambda: replay.player.reference("right") is not None, timeout=10_000)
     reference = replay.player.reference("right")
@@ -221,13 +224,13 @@ class Held:
 def test_one_jumps_from_note_to_note(qtbot):
     bar = TransportBar()
     qtbot.addWidget(bar)
-    player = Held([2.0, 5.0, 8.0])
+    player = Held([2.0, 5.0, 5.3, 8.0])
     bar.set_player(player)
     visited = []
-    for by in (1, 1, 1, 1, -1, -1, -1):
+    for by in (1, 1, 1, 1, 1, -1, -1, -1):
         bar.jump(by)
         visited.append(player.position)
-    assert visited == [2.0, 5.0, 8.0, 8.0, 5.0, 2.0, 2.0]
+    assert visited == [2.0, 5.0, 5.3, 8.0, 8.0, 5.3, 2.0, 2.0]  # back, what lies 0.6 s before
 
 
 def test_a_gesture_is_no_note_on_the_timeline_and_no_line_in_the_log(qtbot):

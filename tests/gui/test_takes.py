@@ -24,7 +24,7 @@ from tracker.clock import ClockAnchor, seconds
 from tracker.errors import FileError
 from tracker.live.inbox import DetectedFrame
 from tracker.live.runner import LiveTracker
-from tracker.messages import BlobFrame, Status, StereoFrame, Tracking
+from tracker.messages import BlobFrame, Estimate, Status, StereoFrame, Tracking
 from tracker.pipeline import Pipeline
 from tracker.session.description import SessionInfo
 from tracker.session.glance import Quality, quality, session_summary
@@ -157,6 +157,30 @@ def test_losses_before_the_recording_are_not_charged_to_it(take):
         assert quality(reader).packets_lost == LOST_IN_IT
 
 
+def test_the_share_that_was_tracked_is_that_of_the_time(take, tmp_path):
+    """Lost for each third of three estimates' worth of time: no instants are looked at."""
+    path, count = tmp_path / "lost.mcap", 0
+    with SessionReader(take) as reader:
+        with SessionRecorder(path, reader.info, RecorderParams(sync=False)) as recorder:
+            for m in reader.messages():
+                if isinstance(m, Estimate):
+                    count += 1
+                    if count % 30 < 10:
+                        m = replace(m, tracking=Tracking.SEARCHING)
+                recorder.write(m)
+        instants = count
+    with SessionReader(path) as reader:
+        assert quality(reader).tracked == pytest.approx(2 / 3, abs=20 / instants)
+
+
+def test_the_silence_of_a_glove_is_said_beside_its_packets():
+    report = TakeReport(Path("a.mcap"), duration=20.0, packets_lost=0, tracked=0.8)
+    assert report_text(replace(report, glove_silent=5.04, camera_silent=2.0)) == (
+        "a is whole: 0:20, no packets lost, nothing from the glove for 5.0 s, "
+        "no image for 2.0 s, tracked 80 % of the time."
+    )
+
+
 @pytest.fixture(scope="module")
 def old_take(take, tmp_path_factory) -> Path:
     """The same as older versions recorded it: described at the engine's start, losses its own."""
@@ -252,7 +276,7 @@ def button(window, word: str):
 
 def test_after_stop_one_line_says_how_the_recording_is(recorded, take):
     with SessionReader(take) as reader:
-        tracked = quality(reader, 200).tracked
+        tracked = quality(reader).tracked
     text = recorded.banner.text()
     assert text.startswith("P07_")
     assert (

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,12 +16,10 @@ from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Tracking
 from tracker.session.decode_estimate import tracking_of
 from tracker.session.images import decode_image
-from tracker.session.mcap.input import RawMessage
 from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
-INSTANTS = 20
 PLACELESS = "inertial"  # the engine that tracks no place
 
 
@@ -95,8 +94,8 @@ def _counts(reader: SessionReader) -> dict[int, int]:
 
 @dataclass(frozen=True)
 class Quality:
-    """``tracked``: share of the instants looked at where the hand was tracked; None: not tracked at
-    all yet. ``packets_lost`` of the session itself; None where no status tells it. ``by_imus``:
+    """``tracked``: share of the time in which the hand was tracked; None: not tracked at all yet.
+    ``packets_lost`` of the session itself; None where no status tells it. ``by_imus``:
     the hand has no place, for want of a camera or by choice, so that ``tracked`` says nothing.
     """
 
@@ -105,18 +104,30 @@ class Quality:
     by_imus: bool = False
 
 
-def quality(reader: SessionReader, instants: int = INSTANTS) -> Quality:
-    """Looks at ``instants`` of them, evenly spread: an hour takes no longer than a minute."""
+def quality(reader: SessionReader) -> Quality:
+    """Reads what tells changes of the state alone: an hour takes little longer than a minute."""
     states = topics.hand(reader.info.side, "states")  # at each change; a status is once a second
     topic = states if states in reader.topic_names else topics.STATUS
-    words = [
-        tracking_of(said.message)
-        for raw in _spread(reader, topic, instants)
-        for said in motion.unpack_diagnostics(raw.data)[1]
-        if said.name in ("tracker", "tracking")
+    is_placeless = reader.metadata.get("engine") == PLACELESS
+    return Quality(_tracked(reader, topic), _packets_lost(reader), is_placeless)
+
+
+def _tracked(reader: SessionReader, topic: str) -> float | None:
+    """The share of the session's time; before the first word nothing was tracked."""
+    said = [
+        (raw.log_time, tracking_of(words.message) == Tracking.TRACKING)
+        for raw in ordered(reader.source, frozenset([topic]))
+        for words in motion.unpack_diagnostics(raw.data)[1]
+        if words.name in ("tracker", "tracking")
     ]
-    tracked = sum(w == Tracking.TRACKING for w in words) / len(words) if words else None
-    return Quality(tracked, _packets_lost(reader), reader.metadata.get("engine") == PLACELESS)
+    if not said:
+        return None
+    first, last = reader.span_ns
+    if first == last:
+        return float(said[-1][1])
+    at = [min(max(t, first), last) for t, _ in said] + [last]
+    held = [b - a for (_, on), (a, b) in zip(said, itertools.pairwise(at), strict=True) if on]
+    return sum(held) / (last - first)
 
 
 def _packets_lost(reader: SessionReader) -> int | None:
@@ -131,15 +142,6 @@ def _packets_lost(reader: SessionReader) -> int | None:
         if "imu_lost" in said.values
     ]
     return round(counts[-1] - counts[0]) if counts else None
-
-
-def _spread(reader: SessionReader, topic: str, instants: int) -> Iterator[RawMessage]:
-    """The message of ``topic`` that holds at each of the instants."""
-    first, last = reader.span_ns
-    for k in range(1, instants + 1):  # whole numbers: these are too large for a float's
-        raw = last_before(reader.source, topic, first + (last - first) * k // instants + 1)
-        if raw is not None:
-            yield raw
 
 
 def thumbnail(reader: SessionReader, width: int) -> NDArray[np.uint8] | None:

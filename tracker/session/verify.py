@@ -15,6 +15,7 @@ from tracker.session.mcap.input import RawMessage
 from tracker.session.reader import MEASURED, SessionReader
 from tracker.session.ros import sensors, topics
 from tracker.session.ros.cdr import CdrError, CdrReader
+from tracker.session.silence import silences
 
 _GAP_PERIODS = 3.5
 _CLOCK_JUMP_NS = 500_000_000
@@ -22,11 +23,14 @@ _CLOCK_JUMP_NS = 500_000_000
 
 @dataclass(frozen=True)
 class Finding:
-    """``severity`` error, warning or note; ``where`` a topic, an attachment or a byte."""
+    """``severity`` error, warning or note; ``where`` a topic, a device, an attachment or a byte.
+    ``silence``: s in all for which nothing came from a device, 0 of other findings.
+    """
 
     severity: str
     what: str
     where: str
+    silence: float = 0.0
 
 
 @dataclass
@@ -38,6 +42,7 @@ class _Track:
     steps: list[tuple[int, int]] = field(default_factory=list)  # ns, from this stamp
     backward: int = 0
     jumps: int = 0
+    log_times: list[int] = field(default_factory=list)
     damaged: int = 0
     count: int = 0
 
@@ -55,6 +60,10 @@ def verify(path: Path, progress: Callable[[float], None] = lambda share: None) -
         for topic, track in sorted(tracks.items()):
             out += _judge(topic, track)
         out += _missing(reader, tracks)
+        heard = {topic: track.log_times for topic, track in tracks.items()}
+        for device, seconds in silences(heard, reader.span_ns).items():
+            text = f"nothing came for {seconds:.1f} s"
+            out.append(Finding("warning", text, device, seconds))
         return out
 
 
@@ -124,6 +133,7 @@ def _read_all(
 
 def _follow(track: _Track, m: RawMessage) -> None:
     track.count += 1
+    track.log_times.append(m.log_time)
     if m.type not in MEASURED:
         return
     try:

@@ -13,6 +13,7 @@ from tracker.messages import Estimate, Event
 
 IDLE_S = 0.03
 LEAD_IN_S = 0.12  # read before the position asked for: an image is older than its blobs
+SAME_S = 1e-6  # what a time may lose as a position and back
 LOOK_BACK_S = (0.5, 2.0, 10.0)  # where the image before is looked for, nearest first
 
 
@@ -74,15 +75,17 @@ class ReplayThread:
         return [OfFile("", m).arrival for m in found]
 
     def _play_from(self, start: float) -> None:
+        """A paused replay stands exactly there, with the image and the hand of that instant; only
+        where no image is so near before it goes on to the next one."""
         self._hands.forget()
         self._transport.position, self._transport.images_due = start, 1
         begin = self.start_t + start - LEAD_IN_S
         self._hands.seek(begin)
         for read in self._hands.messages(start=begin):
             position = read.arrival - self.start_t
-            if position >= start and not self._wait_for(position):
+            if position > start + SAME_S and not self._wait_for(position):
                 return
-            self._take(read, position >= start)
+            self._take(read, position >= start - SAME_S)
         self._transport.end(self._transport.duration)
 
     def _take(self, read: OfFile, due: bool) -> None:
@@ -92,7 +95,7 @@ class ReplayThread:
             self._hands.take(read)
         self._hands.advance(read, due)
         shown = self._hands.frame is not before
-        if due and (shown if self._has_blobs else isinstance(read.message, Estimate)):
+        if shown if self._has_blobs else isinstance(read.message, Estimate):
             self._shown_at = read.arrival - self.start_t
             self._transport.images_due = max(0, self._transport.images_due - 1)
 

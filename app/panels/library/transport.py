@@ -134,7 +134,7 @@ class TransportBar(QWidget):
         here = self._player.position
         notes = [at for at, event in self._player.events if event.kind == "note"]
         if by > 0:
-            beyond = [at for at in notes if at > here + SAME_PLACE]
+            beyond = [at for at in notes if at > here + 1e-3]
         else:
             beyond = [at for at in notes if at < here - SAME_PLACE]
         if beyond:
