@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import os
+import re
 import runpy
 import shutil
 import subprocess
@@ -20,6 +22,11 @@ from tracker.kernels.decorator import are_compiled
 ROOT = Path(__file__).parents[2]
 KINDS = (".toml", ".svg", ".png")
 """Resources that the program reads."""
+USE = (
+    ("simulate", "-o", "made.mcap", "--duration", "1", "--blobs-only"),
+    ("track", "made.mcap", "-o", "tracked.mcap"),
+    ("export", "tracked.mcap", "--format", "csv", "-o", "hand.csv"),
+)
 
 
 def tracked(*folders: str) -> list[str]:
@@ -119,8 +126,30 @@ import glovetrack.app.window.theme as theme
     )
 
 
+def spelled(path: Path) -> list[str]:
+    """Strings that are a module's name in this tree, but what a tool of ours is called (``prog``)
+    and what stands before a package wherever it is."""
+    tree = ast.parse(path.read_text("utf-8"))
+    mine = [k.value for n in ast.walk(tree) if isinstance(n, ast.Call) for k in n.keywords
+            if k.arg == "prog"]  # fmt: skip
+    mine += [a for n in ast.walk(tree) if isinstance(n, ast.Call) for a in n.args
+             if isinstance(n.func, ast.Attribute) and n.func.attr == "removesuffix"]  # fmt: skip
+    strings = [n for n in ast.walk(tree) if isinstance(n, ast.Constant) and n not in mine]
+    values = [n.value for n in strings if isinstance(n.value, str)]
+    return [
+        v for v in values if re.fullmatch(r"(app|tracker|resources)(\.\w+)*\.?", v) and "." in v
+    ]
+
+
+def test_no_module_is_named_in_a_string() -> None:
+    """In a wheel it has another name: for half a day no installed program could export."""
+    files = [ROOT / n for n in tracked("app", "tracker", "resources") if n.endswith(".py")]
+    assert {path.name: names for path in files if (names := spelled(path))} == {}
+
+
 def test_compiled_kernels_travel_along(tmp_path: Path) -> None:
-    """Found by their installed names, and made of the same source as these."""
+    """Found by their installed names, and made of the same source as these; with them a session is
+    made, tracked and exported."""
     if not parts.built() or not are_compiled():
         pytest.skip("the library of kernels was not built here")
     build = "import sys; sys.path.insert(0, 'packaging'); import backend; "
@@ -142,3 +171,13 @@ def test_compiled_kernels_travel_along(tmp_path: Path) -> None:
     assert run.returncode == 0, run.stderr
     assert int(run.stdout) > 40
     assert "has_ext_modules" in (tmp_path / "setup.py").read_text()
+    for words in USE:
+        run = subprocess.run(
+            [sys.executable, "-m", "glovetrack.app", *words],
+            cwd=tmp_path,
+            env=os.environ | {"PYTHONPATH": str(tmp_path)},
+            capture_output=True,
+            text=True,
+        )
+        assert run.returncode == 0, run.stderr
+    assert (tmp_path / "hand.csv").stat().st_size > 1000

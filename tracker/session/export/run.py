@@ -136,7 +136,7 @@ def _export_one(
     others = [path_out.with_suffix(ending) for ending in _BESIDE.get(format, ())]
     _forget_orphan(sidecar, path_out, others)
     module, _, function = _WRITERS[format].partition(":")
-    write = getattr(import_module(f"tracker.session.export.{module}"), function)
+    write = getattr(import_module(f"{__package__}.{module}"), function)
     names = (sidecar, *others, path_out)
     with whole_files(*names, force=force, inputs=[path_in]) as (beside, *_, partial):
         with SessionReader(path_in, watch=watch, side=side) as reader:
