@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import traceback
 from collections.abc import Callable
 from multiprocessing.connection import Connection
 from typing import Any
@@ -62,7 +63,8 @@ def _serve(pipe: Connection, work: Work) -> None:
         return
     except GlovetrackError as error:
         answer = ("refused", str(error))
-    except (OSError, MemoryError, ValueError) as error:
+    except Exception as error:  # noqa: BLE001  a crash must reach the window, whatever it is
+        traceback.print_exc()
         answer = ("failed", f"{type(error).__name__}: {error}")
     pipe.send(answer)
 

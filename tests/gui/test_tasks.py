@@ -55,6 +55,10 @@ def _refuse(progress) -> None:
     raise FileError("The disk is full.")
 
 
+def _crash(progress) -> None:
+    raise KeyError("a fault of ours")
+
+
 def _vanish(progress) -> None:
     progress(0.2)
     os._exit(3)
@@ -67,6 +71,11 @@ def test_work_aside_is_done_by_a_kinder_process_and_tells_how_far_it_is():
     )
     assert pid != os.getpid() and nice > os.nice(0)
     assert told == [0.5]
+
+
+def test_a_crash_aside_is_told_by_its_name():
+    with pytest.raises(RuntimeError, match="KeyError: 'a fault of ours'"):
+        aside("work", _crash, JobProgress(lambda *_: None))
 
 
 @pytest.mark.parametrize(("work", "words"), [(_refuse, "disk is full"), (_vanish, "in the middle")])
