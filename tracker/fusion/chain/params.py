@@ -50,7 +50,7 @@ class NoiseParams:
     slip_most: float = 0.0011  # m: a marker that is known no better does not slip
     marker: float = 0.0025  # m, placement and cloth that the offset states do not hold
     pixel_px: float = 1.0
-    huber: float = 3.0
+    huber: float = 2.0
 
     @cached_property
     def random_walks(self) -> RandomWalks:
@@ -67,6 +67,7 @@ class PriorParams:
 
     position: float = 0.020  # m
     velocity: float = 1.0  # m/s: a hand that comes back into the image is fast
+    first_velocity: float = 0.3  # m/s: one that is shown to the camera at a start is not
     found_velocity: float = 0.3  # m/s, by two searches one after the other
     returned: float = 0.4  # rad, added when an IMU answers again
     rotation: float = 0.12  # rad

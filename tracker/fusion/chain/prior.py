@@ -14,7 +14,7 @@ def initial_covariance(layout: ChainLayout, prior: PriorParams) -> Array:
     P = np.zeros((layout.blocks.size, layout.blocks.size))
     d = np.zeros(layout.blocks.size)
     d[0:3] = prior.position**2
-    d[3:6] = prior.velocity**2
+    d[3:6] = prior.first_velocity**2
     d[layout.blocks.theta : layout.n_dynamic] = prior.rotation**2
     d[layout.blocks.bg : layout.blocks.phi] = prior.gyro_bias**2
     d[layout.blocks.phi : layout.blocks.ba] = prior.mounting**2
