@@ -105,7 +105,8 @@ def _samples(view: Snapshot | None) -> SetUpStep:
             name, False, tr("Waits for the glove."), "glove_setup", tr("Set up the glove")
         )
     valid = np.array([s.valid for s in list(view.imu)[-100:]]).mean(axis=0)
-    silent = [n for n, v in zip(view.setup.glove.imu_names, valid, strict=True) if v < 0.5]
+    names = [n.replace("_", " ") for n in view.setup.glove.imu_names]
+    silent = [n for n, v in zip(names, valid, strict=True) if v < 0.5]
     if silent:
         return SetUpStep(
             name,

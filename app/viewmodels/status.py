@@ -12,6 +12,7 @@ from tracker.messages import Shed, Status, Tracking
 
 LATENCY_WARN_MS = 60.0
 LATENCY_BAD_MS = 120.0
+STALE = (Tracking.TRACKING, Tracking.COASTING)
 STAGES = {
     "detect": mark("Search of both images"),
     "filter": mark("The engine's step for a message"),
@@ -41,12 +42,20 @@ def tracking_look(status: Status | None, running: bool, has_place: bool = True) 
     """``has_place``: without a calibrated camera nothing tells the hand's place, nor is it lost."""
     if not running or status is None:
         return StateLook(IDLE.colour, IDLE.sign, tr("Stopped"))
+    if nothing_arrives(status):
+        return StateLook(BAD.colour, BAD.sign, tr("Nothing arrives"))
     look = TRACKING[status.tracking]
     if status.tracking != Tracking.LOST:
         return replace(look, word=tr(look.word))
     word = tr(look.word) if has_place else tr("Place unknown")
     look = look if has_place else StateLook(WARN.colour, WARN.sign, word)
     return replace(look, word=_drifting(word, status.values.get("heading_sd_deg", math.nan)))
+
+
+def nothing_arrives(status: Status) -> bool:
+    """Of what once came, neither packets nor images; the state of tracking is of before."""
+    rates = [status.values[key] for key in ("imu_rate_hz", "frame_rate_hz") if key in status.values]
+    return bool(rates) and not any(rate > 0 for rate in rates) and status.tracking in STALE
 
 
 def _drifting(word: str, heading_sd_deg: float) -> str:

@@ -53,6 +53,10 @@ class MessageBar(QWidget):
         if not again:
             self.said.emit(text, good)
 
+    def is_about(self, about: str) -> bool:
+        """Whether that is what stands here."""
+        return self.isVisible() and self._about == about
+
     def no_longer(self, about: str) -> None:
         """What was said about this is not true any more."""
         if self._about == about:

@@ -38,7 +38,7 @@ class Takes(QObject):
         self._host, self._tasks, self._messages = host, tasks, messages
         self._library, self._window = library, window
         self._check: RunningJob | None = None
-        self._said = False
+        self._said = ""
         self._running = QElapsedTimer()
         self._again = QTimer(self)
         self._again.timeout.connect(self._say_what_is_missing)
@@ -48,7 +48,7 @@ class Takes(QObject):
 
     def _begun(self) -> None:
         """What is missing is said once, in nobody's way: it is recorded all the same."""
-        self._said = False
+        self._said = ""
         if self._check is not None:
             self._check.cancel()  # the disk is wanted for the next one
         self._messages.hide()  # what it said of the recording before
@@ -72,9 +72,10 @@ class Takes(QObject):
         if not text:
             self._again.stop()
             self._messages.no_longer(ABOUT)
-        elif not self._said:
-            self._said = True
-            self._messages.say(text, about=ABOUT)
+        elif not self._said or text.count(";") < self._said.count(";"):  # a part has come
+            if not self._said or self._messages.is_about(ABOUT):
+                self._messages.say(text, about=ABOUT)
+            self._said = text
 
     def _finished(self, path: Path) -> None:
         title = self.tr("Checking {}").format(path.name)

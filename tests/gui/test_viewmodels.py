@@ -16,8 +16,8 @@ from app.viewmodels.colour_tuning import ProfileHistory, with_range
 from app.viewmodels.colours import hue_rows, seen_rows
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
 from app.viewmodels.sensors import curves, imu_states
-from app.viewmodels.states import WARN
-from app.viewmodels.status import fields
+from app.viewmodels.states import BAD, WARN
+from app.viewmodels.status import fields, tracking_look
 from app.widgets.image_shapes import Cross, Ellipse, Line, Ring
 from app.widgets.view3d.orbit import Orbit
 from tracker.messages import Status, Tracking, Validity
@@ -279,3 +279,13 @@ def test_orbit_keeps_its_distance_and_looks_where_it_is_told():
     assert orbit.up @ orbit.direction == pytest.approx(0.0, abs=1e-12)
     orbit.look_from(np.array([1.0, 2.0, 0.5]))
     assert np.cross(orbit.direction, [1.0, 2.0, 0.5]) == pytest.approx(np.zeros(3), abs=1e-12)
+
+
+def test_tracking_is_not_said_while_nothing_arrives():
+    """The state is of the last message that came."""
+    silent = {"imu_rate_hz": 0.0, "frame_rate_hz": 0.0}
+    told = tracking_look(Status(5.0, Tracking.TRACKING, silent), True)
+    assert (told.word, told.sign) == ("Nothing arrives", BAD.sign)
+    half = Status(5.0, Tracking.TRACKING, {**silent, "imu_rate_hz": 100.0})
+    assert tracking_look(half, True).word == "Tracking"
+    assert tracking_look(Status(0.0, Tracking.SEARCHING, {}), True).word != "Nothing arrives"

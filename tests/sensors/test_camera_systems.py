@@ -19,6 +19,7 @@ from tracker.sensors.camera_systems import (
     is_device_path,
     list_cameras,
 )
+from tracker.sensors.image_input import CaptureFormat, StreamInput
 from tracker.simulation.glove_device import SimulatedGlove
 
 
@@ -122,6 +123,43 @@ def test_a_camera_is_opened_by_the_backend_that_listed_it(camera: str, monkeypat
     with pytest.raises(DeviceError, match="camera 1 cannot be opened"):
         source.open()
     assert opened == [(1, cv2.CAP_DSHOW)]
+
+
+@pytest.mark.parametrize(
+    ("source", "live", "granted", "expected"),
+    [
+        (0, True, 30.0, 30.0),
+        (0, True, 0.0, 60.0),
+        ("pipe", True, 25.0, 0.0),
+        ("film", False, 24, 24),
+    ],
+    ids=["a webcam that grants less", "a driver that is silent", "an address", "a film"],
+)
+def test_no_more_images_are_expected_than_a_device_grants(
+    source, live, granted, expected, monkeypatch
+) -> None:
+    """Those that it was asked for beyond that would count as lost."""
+
+    class Capture:
+        def open(self, *_: object) -> bool:
+            return True
+
+        def isOpened(self) -> bool:
+            return True
+
+        def set(self, *_: float) -> bool:
+            return True
+
+        def get(self, prop: int) -> float:
+            assert prop == cv2.CAP_PROP_FPS
+            return granted
+
+        def release(self) -> None: ...
+
+    monkeypatch.setattr("tracker.sensors.image_input.cv2.VideoCapture", Capture)
+    camera = StreamInput(source, CaptureFormat(fps=60.0), live)
+    camera.open()
+    assert camera.fps == expected
 
 
 def test_manual_exposure_is_another_number_on_linux() -> None:

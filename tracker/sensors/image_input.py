@@ -45,7 +45,7 @@ class ImageInput(Protocol):
 
     name: str
     live: bool  # whether images come by themselves, in real time
-    fps: float  # as asked or as the file says; 0 where unknown
+    fps: float  # as the device grants or the file says; 0 where unknown
 
     def open(self) -> None:
         """Raises DeviceError where there is nothing to open."""
@@ -77,8 +77,7 @@ class StreamInput:
 
     def open(self) -> None:
         self._capture = open_capture(self._source, self._want)
-        wanted = self._want.fps if self.live else 0.0  # a film has a rate of its own
-        self.fps = wanted or float(self._capture.get(cv2.CAP_PROP_FPS))
+        self.fps = _rate(self._capture, self._want.fps, self.live, self._source)
 
     def read(self) -> Pair | None:
         if self._capture is None:
@@ -120,6 +119,11 @@ class TwoCameraInput:
         except DeviceError:
             self.close()
             raise
+        granted = [
+            _rate(c, self._want.fps, True, s)
+            for c, s in zip(self._captures, self._sources, strict=True)
+        ]
+        self.fps = min(granted)  # a pair is complete when the slower one has given its image
 
     def read(self) -> Pair | None:
         if len(self._captures) != 2 or not all(c.grab() for c in self._captures):
@@ -203,6 +207,18 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
         )
     _apply(capture.set, want)
     return capture
+
+
+def _rate(capture: cv2.VideoCapture, wanted: float, live: bool, source: int | str) -> float:
+    """Images a second that will come; 0 where nothing tells it.
+
+    A webcam that was asked for 60 may grant 30, and loses none of them. What FFMPEG says of a
+    stream that comes by itself is its guess, of a film the film's own.
+    """
+    told = float(capture.get(cv2.CAP_PROP_FPS))
+    if live and isinstance(source, str) and not is_device_path(source):
+        return 0.0
+    return told if told > 0 or not live else wanted
 
 
 def _apply(put: Callable[[int, float], bool], want: CaptureFormat) -> None:
