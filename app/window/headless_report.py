@@ -21,15 +21,17 @@ from app.engines.snapshot import Snapshot
 from app.jobs.export import ExportRequest, export_job
 from app.platform.tasks import JobProgress
 from app.storage.settings import SettingsStore
+from app.viewmodels.log import words_of
 from app.window.main_window import MainWindow
 from app.window.pauses import keep_pauses_short
 from tracker.errors import GlovetrackError
-from tracker.messages import Array, Tracking
+from tracker.messages import Array, Event, Tracking
 from tracker.session.description import SIDES
 from tracker.streaming.params import StreamParams
 
 START_TIMEOUT = 600.0  # s; the first start on a busy machine compiles the kernels
 SAMPLE_MS = 50
+UNSAID = ("pulse", "gesture")  # kinds of events that come many times a second
 KEYPOINTS = ("thumb_tip", "index_tip", "middle_tip", "dorsum")
 SCREENSHOT_AFTER = 0.6
 """Share of the time after which an image of a tracked hand is taken as soon as there is one."""
@@ -81,6 +83,7 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
     problems: list[str] = []
     window.tasks.failed.connect(problems.append)
     window.host.error.connect(problems.append)
+    window.host.happened.connect(_Teller())
     window.host.open(watched.name, watched.make)
     wait_until(lambda: window.host.running or bool(problems), START_TIMEOUT)
     if not window.host.running:
@@ -101,6 +104,20 @@ def _run(window: MainWindow, duration: float, out: Path, watched: Watched) -> in
     print(_report(gathered, view, rate, path))
     print("\n".join(problems), end="\n" if problems else "", file=sys.stderr)
     return 1 if problems else 0
+
+
+class _Teller:
+    """Prints what happens as it does, with the time since the start: a glove on the wrong files is
+    no news once the report is there."""
+
+    def __init__(self) -> None:
+        self._began = time.monotonic()
+
+    def __call__(self, event: Event) -> None:
+        words = words_of(event)
+        if words and event.kind not in UNSAID:
+            late = time.monotonic() - self._began
+            print(f"{late:6.1f} s  {words}", file=sys.stderr, flush=True)
 
 
 def _free(path: Path) -> Path:

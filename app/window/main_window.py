@@ -180,6 +180,7 @@ class MainWindow(QMainWindow):
         host.running_changed.connect(lambda _on: self._enable())
         host.recording.changed.connect(lambda _on: self._enable())
         host.error.connect(lambda text: self.messages.say(text))
+        host.happened.connect(self._heard)
         self.set_up.error.connect(lambda text: self.messages.say(text))
         self.tasks.failed.connect(self._failed)
         self.set_up.changed.connect(lambda: self.messages.no_longer(DEVICES))
@@ -210,6 +211,13 @@ class MainWindow(QMainWindow):
             self.sources.tell_of_devices(text)
         else:
             self.messages.say(text)
+
+    def _heard(self, event: Event) -> None:
+        """What devices tell that only the user can mend stands in sight, and not in the log alone;
+        not what once was so in a session that is replayed."""
+        setup = self.host.setup
+        if event.kind == "error" and setup is not None and setup.player is None:
+            self.sources.tell_of_devices(event.text)
 
     def _log_said(self, text: str, good: bool) -> None:
         """A sentence of the banner stands in the log, once."""

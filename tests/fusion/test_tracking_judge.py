@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 from tracker.fusion.chain.params import MatchParams
-from tracker.fusion.chain.tracking import DOUBT_AFTER, PLACES_APART, SURE_AFTER, TrackingJudge
+from tracker.fusion.chain.tracking import (
+    DOUBT_AFTER,
+    EAGER,
+    PLACES_APART,
+    SPARING,
+    SURE_AFTER,
+    TrackingJudge,
+)
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import ImuSample, Validity
@@ -29,6 +36,16 @@ def test_support_makes_sure_and_not_the_time_that_passes(judge: TrackingJudge) -
     assert images == [False] * 4
     other = TrackingJudge(MatchParams())
     assert [other.support(k * APART, there=True) for k in range(5)] == [False] * 3 + [True] * 2
+
+
+def test_a_hand_searched_for_in_vain_is_searched_for_less_often(judge: TrackingJudge) -> None:
+    """A search takes up to 0.1 s of a core; one whose image shows nothing takes no time."""
+    due = [t for t in np.arange(0.0, 6.0, APART) if judge.should_start(t)]
+    assert max(np.diff([t for t in due if t <= EAGER])) < 0.14
+    assert min(np.diff([t for t in due if t > EAGER + SPARING])) >= SPARING
+    judge.saw_nothing()
+    again = [t for t in np.arange(6.3, 7.0, APART) if judge.should_start(t)]
+    assert max(np.diff(again)) < 0.14
 
 
 def test_two_places_tell_how_fast_the_hand_moves(judge: TrackingJudge) -> None:

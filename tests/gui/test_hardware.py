@@ -18,7 +18,7 @@ from app.wizards.stereo.image_choices import image_choices
 from tracker.calibration.stereo.board import BoardSpec
 from tracker.calibration.stereo.checks import extrinsics_of
 from tracker.calibration.stereo.files import save_calibration
-from tracker.messages import Tracking, Validity
+from tracker.messages import Event, Tracking, Validity
 from tracker.simulation.glove_device import GloveDeviceParams, SimulatedGlove
 from tracker.simulation.wiggles import PlayAlong
 
@@ -210,3 +210,12 @@ def test_the_board_wizard_takes_a_camera_that_is_not_calibrated(window, qtbot, s
 def test_the_board_wizard_offers_no_camera_in_use_where_there_is_none(glove_alone, store):
     titles = [c.title for c in image_choices(glove_alone.host, store.value, [])]
     assert titles == ["Simulated board (demo)"]
+
+
+def test_a_glove_of_the_other_hand_is_said_over_the_panels(live, engine, qtbot):
+    """In the layout *Watch* the log, where it stood alone, is not in sight."""
+    text = "This looks like a glove of the left hand: its patches are mirrored."
+    engine.events.append(Event(0.0, "error", text))
+    qtbot.waitUntil(lambda: live.banner.text() == text)
+    assert live.messages.isVisible()
+    assert live.log.model.ends_with(text)

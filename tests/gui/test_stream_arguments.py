@@ -52,6 +52,7 @@ def test_a_report_without_a_screen_sends_too_and_leaves_its_files(tmp_path):
     assert done.returncode == 0, done.stderr
     assert {"session.mcap", "session.csv"} <= {p.name for p in tmp_path.iterdir()}
     assert "tracking " in done.stdout
+    assert " s  The hand is tracked." in done.stderr
 
 
 def test_a_word_that_is_no_stream_is_wrong_usage(capsys):

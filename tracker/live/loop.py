@@ -222,9 +222,9 @@ class LiveLoop:
             hand = self.seen[side]
             hand.take(self.hands.take_results(side), pipeline)
             for text in hand.sides.take_words() if hand.sides is not None else ():
-                self.journal.say("device", text)
+                self.journal.say("error", text)
         for text in self._exchange.take_words() if self._exchange is not None else ():
-            self.journal.say("device", text)
+            self.journal.say("error", text)
         for text in self.colours.take_words():
             self.journal.say("tracking", text)
         for text in self.load.take_words():

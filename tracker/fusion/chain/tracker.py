@@ -19,7 +19,7 @@ from tracker.fusion.chain.start.mono_start import release_size
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
-from tracker.fusion.chain.tracking import TrackingJudge, TrackingKept
+from tracker.fusion.chain.tracking import MANY_MARKERS, TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Search, Tracking
 from tracker.records import record
@@ -177,6 +177,8 @@ class ChainTracker:
         if frame.search < Search.ANEW or not self._judge.should_start(frame.t):
             return None
         image = self._recognition.image(frame)
+        if image.most_blobs < MANY_MARKERS:
+            self._judge.saw_nothing()
         t = frame.t
         candidates = self._starter.candidates(self._buffer, image.blobs, image.pose, t, known)
         started = self._second.likeliest(image, candidates)

@@ -11,6 +11,8 @@ from tracker.fusion.chain.pixels import Tally
 from tracker.messages import Array, Tracking
 from tracker.records import record
 
+EAGER = 1.0  # s of searches from nothing as often as there may be, then `SPARING` s apart
+SPARING = 0.25
 IN_VAIN = 0.3  # s of images with markers in which a lost hand is not found as it was last
 KEEP_CALIBRATION = 5.0  # s after which a hand that is still lost is looked for without it
 MANY_MARKERS = 6  # in an image that shows the hand
@@ -32,6 +34,7 @@ class TrackingKept:
     last_good: float = -np.inf  # last image with enough matches
     last_search: float = -np.inf
     last_start: float = -np.inf  # last search from nothing
+    starting_since: float = np.inf  # images show markers and such searches find nothing
     in_vain_since: float = np.inf  # lost, although images show markers
     doubtful_since: float = np.inf
     supported_since: float = np.inf  # images show more of the hand than chance does
@@ -121,17 +124,29 @@ class TrackingJudge:
         return True
 
     def should_start(self, t: float) -> bool:
-        """A search from nothing is due; then it is noted."""
-        if t - self.kept.last_start < self._params.search_period:
+        """A search from nothing is due; then it is noted.
+
+        It takes what ten images take. A glove on the files of the other hand is searched for
+        all the time, and nothing would be left of a core to find out why.
+        """
+        now = self.kept
+        eager = not t - now.starting_since > EAGER
+        period = self._params.search_period if eager else max(self._params.search_period, SPARING)
+        if t - now.last_start < period:
             return False
-        self.kept.last_start = t
+        now.last_start, now.starting_since = t, min(now.starting_since, t)
         return True
+
+    def saw_nothing(self) -> None:
+        """The image that was to be searched shows no hand: that took no time, and the next one that
+        does is searched at once."""
+        self.kept.starting_since = np.inf
 
     def started(self, t: float) -> None:
         """The hand was found from nothing."""
         self.kept.tracking, self.kept.last_good = Tracking.TRACKING, t
-        self.kept.supported_since = np.inf
-        self.kept.in_vain_since = np.inf
+        self.kept.supported_since = self.kept.in_vain_since = np.inf
+        self.kept.starting_since = np.inf
 
     def started_anywhere(self) -> None:
         """The hand's posture is known by its IMUs, its position is not."""
