@@ -126,8 +126,8 @@ class TrackingJudge:
     def should_start(self, t: float) -> bool:
         """A search from nothing is due; then it is noted.
 
-        It takes what ten images take. A glove on the files of the other hand is searched for
-        all the time, and nothing would be left of a core to find out why.
+        It takes what several images take, and a glove on the files of the other hand is searched
+        for all the time.
         """
         now = self.kept
         eager = not t - now.starting_since > EAGER

@@ -19,12 +19,14 @@ from tracker.fusion.chain.kinematics import marker_positions
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.state import ChainState
 from tracker.geometry import so3
+from tracker.hand.model import HandModel
 from tracker.kernels import kernel
 from tracker.kernels.arrays import IntVector, Matrix, Vector
 from tracker.messages import Array, IntArray
 
 TILT_SD = 0.15  # rad: bias, mounting and motion in one accelerometer direction
 POSTURE_SD = 0.6  # rad around the typical posture
+STEP = 1e-5  # rad, of the difference quotients
 POSTURES = (0.0, 0.45, 1.0)  # share of full flexion: flat, relaxed, fist
 
 
@@ -104,25 +106,68 @@ def _fit_angles(
 ) -> Array:
     """Gauss-Newton on tilts and posture prior with the joint limits as bounds (eq. 40)."""
     hand = layout.hand
-    segments = layout.active[layout.imu_segment]
-    use = [j for j in range(len(up_B)) if valid[j] and layout.imu_segment[j] != 0]
-
-    def residual(angles: Array) -> Array:
-        R, _ = hand.forward(angles, R_root, np.zeros(3))
-        tilt = [R[segments[j]].T[:, 2] - up_B[j] for j in use]
-        return np.concatenate([np.ravel(tilt) / TILT_SD, (angles - typical) / POSTURE_SD])
-
+    tilts = _Tilts(layout, R_root, up_B, valid)
     angles = typical.copy()
     for _ in range(6):
-        r = residual(angles)
-        J = np.empty((len(r), len(angles)))
+        R = tilts.rotations(angles)
+        tilt, prior = tilts.residual(R), (angles - typical) / POSTURE_SD
+        J = np.zeros((tilt.size + len(angles), len(angles)))
         for i in range(len(angles)):
             moved = angles.copy()
-            moved[i] += 1e-5
-            J[:, i] = (residual(moved) - r) / 1e-5
+            moved[i] += STEP
+            J[: tilt.size, i] = (tilts.residual(tilts.moved(R, moved, i)) - tilt) / STEP
+            J[tilt.size + i, i] = ((moved[i] - typical[i]) / POSTURE_SD - prior[i]) / STEP
+        r = np.concatenate([tilt, prior])
         step = np.linalg.solve(J.T @ J, -J.T @ r)
         angles = np.clip(angles + np.clip(step, -0.5, 0.5), *hand.angle_limits.T)
     return angles
+
+
+class _Tilts:
+    """How far up is from where the accelerometers feel it. Of a hand whose joints turn one after
+    the other only what moves with each is computed: the rest is most of it."""
+
+    def __init__(self, layout: ChainLayout, R_root: Array, up_B: Array, valid: Array) -> None:
+        hand, of_imu = layout.hand, layout.active[layout.imu_segment]
+        use = [j for j in range(len(up_B)) if valid[j] and layout.imu_segment[j] != 0]
+        self._hand, self._R_root = hand, R_root
+        self._segments, self._up = of_imu[use], up_B[use]
+        lines = [_line_to(hand, int(s)) for s in self._segments]
+        self._rows = sorted({row for line in lines for row in line})
+        self._with: list[list[int]] = [[] for _ in hand.joint_names]  # rows that an angle moves
+        for row in self._rows:
+            columns = {c for k in _line_to(hand, row) for c in hand.axis_columns[k] if c >= 0}
+            for c in columns:
+                self._with[c].append(row)
+
+    def rotations(self, angles: Array) -> Array:
+        """R_GB (S, 3, 3); those of segments that no IMU hangs on stay the identity."""
+        R = np.tile(np.eye(3), (len(self._hand.segments), 1, 1))
+        R[self._hand.root] = self._R_root
+        return self._turn(R, self._rows, angles)
+
+    def moved(self, R: Array, angles: Array, column: int) -> Array:
+        """What `rotations` gave, where one of the ``angles`` is another one now."""
+        return self._turn(R.copy(), self._with[column], angles) if self._with[column] else R
+
+    def residual(self, R: Array) -> Array:
+        """(3 k,) of k accelerometers, by their standard deviation."""
+        return np.ravel(R[self._segments, 2] - self._up) / TILT_SD
+
+    def _turn(self, R: Array, rows: list[int], angles: Array) -> Array:
+        hand = self._hand
+        for i in rows:
+            R[i] = R[hand.parent[i]] @ hand.segments[i].R_rest @ hand.joint_rotation(i, angles)
+        return R
+
+
+def _line_to(hand: HandModel, row: int) -> list[int]:
+    """Segments from the root's child to ``row``."""
+    line: list[int] = []
+    while hand.parent[row] >= 0:
+        line.append(row)
+        row = hand.parent[row]
+    return line[::-1]
 
 
 def _distinct(postures: list[Array], tolerance: float = 0.15) -> list[Array]:

@@ -90,7 +90,7 @@ class Starter:
         return out
 
     def _shows_enough(self, seen: tuple[SeenBlobs, ...], pose: CameraPose) -> bool:
-        """Whether `_best` could find any hand there: postures by gravity take 30 ms, and most
+        """Whether `_best` could find any hand there: postures by gravity take 5 ms, and most
         images in which a hand is looked for show none."""
         counts = [len(s.uv) for s in seen]
         if min(counts) == 0:
