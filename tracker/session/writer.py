@@ -54,6 +54,14 @@ class RecorderStatus:
     warning: str
 
 
+def load_describer() -> Callable[[SessionInfo], str]:
+    """What describes the hand of a file. It comes late, with scipy, which takes a second: a process
+    that waits for a recording calls this meanwhile, lest a recording's first second be missing."""
+    from tracker.session.export.urdf import robot_description
+
+    return robot_description
+
+
 class SessionRecorder:
     """Writes one session to ``path``, a new file, or a new name in it if it is a folder.
 
@@ -104,8 +112,7 @@ class SessionRecorder:
 
     def _descriptions(self, now: int) -> Iterator[Out]:
         """The hand as a robot's model, for programs that draw the joints of the session."""
-        from tracker.session.export.urdf import robot_description  # with scipy: late
-
+        robot_description = load_describer()
         for hand in self.info.hands:
             topic = topics.description(hand.side, self.info.other is None)
             data = motion.pack_string(robot_description(hand))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -108,6 +110,24 @@ def test_a_process_that_waits_begins_at_once(tmp_path, recorders, session_info) 
         times.append(time.monotonic() - started)
         recorder.close()
     assert min(times) < 0.1  # the first of a process takes what Python's start takes
+
+
+LOADED = """
+import multiprocessing, sys
+from tracker.session.recording.child import serve
+
+here, there = multiprocessing.Pipe()
+here.close()
+assert "tracker.session.export.urdf" not in sys.modules
+serve(there, None)
+assert "tracker.session.export.urdf" in sys.modules
+"""
+
+
+def test_what_the_first_file_needs_is_loaded_before_it_is_asked_for() -> None:
+    """With scipy, which took two seconds on a busy machine, missing from the recording."""
+    done = subprocess.run([sys.executable, "-c", LOADED], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
 
 
 def test_refusals_are_those_of_a_recorder_in_the_same_process(

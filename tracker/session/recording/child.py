@@ -32,7 +32,7 @@ from tracker.session.recording.wire import (
     PackedState,
     Sink,
 )
-from tracker.session.writer import SessionRecorder
+from tracker.session.writer import SessionRecorder, load_describer
 
 MOST_WAITING = 2000
 """Batches: more than a minute of them; a disk that takes longer holds the window's side back."""
@@ -82,6 +82,7 @@ def serve(pipe: Connection, prepare: Callable[[], object] | None) -> None:
     cv2.setNumThreads(1)
     if prepare is not None:
         prepare()
+    load_describer()
     while (item := inbox.get()) is not _Signal.ENDS:
         if isinstance(item, Begin) and not _recorded(item, pipe, inbox):
             return
