@@ -187,7 +187,7 @@ def camera_time(status: Status | None) -> str:
     word = tr("late") if late_ms >= 0 else tr("early")
     taken_off = v.get("camera_offset_applied_ms", 0.0)
     if not taken_off and abs(late_ms) <= 2 * sd_ms:
-        return tr("none to be seen (± {:.1f} ms)").format(2 * sd_ms)
+        return tr("none (± {:.1f} ms)").format(2 * sd_ms)
     applied = tr("corrected") if taken_off else tr("not corrected")
     size = tr("{:.1f} ± {:.1f} ms").format(abs(late_ms), 2 * sd_ms)
     return tr("{} {}, {}").format(size, word, applied)

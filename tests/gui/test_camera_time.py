@@ -11,7 +11,7 @@ from tracker.messages import Status, Tracking
     [
         ({}, "not known yet: turn the hand"),
         ((21.34, 1.5, 21.3), "21.3 ± 3.0 ms late, corrected"),
-        ((-1.26, 2.0, 0.0), "none to be seen (± 4.0 ms)"),
+        ((-1.26, 2.0, 0.0), "none (± 4.0 ms)"),
         ((-5.26, 2.0, 0.0), "5.3 ± 4.0 ms early, not corrected"),
     ],
 )

@@ -82,7 +82,7 @@ class ExportDialog(QDialog):
             start, stop = (position_text(p) for p in self._part)
             self.range.setText(self.tr("only {} to {} (in and out point)").format(start, stop))
         self.range.setEnabled(self._part is not None)
-        self.range.setChecked(self._part is not None)
+        self.range.setChecked(True)
         self.rate = QDoubleSpinBox()
         self.rate.setRange(0.0, MAX_RATE_HZ)
         self.rate.setSuffix(self.tr(" Hz"))

@@ -28,6 +28,7 @@ class Presets(QWidget):
         self.box = QComboBox()
         self.box.setAccessibleName(self.tr("Preset"))
         self.box.currentIndexChanged.connect(self._chosen)
+        self.box.activated.connect(self._chosen)  # again, after the fields were changed
         self.save_button = QPushButton(self.tr("Keep as…"))
         self.save_button.clicked.connect(self._ask_name)
         self.remove_button = QPushButton(self.tr("Remove"))
