@@ -14,7 +14,7 @@ from app.viewmodels.calibration import SETTLED, calibration_view
 from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
-from app.words import mark, tr
+from app.words import mark, told, tr
 from tracker.messages import Tracking
 
 BIAS_DPS = 0.6
@@ -85,10 +85,11 @@ def images_arrive(view: Snapshot | None) -> bool:
 def _glove(view: Snapshot | None) -> SetUpStep:
     name = tr("Glove found")
     if view is not None and packets_arrive(view):
-        told = view.setup.glove.name
+        glove = view.setup.glove.name
         if view.setup.firmware_advice:
-            told = f"{told}. {view.setup.firmware_advice} {tr('Set-up, Glove firmware writes it.')}"
-        return SetUpStep(name, True, told)
+            advice = told(view.setup.firmware_advice)
+            glove = f"{glove}. {advice} {tr('Set-up, Glove firmware writes it.')}"
+        return SetUpStep(name, True, glove)
     if view is not None and len(view.imu) > 0:
         reason = tr("The glove was here and is silent. Is it plugged in?")
         return SetUpStep(name, False, reason, "hardware", tr("Look again"))
@@ -197,7 +198,8 @@ def _light(view: Snapshot | None, light: LightWatch | None) -> SetUpStep:
     name = tr("Light")
     if light is None or light.reading is None or view is None or not images_arrive(view):
         return SetUpStep(name, False, tr("Waits for images."))
-    words = light.reading.advice[0].words if light.reading.advice else tr("the markers are clear")
+    advice = light.reading.advice
+    words = told(advice[0].words) if advice else tr("the markers are clear")
     if light.reading.good:
         return SetUpStep(name, True, words)
     return SetUpStep(name, False, words, "show_colours", tr("Show"))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from app.widgets.image_shapes import Ring
-from app.words import mark, tr
+from app.words import mark, told, tr
 from tracker.calibration.light_meter import LightMeter, LightReading
 from tracker.vision.colours import ColourProfile
 
@@ -91,7 +91,9 @@ class LightWatch:
         r = self.reading
         if r is None:
             return [tr("No image has been looked at yet.")]
-        words = [a.words for a in r.advice] or [tr("Nothing to change: the markers are clear.")]
+        words = [told(a.words) for a in r.advice] or [
+            tr("Nothing to change: the markers are clear.")
+        ]
         figures = [tr("noise {:.1f} levels").format(r.noise)]
         if len(r.uv):
             found = int(r.found.sum())

@@ -1604,11 +1604,6 @@
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
-      <source>The image before (,)</source>
-      <translation>Das Bild davor (,)</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/transport.py" />
       <source>Pause</source>
       <translation>Pause</translation>
     </message>
@@ -1616,6 +1611,11 @@
       <location filename="app/panels/library/transport.py" />
       <source>Ctrl+Space</source>
       <translation>Strg+Leertaste</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/transport.py" />
+      <source>The image before (,)</source>
+      <translation>Das Bild davor (,)</translation>
     </message>
     <message>
       <location filename="app/panels/library/transport.py" />
@@ -2593,6 +2593,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/calibration.py" />
       <source>{} {}, {}</source>
       <translation>{} {}, {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/calibration.py" />
+      <source>none (± {:.1f} ms)</source>
+      <translation>keiner (± {:.1f} ms)</translation>
     </message>
     <message>
       <location filename="app/viewmodels/camera_overlay.py" />
@@ -4076,6 +4081,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
+      <source>Nothing arrives</source>
+      <translation>Es kommt nichts an</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
       <source>{}, heading within {:.0f}°</source>
       <translation>{}, Richtung auf {:.0f}° genau</translation>
     </message>
@@ -4328,6 +4338,16 @@ change {}: {}</source>
       <location filename="app/viewmodels/takes.py" />
       <source>the IMUs {} cannot be heard</source>
       <translation>die IMUs {} schweigen</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>nothing from the glove for {:.1f} s</source>
+      <translation>{:.1f} s lang nichts vom Handschuh</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>no image for {:.1f} s</source>
+      <translation>{:.1f} s lang kein Bild</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
@@ -6698,6 +6718,11 @@ change {}: {}</source>
       <location filename="tracker/live/loop.py" />
       <source>The engine is now {}.</source>
       <translation>Das Verfahren ist jetzt {}.</translation>
+    </message>
+    <message>
+      <location filename="tracker/live/loop.py" />
+      <source>The recording has begun.</source>
+      <translation>Die Aufnahme hat begonnen.</translation>
     </message>
     <message>
       <location filename="tracker/live/recording.py" />

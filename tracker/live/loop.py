@@ -317,7 +317,7 @@ class LiveLoop:
                     hand.stage.begin_anew()
                 self.record_state()
                 self._record_status()
-            self.journal.say("recording", "Recording.")
+            self.journal.say("recording", "The recording has begun.")
 
     def record_state(self) -> None:
         """Record what no message tells: tracked again, the session goes on as it did live."""
