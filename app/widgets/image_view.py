@@ -57,7 +57,7 @@ class ImageView(QWidget):
         self.zoom = ImageZoom(self)
         self._drag: QPointF | None = None
         self._picking = False
-        self.setMinimumSize(160, 90)
+        self.setMinimumSize(160, 64)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setAccessibleName(title)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)

@@ -251,6 +251,10 @@ def test_a_preset_brings_formats_and_options_back(library, window, store, qtbot)
     dialog.presets.box.setCurrentIndex(0)
     dialog.presets.box.setCurrentText("OpenSim at 60")
     assert dialog.choice() == ExportChoice(("trc", "mot"), 60.0, "", "mm")
+    dialog.rate.setValue(25.0)
+    dialog.presets.box.showPopup()  # the same one, chosen again
+    qtbot.keyClick(dialog.presets.box.view(), Qt.Key.Key_Return)
+    assert dialog.choice() == ExportChoice(("trc", "mot"), 60.0, "", "mm")
     dialog.close()
     library.ask_export()
     again = [d for d in window.findChildren(ExportDialog) if d is not dialog][-1]

@@ -73,6 +73,9 @@ def test_a_replay_has_a_session_and_its_transport_in_sight_on_every_screen(
     qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() == 0)
     assert area.horizontalScrollBar().maximum() == 0
     assert library.table.height() >= 72  # a heading and a session
+    for name in ("cameras", "hand"):
+        bar = window.docks[name].widget().verticalScrollBar()
+        qtbot.waitUntil(lambda bar=bar: bar.maximum() == 0, timeout=3_000)
     assert library.transport.timeline.width() >= 120
 
 

@@ -38,7 +38,7 @@ class View3D(QWidget):
         self._view: PaintedView | GpuView | None = None
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
-        self.setMinimumSize(200, 72)
+        self.setMinimumSize(200, 48)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.use_painted()
 
