@@ -97,6 +97,7 @@ class MainWindow(QMainWindow):
         restore_geometry(self, self.store.value.geometry)
         self.set_theme(self.store.value.theme)
         self.ticker = Ticker(self.host, self.panels, self.bar, self)
+        self.ticker.is_waited_for = lambda: self.robot_link.on or self.applications.runs
         told = ColoursTold(self.messages, self.colours, self.show_panel)
         self.ticker.colours_unfit.connect(told.tell)
         self.ticker.no_hand.connect(told.no_hand)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
@@ -18,8 +18,9 @@ from tracker.messages import Tracking
 
 TICK_MS = 16
 DUTY = 0.6
-"""Share of a processor that the window takes, painting included. What tracks the hand shares
-Python's lock with it: a window that paints all the time holds up every packet."""
+"""Share of a processor that the window takes, painting included, where a motor or a robot waits
+for the hand. What tracks it shares Python's lock: a window that paints all the time holds up every
+packet. Where only people look it may take all there is."""
 STATUS_PERIOD = 0.25  # s
 RATE_OVER_S = 1.0
 NO_HAND_AFTER = 3.0  # s
@@ -30,6 +31,7 @@ class Ticker(QObject):
 
     ``colours_unfit``: the colours find patches and no hand, or no longer so. ``no_hand``: for
     `NO_HAND_AFTER` s after the start packets and images have come and no hand; once an engine.
+    ``is_waited_for``: whether something follows the hand that cannot wait; then panels rest more.
     """
 
     colours_unfit = Signal(bool)
@@ -52,6 +54,7 @@ class Ticker(QObject):
         self._hand_missed = False
         host.opened.connect(self._begin)
         host.closed.connect(self._clear)
+        self.is_waited_for: Callable[[], bool] = lambda: False
         self._last = (0.0, 0.0)  # when panels were refreshed, and this thread's time (s) by then
         self._counted = (0.0, 0)  # when, and how many ticks there had been
         self._timer = QTimer(self)
@@ -75,7 +78,8 @@ class Ticker(QObject):
 
     def _tick(self) -> None:
         now, spent = time.monotonic(), time.thread_time()
-        if spent - self._last[1] > DUTY * (now - self._last[0]):
+        much = spent - self._last[1] > DUTY * (now - self._last[0])
+        if much and self.is_waited_for():
             return
         self._last = now, spent
         self.ticks += 1

@@ -103,6 +103,11 @@ class ApplicationsPanel(Panel):
         self.controls.choose(name)
         self._run(name, settings)
 
+    @property
+    def runs(self) -> bool:
+        """Whether there is an application."""
+        return self.model is not None and self.model.runs
+
     def _run(self, name: str, settings: dict[str, Any] | None) -> None:
         if self.model is None:
             return
