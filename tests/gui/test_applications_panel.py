@@ -105,12 +105,16 @@ def test_what_is_chosen_is_drawn_and_its_events_are_told(staged, qtbot):
         assert panel.said.text() == "sample 1"
 
 
-def test_a_hand_without_an_application_is_in_the_middle_of_the_view(staged):
+def test_a_hand_without_an_application_is_and_stays_in_the_middle_of_the_view(staged):
     panel, stage, engine, _ = staged
     show(panel, stage, engine)
     p = engine.latest_estimate().keypoints
     assert np.linalg.norm(panel.view.orbit.target - p.mean(axis=0)) < 0.08  # half a hand
     assert panel.view.orbit.distance < 1.0
+    panel.view.orbit.target = panel.view.orbit.target + 0.2  # as if it had gone away
+    for _ in range(60):
+        show(panel, stage, engine)
+    assert np.linalg.norm(panel.view.orbit.target - p.mean(axis=0)) < 0.08
 
 
 def test_settings_are_changed_in_the_form(staged):

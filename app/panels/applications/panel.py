@@ -24,7 +24,7 @@ from app.platform.tasks import LatestJob
 from app.storage.settings import SettingsStore
 from app.viewmodels.application_drawing import DrawingForms, bounds
 from app.viewmodels.applications import ApplicationsModel
-from app.viewmodels.hand_scene import HandScene, HandSceneModel, ShownParts
+from app.viewmodels.hand_scene import HandScene, HandSceneModel, ShownParts, followed
 from app.viewmodels.hand_skin import HandSkin
 from app.widgets.measures import NEAR
 from app.widgets.view3d.orbit import VIEW_ANGLE_DEG, Orbit
@@ -230,6 +230,8 @@ class ApplicationsPanel(Panel):
             box = bounds(drawing)
             self._to_fit = box is None and self.model.runs
             _look_at(self.view.orbit, box, scene)
+        elif scene is not None and not self.model.runs:  # what is drawn about it stays where it is
+            self.view.orbit.target = followed(self.view.orbit.target, [scene], True)
         labels: list[Label] = []
         if scene is not None:
             labels += hand.update_ground(scene)
