@@ -147,7 +147,8 @@ def test_the_other_tracking_stands_beside_this_one(replay, sessions, frames, qtb
     replay.player.set_reference(sessions["vist"])
     replay.player.seek(2.5)
     due = [f for f in frames if f.t_arrival - replay.start_t <= 2.5][-1]
-    qtbot.waitUntil(lambda: shown(replay) == due.t, timeout=30_000)  # it stands still from then on
+    player = replay.player  # it stands still where the image is there and none is due any more
+    qtbot.waitUntil(lambda: shown(replay) == due.t and player.images_due == 0, timeout=30_000)
     qtbot.waitUntil(lambda: replay.player.reference("right") is not None, timeout=10_000)
     reference = replay.player.reference("right")
     mine = other[round(moment(replay).latest_estimate().t, 6)]

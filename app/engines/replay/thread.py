@@ -78,26 +78,37 @@ class ReplayThread:
         """A paused replay stands exactly there, with the image and the hand of that instant; only
         where no image is so near before it goes on to the next one."""
         self._hands.forget()
-        self._transport.position, self._transport.images_due = start, 1
+        self._transport.images_due, self._transport.position = 1, start
         begin = self.start_t + start - LEAD_IN_S
         self._hands.seek(begin)
+        there = shows = False
         for read in self._hands.messages(start=begin):
             position = read.arrival - self.start_t
-            if position > start + SAME_S and not self._wait_for(position):
+            if not there and position > start + SAME_S:
+                there = True
+                self._count(shows)  # only now: a step that is asked for meanwhile goes on from here
+            if there and not self._wait_for(position):
                 return
-            self._take(read, position >= start - SAME_S)
+            shown = self._take(read, position >= start - SAME_S)
+            shows |= shown
+            self._count(shown and there)
         self._transport.end(self._transport.duration)
 
-    def _take(self, read: OfFile, due: bool) -> None:
-        """``due``: not of the time before the position that was asked for."""
+    def _count(self, shown: bool) -> None:
+        """One less is due where one was shown."""
+        self._transport.images_due = max(0, self._transport.images_due - shown)
+
+    def _take(self, read: OfFile, due: bool) -> bool:
+        """Whether there is another image; ``due``: not of before the position asked for."""
         before = self._hands.frame
         if due or not isinstance(read.message, Event):
             self._hands.take(read)
         self._hands.advance(read, due)
         shown = self._hands.frame is not before
-        if shown if self._has_blobs else isinstance(read.message, Estimate):
-            self._shown_at = read.arrival - self.start_t
-            self._transport.images_due = max(0, self._transport.images_due - 1)
+        if not (shown if self._has_blobs else isinstance(read.message, Estimate)):
+            return False
+        self._shown_at = read.arrival - self.start_t
+        return True
 
     def _wait_for(self, position: float) -> bool:
         """Sleep until ``position`` is due; False when stopped or sent elsewhere."""
