@@ -10,12 +10,14 @@ import threading
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeVar
 
 from tracker.channels import Closed
 from tracker.fusion.engine import Engine
 from tracker.messages import BlobFrame, StereoFrame
 from tracker.two_hands import Sided
 
+T = TypeVar("T")
 SIZE = 4096  # 40 s of packets
 MAX_FRAMES_BEHIND = 3  # with more the hand would be shown late
 
@@ -63,24 +65,23 @@ class Inbox:
     def put(self, item: Sided | EngineCommand | GuidedCommand) -> None:
         """Append; what finds it full is lost and counted."""
         with self._changed:
-            if self._closed:
-                return
-            if len(self._items) >= SIZE:
-                self._overflowed += 1
-                return
-            self._items.append(item)
-            self._changed.notify()
+            self._overflowed += self._is_refused(self._items, item, SIZE)
 
     def put_frame(self, found: DetectedFrame) -> None:
         """Append, or skip the image where the engine has older ones to do."""
         with self._changed:
-            if self._closed:
-                return
-            if len(self._frames) >= MAX_FRAMES_BEHIND:
-                self._skipped += 1
-                return
-            self._frames.append(found)
+            self._skipped += self._is_refused(self._frames, found, MAX_FRAMES_BEHIND)
+
+    def _is_refused(self, queue: deque[T], item: T, most: int) -> bool:
+        """Append to a queue of at most ``most``, if there is room; once closed nobody counts.
+
+        To be called with the lock held.
+        """
+        if not self._closed and len(queue) < most:
+            queue.append(item)
             self._changed.notify()
+            return False
+        return not self._closed
 
     def get(self, timeout: float) -> Item | None:
         """The oldest packet or command, else the oldest image; None if there is none within
