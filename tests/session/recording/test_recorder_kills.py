@@ -108,7 +108,9 @@ def test_a_recorder_killed_while_it_waits_is_replaced(tmp_path, recorders) -> No
 
 
 def victim(path: Path, told: c_long, pid: c_long) -> None:
-    """A window that records for ever."""
+    """A window that records for ever, and dies when its terminal does (who runs the tests may have
+    said otherwise, nohup does)."""
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
     maker = MessageMaker(info())
     recorder = RecorderProcesses().record(path, maker.info)
     pid.value = recorder.pid
