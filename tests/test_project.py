@@ -205,6 +205,7 @@ CLOCKS = {
     "tracker/sensors/discovery.py": "the default of a clock that is handed over",
     "tracker/sensors/glove_link.py": "the default of a clock that is handed over",
     "tracker/simulation/camera_device.py": "a device in real time",
+    "tracker/live/right_of_way.py": "how long a painter has waited in vain",
     "tracker/simulation/glove_device.py": "a device in real time",
     "tracker/streaming/foxglove_live.py": "stamps of the wall clock, which clients want",
     "tracker/streaming/lsl.py": "the default of a clock that is handed over",

@@ -165,6 +165,7 @@ def _seen_from(
         truth=truth,
         simulated=True,
         followed=tracked,
+        right_of_way=tracker.right_of_way,
         vibrate=glove.link.vibrate,
         guide=shared.guide or WearersGuide(tracked),
         command=tracked.command,

@@ -14,6 +14,7 @@ from tracker.fusion.engine import Engine
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.live.recording import Recorder
+from tracker.live.right_of_way import RightOfWay
 from tracker.messages import (
     Array,
     BlobFrame,
@@ -193,6 +194,7 @@ class EngineSetup:
     application: tuple[str, Mapping[str, Any]] = ("", {})  # what a simulated wearer uses, and how
     guide: PoseGuide | None = None  # tells the engine of guided poses
     followed: FollowedHand | None = None  # of a live engine
+    right_of_way: RightOfWay | None = None  # of a live engine, to be given by what paints
     vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms
     glove_id: int | None = None  # the number by which it is known again
     has_glove: bool = True

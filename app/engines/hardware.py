@@ -109,6 +109,7 @@ def hardware_setup(progress: JobProgress, settings: AppSettings) -> EngineSetup:
         profile=profile,
         anchor=info.anchor,
         close=recorders.close,
+        right_of_way=tracker.right_of_way,
         make_recorder=recorder_maker(tracker, info, recorders.record),
         # a calibration file's name holds a ZED's serial number
         camera=f"{chosen.title} {Path(settings.calibration).stem}" if chosen else "",

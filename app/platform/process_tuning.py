@@ -8,10 +8,11 @@ import sys
 
 ARENA_MAX = -8  # of glibc's mallopt
 ARENAS = 2
-SWITCH_S = 0.0002
-"""Kernels let go of the interpreter, a dozen times a packet, and each time the thread that tracks
-may wait so long for one that draws in Python: with Python's 5 ms a packet waits 37 ms (99 %) beside
-a thread that never rests, with 1 ms 20, with this 1 to 3."""
+SWITCH_S = 0.0005
+"""How long a thread that wants the interpreter waits before it asks for it. With Python's 5 ms a
+packet waits 37 ms (99 %) beside a thread that never rests, with a tenth of that 1 to 3. What
+tracks takes less for a packet, and what paints gives way to it (`app.platform.courtesy`): asked
+more often they change places in the middle of it, and each change waits for a processor."""
 
 
 def tune_process() -> None:

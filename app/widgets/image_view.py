@@ -26,6 +26,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from app.platform.courtesy import PAINTING
 from app.widgets.image_shapes import Shape
 from app.widgets.image_zoom import ImageZoom
 from app.widgets.measures import SMALL
@@ -201,6 +202,7 @@ class ImageView(QWidget):
         font.setPointSizeF(SMALL)
         painter.setFont(font)
         for shape in self._shapes:
+            PAINTING.give_way()
             paint_shape(painter, shape, s, origin)
         painter.setOpacity(1.0)
 

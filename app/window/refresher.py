@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
+from app.platform.courtesy import PAINTING
 from app.words import tr
 
 SPARE = 4.0
@@ -59,6 +60,7 @@ class Refresher:
 
     def _refresh(self, panel: Panel, view: Snapshot | None) -> bool:
         """Whether that went well."""
+        PAINTING.give_way()
         try:
             panel.refresh(view)
         except Exception as error:  # noqa: BLE001  one panel's fault must not stop the others

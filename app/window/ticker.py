@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
+from app.platform.courtesy import PAINTING
 from app.viewmodels.recording import duration_text
 from app.viewmodels.states import BAD, WARN
 from app.window.refresher import Refresher
@@ -79,7 +80,9 @@ class Ticker(QObject):
     def _tick(self) -> None:
         now, spent = time.monotonic(), time.thread_time()
         much = spent - self._last[1] > DUTY * (now - self._last[0])
-        if much and self.is_waited_for():
+        setup, hurried = self._host.setup, self.is_waited_for()
+        PAINTING.to = setup.right_of_way if setup is not None and hurried else None
+        if much and hurried:
             return
         self._last = now, spent
         self.ticks += 1

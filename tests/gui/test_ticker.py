@@ -3,7 +3,9 @@
 import time
 from types import SimpleNamespace
 
+from app.platform.courtesy import PAINTING
 from app.window.ticker import DUTY, Ticker
+from tracker.live.right_of_way import RightOfWay
 
 WORK = 0.03  # s of processor time that a look at the engine takes here
 
@@ -35,3 +37,27 @@ def test_a_window_that_has_much_to_paint_leaves_the_processor_to_what_moves(wind
     ticker.stop()
     share = (time.thread_time() - spent) / (time.monotonic() - began)
     assert share < DUTY + 0.15  # the rest of the window, and the wait itself, take some
+
+
+def test_what_is_painted_gives_way_only_where_something_waits_for_the_hand(window, qtbot):
+    way = RightOfWay()
+    host = SimpleNamespace(
+        setup=SimpleNamespace(right_of_way=way),
+        snapshot=lambda: None,
+        opened=window.host.opened,
+        closed=window.host.closed,
+        error=window.host.error,
+        running=True,
+        recording=window.host.recording,
+    )
+    bar = SimpleNamespace(show_status=lambda *_: None, show_recording=lambda *_: None)
+    bar.show_hands = bar.show_rate = bar.show_status
+    window.ticker.stop()  # there is one thread that paints
+    ticker = Ticker(host, [], bar)
+    for waited_for in (True, False, True):
+        ticker.is_waited_for = lambda on=waited_for: on
+        ticker._tick()
+        assert (PAINTING.to is way) == waited_for
+    host.setup = None
+    ticker._tick()
+    assert PAINTING.to is None

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
+from tracker.applications.runner import Outcome
 from tracker.applications.stage import ApplicationStage
 from tracker.channels import Closed, Fifo
+from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
-from tracker.live.urgency import run_soon
 from tracker.messages import Estimate
+from tracker.urgency import run_soon
 
 MOST_WAITING = 200  # estimates, 2 s: an application that is too slow loses some
 WAIT = 0.05  # s that the thread waits before it looks again
@@ -25,8 +27,13 @@ class ApplicationThread:
     """Feeds a stage; started with the first estimate that an application is there for."""
 
     def __init__(
-        self, stage: ApplicationStage, telemetry: Telemetry, clock: Callable[[], float]
+        self,
+        stage: ApplicationStage,
+        telemetry: Telemetry,
+        clock: Callable[[], float],
+        way: RightOfWay,
     ) -> None:
+        self._way = way
         self._stage, self._telemetry, self._clock = stage, telemetry, clock
         self._inbox: Fifo[_Fed] = Fifo(MOST_WAITING)
         self._next: _Fed | None = None
@@ -68,12 +75,17 @@ class ApplicationThread:
     def _feed(self, fed: _Fed) -> None:
         """Foretold samples wait for their time, unless the next estimate is there before."""
         began = self._clock()
-        for outcome in self._stage.feed(fed.estimate):
+        outcomes = self._stage.feed(fed.estimate)
+        while (outcome := self._next_of(outcomes)) is not None:
             now = self._clock()
             if outcome.t == fed.estimate.t:
                 self._telemetry.took("application", now - fed.t_arrival)
             self._telemetry.tick("application", now)
             self._wait_until(began + outcome.t - fed.estimate.t + outcome.next_after)
+
+    def _next_of(self, outcomes: Iterator[Outcome]) -> Outcome | None:
+        with self._way:
+            return next(outcomes, None)
 
     def _wait_until(self, due: float) -> None:
         """Or until the next estimate is there."""

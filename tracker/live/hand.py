@@ -14,6 +14,7 @@ from tracker.live.applications import ApplicationThread
 from tracker.live.frame_results import FrameResults, ShownFrame
 from tracker.live.imu_history import ImuHistory
 from tracker.live.journal import Journal
+from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
 from tracker.messages import Calibration, Estimate, FrameResult, Status, Tracking
 from tracker.pipeline import Pipeline
@@ -48,7 +49,12 @@ class LiveHand:
     """
 
     def __init__(
-        self, pipeline: Pipeline, journal: Journal, clock: Callable[[], float], alone: bool
+        self,
+        pipeline: Pipeline,
+        journal: Journal,
+        clock: Callable[[], float],
+        way: RightOfWay,
+        alone: bool,
     ) -> None:
         self.side, self._alone = pipeline.glove.side, alone
         self._clock = clock
@@ -61,7 +67,7 @@ class LiveHand:
         names = pipeline.glove.keypoint_names(pipeline.hand)
         self.gestures = GestureRecogniser(pipeline.hand, names)
         self.stage = ApplicationStage(pipeline.hand, pipeline.glove, journal.record)
-        self.applications = ApplicationThread(self.stage, self.telemetry, clock)
+        self.applications = ApplicationThread(self.stage, self.telemetry, clock, way)
         self.on_used: Callable[[ShownFrame], object] = lambda used: None  # each image, once
         self.followers: tuple[Follower, ...] = ()
         self.sides: SideWatch | None = None

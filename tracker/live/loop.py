@@ -22,6 +22,7 @@ from tracker.live.journal import Journal
 from tracker.live.load import LoadWatch
 from tracker.live.recording import Recorder, RecordingThread
 from tracker.live.reference import ReferenceEngine
+from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry, counted_since
 from tracker.messages import (
     BlobFrame,
@@ -89,7 +90,7 @@ class LiveLoop:
     """`feed` is for one thread; everything else may be called from any.
 
     ``seen`` has what is known of each hand, by its side; of two the left one first. ``telemetry``
-    has what is of no hand alone.
+    has what is of no hand alone. ``way`` is taken for each message.
     """
 
     def __init__(
@@ -102,8 +103,11 @@ class LiveLoop:
     ) -> None:
         self.hands = hands
         self.journal, self.telemetry, self.clock = journal, telemetry, clock
+        self.way = RightOfWay()
         pipelines, alone = hands.pipelines, len(hands.pipelines) == 1
-        self.seen = {side: LiveHand(p, journal, clock, alone) for side, p in pipelines.items()}
+        self.seen = {
+            side: LiveHand(p, journal, clock, self.way, alone) for side, p in pipelines.items()
+        }
         self.load = LoadWatch()
         self.colours = ColourWatch(sum(len(p.glove.markers) for p in pipelines.values()))
         self._order = order or ArrivalOrder()
@@ -121,6 +125,10 @@ class LiveLoop:
 
     def feed(self, item: Item) -> None:
         """Do all there is to do about a message."""
+        with self.way:
+            self._feed(item)
+
+    def _feed(self, item: Item) -> None:
         started = self.clock()
         if isinstance(item, Sided):
             self._feed_imu(item)

@@ -23,6 +23,7 @@ from tracker.live.inbox import EngineCommand, GuidedCommand, Inbox
 from tracker.live.journal import Journal
 from tracker.live.loop import LiveLoop
 from tracker.live.recording import Recorder
+from tracker.live.right_of_way import RightOfWay
 from tracker.live.telemetry import Telemetry
 from tracker.live.threads import ThreadGroup
 from tracker.live.vision import Vision
@@ -137,6 +138,11 @@ class LiveTracker:
     def profile(self) -> ColourProfile:
         """The colours that are looked for now."""
         return self._vision.profile
+
+    @property
+    def right_of_way(self) -> RightOfWay:
+        """What other work in Python should give."""
+        return self._loop.way
 
     @property
     def settings(self) -> Settings:

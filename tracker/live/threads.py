@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from tracker.channels import Closed
 from tracker.errors import GlovetrackError
-from tracker.live.urgency import run_soon
+from tracker.urgency import run_soon
 
 
 class ThreadGroup:

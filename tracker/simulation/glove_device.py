@@ -32,6 +32,7 @@ from tracker.sensors.protocol import (
     Stop,
     encode,
 )
+from tracker.urgency import run_soon
 
 GYRO_RANGE_DPS, ACCEL_RANGE_G = 2000, 16
 TICK = 0.002  # s between two looks at the line, and at the clock where nothing is due before
@@ -137,6 +138,7 @@ class SimulatedGlove:
     # ---- the firmware
 
     def _run(self) -> None:
+        run_soon()  # as a device does, that shares nobody's processor
         pending: list[bytes] = []
         last_hello = last_status = last_flush = float("-inf")
         baud = self.params.wire_baud

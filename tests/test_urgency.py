@@ -9,7 +9,7 @@ import threading
 
 import pytest
 
-from tracker.live.urgency import CALLS, SLICE_NS, _Attributes, run_soon
+from tracker.urgency import CALLS, SLICE_NS, _Attributes, run_soon
 
 GETS = {"x86_64": 315, "aarch64": 275}  # number of sched_getattr
 

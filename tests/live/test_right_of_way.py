@@ -1,0 +1,53 @@
+"""Hurried work goes before work that asks whether it may go on."""
+
+import threading
+import time
+
+from tracker.live.right_of_way import PATIENCE, RightOfWay
+
+PLENTY = 20.0  # s that no computer takes
+
+
+def test_who_gives_way_waits_until_all_hurried_work_is_over():
+    way, order = RightOfWay(patience=PLENTY), list[str]()
+
+    def paint() -> None:
+        way.give()
+        order.append("painted")
+
+    painter = threading.Thread(target=paint)
+    with way:
+        with way:
+            painter.start()
+        painter.join(0.05)  # it would be through long before
+        order.append("worked")
+    painter.join(PLENTY)
+    assert order == ["worked", "painted"]
+
+
+def test_nobody_waits_where_nothing_hurries():
+    way = RightOfWay()
+    with way:
+        pass
+    began = time.monotonic()
+    for _ in range(100):
+        way.give()
+    assert time.monotonic() - began < 100 * PATIENCE
+
+
+def test_a_painter_who_has_waited_in_vain_gets_on():
+    """An engine that never rests must not stop the window: half of the time is the window's."""
+    clock = [0.0]
+    way = RightOfWay(clock=lambda: clock[0])
+    with way:
+        began = time.monotonic()
+        way.give()
+        waited = time.monotonic() - began
+        for _ in range(100):
+            way.give()  # at once
+        assert waited >= 0.9 * PATIENCE
+        assert time.monotonic() - began - waited < 100 * PATIENCE / 2
+        clock[0] = 2 * PATIENCE
+        began = time.monotonic()
+        way.give()
+        assert time.monotonic() - began >= 0.9 * PATIENCE
