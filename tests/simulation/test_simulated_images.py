@@ -11,10 +11,15 @@ from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.simulation.backgrounds import FABRIC_HSV, BackgroundParams, fabric_bgr
+from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map
+from tracker.simulation.exposure import JITTER_PX, patches_of_all
 from tracker.simulation.motion import Still
 from tracker.simulation.random_postures import RandomPostures
+from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
 from tracker.simulation.render import Renderer, RenderParams
 from tracker.simulation.scene import BlobParams, SimulatedScene
+from tracker.simulation.sewn import patch_at
+from tracker.simulation.solids import GLOVE_BGR
 from tracker.simulation.wearer import Wearer
 from tracker.vision.rig import StereoRig, ideal_rig
 
@@ -197,3 +202,35 @@ def test_a_lens_with_distortion_bends_images_and_blobs_alike(
     for m in np.flatnonzero(shown):
         gap = abs(_hue_of(image, seen.uv[m]) - HUE[glove.markers[m].hue])
         assert min(gap, 180 - gap) <= 5, m
+
+
+def test_a_pixel_shows_the_patch_that_covers_its_point(hand: HandModel, glove: GloveModel) -> None:
+    """Even light, no noise: an image of nothing but fabrics, cloth and wall. Each pixel is asked
+    anew, its point in its segment's own frame, against all patches of the segment."""
+    rig = ideal_rig(200, 150)
+    scene = SimulatedScene(Wearer(hand, glove, 3), RandomPostures(hand, 3), rig, 3)
+    renderer = Renderer(scene, RenderParams(noise=0.0, ambient=1.0, exposures=1))
+    image = renderer.pair(2.0)[0].astype(int)
+    now, eye = scene.instant(2.0), np.zeros(3)
+    K = np.array([rig.fx, rig.fy, rig.cx, rig.cy])
+    pixels = pixels_of(bounds(now.solids, eye, K), rig.left)
+    rays = ray_map(rig.left)
+    buffer = Buffer(np.empty((150, 200), np.float32), np.empty((150, 200), np.int16))
+    view = PixelRays(rays, pitch_of(rays), JITTER_PX[0] / K[:2], eye, np.zeros(2, np.int64))
+    draw(view, pixels, now.solids, buffer)
+    order, patches = patches_of_all(scene.wearers, lambda hue: np.array(fabric_bgr(hue)))
+    patches = patches._replace(position=now.markers[order])
+    owner = np.concatenate([now.solids.owner, now.solids.box_owner])
+    on_patch = wrong = 0
+    for v, u in np.argwhere(buffer.solid >= 0):
+        segment = owner[buffer.solid[v, u]]
+        if segment < 0:
+            continue
+        x, y = rays[v, u] + view.jitter
+        q = float(buffer.depth[v, u]) * np.array([x, y, 1.0])
+        m = patch_at((q[0], q[1], q[2]), now.R_CB, now.p_CB, segment, patches)
+        expected = patches.fabric[m] if m >= 0 else np.array(GLOVE_BGR)
+        on_patch += m >= 0
+        wrong += bool(np.abs(image[v, u] - expected).max() > 1)
+    assert on_patch > 50
+    assert wrong <= 2  # single precision, on an edge

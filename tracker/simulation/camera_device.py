@@ -189,6 +189,5 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
             else:
                 free.append(told)
         slot = free.pop(0)
-        for image, drawn in zip(images[slot], sim.renderer.images(t), strict=True):
-            image[:] = drawn
+        sim.renderer.images(t, list(images[slot]))
         pipe.send(_Drawn(slot, index, t, arrival))

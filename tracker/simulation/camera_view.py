@@ -18,6 +18,12 @@ def ray_map(camera: Camera) -> NDArray[np.float32]:
     return np.ascontiguousarray(rays.reshape(camera.height, camera.width, 2), np.float32)
 
 
+def pitch_of(rays: NDArray[np.float32]) -> float:
+    """How far a pixel's ray of `ray_map` is at most from its neighbour's below or beside it."""
+    across, down = np.abs(np.diff(rays, axis=1)), np.abs(np.diff(rays, axis=0))
+    return float(max(across.max(), down.max()))
+
+
 def pixels_of(box: Array, camera: Camera) -> IntArray:
     """Solids' bounds (n, 4) in rectified px as whole pixels of the image, empty where unseen."""
     out = np.zeros((len(box), 4), np.int64)

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
 from tracker.messages import Array, CameraPose, IntArray
+from tracker.simulation.camera_view import pixels_of
 from tracker.simulation.patches import SQUARE
-from tracker.simulation.shading import SewnPatches
-from tracker.simulation.solids import Instant
+from tracker.simulation.raster import ball_bounds
+from tracker.simulation.sewn import ON_PLANE, SeenPatches, SewnPatches
+from tracker.simulation.solids import Instant, Solids
 from tracker.simulation.wearer import Wearer, tangents
-from tracker.vision.rig import StereoRig
+from tracker.vision.rig import Camera, StereoRig
 
 
 class Scene(Protocol):
@@ -30,6 +32,14 @@ class Scene(Protocol):
 
     def reported_pose(self, t: float) -> CameraPose | None:
         """What the camera says of its pose; None for one that stands still."""
+
+
+class View(NamedTuple):
+    """From ``eye`` (3,) in C, by the rectified fx, fy, cx and cy, with one of the two cameras."""
+
+    eye: Array
+    K: Array
+    camera: Camera
 
 
 JITTER_PX = np.array([[-0.25, 0.15], [0.3, 0.3], [-0.05, -0.35], [0.2, -0.1]])
@@ -84,3 +94,43 @@ def sewn_patches(wearer: Wearer, colour_of: Callable[[str], Array]) -> tuple[Int
         np.array(flat, np.int64),
         fabric,
     )
+
+
+def seen_patches(sewn: SewnPatches, now: Instant, view: View) -> SeenPatches:
+    """Patches at an instant, in C and as pixels: `shade` asks each of them only about these."""
+    segment = np.repeat(np.arange(len(sewn.first) - 1), np.diff(sewn.first))
+    R, p = now.R_CB[segment], now.p_CB[segment]
+    flat, (x, y, z) = sewn.flat == 1, sewn.position.T
+    around, none = np.hypot(y, z), np.zeros_like(x)
+    wrapped = np.array([[none + 1, none, none], [none, -z, y], [none, y, z]])
+    axes = np.where(flat[:, None, None], sewn.axes, wrapped.transpose(2, 0, 1))
+    origin = np.where(flat[:, None], sewn.position, np.column_stack([x, none, none]))
+    middle = np.einsum("mij,mj->mi", R, sewn.position) + p
+    size = _reach_of(sewn, around, _girth(now.solids, len(now.p_CB))[segment])
+    box = ball_bounds((middle - view.eye)[:, None], size[:, None], view.K)
+    return SeenPatches(
+        sewn.first,
+        pixels_of(box, view.camera),
+        np.ascontiguousarray(np.einsum("mij,mkj->mki", R, axes)),
+        np.einsum("mij,mj->mi", R, origin) + p,
+        sewn.size / 2,
+        np.where(flat, 0.0, around),
+        sewn.shape,
+        sewn.fabric,
+    )
+
+
+def _reach_of(sewn: SewnPatches, around: Array, girth: Array) -> Array:
+    """(M,) m: from each patch's middle to the farthest point that it can cover. One that is wrapped
+    at ``around`` from the bone covers what is there from the bone to the cloth, at ``girth``."""
+    half = sewn.size / 2
+    turn = np.minimum(half / np.maximum(around, 1e-9), np.pi)
+    across2 = np.maximum(around**2, around**2 + girth**2 - 2 * around * girth * np.cos(turn))
+    return np.sqrt(half**2 + np.where(sewn.flat == 1, half**2 + ON_PLANE**2, across2))
+
+
+def _girth(solids: Solids, segments: int) -> Array:
+    """(S,) m: radius of each segment's thickest capsule."""
+    out, owned = np.zeros(segments), solids.owner >= 0
+    np.maximum.at(out, solids.owner[owned], solids.radius[owned])
+    return out

@@ -10,11 +10,12 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import (
     Float32Matrix,
     Float32Stack,
+    Float32Vector,
     Int16Matrix,
+    Int16Vector,
     IntMatrix,
     IntVector,
     Matrix,
-    Stack,
     Vector,
     Written,
 )
@@ -23,34 +24,53 @@ from tracker.simulation.solids import Solids
 
 FAR = 1e6
 TILE = 8  # px
-SPREAD = 1.1  # of a tile's corners: a lens may bend what is between them
+SPREAD = 0.75  # of a tile's width: from its middle to its corners, and a little
 NEAR = 0.05  # m from the camera, within which nothing is left out
+NEAREST = 0.02  # m from the camera, within which nothing is drawn
+TIE = 1e-4  # m: of solids so near to each other, as of two that share an end, the first is seen
+BALL = 1e-12  # m²: a capsule's squared length below which it has no axis
 
 
 class PixelRays(NamedTuple):
-    """From ``eye`` (3,) in C: x/z and y/z (H, W, 2) of each pixel of the whole image, and what is
-    added to them (2,); the corner (v0, u0) of the region that is drawn."""
+    """From ``eye`` (3,) in C: x/z and y/z (H, W, 2) of each pixel of the whole image, how far they
+    are at most from a neighbour's, and what is added to them (2,); the corner (v0, u0) of the
+    region that is drawn."""
 
     slope: Float32Stack
+    pitch: float
     jitter: Vector
     eye: Vector
     corner: IntVector
 
 
 class Capsule(NamedTuple):
-    """From one end to the other ``e``, from that end to the eye ``w``, m; their products e e, e w
-    and w w; and the radius."""
+    """From one end to the other ``e``, from that end to the eye ``w``, m; their products e e and
+    e w, ``per`` 1 / (e e) or 0 for a ball; w w less the squared radius at that end and at the
+    other, and what is left of it beside the axis, times e e."""
 
-    e0: float
-    e1: float
-    e2: float
-    w0: float
-    w1: float
-    w2: float
-    ee: float
-    ew: float
-    ww: float
-    r: float
+    e0: np.float32
+    e1: np.float32
+    e2: np.float32
+    w0: np.float32
+    w1: np.float32
+    w2: np.float32
+    ee: np.float32
+    ew: np.float32
+    per: np.float32
+    outside: np.float32
+    outside_b: np.float32
+    beside: np.float32
+
+
+class Slab(NamedTuple):
+    """Between two faces of a box: their normal, how far along it the eye is from the box's middle,
+    and half the distance of the faces, m."""
+
+    n0: np.float32
+    n1: np.float32
+    n2: np.float32
+    start: np.float32
+    half: np.float32
 
 
 class Tile(NamedTuple):
@@ -69,6 +89,10 @@ class Buffer(NamedTuple):
     solid: Written[Int16Matrix]
 
 
+Row = tuple[Float32Vector, Int16Vector]
+"""Depth and solid of a part of a row of a `Buffer`."""
+
+
 def bounds(solids: Solids, eye: Array, K: Array) -> Array:
     """(P + Q, 4) u0, v0, u1, v1 px around each solid in the rectified image; NaN if not in front.
 
@@ -79,12 +103,13 @@ def bounds(solids: Solids, eye: Array, K: Array) -> Array:
         "qij,qkj->qki", solids.box_R, corners * solids.half[:, None]
     )
     ends = np.stack([solids.a, solids.b], axis=1)
-    capsule = _box_of(ends - eye, solids.radius[:, None], K)
-    return np.concatenate([capsule, _box_of(box - eye, np.zeros((len(box), 1)), K)])
+    capsule = ball_bounds(ends - eye, solids.radius[:, None], K)
+    return np.concatenate([capsule, ball_bounds(box - eye, np.zeros((len(box), 1)), K)])
 
 
-def _box_of(points: Array, radius: Array, K: Array) -> Array:
-    """(n, 4) px around balls (n, k, 3) of radius (n, 1) m, seen from the origin."""
+def ball_bounds(points: Array, radius: Array, K: Array) -> Array:
+    """(n, 4) px around balls (n, k, 3) of radius (n, 1) m, seen from the origin; NaN if not in
+    front."""
     z = points[..., 2] - radius
     z = np.where(z < 0.02, np.nan, z)
     centre = points[..., :2] / points[..., 2:]
@@ -94,128 +119,211 @@ def _box_of(points: Array, radius: Array, K: Array) -> Array:
     return np.concatenate([low * K[:2] + K[2:], high * K[:2] + K[2:]], axis=1)
 
 
-@kernel(fastmath=True)
-def draw(view: PixelRays, pixels: IntMatrix, solids: Solids, buffer: Buffer) -> None:
+@kernel(fastmath=True, error_model="numpy")
+def draw(view: PixelRays, pixels: IntMatrix, solids: Solids, buffer: Written[Buffer]) -> None:
     """Fill ``buffer``. pixels (P + Q, 4): u0, v0, u1, v1 of each solid, the upper ones excluded.
 
-    A capsule that lies aslant fills a small part of its bounds: tiles that none of its rays can
-    meet are left out.
+    A capsule that lies aslant fills a small part of its bounds: of a band of rows only what is
+    between the first and the last tile that one of its rays may meet is drawn. Rows are gone
+    through without a branch and in single precision (some µm), so that a processor takes several
+    pixels at a time.
     """
-    rays, jitter, eye, corner = view.slope, view.jitter, view.eye, view.corner
+    jitter, corner, width = view.jitter, view.corner, view.slope.shape[1]
+    rays = view.slope.reshape(-1)  # a compiler knows how far apart its numbers are
     depth, ident, capsules = buffer.depth, buffer.solid, len(solids.radius)
+    jx, jy = np.float32(jitter[0]), np.float32(jitter[1])
     depth[:] = FAR
     ident[:] = -1
     for i in range(capsules):
-        capsule = _seen(eye, solids.a, solids.b, solids.radius[i], i)
+        capsule = _seen(view.eye, solids.a, solids.b, solids.radius[i], i)
+        thicker = _thicker(view, solids, i)
+        thick = _seen(view.eye, solids.a, solids.b, solids.radius[i] + thicker, i)
         for v0 in range(pixels[i, 1], pixels[i, 3], TILE):
-            for u0 in range(pixels[i, 0], pixels[i, 2], TILE):
-                tile = Tile(v0, u0, min(v0 + TILE, pixels[i, 3]), min(u0 + TILE, pixels[i, 2]))
-                if not _is_beside(view, solids, i, tile):
-                    _draw_capsule(view, buffer, capsule, i, tile)
+            v1 = min(v0 + TILE, pixels[i, 3])
+            u0, u1 = pixels[i, 0], pixels[i, 2]
+            if thicker >= 0.0:
+                u0, u1 = _span(view, thick, Tile(v0, u0, v1, u1))
+            u1 = min(u0 + (u1 - u0 + TILE - 1) // TILE * TILE, corner[1] + depth.shape[1])
+            begin, end = u0 - corner[1], u1 - corner[1]
+            for v in range(v0, v1):
+                row = v - corner[0]
+                z, shown = depth[row, begin:end], ident[row, begin:end]
+                seen = rays[2 * (v * width + u0) : 2 * (v * width + u1)]
+                _draw_capsule(seen, jx, jy, capsule, i, z, shown)
     for i in range(capsules, len(pixels)):
+        j = i - capsules
+        box = (
+            _slab(view.eye, solids, j, 0),
+            _slab(view.eye, solids, j, 1),
+            _slab(view.eye, solids, j, 2),
+        )
+        u0, u1 = pixels[i, 0], pixels[i, 2]
+        begin, end = u0 - corner[1], u1 - corner[1]
         for v in range(pixels[i, 1], pixels[i, 3]):
-            for u in range(pixels[i, 0], pixels[i, 2]):
-                x, y = rays[v, u, 0] + jitter[0], rays[v, u, 1] + jitter[1]
-                z = _box(eye, x, y, solids.box_R, solids.centre, solids.half, i - capsules)
-                row, column = v - corner[0], u - corner[1]
-                if z < depth[row, column]:
-                    depth[row, column] = z
-                    ident[row, column] = i
+            row = v - corner[0]
+            z, shown = depth[row, begin:end], ident[row, begin:end]
+            seen = rays[2 * (v * width + u0) : 2 * (v * width + u1)]
+            _draw_box(seen, jx, jy, box, i, z, shown)
 
 
-@kernel(fastmath=True, inline="always")
-def _draw_capsule(view: PixelRays, buffer: Buffer, capsule: Capsule, i: int, tile: Tile) -> None:
-    """Capsule i in a tile."""
-    rays, depth, ident = view.slope, buffer.depth, buffer.solid
-    jx, jy, dv, du = view.jitter[0], view.jitter[1], view.corner[0], view.corner[1]
-    for v in range(tile.v0, tile.v1):
-        for u in range(tile.u0, tile.u1):
-            z = _depth(capsule, rays[v, u, 0] + jx, rays[v, u, 1] + jy)
-            if z < depth[v - dv, u - du]:
-                depth[v - dv, u - du] = z
-                ident[v - dv, u - du] = i
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _draw_capsule(
+    slope: Float32Vector,
+    jx: np.float32,
+    jy: np.float32,
+    capsule: Capsule,
+    i: int,
+    depth: Written[Float32Vector],
+    ident: Written[Int16Vector],
+) -> None:
+    """Capsule i in part of a row."""
+    solid = np.int16(i)
+    for k in range(len(depth)):
+        z = _depth(capsule, slope[2 * k] + jx, slope[2 * k + 1] + jy)
+        before, shown = depth[k], ident[k]
+        is_nearer = z < before - np.float32(TIE)
+        depth[k] = z if is_nearer else before
+        ident[k] = solid if is_nearer else shown
 
 
-@kernel(fastmath=True, inline="always")
-def _is_beside(view: PixelRays, solids: Solids, i: int, tile: Tile) -> bool:
-    """Whether no ray of a tile can meet capsule i.
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _draw_box(
+    slope: Float32Vector,
+    jx: np.float32,
+    jy: np.float32,
+    box: tuple[Slab, Slab, Slab],
+    i: int,
+    depth: Written[Float32Vector],
+    ident: Written[Int16Vector],
+) -> None:
+    """A box, solid i, in part of a row."""
+    solid = np.int16(i)
+    for k in range(len(depth)):
+        z = _box(box, slope[2 * k] + jx, slope[2 * k + 1] + jy)
+        before, shown = depth[k], ident[k]
+        is_nearer = z < before - np.float32(TIE)
+        depth[k] = z if is_nearer else before
+        ident[k] = solid if is_nearer else shown
 
-    At depth z each of them is within ``spread`` z of the middle one, so the middle one misses a
-    capsule that is so much thicker.
+
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _thicker(view: PixelRays, solids: Solids, i: int) -> float:
+    """By how much (m) the ray in a tile's middle passes beside capsule i if one of the tile meets
+    it: at depth z each is within half a tile's diagonal of pixels, times z, of the middle one.
+    Negative where that says nothing, so near to the camera."""
+    a, b, r, eye = solids.a, solids.b, solids.radius[i], view.eye
+    far = max(a[i, 2], b[i, 2]) - eye[2] + r
+    thicker = SPREAD * view.pitch * TILE * far
+    return thicker if min(a[i, 2], b[i, 2]) - eye[2] - r - thicker > NEAR else -1.0
+
+
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _span(view: PixelRays, thick: Capsule, band: Tile) -> tuple[int, int]:
+    """Columns of a band of rows, the upper one excluded, outside of which the middle ray of no tile
+    meets a capsule.
+
+    What a capsule shows has no hole, so the tiles between two that it touches are not asked.
     """
-    rays, jitter, a, b = view.slope, view.jitter, solids.a, solids.b
-    vm, um = (tile.v0 + tile.v1) // 2, (tile.u0 + tile.u1) // 2
-    x, y = rays[vm, um, 0], rays[vm, um, 1]
-    spread = 0.0
-    for v in (tile.v0, tile.v1 - 1):
-        for u in (tile.u0, tile.u1 - 1):
-            spread = max(spread, (rays[v, u, 0] - x) ** 2 + (rays[v, u, 1] - y) ** 2)
-    near = min(a[i, 2], b[i, 2]) - view.eye[2] - solids.radius[i]
-    far = max(a[i, 2], b[i, 2]) - view.eye[2] + solids.radius[i]
-    thicker = SPREAD * np.sqrt(spread) * far
-    if near - thicker < NEAR:
-        return False
-    thick = _seen(view.eye, a, b, solids.radius[i] + thicker, i)
-    return _depth(thick, x + jitter[0], y + jitter[1]) == FAR
+    u0, u1 = band.u0, band.u1
+    while u0 < u1 and _is_beside(view, thick, Tile(band.v0, u0, band.v1, min(u0 + TILE, u1))):
+        u0 += TILE
+    u0 = min(u0, u1)
+    while u0 < u1 and _is_beside(view, thick, Tile(band.v0, max(u1 - TILE, u0), band.v1, u1)):
+        u1 = max(u1 - TILE, u0)
+    return u0, u1
 
 
-@kernel(fastmath=True, inline="always")
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _is_beside(view: PixelRays, thick: Capsule, tile: Tile) -> bool:
+    """Whether the middle ray of a tile misses a capsule."""
+    v, u = (tile.v0 + tile.v1) // 2, (tile.u0 + tile.u1) // 2
+    x, y = view.slope[v, u, 0] + view.jitter[0], view.slope[v, u, 1] + view.jitter[1]
+    return bool(_depth(thick, np.float32(x), np.float32(y)) >= FAR)
+
+
+@kernel(fastmath=True, error_model="numpy", inline="always")
 def _seen(eye: Vector, a: Matrix, b: Matrix, r: float, i: int) -> Capsule:
     """Capsule i, of radius r m, for `_depth`: what all of its rays share is computed once."""
     e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
     w0, w1, w2 = eye[0] - a[i, 0], eye[1] - a[i, 1], eye[2] - a[i, 2]
     ee = e0 * e0 + e1 * e1 + e2 * e2
     ew = e0 * w0 + e1 * w1 + e2 * w2
-    ww = w0 * w0 + w1 * w1 + w2 * w2
-    return Capsule(e0, e1, e2, w0, w1, w2, ee, ew, ww, r)
+    outside = w0 * w0 + w1 * w1 + w2 * w2 - r * r
+    return Capsule(
+        np.float32(e0), np.float32(e1), np.float32(e2),
+        np.float32(w0), np.float32(w1), np.float32(w2),
+        np.float32(ee), np.float32(ew), np.float32(1.0 / ee if ee > BALL else 0.0),
+        np.float32(outside), np.float32(outside + ee - 2 * ew), np.float32(ee * outside - ew * ew),
+    )  # fmt: skip
 
 
-@kernel(fastmath=True, inline="always")
-def _depth(capsule: Capsule, x: float, y: float) -> float:
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _depth(capsule: Capsule, x: np.float32, y: np.float32) -> np.float32:
     """Depth z at which the ray eye + z (x, y, 1) enters a capsule, FAR if it misses.
 
     Apart from `tracker.geometry.solids.capsule_depth`, which wants the ray in the capsule's frame:
     a million rays meet a capsule given by its ends, and to find and enter a frame takes longer.
     """
-    e0, e1, e2, w0, w1, w2, ee, ew, ww, r = capsule
-    dd = x * x + y * y + 1.0
+    e0, e1, e2, w0, w1, w2, ee, ew, per, outside, outside_b, beside = capsule
+    zero, one = np.float32(0.0), np.float32(1.0)
+    dd = x * x + y * y + one
     ed = e0 * x + e1 * y + e2
     dw = x * w0 + y * w1 + w2
-    share = 0.0
-    k2 = ee * dd - ed * ed
-    if k2 > 1e-12 * ee * dd and ee > 1e-12:
-        k1 = ee * dw - ew * ed
-        k0 = ee * (ww - r * r) - ew * ew
-        h = k1 * k1 - k2 * k0
-        if h < 0.0:
-            return FAR
-        z = (-k1 - np.sqrt(h)) / k2
-        share = (ew + z * ed) / ee
-        if 0.0 < share < 1.0:
-            return z if z > 0.02 else FAR
-    if share >= 1.0:
-        dw -= ed
-        ww += ee - 2 * ew
-    h = dw * dw - dd * (ww - r * r)
-    if h < 0.0:
-        return FAR
-    z = (-dw - np.sqrt(h)) / dd
-    return z if z > 0.02 else FAR
+    k2 = max(ee * dd - ed * ed, np.float32(1e-30))
+    k1 = ee * dw - ew * ed
+    h = k1 * k1 - k2 * beside  # of the cylinder without end, which holds all of the capsule
+    z = (-k1 - _root(max(h, zero))) / k2
+    share = (ew + z * ed) * per
+    is_far_end = share >= one
+    is_side = (share > zero) & (share < one)
+    dw = dw - ed if is_far_end else dw
+    g = dw * dw - dd * (outside_b if is_far_end else outside)
+    end = (-dw - _root(max(g, zero))) / dd
+    z = z if is_side else end
+    meets = (h >= zero) & (is_side | (g >= zero)) & (z > np.float32(NEAREST))
+    return z if meets else np.float32(FAR)
 
 
-@kernel(fastmath=True, inline="always")
-def _box(eye: Vector, x: float, y: float, R: Stack, centre: Matrix, half: Matrix, i: int) -> float:
-    """Depth z at which the ray eye + z (x, y, 1) enters box i, FAR if it misses (slab method).
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _root(x: np.float32) -> np.float32:
+    """Square root to 5e-6 of it by Newton's method from its logarithm halved, which is where a
+    float's bits are: LLVM takes numbers one by one again for its own."""
+    bits = np.int32(0x5F3759DF) - (np.float32(x).view(np.int32) >> np.int32(1))
+    y, half = np.int32(bits).view(np.float32), np.float32(0.5) * x
+    y *= np.float32(1.5) - half * y * y
+    y *= np.float32(1.5) - half * y * y
+    return x * y
+
+
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _slab(eye: Vector, solids: Solids, i: int, k: int) -> Slab:
+    """Box i along its axis k, for `_box`."""
+    R, centre = solids.box_R, solids.centre
+    n0, n1, n2 = R[i, 0, k], R[i, 1, k], R[i, 2, k]
+    w0, w1, w2 = eye[0] - centre[i, 0], eye[1] - centre[i, 1], eye[2] - centre[i, 2]
+    start, half = n0 * w0 + n1 * w1 + n2 * w2, solids.half[i, k]
+    return Slab(np.float32(n0), np.float32(n1), np.float32(n2), np.float32(start), np.float32(half))
+
+
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _box(slabs: tuple[Slab, Slab, Slab], x: np.float32, y: np.float32) -> np.float32:
+    """Depth z at which the ray eye + z (x, y, 1) enters a box, FAR if it misses (slab method).
 
     As `tracker.geometry.solids.box_span`, but seen from the first centimetres on.
     """
-    low, high = 0.02, FAR
-    w0, w1, w2 = eye[0] - centre[i, 0], eye[1] - centre[i, 1], eye[2] - centre[i, 2]
-    for k in range(3):
-        start = R[i, 0, k] * w0 + R[i, 1, k] * w1 + R[i, 2, k] * w2
-        step = R[i, 0, k] * x + R[i, 1, k] * y + R[i, 2, k]
-        if abs(step) < 1e-9:
-            step = 1e-9
-        t0, t1 = (-half[i, k] - start) / step, (half[i, k] - start) / step
-        low, high = max(low, min(t0, t1)), min(high, max(t0, t1))
-    return low if low <= high else FAR
+    low, high = np.float32(NEAREST), np.float32(FAR)
+    low, high = _between(slabs[0], x, y, low, high)
+    low, high = _between(slabs[1], x, y, low, high)
+    low, high = _between(slabs[2], x, y, low, high)
+    return low if low <= high else np.float32(FAR)
+
+
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _between(
+    slab: Slab, x: np.float32, y: np.float32, low: np.float32, high: np.float32
+) -> tuple[np.float32, np.float32]:
+    """What of a ray's depths ``low`` to ``high`` is within a slab."""
+    step, least = slab.n0 * x + slab.n1 * y + slab.n2, np.float32(1e-9)
+    step = least if abs(step) < least else step
+    t0, t1 = (-slab.half - slab.start) / step, (slab.half - slab.start) / step
+    return max(low, min(t0, t1)), min(high, max(t0, t1))

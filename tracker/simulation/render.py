@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -10,12 +11,20 @@ from numpy.typing import NDArray
 from tracker.clock import nanoseconds
 from tracker.messages import Array, IntArray, StereoFrame
 from tracker.simulation.backgrounds import BackgroundParams, fabric_bgr, make_background
-from tracker.simulation.camera_view import pixels_of, ray_map
-from tracker.simulation.exposure import JITTER_PX, Scene, moments_of, patches_of_all
+from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map
+from tracker.simulation.exposure import (
+    JITTER_PX,
+    Scene,
+    View,
+    moments_of,
+    patches_of_all,
+    seen_patches,
+)
 from tracker.simulation.raster import Buffer, PixelRays, bounds, draw
+from tracker.simulation.sewn import SeenPatches
 from tracker.simulation.shading import Cloth, Light, develop, shade
 from tracker.simulation.smooth import rng_for
-from tracker.simulation.solids import Instant
+from tracker.simulation.solids import Instant, Solids
 
 Image = NDArray[np.uint8]
 
@@ -42,6 +51,7 @@ class Renderer:
         self.scene, self.params = scene, params or RenderParams()
         rig, p = scene.rig, self.params
         self._rays = (ray_map(rig.left), ray_map(rig.right))
+        self._pitch = tuple(pitch_of(rays) for rays in self._rays)
         self._K = np.array([rig.fx, rig.fy, rig.cx, rig.cy])
         seed = scene.seed
         disparity = round(rig.fx * rig.baseline / p.background.distance)
@@ -80,50 +90,59 @@ class Renderer:
         left, right = self.images(t)
         return left, right
 
-    def images(self, t: float) -> tuple[Image, ...]:
-        """That of each camera that there is, (h, w, 3) uint8 BGR, the left one first."""
+    def images(self, t: float, into: Sequence[Image] | None = None) -> tuple[Image, ...]:
+        """That of each camera that there is, (h, w, 3) uint8 BGR, the left one first; drawn
+        ``into`` these where there are any."""
         moments = moments_of(
             self.scene, t, self.params.shutter, min(self.params.exposures, len(JITTER_PX))
         )
         ns = nanoseconds(t)
         rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
-        return tuple(self._image(moments, side == "right", rng) for side in self.scene.rig.sides)
+        sides = [int(side == "right") for side in self.scene.rig.sides]
+        out = tuple(into or (np.empty_like(self._ground[side]) for side in sides))
+        for image, side in zip(out, sides, strict=True):
+            self._draw(image, moments, side, rng)
+        return out
 
-    def _image(self, moments: list[Instant], right: bool, rng: np.random.Generator) -> Image:
-        side = int(right)
-        out: Image = self._noisy[side][int(rng.integers(4))].copy()
+    def _draw(
+        self, out: Image, moments: list[Instant], side: int, rng: np.random.Generator
+    ) -> None:
+        """What the left (0) or the right camera (1) sees, into ``out`` (h, w, 3)."""
+        out[:] = self._noisy[side][int(rng.integers(4))]
         eye = np.array([self.scene.rig.baseline * side, 0.0, 0.0])
-        camera = self.scene.rig.right if right else self.scene.rig.left
+        camera = self.scene.rig.right if side else self.scene.rig.left
         boxes = [pixels_of(bounds(m.solids, eye, self._K), camera) for m in moments]
         all_boxes = np.concatenate(boxes)
         some = all_boxes[all_boxes[:, 0] < all_boxes[:, 2]]
         if len(some) == 0:
-            return out
+            return
         u0, v0 = some[:, :2].min(axis=0)
         u1, v1 = some[:, 2:].max(axis=0)
         total = np.zeros((v1 - v0, u1 - u0, 3), np.float32)
         ground = np.ascontiguousarray(self._ground[side][v0:v1, u0:u1])
         corner = np.array([v0, u0], np.int64)
         for k, (moment, pixels) in enumerate(zip(moments, boxes, strict=True)):
-            rays = PixelRays(self._rays[side], JITTER_PX[k] / self._K[:2], eye, corner)
-            self._expose(moment, rays, pixels, ground, total)
+            jitter = JITTER_PX[k] / self._K[:2]
+            rays = PixelRays(self._rays[side], self._pitch[side], jitter, eye, corner)
+            sewn = self._patches._replace(position=moment.markers[self._order])
+            patches = seen_patches(sewn, moment, View(eye, self._K, camera))
+            self._expose(moment.solids, rays, pixels, patches, ground, total)
         develop(total, len(moments), self._grain, rng.integers(0, 500, 2), corner, out)
-        return out
 
     def _expose(
         self,
-        now: Instant,
+        solids: Solids,
         rays: PixelRays,
         pixels: IntArray,
+        patches: SeenPatches,
         ground: Image,
         total: NDArray[np.float32],
     ) -> None:
-        s, size = now.solids, total.shape[:2]
+        size = total.shape[:2]
         buffer = Buffer(np.empty(size, np.float32), np.empty(size, np.int16))
-        draw(rays, pixels, s, buffer)
+        draw(rays, pixels, solids, buffer)
         cloth = Cloth(
-            np.concatenate([s.owner, s.box_owner]),
-            np.concatenate([s.colour, s.box_colour]) * self.params.gain,
+            np.concatenate([solids.owner, solids.box_owner]),
+            np.concatenate([solids.colour, solids.box_colour]) * self.params.gain,
         )
-        patches = self._patches._replace(position=now.markers[self._order])
-        shade(rays, buffer, now, cloth, patches, self._light, ground, total)
+        shade(rays, buffer, solids, cloth, patches, self._light, ground, total)

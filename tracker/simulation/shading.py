@@ -6,19 +6,21 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.geometry.solids import Vector3
 from tracker.kernels import kernel
 from tracker.kernels.arrays import (
     ByteStack,
+    ByteVector,
     Float32Stack,
+    Float32Vector,
+    Int32Vector,
     IntVector,
     Matrix,
-    Stack,
     Vector,
     Written,
 )
 from tracker.simulation.raster import Buffer, PixelRays
-from tracker.simulation.solids import Instant
+from tracker.simulation.sewn import Place, Run, SeenPatches, find_patches
+from tracker.simulation.solids import Solids
 
 
 class Cloth(NamedTuple):
@@ -28,22 +30,6 @@ class Cloth(NamedTuple):
     colour: Matrix
 
 
-class SewnPatches(NamedTuple):
-    """Markers sorted by segment, those of segment s being first[s] to first[s + 1].
-
-    position (M, 3) in B; axes (M, 3, 3) rows: along, across and out of a flat patch in B; size (M,)
-    m; shape (M,) 1 for a square; flat (M,) 1 on a plane; fabric (M, 3) BGR.
-    """
-
-    first: IntVector
-    position: Matrix
-    axes: Stack
-    size: Vector
-    shape: IntVector
-    flat: IntVector
-    fabric: Matrix
-
-
 class Light(NamedTuple):
     """A unit vector (3,) in C towards the light, and the share of light from everywhere."""
 
@@ -51,121 +37,156 @@ class Light(NamedTuple):
     ambient: float
 
 
-@kernel(fastmath=True)
+class LitCapsule(NamedTuple):
+    """Its axis over the axis' square (e), and that times the way from its end to the eye; the light
+    of the lamp over its radius (l), that times the same way and times the axis; and the share of
+    light from everywhere."""
+
+    e0: np.float32
+    e1: np.float32
+    e2: np.float32
+    ew: np.float32
+    l0: np.float32
+    l1: np.float32
+    l2: np.float32
+    wl: np.float32
+    el: np.float32
+    ambient: np.float32
+
+
+@kernel(fastmath=True, error_model="numpy")
 def shade(
     rays: PixelRays,
     buffer: Buffer,
-    now: Instant,
+    solids: Solids,
     cloth: Cloth,
-    patches: SewnPatches,
+    patches: SeenPatches,
     lamp: Light,
     ground: ByteStack,
     total: Written[Float32Stack],
 ) -> None:
     """Add one exposure to ``total`` (h, w, 3) BGR; ``ground`` (h, w, 3) shows where nothing is.
 
-    Arrays are handed on whole with a row's number: a view of a row costs more than the arithmetic.
+    Goes from one run of pixels that show one solid to the next: what they share is computed once,
+    and they are lit without a branch and in single precision, several at a time.
     """
-    slope, jitter, eye, corner = rays.slope, rays.jitter, rays.eye, rays.corner
-    depth, ident, light, ambient = buffer.depth, buffer.solid, lamp.direction, lamp.ambient
-    a, b, radius = now.solids.a, now.solids.b, now.solids.radius
-    box_R, centre, half = now.solids.box_R, now.solids.centre, now.solids.half
-    owner, colour, fabric = cloth.owner, cloth.colour, patches.fabric
-    R_CB, p_CB = now.R_CB, now.p_CB
-    n, q = np.empty(3), np.empty(3)
-    for row in range(depth.shape[0]):
-        for column in range(depth.shape[1]):
-            i = ident[row, column]
+    depth, ident, corner, capsules = buffer.depth, buffer.solid, rays.corner, len(solids.radius)
+    slope, image, wall = rays.slope.reshape(-1), total.reshape(-1), ground.reshape(-1)
+    jx, jy = np.float32(rays.jitter[0]), np.float32(rays.jitter[1])
+    rows, columns = depth.shape
+    bright, patch = np.empty(columns, np.float32), np.empty(columns, np.int32)
+    for row in range(rows):
+        before = 2 * ((row + corner[0]) * rays.slope.shape[1] + corner[1])
+        end = 0
+        while end < columns:
+            begin, i = end, ident[row, end]
+            while end < columns and ident[row, end] == i:
+                end += 1
+            first = 3 * (row * columns + begin)
+            into = image[first : first + 3 * (end - begin)]
             if i < 0:
-                for c in range(3):
-                    total[row, column, c] += ground[row, column, c]
+                _add_ground(wall[first : first + 3 * (end - begin)], into)
                 continue
-            z = depth[row, column]
-            v, u = row + corner[0], column + corner[1]
-            q[0] = eye[0] + z * (slope[v, u, 0] + jitter[0])
-            q[1] = eye[1] + z * (slope[v, u, 1] + jitter[1])
-            q[2] = eye[2] + z
-            if i < len(radius):
-                capsule_normal(q, a, b, radius, i, n)
-            else:
-                box_normal(q, box_R, centre, half, i - len(radius), n)
-            bright = ambient + (1 - ambient) * max(
-                n[0] * light[0] + n[1] * light[1] + n[2] * light[2], 0.0
+            run = Run(
+                slope[before + 2 * begin : before + 2 * end],
+                depth[row, begin:end],
+                jx,
+                jy,
+                rays.eye,
             )
-            m = -1
-            s = owner[i]
-            if s >= 0:
-                m = patch_at((q[0], q[1], q[2]), R_CB, p_CB, s, patches)
-            for c in range(3):
-                base = fabric[m, c] if m >= 0 else colour[i, c]
-                total[row, column, c] += base * bright
+            lit = bright[: end - begin]
+            if i < capsules:
+                _light_capsule(run, _lit_capsule(rays.eye, solids, i, lamp), lit)
+            else:
+                _light_box(run, solids, i - capsules, lamp, lit)
+            at = Place(row + corner[0], begin + corner[1], cloth.owner[i])
+            covered = patch[: end - begin]
+            if find_patches(run, at, patches, covered):
+                _add_patched(lit, covered, cloth.colour, patches.fabric, i, into)
+            else:
+                _add_plain(lit, cloth.colour, i, into)
+
+
+@kernel(inline="always")
+def _add_ground(wall: ByteVector, into: Written[Float32Vector]) -> None:
+    for k in range(len(into)):
+        into[k] += wall[k]
 
 
 @kernel(fastmath=True, inline="always")
-def capsule_normal(
-    q: Vector, a: Matrix, b: Matrix, radius: Vector, i: int, n: Written[Vector]
-) -> None:
-    """Outward normal at the point q of capsule i."""
-    e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
-    w0, w1, w2 = q[0] - a[i, 0], q[1] - a[i, 1], q[2] - a[i, 2]
-    ee = max(e0 * e0 + e1 * e1 + e2 * e2, 1e-12)
-    share = min(max((e0 * w0 + e1 * w1 + e2 * w2) / ee, 0.0), 1.0)
-    n[0] = (w0 - share * e0) / radius[i]
-    n[1] = (w1 - share * e1) / radius[i]
-    n[2] = (w2 - share * e2) / radius[i]
+def _add_plain(lit: Float32Vector, colour: Matrix, i: int, into: Written[Float32Vector]) -> None:
+    """Cloth of one colour."""
+    blue, green, red = np.float32(colour[i, 0]), np.float32(colour[i, 1]), np.float32(colour[i, 2])
+    for k in range(len(lit)):
+        into[3 * k] += blue * lit[k]
+        into[3 * k + 1] += green * lit[k]
+        into[3 * k + 2] += red * lit[k]
 
 
 @kernel(fastmath=True, inline="always")
-def box_normal(
-    q: Vector, R: Stack, centre: Matrix, half: Matrix, i: int, n: Written[Vector]
+def _add_patched(
+    lit: Float32Vector,
+    covered: Int32Vector,
+    colour: Matrix,
+    fabric: Matrix,
+    i: int,
+    into: Written[Float32Vector],
 ) -> None:
-    """Outward normal of the face of box i that the point q lies on."""
-    best, face, sign = -1e9, 0, 1.0
-    for k in range(3):
-        x = 0.0
+    """Cloth, some of which a patch covers."""
+    for k in range(len(lit)):
         for c in range(3):
-            x += R[i, c, k] * (q[c] - centre[i, c])
-        if abs(x) - half[i, k] > best:
-            best, face, sign = abs(x) - half[i, k], k, (1.0 if x > 0 else -1.0)
-    for c in range(3):
-        n[c] = sign * R[i, c, face]
+            base = fabric[covered[k], c] if covered[k] >= 0 else colour[i, c]
+            into[3 * k + c] += np.float32(base) * lit[k]
+
+
+@kernel(fastmath=True, error_model="numpy", inline="always")
+def _lit_capsule(eye: Vector, solids: Solids, i: int, lamp: Light) -> LitCapsule:
+    """Capsule i for `_light_capsule`."""
+    a, b, r, light = solids.a, solids.b, solids.radius[i], lamp.direction
+    e0, e1, e2 = b[i, 0] - a[i, 0], b[i, 1] - a[i, 1], b[i, 2] - a[i, 2]
+    w0, w1, w2 = eye[0] - a[i, 0], eye[1] - a[i, 1], eye[2] - a[i, 2]
+    per = 1.0 / max(e0 * e0 + e1 * e1 + e2 * e2, 1e-12)
+    scale = (1 - lamp.ambient) / r
+    el = scale * (e0 * light[0] + e1 * light[1] + e2 * light[2])
+    wl = scale * (w0 * light[0] + w1 * light[1] + w2 * light[2])
+    return LitCapsule(
+        np.float32(per * e0), np.float32(per * e1), np.float32(per * e2),
+        np.float32(per * (e0 * w0 + e1 * w1 + e2 * w2)),
+        np.float32(scale * light[0]), np.float32(scale * light[1]), np.float32(scale * light[2]),
+        np.float32(wl), np.float32(el), np.float32(lamp.ambient),
+    )  # fmt: skip
 
 
 @kernel(fastmath=True, inline="always")
-def patch_at(q: Vector3, R: Stack, p: Matrix, i: int, patches: SewnPatches) -> int:
-    """The marker whose patch covers the surface point q of segment i, -1 if none."""
-    first, marker, axes = patches.first, patches.position, patches.axes
-    size, shape, flat = patches.size, patches.shape, patches.flat
-    d0, d1, d2 = q[0] - p[i, 0], q[1] - p[i, 1], q[2] - p[i, 2]
-    x = R[i, 0, 0] * d0 + R[i, 1, 0] * d1 + R[i, 2, 0] * d2
-    y = R[i, 0, 1] * d0 + R[i, 1, 1] * d1 + R[i, 2, 1] * d2
-    z = R[i, 0, 2] * d0 + R[i, 1, 2] * d1 + R[i, 2, 2] * d2
-    for m in range(first[i], first[i + 1]):
-        reach = size[m] / 2
-        if flat[m] == 0 and abs(x - marker[m, 0]) > reach:
-            continue
-        if flat[m] == 1:
-            d0, d1, d2 = x - marker[m, 0], y - marker[m, 1], z - marker[m, 2]
-            if abs(d0 * axes[m, 2, 0] + d1 * axes[m, 2, 1] + d2 * axes[m, 2, 2]) > 0.004:
-                continue
-            s = d0 * axes[m, 0, 0] + d1 * axes[m, 0, 1] + d2 * axes[m, 0, 2]
-            w = d0 * axes[m, 1, 0] + d1 * axes[m, 1, 1] + d2 * axes[m, 1, 2]
-        else:
-            s, w = x - marker[m, 0], _around(y, z, marker[m, 1], marker[m, 2])
-        if shape[m] == 1:
-            if abs(s) <= reach and abs(w) <= reach:
-                return m
-        elif s * s + w * w <= reach * reach:
-            return m
-    return -1
+def _light_capsule(run: Run, capsule: LitCapsule, lit: Written[Float32Vector]) -> None:
+    """Share of the light (n,) that falls on each pixel of a run: at the point q = w + z (x, y, 1)
+    from the capsule's end, the normal is q less its part along the axis, over the radius."""
+    slope, depth, jx, jy = run.slope, run.depth, run.jx, run.jy
+    e0, e1, e2, ew, l0, l1, l2, wl, el, ambient = capsule
+    zero, one = np.float32(0.0), np.float32(1.0)
+    for k in range(len(lit)):
+        x, y, z = slope[2 * k] + jx, slope[2 * k + 1] + jy, depth[k]
+        share = min(max(ew + z * (e0 * x + e1 * y + e2), zero), one)
+        lit[k] = ambient + max(wl + z * (l0 * x + l1 * y + l2) - share * el, zero)
 
 
 @kernel(fastmath=True, inline="always")
-def _around(y: float, z: float, my: float, mz: float) -> float:
-    """Arc from the marker's middle to the point, both at the marker's distance from the bone."""
-    rho = np.sqrt(my * my + mz * mz)
-    angle = np.arctan2(my * z - mz * y, my * y + mz * z)
-    return rho * angle
+def _light_box(run: Run, solids: Solids, i: int, lamp: Light, lit: Written[Float32Vector]) -> None:
+    """As `_light_capsule`, of box i: a point lies on the face that it is least within."""
+    R, centre, half, light, eye = solids.box_R, solids.centre, solids.half, lamp.direction, run.eye
+    for k in range(len(lit)):
+        z = run.depth[k]
+        d0 = eye[0] + z * (run.slope[2 * k] + run.jx) - centre[i, 0]
+        d1 = eye[1] + z * (run.slope[2 * k + 1] + run.jy) - centre[i, 1]
+        d2 = eye[2] + z - centre[i, 2]
+        best, cosine = -1e9, 0.0
+        for c in range(3):
+            x = R[i, 0, c] * d0 + R[i, 1, c] * d1 + R[i, 2, c] * d2
+            if abs(x) - half[i, c] > best:
+                best = abs(x) - half[i, c]
+                cosine = R[i, 0, c] * light[0] + R[i, 1, c] * light[1] + R[i, 2, c] * light[2]
+                cosine = cosine if x > 0 else -cosine
+        lit[k] = lamp.ambient + (1 - lamp.ambient) * max(cosine, 0.0)
 
 
 @kernel
@@ -182,16 +203,31 @@ def develop(
 
     noise (n, m, 3) is a tile of unit scale already multiplied; shift (2,) is where in it to begin.
     """
-    rows, columns = noise.shape[0], noise.shape[1]
+    rows, columns, width = noise.shape[0], noise.shape[1], total.shape[1]
+    light, grain, image = total.reshape(-1), noise.reshape(-1), out.reshape(-1)
     share = np.float32(1.0 / exposures)
     for v in range(total.shape[0]):
-        row = (v + shift[0]) % rows
-        column = shift[1] % columns
-        for u in range(total.shape[1]):
-            for c in range(3):
-                value = total[v, u, c] * share + noise[row, column, c] + np.float32(0.5)
-                value = min(max(value, np.float32(0.0)), np.float32(255.0))
-                out[v + corner[0], u + corner[1], c] = np.uint8(value)
-            column += 1
-            if column == columns:
-                column = 0
+        tile = 3 * ((v + shift[0]) % rows) * columns
+        to = 3 * ((v + corner[0]) * out.shape[1] + corner[1])
+        begin = 0
+        while begin < width:
+            column = (begin + shift[1]) % columns
+            n = 3 * min(columns - column, width - begin)
+            row, at = 3 * (v * width + begin), to + 3 * begin
+            _round(
+                light[row : row + n],
+                share,
+                grain[tile + 3 * column : tile + 3 * column + n],
+                image[at : at + n],
+            )
+            begin += columns - column
+
+
+@kernel(inline="always")
+def _round(
+    light: Float32Vector, share: np.float32, grain: Float32Vector, out: Written[ByteVector]
+) -> None:
+    """Of a part of a row, all channels one behind the other."""
+    for k in range(len(out)):
+        value = light[k] * share + grain[k] + np.float32(0.5)
+        out[k] = np.uint8(np.int32(min(max(value, np.float32(0.0)), np.float32(255.0))))

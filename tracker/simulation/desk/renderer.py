@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from tracker.clock import nanoseconds
 from tracker.errors import ConfigError
 from tracker.messages import Array, IntArray, StereoFrame
-from tracker.simulation.camera_view import pixels_of, ray_map
+from tracker.simulation.camera_view import pitch_of, pixels_of, ray_map
 from tracker.simulation.desk.ground import REFERENCE, Desk, desk_pose
 from tracker.simulation.desk.lights import light_of, linear
 from tracker.simulation.desk.sensor import develop, leaked, sensor_of, through_jpeg
@@ -49,12 +50,14 @@ class DeskParams:
 
 
 class _View(NamedTuple):
-    """One of the two cameras, what it sees of the desk, all of that together, and ``light``: the
-    same with the hand over it while an image is drawn; ``drawn``: images of the desk alone."""
+    """One of the two cameras, its rays and how far they are apart, what it sees of the desk, all of
+    that together, and ``light``: the same with the hand over it while an image is drawn; ``drawn``:
+    images of the desk alone."""
 
     camera: Camera
     eye: Array
     rays: NDArray[np.float32]
+    pitch: float
     ground: GroundLight
     whole: NDArray[np.float32]
     light: NDArray[np.float32]
@@ -137,7 +140,7 @@ class DeskRenderer:
         ground, whole = GroundLight(lamp, rest, seen.depth), lamp + rest
         rng = rng_for(self.scene.seed, "backgrounds")
         drawn = [self._developed(whole, rng) for _ in range(self.params.backgrounds)]
-        return _View(camera, eye, rays, ground, whole, whole.copy(), drawn)
+        return _View(camera, eye, rays, pitch_of(rays), ground, whole, whole.copy(), drawn)
 
     def _through_lens(self, light: Array) -> NDArray[np.float32]:
         blurred = cv2.GaussianBlur(leaked(light, self.light.leak), (0, 0), 1.3 * self.light.blur_px)
@@ -156,13 +159,17 @@ class DeskRenderer:
         left, right = self.images(t)
         return left, right
 
-    def images(self, t: float) -> tuple[Image, ...]:
-        """That of each camera that there is, (h, w, 3) uint8 BGR, the left one first."""
+    def images(self, t: float, into: Sequence[Image] | None = None) -> tuple[Image, ...]:
+        """That of each camera that there is, (h, w, 3) uint8 BGR, the left one first; drawn
+        ``into`` these where there are any."""
         p, ns = self.params, nanoseconds(t)
         moments = moments_of(self.scene, t, p.shutter, min(p.exposures, len(JITTER_PX)), 1)
         shadow = self._shadow(moments[len(moments) // 2])
         rng = rng_for(self.scene.seed, "image", ns % 2**32, ns // 2**32)
-        return tuple(self._image(view, moments, shadow, rng) for view in self._views)
+        drawn = tuple(self._image(view, moments, shadow, rng) for view in self._views)
+        for image, own in zip(into or (), drawn, strict=into is not None):
+            image[:] = own
+        return drawn
 
     def _shadow(self, now: Instant) -> tuple[CastShadow, Array]:
         """What the hand keeps from the lamp, and points around its shadow on the desk."""
@@ -215,7 +222,7 @@ class DeskRenderer:
             return NOWHERE
         corner = np.array([v0, u0], np.int64)
         base = np.empty((v1 - v0, u1 - u0, 3), np.float32)
-        rays = PixelRays(view.rays, np.zeros(2), view.eye, corner)
+        rays = PixelRays(view.rays, view.pitch, np.zeros(2), view.eye, corner)
         shaded_ground(rays, view.ground, shadow[0], base)
         view.light[v0:v1, u0:u1] = base
         return _Box(int(u0), int(v0), int(u1), int(v1))
@@ -242,7 +249,7 @@ class DeskRenderer:
         buffer = Buffer(np.empty(size, np.float32), np.empty(size, np.int16))
         corner = np.array([v0, u0], np.int64)
         for k, (now, pixels) in enumerate(zip(moments, boxes, strict=True)):
-            rays = PixelRays(view.rays, JITTER_PX[k] / self._K[:2], view.eye, corner)
+            rays = PixelRays(view.rays, view.pitch, JITTER_PX[k] / self._K[:2], view.eye, corner)
             draw(rays, pixels, now.solids, buffer)
             patches = self._patches._replace(position=now.markers[self._order])
             shade_knit(rays, buffer, now, self._cloth(now), patches, around, total)

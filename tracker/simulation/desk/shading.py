@@ -19,7 +19,7 @@ from tracker.kernels.arrays import (
 )
 from tracker.simulation.desk.shadow import CastShadow, lit_share
 from tracker.simulation.raster import Buffer, PixelRays
-from tracker.simulation.shading import SewnPatches, patch_at
+from tracker.simulation.sewn import SewnPatches, patch_at
 from tracker.simulation.solids import Instant
 
 GRAIN_TEXEL = 0.0004  # m
