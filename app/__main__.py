@@ -13,15 +13,17 @@ WINDOW = {
     "--devices": ["--devices"],
 }
 
+OF_COMMANDS = ("--help", "--version")
+
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """No word, ``demo``, ``devices`` or a session opens the window; other words are commands.
+    """No word, ``demo``, ``devices``, a session or an option opens the window; others are commands.
 
     Qt is imported for the window, and for ``remote`` that talks to it, so that ``glovetrack info``
     starts at once.
     """
     words = list(sys.argv[1:] if argv is None else argv)
-    if not words or words[0] in WINDOW or words[0].endswith(".mcap"):
+    if not words or words[0] in WINDOW or _is_windows(words[0]):
         from app.window.start import open_window
 
         return open_window([*WINDOW.get(words[0], words[:1]), *words[1:]] if words else [])
@@ -32,6 +34,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     from tracker.cli import main as run_command
 
     return run_command(words)
+
+
+def _is_windows(word: str) -> bool:
+    """A session, or an option that no command has before its name, as ``--remote udp``."""
+    return word.endswith(".mcap") or (word.startswith("--") and word not in OF_COMMANDS)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QInputDialog, QMainWindow, QMenu
 
 from app.storage.settings import SettingsStore
+from app.widgets.question import answer
 from app.window.commands import Command, Commands
 from app.window.layouts import (
     JOBS,
@@ -155,9 +156,9 @@ class LayoutKeeper(QObject):
 
     def _ask_name(self) -> None:
         title = self.tr("Keep this layout")
-        name, ok = QInputDialog.getText(self._window, title, self.tr("Name of the layout"))
-        if ok:
-            self.keep(name.strip())
+        name = answer(self._window, title, self.tr("Name of the layout"))
+        if name:
+            self.keep(name)
 
     def _ask_which(self, title: str) -> str:
         """One of the kept layouts; empty for none."""
@@ -173,11 +174,9 @@ class LayoutKeeper(QObject):
         name = self._ask_which(self.tr("Rename a layout"))
         if name:
             title = self.tr("Rename {}").format(name)
-            other, ok = QInputDialog.getText(
-                self._window, title, self.tr("Name of the layout"), text=name
-            )
-            if ok:
-                self.rename(name, other.strip())
+            other = answer(self._window, title, self.tr("Name of the layout"), name)
+            if other:
+                self.rename(name, other)
 
     def _ask_delete(self) -> None:
         name = self._ask_which(self.tr("Delete a layout"))

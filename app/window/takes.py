@@ -6,14 +6,15 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer
-from PySide6.QtWidgets import QInputDialog, QWidget
+from PySide6.QtCore import QElapsedTimer, QObject, QTimer
+from PySide6.QtWidgets import QWidget
 
 from app.engines.engine_host import EngineHost
 from app.jobs.take_check import check_job
 from app.panels.library.panel import LibraryPanel
 from app.platform.tasks import RunningJob, TaskOwner
 from app.viewmodels.takes import TakeReport, missing_text, rename, report_text
+from app.widgets.question import question
 from app.window.message_bar import MessageBar
 from app.words import told
 from tracker.errors import GlovetrackError
@@ -101,7 +102,7 @@ class Takes(QObject):
     def ask_note(self) -> None:
         """The note is of the instant at which it is begun, not of that at which it is written."""
         t = self._host.notes.now()
-        dialog = self._question(self.tr("Note"), self.tr("What happened?"))
+        dialog = question(self._window, self.tr("Note"), self.tr("What happened?"))
         dialog.textValueSelected.connect(lambda text: self._note(text.strip(), t))
         dialog.open()
 
@@ -109,19 +110,12 @@ class Takes(QObject):
         if text:
             self._host.notes.add(text, t)
 
-    def _question(self, title: str, words: str) -> QInputDialog:
-        dialog = QInputDialog(self._window)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setWindowTitle(title)
-        dialog.setLabelText(words)
-        return dialog
-
     # --- another name
 
     def _ask_name(self, report: TakeReport) -> None:
         title = self.tr("Rename {}").format(report.path.name)
-        dialog = self._question(title, self.tr("Name of the recording"))
-        dialog.setTextValue(report.path.stem)
+        words = self.tr("Name of the recording")
+        dialog = question(self._window, title, words, report.path.stem)
         dialog.textValueSelected.connect(lambda name: self.rename(report, name))
         dialog.open()
 

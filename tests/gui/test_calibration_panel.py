@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, models, scripted_setup, simulation
-from PySide6.QtWidgets import QFileDialog, QInputDialog
+from PySide6.QtWidgets import QFileDialog
 
 from app.storage.wearers import WearerStore
 from app.viewmodels.calibration import calibration_view
@@ -146,7 +146,7 @@ def test_a_profile_told_on_the_command_line_is_worn_from_the_start(
 
 
 def test_a_wearer_comes_back_after_a_restart(panel, store, qtbot, monkeypatch):
-    monkeypatch.setattr(QInputDialog, "getText", lambda *_, **__: ("Anna B.", True))
+    monkeypatch.setattr("app.panels.calibration.wearer_row.answer", lambda *_: "Anna B.")
     action(panel.wearer.save_button.menu(), "Save as…").trigger()
     qtbot.waitUntil(lambda: panel.wearer.name == "Anna B", timeout=30_000)
     panel.window().close()

@@ -8,7 +8,7 @@ import shutil
 
 import pytest
 from PySide6.QtCore import QObject, Qt, QUrl, Slot
-from PySide6.QtGui import QDesktopServices
+from PySide6.QtGui import QDesktopServices, QFontMetrics
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QInputDialog
 
 from app.jobs.export import DONE, ExportRequest, free_target
@@ -128,6 +128,29 @@ def test_a_session_gets_another_name_with_its_tags(library, window, folder, qtbo
     assert not (folder / "P02_pinch.mcap").exists()
     library.files.rename(folder / "P01_fist.mcap", "P01_pinch")
     assert "is there already" in window.banner.text()
+
+
+def test_who_gets_another_name_stays_chosen_and_who_goes_has_no_heir(library, folder, qtbot):
+    """Tags and the bin would go to another session otherwise."""
+    select(library, "P02_pinch")
+    library.files.rename(folder / "P02_pinch.mcap", "Z9_last")
+    qtbot.waitUntil(lambda: shown(library) == {"P01_fist", "P01_pinch", "Z9_last"}, timeout=20_000)
+    assert [row.name for row in library.table.selected()] == ["Z9_last"]
+    (folder / "Z9_last.mcap").unlink()
+    library.rescan()
+    qtbot.waitUntil(lambda: shown(library) == {"P01_fist", "P01_pinch"}, timeout=20_000)
+    assert library.table.selected() == []
+
+
+def test_the_title_of_a_question_can_be_read(library, window, folder):
+    """Frames write it in bold, between an icon and their buttons."""
+    library.files.ask_name(folder / "P01_pinch.mcap")
+    dialog = window.findChild(QInputDialog)
+    font = dialog.font()
+    font.setBold(True)
+    room = dialog.width() - QFontMetrics(font).horizontalAdvance("Rename P01_pinch.mcap")
+    dialog.reject()
+    assert room >= 150
 
 
 def test_the_bin_takes_a_session_and_its_tags(library, window, folder, qtbot, monkeypatch):

@@ -60,3 +60,15 @@ def test_a_word_that_is_no_stream_is_wrong_usage(capsys):
         main(["--demo", "--stream", "ros"])
     assert ended.value.code == 2
     assert "There is no stream 'ros'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("word", ["--remote", "--stream", "--wearer", "--headless-report"])
+def test_an_option_of_the_window_opens_it_without_another_word(monkeypatch, word):
+    """As the guide to remote control writes it; ``--help`` and ``--version`` are the commands'."""
+    opened = []
+    monkeypatch.setattr("app.window.start.open_window", lambda words: opened.append(words) or 0)
+    assert main([word, "x"]) == 0
+    assert opened == [[word, "x"]]
+    with pytest.raises(SystemExit):
+        main(["--version"])
+    assert len(opened) == 1

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from app.viewmodels.worn_calibration import HAND_MM
 from app.widgets.one_line import OneLine
+from app.widgets.question import answer
 
 PATTERN = "*.toml"
 USUAL_MM = 185.0
@@ -114,11 +115,10 @@ class WearerRow(OneLine):
 
     def ask_name(self) -> None:
         """A name for what has been learned."""
-        text, ok = QInputDialog.getText(
-            self, self.tr("Save the calibration"), self.tr("Who wears the glove?"), text=self.name
-        )
-        if ok and text.strip():
-            self.save.emit(text.strip())
+        title, words = self.tr("Save the calibration"), self.tr("Who wears the glove?")
+        text = answer(self, title, words, self.name)
+        if text:
+            self.save.emit(text)
 
     def ask_export(self) -> None:
         """Where to write what has been learned."""

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QInputDialog, QLabel, QPushButton, QWidget
+from PySide6.QtCore import QSignalBlocker
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QWidget
 
 from app.storage.settings import SettingsStore
 from app.viewmodels.export_choice import ExportChoice, choice_from
+from app.widgets.question import question
 
 LONGEST = 60  # characters of a name
 
@@ -57,11 +58,8 @@ class Presets(QWidget):
             self._show(choice_from(self._store.value.export_presets.get(name)))
 
     def _ask_name(self) -> None:
-        dialog = QInputDialog(self)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setWindowTitle(self.tr("Keep these formats and options"))
-        dialog.setLabelText(self.tr("Name of the preset"))
-        dialog.setTextValue(self.box.currentData() or "")
+        title, words = self.tr("Keep these formats and options"), self.tr("Name of the preset")
+        dialog = question(self, title, words, self.box.currentData() or "")
         dialog.textValueSelected.connect(self.keep)
         dialog.open()
 

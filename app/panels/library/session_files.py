@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from PySide6.QtCore import QFile, QObject, Qt, QUrl, Signal
+from PySide6.QtCore import QFile, QObject, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QInputDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from app.engines.engine_host import EngineHost
 from app.jobs.crop import crop_job
@@ -17,6 +17,7 @@ from app.platform.tasks import TaskOwner
 from app.storage.session_tags import read_tags, tags_of_text, tags_path, write_tags
 from app.viewmodels.recording import duration_text
 from app.viewmodels.takes import rename
+from app.widgets.question import question
 from app.words import tr
 from tracker.errors import FileError, GlovetrackError
 
@@ -25,6 +26,7 @@ class SessionFiles(QObject):
     """Asks and does it; ``changed`` when the folder is another one now."""
 
     changed = Signal()
+    renamed = Signal(object)  # the new Path
     made = Signal(object, str)  # the Path of a new session, and a sentence about it
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
@@ -32,7 +34,8 @@ class SessionFiles(QObject):
         self._host, self._tasks, self._window = host, tasks, parent
 
     def ask_name(self, path: Path) -> None:
-        dialog = self._question(self.tr("Rename {}").format(path.name), self.tr("Name"), path.stem)
+        title = self.tr("Rename {}").format(path.name)
+        dialog = question(self._window, title, self.tr("Name"), path.stem)
         dialog.textValueSelected.connect(lambda name: self.rename(path, name))
         dialog.open()
 
@@ -42,21 +45,13 @@ class SessionFiles(QObject):
         title = self.tr("Tags of {}").format(paths[0].name)
         if len(paths) > 1:
             title = self.tr("Tags of {} sessions").format(len(paths))
-        dialog = self._question(title, words, ", ".join(read_tags(paths[0])))
+        dialog = question(self._window, title, words, ", ".join(read_tags(paths[0])))
         dialog.textValueSelected.connect(lambda text: self.tag(paths, text))
         dialog.open()
 
-    def _question(self, title: str, words: str, text: str) -> QInputDialog:
-        dialog = QInputDialog(self._window)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setWindowTitle(title)
-        dialog.setLabelText(words)
-        dialog.setTextValue(text)
-        return dialog
-
     def rename(self, path: Path, name: str) -> None:
-        """Give it another name in its folder."""
-        self._try(lambda: rename(self._free(path), name))
+        """Give it another name in its folder; it stays the one that is chosen."""
+        self._try(lambda: self.renamed.emit(rename(self._free(path), name)))
 
     def tag(self, paths: Sequence[Path], text: str) -> None:
         """Put these words on all of them, instead of those they had."""

@@ -109,7 +109,8 @@ class SessionTable(QTableWidget):
         if again:
             self._coming = set()
         seen = [i for i in range(len(rows)) if not self.isRowHidden(i)]
-        self._select(again or seen[:1])
+        # the one that has gone has no heir: the next key or button would be for another session
+        self._select(again if before else seen[:1])
         if called and again:
             self._bring_in_sight(again[0])
 

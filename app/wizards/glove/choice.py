@@ -7,7 +7,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
     QHBoxLayout,
-    QInputDialog,
     QLabel,
     QPushButton,
     QVBoxLayout,
@@ -16,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from app.storage.bound_gloves import BoundGlove, bound
 from app.storage.settings import AppSettings
+from app.widgets.question import answer
 from app.words import told, tr
 from tracker import library
 from tracker.errors import GlovetrackError
@@ -153,9 +153,9 @@ class ChoicePage(QWidget):
 
     def _ask_port(self) -> None:
         words = self.tr("A port that is not on USB, such as /dev/rfcomm0 or COM7:")
-        path, ok = QInputDialog.getText(self, self.tr("Other port"), words)
-        if ok and path.strip():
-            self.add_port(path.strip())
+        path = answer(self, self.tr("Other port"), words)
+        if path:
+            self.add_port(path)
 
     def add_port(self, path: str) -> None:
         """Offer and choose a port that nobody asked yet."""
