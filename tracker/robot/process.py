@@ -16,6 +16,7 @@ from tracker.hand.model import HandModel
 from tracker.messages import Estimate, RobotModel, RobotState
 from tracker.robot.command import RobotCommand
 from tracker.robot.settings import RobotSettings
+from tracker.urgency import run_soon
 
 if TYPE_CHECKING:
     from tracker.robot.driver import Said
@@ -129,6 +130,7 @@ class RobotProcess:
             self._pipe.send(item)
 
     def _receive(self) -> None:
+        run_soon()
         while True:
             try:
                 answer = self._pipe.recv()
@@ -152,6 +154,7 @@ def serve(
     pipe: Connection, settings: RobotSettings, hand: HandModel, keypoint_names: tuple[str, ...]
 ) -> None:
     """Runs in the process until it is told to end, or who began it has gone."""
+    run_soon()
     try:
         server = _Server(settings, hand, keypoint_names)
     except GlovetrackError as error:
