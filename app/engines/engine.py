@@ -195,7 +195,7 @@ class EngineSetup:
     guide: PoseGuide | None = None  # tells the engine of guided poses
     followed: FollowedHand | None = None  # of a live engine
     right_of_way: RightOfWay | None = None  # of a live engine, to be given by what paints
-    vibrate: Callable[[int, int, int], None] | None = None  # channel, amplitude 0..255, ms
+    vibrate: Callable[[int, int, int], bool] | None = None  # channel, amplitude 0..255, ms
     glove_id: int | None = None  # the number by which it is known again
     has_glove: bool = True
     has_camera: bool = True

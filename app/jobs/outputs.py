@@ -211,5 +211,5 @@ class Outputs(Connections):
 
 def _haptic(setup: EngineSetup, sphere: Sphere) -> Publisher:
     """A glove without motors feels nothing."""
-    vibrate = setup.vibrate or (lambda channel, amplitude, duration_ms: None)
+    vibrate = setup.vibrate or (lambda channel, amplitude, duration_ms: False)
     return HapticPublisher(Names.of(setup.hand, setup.glove), [sphere], vibrate)

@@ -153,7 +153,9 @@ class RemoteAnswers(QObject):
         if not self._motors[request.finger].take(request.t):
             limit = f"A motor takes at most {MOTOR_HZ:.0f} requests a second."
             return Reply(False, request.do, limit)
-        setup.vibrate(MOTORS.index(request.finger), request.amplitude, request.duration_ms)
+        motor = MOTORS.index(request.finger)
+        if not setup.vibrate(motor, request.amplitude, request.duration_ms):
+            return Reply(False, request.do, "The glove's line has no room; the motor was not told.")
         return Reply(True, request.do, f"The {request.finger} vibrates.")
 
     def _contact(self, request: Request) -> Reply:

@@ -103,7 +103,7 @@ def test_motors_are_told_of_changes_and_rest_when_let_go() -> None:
     told: list[tuple[int, int, int]] = []
     events: list[Event] = []
     now = [5.0]
-    sink = MotorSink(lambda *args: told.append(args), lambda: now[0], events.append)
+    sink = MotorSink(lambda *args: told.append(args) is None, lambda: now[0], events.append)
     command = MotorCommand("middle_tip", 0.5)
     for k in range(5):
         sink.take([command], 0.005 * k)
@@ -126,12 +126,29 @@ def test_three_pulls_make_the_push() -> None:
         made = pulls(MotorCommand("index_tip", strength, (x, y, z), 3))
         assert made @ PULLS == pytest.approx(wanted)
     told: list[tuple[int, int, int]] = []
-    sink = MotorSink(lambda *args: told.append(args), lambda: 0.0)
+    sink = MotorSink(lambda *args: told.append(args) is None, lambda: 0.0)
     sink.take([MotorCommand("index_tip", 1.0, (0.0, 0.0, 1.0), 3)], 0.0)
     assert [t[0] for t in told] == [THREE + 3, THREE + 4, THREE + 5]
     assert len({t[1] for t in told}) == 1  # straight on: all alike
     sink.close()
     assert [t[1] for t in told[3:]] == [0, 0, 0]
+
+
+def test_what_a_motor_did_not_hear_is_told_with_the_next_sample_and_no_event_before() -> None:
+    room = [False]
+    events: list[Event] = []
+    sink = MotorSink(lambda *_: room[0], lambda: 5.0, events.append)
+    command = MotorCommand("middle_tip", 0.5)
+    sink.take([command], 0.0)
+    assert not events
+    room[0] = True
+    sink.take([command], 0.005)
+    assert [e.data["of"] for e in events] == [0.005]
+    room[0] = False
+    sink.take([], 0.01)  # it still runs
+    room[0] = True
+    sink.take([], 0.015)
+    assert [(e.data["of"], e.data["amplitude"]) for e in events[1:]] == [(0.015, 0)]
 
 
 @pytest.mark.parametrize("kind", ["stl", "obj"])

@@ -147,7 +147,7 @@ def test_osc_and_web_socket_control_it_too(window, engine, qtbot):
 
 def test_a_finger_vibrates_and_not_too_often(window, engine, qtbot):
     buzzed = []
-    setup = replace(scripted_setup(engine), vibrate=lambda *command: buzzed.append(command))
+    setup = replace(scripted_setup(engine), vibrate=lambda *command: buzzed.append(command) is None)
     window.host.adopt(setup)
     line = json.dumps({"do": "vibrate", "finger": "middle", "amplitude": 90, "duration_ms": 40})
     assert json.loads(window.remote.answers.answer_line(line))["ok"]
@@ -163,7 +163,9 @@ def test_a_contact_is_felt_while_it_lasts_and_stands_in_the_session(window, engi
     buzzed, kept = [], []
     followed = SimpleNamespace(follow=lambda follower: None, record=kept.append)
     setup = replace(
-        scripted_setup(engine), vibrate=lambda *command: buzzed.append(command), followed=followed
+        scripted_setup(engine),
+        vibrate=lambda *command: buzzed.append(command) is None,
+        followed=followed,
     )
     window.host.adopt(setup)
 
@@ -189,7 +191,7 @@ def test_contacts_and_vibration_come_by_osc_and_by_web_socket(window, engine, qt
     from websockets.sync.client import connect
 
     buzzed = []
-    setup = replace(scripted_setup(engine), vibrate=lambda *command: buzzed.append(command))
+    setup = replace(scripted_setup(engine), vibrate=lambda *command: buzzed.append(command) is None)
     window.host.adopt(setup)
     osc, web = open_at(window, qtbot, "osc"), open_at(window, qtbot, "websocket")
 

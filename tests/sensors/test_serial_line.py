@@ -161,7 +161,7 @@ def test_a_motor_command_does_not_wait_for_a_line_that_is_full() -> None:
         assert port.write_now(b"x") == 1
         termios.tcflow(port.fd, termios.TCOOFF)  # as a full line, which here empties by itself
         assert port.write_now(b"x") == 0
-        write_now(port, b"buzz")
+        assert not write_now(port, b"buzz")
     finally:
         port.close()
         os.close(slave)

@@ -30,8 +30,8 @@ LASTS_MS = 60  # a motor that hears no more stops by itself
 AGAIN = 0.03  # s after which it is told the same again
 STEP = 8  # of 255: a change that is told at once
 
-Vibrate = Callable[[int, int, int], None]
-"""channel, amplitude 0..255, duration in ms."""
+Vibrate = Callable[[int, int, int], bool]
+"""channel, amplitude 0..255, duration in ms; whether the motor was told."""
 
 
 @dataclass
@@ -78,7 +78,8 @@ class MotorSink:
         )
         if not changes and not (amplitude and t - motor.told >= AGAIN):
             return
-        self._vibrate(channel, amplitude, LASTS_MS if amplitude else 1)
+        if not self._vibrate(channel, amplitude, LASTS_MS if amplitude else 1):
+            return  # the next sample tells it again
         motor.amplitude, motor.told = amplitude, t
         data: dict[str, object] = {"channel": channel, "amplitude": amplitude, "of": t}
         if changes:

@@ -14,7 +14,7 @@ LEAST_FORCE, MOST_FORCE = 0.1, 8.0  # N: felt at all, and felt most
 LEAST, MOST = 60, 255  # amplitudes: a motor turns, and turns fastest
 SUDDEN = 1.5  # times the force told last: told at once
 
-Vibrate = Callable[[int, int, int], None]
+Vibrate = Callable[[int, int, int], object]
 """Channel of the motor (thumb 0), amplitude 0..255, ms."""
 
 

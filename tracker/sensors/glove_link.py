@@ -173,18 +173,19 @@ class GloveLink:
             self._unplugged(error)
         return [*out, *self._words.take()]
 
-    def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> None:
-        """Let a motor run; nothing happens while the glove is away. From any thread: it waits for
-        nobody, and where the line has no room the motor hears nothing."""
+    def vibrate(self, channel: int, amplitude: int, duration_ms: int) -> bool:
+        """Let a motor run; whether it was told. It is not while the glove is away, nor where the
+        line has no room: this waits for nobody. From any thread."""
         if not self._writing.acquire(timeout=MOMENT):
-            return
+            return False
         try:
             if self._port is not None:
-                write_now(self._port, encode(Haptic(channel, amplitude, duration_ms)))
+                return write_now(self._port, encode(Haptic(channel, amplitude, duration_ms)))
         except (serial.SerialException, OSError) as error:
             self._write_error = error
         finally:
             self._writing.release()
+        return False
 
     def close(self) -> None:
         """Stop the stream and free the port. May be called again."""

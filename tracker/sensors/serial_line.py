@@ -104,13 +104,13 @@ def read_waiting(port: Port, timeout: float) -> bytes:
     )
 
 
-def write_now(port: Port, data: bytes) -> None:
-    """As much as the line has room for: what is told again soon must not be waited for. Raises
-    OSError."""
+def write_now(port: Port, data: bytes) -> bool:
+    """As much as the line has room for: what is told again soon must not be waited for. Whether
+    that was all. Raises OSError."""
     if isinstance(port, SerialPort):
-        port.write_now(data)
-    else:
-        port.write(data)
+        return port.write_now(data) == len(data)
+    port.write(data)
+    return True
 
 
 def _read_waiting(port: Port, timeout: float) -> bytes:

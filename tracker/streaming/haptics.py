@@ -12,7 +12,7 @@ from tracker.hand.names import CHAINS
 from tracker.messages import Array, Estimate, Validity
 from tracker.streaming.publisher import Names
 
-Vibrate = Callable[[int, int, int], None]
+Vibrate = Callable[[int, int, int], object]
 """channel, amplitude 0..255, duration in ms: `tracker.sensors.glove_link.GloveLink.vibrate`."""
 
 
