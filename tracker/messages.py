@@ -115,19 +115,36 @@ class StereoFrame(_Frozen):
     index: int = -1
 
 
+@record("cloth")
+@dataclass(frozen=True, eq=False, slots=True)
+class Cloth(_Frozen):
+    """Where an image shows the glove's own colours around its blobs, every second pixel.
+
+    tile (n,) numbers of squares of 16 px, row by row, ``columns`` in each of ``rows``; bits (n,):
+    bit 8 y + x is set where the pixel 2 x, 2 y of the tile has such a colour.
+    """
+
+    columns: int
+    rows: int
+    tile: IntArray
+    bits: IntArray
+
+
 @record("blobs")
 @dataclass(frozen=True, eq=False, slots=True)
 class Blobs(_Frozen):
     """Coloured blobs found in one image, in pixels of the image as recorded.
 
     uv (n, 2) centroids, size (n, 2) extents, hue (n,) index into ``hue_names`` of the frame,
-    score (n,) in 0..1.
+    score (n,) in 0..1. ``cloth`` is None where no image was searched, or with colours that do not
+    know the glove's cloth.
     """
 
     uv: Array
     size: Array
     hue: IntArray
     score: Array
+    cloth: Cloth | None = None
 
     @staticmethod
     def empty() -> Blobs:

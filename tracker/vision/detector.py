@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import threading
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -18,6 +18,7 @@ from tracker.errors import GlovetrackError
 from tracker.kernels.arrays import Int32Matrix
 from tracker.messages import Array, BlobFrame, Blobs, IntArray, RejectedBlobs, StereoFrame
 from tracker.vision import search
+from tracker.vision.cloth import cloth_around
 from tracker.vision.colours import ColourProfile
 from tracker.vision.components import Scan, run_buffer
 from tracker.vision.hue_table import hue_table
@@ -110,9 +111,26 @@ class Detector:
 
         With ``hints`` only what they stand for is looked for.
         """
-        pixels = _checked(image)
-        if self.profile.learned is not None and self.profile.learned.smoothing_px:
-            pixels = smoothed(pixels, self.profile.learned.smoothing_px)
+        return self._find(self._calmed(image), hints)
+
+    def detect_worn(
+        self, image: Image, hints: DetectionHints | None = None
+    ) -> tuple[Blobs, RejectedBlobs]:
+        """The same, with the glove's cloth around the blobs where the colours know it."""
+        pixels = self._calmed(image)
+        blobs, rejected = self._find(pixels, hints)
+        if self.profile.learned is not None:
+            blobs = replace(blobs, cloth=cloth_around(pixels, self._table, blobs))
+        return blobs, rejected
+
+    def _calmed(self, image: Image) -> Image:
+        """The image as its colours were learned."""
+        pixels, learned = _checked(image), self.profile.learned
+        if learned is not None and learned.smoothing_px:
+            pixels = smoothed(pixels, learned.smoothing_px)
+        return pixels
+
+    def _find(self, pixels: Image, hints: DetectionHints | None) -> tuple[Blobs, RejectedBlobs]:
         height, width = pixels.shape[:2]
         extent = int(LARGE * self._limits.longest)
         visited, mark = self._scratch.visited(height, width, len(self.profile.hue_names))
@@ -166,7 +184,7 @@ def detect_frame(
     sides: list[Blobs | None] = []
     rejected: list[RejectedBlobs | None] = []
     for k, image in enumerate((frame.left, frame.right)):
-        found = None if image is None else detector.detect(image, hints[k] if hints else None)
+        found = None if image is None else detector.detect_worn(image, hints[k] if hints else None)
         sides.append(found[0] if found else None)
         rejected.append(found[1] if found else None)
     return BlobFrame(

@@ -12,11 +12,13 @@ from tracker.fusion.chain.kinematics import (
     OriginJacobians,
     origin_jacobians,
     put_own,
+    segment_origins,
+    stretched,
 )
 from tracker.fusion.chain.layout import Blocks, ChainLayout, ChainSkeleton, Points
 from tracker.fusion.chain.state import Body, ChainState
 from tracker.geometry import so3
-from tracker.geometry.kernels import joint_angles3, mul3, rotate, rotate_all, tmul3
+from tracker.geometry.kernels import cross3, joint_angles3, mul3, rotate, rotate_all, tmul3
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolMatrix, IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
@@ -83,16 +85,18 @@ class EndsSureness:
         """Rows of the hand's segments that follow the estimated ones."""
         return tuple(d.segment for d in self._distal.digits)
 
-    def trust(self, own: Synergies) -> None:
-        """From now on with what is known of a wearer's synergies."""
-        self._ends = driven_ends(self._layout, self._distal, own)
-        self._own = OwnBends(np.array(own.value), np.array(own.P), self._distal.posture_sd)
+    def trust(self, own: Synergies, posture: Array | None = None) -> None:
+        """From now on with what is known of a wearer's synergies, and ``posture`` (d,) rad of what
+        each does by itself, else as people do."""
+        self.driven_ends = driven_ends(self._layout, self._distal, own)
+        posture = self._distal.posture_sd if posture is None else posture
+        self.own = OwnBends(np.array(own.value), np.array(own.P), posture)
 
     def __call__(self, state: ChainState) -> Array:
         """(A + d,) m: root of the mean variance over three axes."""
         lay = self._layout
         return sd_of_ends(
-            lay.skeleton, lay.R_rest, lay.blocks, state.body, lay.tips, self._ends, self._own,
+            lay.skeleton, lay.R_rest, lay.blocks, state.body, lay.tips, self.driven_ends, self.own,
             state.P,
         )  # fmt: skip
 
@@ -117,24 +121,102 @@ def sd_of_ends(
         k = _point_row(h, column, known, skeleton, at, body, ends, a)
         out[a] = np.sqrt(max(_trace(h, column, k, P) / 3.0, 0.0))
     for i in range(d):
-        bend, gradient = _bend(skeleton, R_rest, body, driven, own, i)
-        turned = _turned(skeleton, body, driven, bend, i)
-        x = rotate(driven.before[i], turned)
-        at_parent = driven.parent[i : i + 1], driven.origin[i : i + 1], x.reshape(1, 3)
-        k = _point_row(h, column, known, skeleton, at, body, Points(*at_parent), 0)
-        R = mul3(body.R_GB[driven.parent[i]], driven.before[i])
-        across = rotate(R, np.array([turned[2], 0.0, -turned[0]]))  # by flexion, about y
-        c = driven.source[i]
-        for r in range(3):
-            for j in range(3):
-                h[r, k + j] = across[r] * gradient[0, j]
-                h[r, k + 3 + j] = across[r] * gradient[1, j]
-        for j in range(3):
-            column[k + j] = at.theta + 3 * c + j
-            column[k + 3 + j] = at.theta + 3 * skeleton.parent[c] + j
-        total = _trace(h, column, k + 6, P) + ONE_WAY * _own_trace(own, i, bend, turned)
+        k, bend, turned = _driven_row(
+            h, column, known, (skeleton, R_rest), at, body, (driven, own), i
+        )
+        total = _trace(h, column, k, P) + ONE_WAY * _own_trace(own, i, bend, turned)
         out[n + i] = np.sqrt(max(total / 3.0, 0.0))
     return out
+
+
+@kernel(nogil=False)
+def driven_points(
+    skeleton: ChainSkeleton,
+    R_rest: Stack,
+    at: Blocks,
+    body: Body,
+    driven: DrivenEnds,
+    own: OwnBends,
+    p: Vector,
+    P: Matrix,
+) -> tuple[Stack, Stack, Stack, Matrix]:
+    """Of d driven segments: the joint and the end, ``length`` beyond it, in G (d, 2, 3) m; the
+    end's Jacobian (d, 3, 2) by flexion and aside, its covariance (d, 3, 3) m² by the state alone;
+    flexion (rad) of the driving joint and factor of the girth (d, 2)."""
+    known, origins = origin_jacobians(skeleton, at, body), segment_origins(skeleton, body, p)
+    d, room = len(driven.parent), known.value.shape[2] + BEYOND
+    points, J = np.empty((d, 2, 3)), np.empty((d, 3, 2))
+    C, drive = np.empty((d, 3, 3)), np.empty((d, 2))
+    h, column = np.empty((3, room)), np.empty(room, np.int64)
+    for i in range(d):
+        k, bend, turned = _driven_row(
+            h, column, known, (skeleton, R_rest), at, body, (driven, own), i
+        )
+        a = driven.parent[i]
+        x = rotate(driven.before[i], turned)
+        joint = origins[a] + rotate(body.R_GB[a], stretched(body.scale[a], driven.origin[i]))
+        points[i, 0], points[i, 1] = joint, joint + rotate(body.R_GB[a], x)
+        across = rotate(driven.before[i], np.array([turned[2], 0.0, -turned[0]]))
+        J[i, :, 0] = rotate(body.R_GB[a], across)
+        J[i, :, 1] = rotate(body.R_GB[a], cross3(driven.before[i, :, 2].copy(), x))
+        _put_covariance(C[i], h, column, k, P)
+        drive[i, 0], drive[i, 1] = bend[0], _girth(skeleton, body, a)
+    return points, J, C, drive
+
+
+@kernel
+def _driven_row(
+    h: Written[Matrix],
+    column: Written[IntVector],
+    known: OriginJacobians,
+    bones: tuple[ChainSkeleton, Stack],
+    at: Blocks,
+    body: Body,
+    ends: tuple[DrivenEnds, OwnBends],
+    i: int,
+) -> tuple[int, Vector, Vector]:
+    """Jacobian h (3, n) of a driven segment's end by the error states ``column``, in which one may
+    come twice; n, and what `_bend` and `_turned` give."""
+    (skeleton, R_rest), (driven, own) = bones, ends
+    bend, gradient = _bend(skeleton, R_rest, body, driven, own, i)
+    turned = _turned(skeleton, body, driven, bend, i)
+    x = rotate(driven.before[i], turned)
+    at_parent = driven.parent[i : i + 1], driven.origin[i : i + 1], x.reshape(1, 3)
+    k = _point_row(h, column, known, skeleton, at, body, Points(*at_parent), 0)
+    R = mul3(body.R_GB[driven.parent[i]], driven.before[i])
+    across = rotate(R, np.array([turned[2], 0.0, -turned[0]]))  # by flexion, about y
+    c = driven.source[i]
+    for r in range(3):
+        for j in range(3):
+            h[r, k + j] = across[r] * gradient[0, j]
+            h[r, k + 3 + j] = across[r] * gradient[1, j]
+    for j in range(3):
+        column[k + j] = at.theta + 3 * c + j
+        column[k + 3 + j] = at.theta + 3 * skeleton.parent[c] + j
+    return k + 6, bend, turned
+
+
+@kernel
+def _put_covariance(out: Written[Matrix], h: Matrix, column: IntVector, n: int, P: Matrix) -> None:
+    """out (3, 3) = h P h^T, as in `_trace`."""
+    out[:] = 0.0
+    for i in range(n):
+        for j in range(n):
+            p = P[column[i], column[j]]
+            for r in range(3):
+                for c in range(3):
+                    out[r, c] += h[r, i] * p * h[c, j]
+
+
+@kernel
+def _girth(skeleton: ChainSkeleton, body: Body, a: int) -> float:
+    """Mean factor of the digit's segments down from ``a``."""
+    total, many = 0.0, 0
+    while a > 0:
+        total += body.scale[a, 1]
+        many += 1
+        a = skeleton.parent[a]
+    return total / max(many, 1)
 
 
 @kernel

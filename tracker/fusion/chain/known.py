@@ -20,6 +20,7 @@ from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile, wear
 from tracker.fusion.chain.recognition import Recognition
 from tracker.fusion.chain.shown import ShownHand
+from tracker.fusion.chain.tip_bends import TipBends
 from tracker.messages import Array, Calibration
 from tracker.vision.rig import StereoRig
 
@@ -38,6 +39,7 @@ class Shows(NamedTuple):
 
     hand: ShownHand
     recognition: Recognition
+    tips: TipBends
 
 
 class KnownWearer:
@@ -98,10 +100,11 @@ class KnownWearer:
         return self._distal.gains(own), self._distal.aside(own)
 
     def show(self) -> None:
-        """Show the hand with the wearer's own synergies."""
-        gains, aside = self.synergies
+        """Show the hand with the wearer's own synergies, end joints as images show them."""
+        tips = self._shows.tips
+        gains, aside = tips.worn(*self.synergies)
         self._shows.hand.wear(gains, aside)
-        self._shows.hand.trust(self.guided.synergies)
+        self._shows.hand.trust(*tips.trusted(self.guided.synergies))
         self._shows.recognition.wear(gains, aside)
 
     def shown(self) -> Calibration:

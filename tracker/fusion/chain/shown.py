@@ -17,6 +17,7 @@ from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_u
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence, digit_of
 from tracker.fusion.chain.tracking import DOUBT_AFTER
+from tracker.fusion.output.completion import Completion
 from tracker.fusion.output.output import INFERRED, MEASURED, HandOutput, Sensed, sensed_lately
 from tracker.fusion.time.timeline import behind_variance
 from tracker.messages import (
@@ -57,9 +58,9 @@ class ShownHand:
 
     def __init__(self, layout: ChainLayout, noise: NoiseParams, distal: DistalSegments) -> None:
         self._layout, self._noise = layout, noise
-        self._ends = EndsSureness(layout, distal)
-        self._output = HandOutput(layout, self._ends.driven)
-        self._rows = len(layout.active) + len(self._ends.driven)
+        self.ends = EndsSureness(layout, distal)
+        self._output = HandOutput(layout, self.ends.driven)
+        self._rows = len(layout.active) + len(self.ends.driven)
         self._digit = digit_of(layout)
         markers, imus = len(layout.glove.markers), len(layout.glove.imus)
         self.kept = ShownKept(
@@ -68,19 +69,24 @@ class ShownHand:
             tip_sd=np.zeros(0),
         )
 
+    @property
+    def complete(self) -> Completion:
+        """The whole hand from the segments that are estimated, as it is shown."""
+        return self._output.complete
+
     def wear(self, gains: Array, aside: Array) -> None:
         """From now on with a wearer's own synergies, as `Completion.wear`."""
         self._output.complete.wear(gains, aside)
 
-    def trust(self, own: Synergies) -> None:
-        """From now on as sure of end joints as of these synergies."""
-        self._ends.trust(own)
+    def trust(self, own: Synergies, posture: Array) -> None:
+        """From now on as sure of end joints as of these synergies and (d,) rad beside them."""
+        self.ends.trust(own, posture)
 
     def restore(self, kept: ShownKept, state: ChainState) -> None:
         """Go on from what was kept of ``state``, which is taken over; older versions kept less."""
         self.kept = kept
         if 0 < len(kept.tip_sd) < self._rows:
-            self.kept.tip_sd = self._ends(state)
+            self.kept.tip_sd = self.ends(state)
 
     # ---- what was sensed
 
@@ -141,7 +147,7 @@ class ShownHand:
 
     def unsure(self, state: ChainState, pose: CameraPose, size_is_known: bool) -> None:
         """Take how sure each segment's end is; one camera alone does not know the distance."""
-        self.kept.tip_sd = self._ends(state)
+        self.kept.tip_sd = self.ends(state)
         if self.kept.one_camera:
             size_sd = KNOWN_SIZE_SD if size_is_known else SIZE_SD
             self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
@@ -170,7 +176,7 @@ class ShownHand:
     def aged(self, state: ChainState) -> None:
         """The filter has moved on without an image: take how sure it is now."""
         if not self.kept.one_camera:
-            self.kept.tip_sd = self._ends(state)
+            self.kept.tip_sd = self.ends(state)
 
     # ---- messages
 

@@ -19,6 +19,7 @@ from tracker.fusion.chain.start.mono_start import release_size
 from tracker.fusion.chain.start.start import Starter
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
+from tracker.fusion.chain.tip_bends import TipBends, TipBendsKept
 from tracker.fusion.chain.tracking import MANY_MARKERS, TrackingJudge, TrackingKept
 from tracker.fusion.time.imu_buffer import ImuBuffer, Intervals
 from tracker.messages import BlobFrame, FrameResult, ImuSample, Search, Tracking
@@ -37,6 +38,7 @@ class TrackerKept:
     wearer: WearerKept
     shown: ShownKept
     guided: GuidedKept = field(default_factory=GuidedKept)
+    tips: TipBendsKept = field(default_factory=TipBendsKept)
 
 
 class ChainTracker:
@@ -57,7 +59,8 @@ class ChainTracker:
         self._starter = Starter(layout, rig, params)
         distal = DistalSegments(layout, params.synergy)
         self.shown = ShownHand(layout, params.noise, distal)
-        shows = Shows(self.shown, self._recognition)
+        self._tips = TipBends(layout, rig, distal, self.shown)
+        shows = Shows(self.shown, self._recognition, self._tips)
         self.wearer = KnownWearer(layout, rig, params, self.filter, distal, shows)
         self._second = SecondLook(
             layout, self.filter, self._recognition, self._starter, params.match
@@ -121,6 +124,7 @@ class ChainTracker:
         enough = self._judge.is_enough(found.tally)
         if enough:
             self.shown.held(frame.t)
+            self._look_for_tips(image)
         self._judge.judge(frame.t, enough)
         likely = seen.is_likely and self._recognition.is_followed(image, found)
         sure = self._judge.support(frame.t, enough and likely)
@@ -140,6 +144,12 @@ class ChainTracker:
 
     def _correct(self, image: SeenImage, found: Recognised) -> None:
         self.filter.correct(self._recognition.rows(self.state, image, found))
+
+    def _look_for_tips(self, image: SeenImage) -> None:
+        """End joints bend as the glove's outline shows."""
+        own = self.wearer.guided.synergies
+        if self._tips.image(self.state, image.frame, image.pose, own):
+            self.wearer.show()
 
     def _search_again(self, image: SeenImage, found: Recognised) -> Recognised:
         """Move to a better pose where the images show one; else all stays as it is."""
@@ -186,7 +196,9 @@ class ChainTracker:
             return None
         # 2. Go on from there, with what is frozen.
         self.filter.adopt(started)
+        self._tips.forget()
         self.wearer.begun(known)
+        self.wearer.show()
         self._judge.started(frame.t)
         self._judge.found(frame.t, started.p)
         self.shown.started()
@@ -228,6 +240,7 @@ class ChainTracker:
             self.wearer.calibration.kept,
             self.shown.kept,
             self.wearer.guided.kept,
+            self._tips.kept,
         )
 
     def restore(self, kept: TrackerKept) -> None:
@@ -235,5 +248,6 @@ class ChainTracker:
         self.filter.kept, self._judge.kept = kept.filter, kept.tracking
         self._recognition.kept = kept.recognition
         self.wearer.calibration.kept, self.wearer.guided.kept = kept.wearer, kept.guided
+        self._tips.kept = kept.tips
         self.wearer.show()
         self.shown.restore(kept.shown, self.state)

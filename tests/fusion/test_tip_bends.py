@@ -1,0 +1,174 @@
+"""End joints that nothing senses, by outlines of fingertips that bend otherwise than expected."""
+
+import numpy as np
+import pytest
+
+from tests.fusion.guided.test_guided_rows import somehow
+from tracker.fusion.chain.distal import ASIDE, OFFSET, DistalSegments, Synergies
+from tracker.fusion.chain.driven_ends import driven_points
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams, SynergyParams
+from tracker.fusion.chain.shown import ShownHand
+from tracker.fusion.chain.state import ChainState, initial_state
+from tracker.fusion.chain.tip_bends import APART, LASTS, TipBends
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+from tracker.messages import Array, BlobFrame, Blobs, CameraPose, Cloth
+from tracker.vision.cloth import SIDE, STEP, TILE
+from tracker.vision.rig import StereoRig, ideal_rig
+
+ABOVE = CameraPose(np.diag([1.0, -1.0, -1.0]), np.array([0.09, 0.0, 0.42]))
+BENT = np.deg2rad(20.0)  # further than the synergy says
+
+
+@pytest.fixture
+def layout(hand: HandModel, glove: GloveModel) -> ChainLayout:
+    return ChainLayout(hand, glove)
+
+
+@pytest.fixture
+def rig() -> StereoRig:
+    return ideal_rig(pose=ABOVE)
+
+
+@pytest.fixture
+def flat(layout: ChainLayout) -> ChainState:
+    """A hand whose thumb is seen from its side, and whose place is known to a millimetre."""
+    state = initial_state(layout)
+    state.P = 1e-6 * np.eye(len(state.P))
+    return state
+
+
+class Worn:
+    """A tracker's parts that tip bends work with."""
+
+    def __init__(self, layout: ChainLayout, rig: StereoRig) -> None:
+        self.distal = DistalSegments(layout, SynergyParams())
+        self.own = self.distal.prior()
+        self.shown = ShownHand(layout, ChainParams().noise, self.distal)
+        self.tips = TipBends(layout, rig, self.distal, self.shown)
+
+    def look(self, state: ChainState, frame: BlobFrame) -> None:
+        if self.tips.image(state, frame, ABOVE, self.own):
+            self.shown.wear(
+                *self.tips.worn(self.distal.gains(self.own), self.distal.aside(self.own))
+            )
+            self.shown.trust(*self.tips.trusted(self.own))
+
+    def tip(self, state: ChainState, k: int) -> Array:
+        """(3,) m, of the digit ``k`` as it is shown."""
+        rows = self.shown.ends.driven_ends, self.shown.ends.own
+        return points(self, state, *rows)[0][k, 1]
+
+
+def points(worn: Worn, state: ChainState, driven, own):
+    lay = worn.distal._layout
+    return driven_points(
+        lay.skeleton, lay.R_rest, lay.blocks, state.body, driven, own, state.p, state.P
+    )
+
+
+def drawn(rig: StereoRig, joint: Array, end: Array, radius: float, right: bool) -> Blobs:
+    """An image with the outline of a distal segment alone, from its joint to a round end."""
+    uv = rig.project(
+        np.stack([joint, end - radius * (end - joint) / np.linalg.norm(end - joint)]), right
+    )
+    r = rig.fx * radius / end[2]
+    rows, columns = rig.left.height // TILE, rig.left.width // TILE
+    y, x = np.mgrid[: rows * TILE : STEP, : columns * TILE : STEP]
+    d = uv[1] - uv[0]
+    t = np.clip(((x - uv[0, 0]) * d[0] + (y - uv[0, 1]) * d[1]) / (d @ d), 0, 1)
+    mask = np.hypot(x - uv[0, 0] - t * d[0], y - uv[0, 1] - t * d[1]) <= r
+    tiles = mask.reshape(rows, SIDE, columns, SIDE).transpose(0, 2, 1, 3).reshape(-1, SIDE**2)
+    bits = (tiles * np.left_shift(np.int64(1), np.arange(SIDE**2))).sum(axis=1)
+    none = Blobs.empty()
+    cloth = Cloth(columns, rows, np.arange(rows * columns), bits)
+    return Blobs(none.uv, none.size, none.hue, none.score, cloth)
+
+
+def seen(worn: Worn, rig: StereoRig, state: ChainState, k: int, bent: float, t: float) -> BlobFrame:
+    """What cameras see of the digit ``k`` whose end joint bends ``bent`` rad beyond its synergy."""
+    digit, hand = worn.distal.digits[k], worn.distal._layout.hand
+    own = Synergies(worn.own.value.copy(), worn.own.P)
+    own.value[k, OFFSET] += bent
+    end = worn.distal.point(
+        state, own, digit.name, np.array([hand.segments[digit.segment].length, 0, 0])
+    ).p
+    joint = worn.distal.point(state, own, digit.name, np.zeros(3)).p
+    p_C = (np.stack([joint, end]) - ABOVE.p_GC) @ ABOVE.R_GC
+    radius = hand.segments[digit.segment].radius + 0.001
+    left, right = (drawn(rig, *p_C, radius, side) for side in (False, True))
+    return BlobFrame(t, t, (), left, right)
+
+
+def test_points_and_jacobians_are_those_of_the_distal_segments(
+    layout: ChainLayout, rig: StereoRig
+) -> None:
+    worn, state = Worn(layout, rig), somehow(layout)
+    rng = np.random.default_rng(3)
+    root = rng.normal(size=state.P.shape)
+    state.P = root @ root.T
+    own = Synergies(worn.own.value + rng.normal(0, 0.1, worn.own.value.shape), worn.own.P)
+    worn.shown.trust(own, worn.distal.posture_sd)
+    p, J, C, _ = points(worn, state, worn.shown.ends.driven_ends, worn.shown.ends.own)
+    for k, digit in enumerate(worn.distal.digits):
+        end = np.array([layout.hand.segments[digit.segment].length, 0, 0])
+        plain = worn.distal.point(state, own, digit.name, end)
+        assert np.allclose(p[k, 0], worn.distal.point(state, own, digit.name, np.zeros(3)).p)
+        assert np.allclose(p[k, 1], plain.p)
+        assert np.allclose(J[k, :, 0], plain.H_own[:, 3 * k + OFFSET])
+        assert np.allclose(J[k, :, 1], plain.H_own[:, 3 * k + ASIDE])
+        # The Jacobian of the bend is made of differences: 1e-5 rad apart, to some 1e-7.
+        assert np.allclose(C[k], plain.H @ state.P @ plain.H.T, rtol=1e-5, atol=1e-8)
+
+
+def test_a_thumb_bends_as_its_outline_does(
+    layout: ChainLayout, rig: StereoRig, flat: ChainState
+) -> None:
+    worn = Worn(layout, rig)
+    before, sure = worn.tip(flat, 0), worn.shown.ends(flat)[len(layout.active)]
+    own = Synergies(worn.own.value.copy(), worn.own.P)
+    own.value[0, OFFSET] += BENT
+    end = np.array([layout.hand.segments[worn.distal.digits[0].segment].length, 0, 0])
+    true = worn.distal.point(flat, own, "thumb", end).p
+    for k in range(6):
+        flat.t = 0.1 * k
+        worn.look(flat, seen(worn, rig, flat, 0, BENT, flat.t))
+    off = np.linalg.norm(worn.tip(flat, 0) - true)
+    assert np.linalg.norm(before - true) > 0.009  # 20° of 29 mm
+    assert off < 0.004
+    assert worn.shown.ends(flat)[len(layout.active)] < 0.75 * sure
+
+
+def test_what_was_seen_fades(layout: ChainLayout, rig: StereoRig, flat: ChainState) -> None:
+    """Where a tip is seen no more, its joint follows the one before it again after a while."""
+    worn, nothing = Worn(layout, rig), BlobFrame(0.0, 0.0, (), Blobs.empty(), Blobs.empty())
+    worn.look(flat, seen(worn, rig, flat, 0, BENT, 0.0))
+    bend, P = worn.tips.kept.bend.copy(), worn.tips.kept.P.copy()
+    flat.t = APART / 2
+    worn.look(flat, nothing)
+    assert np.array_equal(worn.tips.kept.bend, bend)  # too soon to look again
+    flat.t = LASTS
+    worn.look(flat, nothing)
+    assert np.allclose(worn.tips.kept.bend, np.exp(-1.0) * bend)
+    assert worn.tips.kept.P[0, 0, 0] > P[0, 0, 0]
+
+
+def test_images_without_cloth_change_nothing(
+    layout: ChainLayout, rig: StereoRig, flat: ChainState
+) -> None:
+    worn = Worn(layout, rig)
+    gains, aside = worn.distal.gains(worn.own), worn.distal.aside(worn.own)
+    assert not worn.tips.image(flat, BlobFrame(0.0, 0.0, (), Blobs.empty(), None), ABOVE, worn.own)
+    assert worn.tips.worn(gains, aside) == (gains, aside)
+    assert worn.tips.trusted(worn.own)[0] is worn.own
+
+
+def test_a_tip_behind_the_hand_is_not_looked_for(
+    layout: ChainLayout, rig: StereoRig, flat: ChainState
+) -> None:
+    """Seen from above the palm hides what is under it."""
+    worn = Worn(layout, rig)
+    under = np.tile([0.04, 0.0, -0.06], (len(worn.distal.digits), 1))
+    assert not worn.tips.in_sight(flat, under, ABOVE).any()
+    assert worn.tips.in_sight(flat, under + [0.0, 0.12, 0.06], ABOVE).all()

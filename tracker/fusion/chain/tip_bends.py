@@ -1,0 +1,226 @@
+"""Fingertips in the glove's cloth: how end joints bend that nothing senses (docs/chain.md,
+"Fingertips in the cloth").
+
+A few numbers beside the filter. What it is corrected by does not depend on them, and their
+correlation with it is given up, as with the wearer's synergies.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import block_diag
+
+from tracker.fusion.chain.distal import ASIDE, OFFSET, OWN, RATIO, DistalSegments, Synergies
+from tracker.fusion.chain.driven_ends import driven_points
+from tracker.fusion.chain.kinematics import segment_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.prediction import PosedRig, pixel_jacobians
+from tracker.fusion.chain.shown import ShownHand
+from tracker.fusion.chain.state import ChainState
+from tracker.messages import Array, BlobFrame, CameraPose
+from tracker.records import record
+from tracker.vision.cloth import ClothMap, cloth_map
+from tracker.vision.rig import NEAREST, Camera, StereoRig
+from tracker.vision.tip_scan import ExpectedTip, scan_tip
+from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility
+
+LASTS = 1.0  # s for which an end joint stays as it was seen
+APART = 0.03  # s between two images that are looked at
+CLOTH = 0.001  # m, of the glove's cloth on the skin
+LEAST_VISIBLE = 0.5  # probability that a camera sees a tip which is looked for
+END = 0.005  # m along the finger: gloves end a little before a fingertip or beyond it
+PIXEL_PX = 1.5  # of a place in the image
+GATE = 9.0  # innovation squared over its variance, for each of its numbers
+STEP_PX = 1.0  # of the difference that tells how rectified pixels are turned into raw ones
+BEND, SIDE = 0, 1
+
+
+@record("chain.tip_bends")
+@dataclass(eq=False)
+class TipBendsKept:
+    """All of it that changes: of d digits flexion and aside (d, 2) rad beyond what the joints
+    before tell, whose flexions were drive (d,) rad; their covariance P (d, 2, 2) rad²; and when
+    that was, s. Empty before a tip was looked for."""
+
+    bend: Array = field(default_factory=lambda: np.zeros((0, 2)))
+    drive: Array = field(default_factory=lambda: np.zeros(0))
+    P: Array = field(default_factory=lambda: np.zeros((0, 2, 2)))
+    t: float = -np.inf
+
+
+class TipBends:
+    """For one hand with one glove; ``shown`` has the wearer's synergies as they are worn now."""
+
+    def __init__(
+        self, layout: ChainLayout, rig: StereoRig, distal: DistalSegments, shown: ShownHand
+    ) -> None:
+        self._layout, self._rig, self._distal, self._shown = layout, rig, distal, shown
+        self._shape = HandShape.of(layout.hand)
+        segments = [layout.hand.segments[d.segment] for d in distal.digits]
+        self._radius = np.array([s.radius + CLOTH for s in segments])
+        self._reach = np.array([s.length for s in segments]) - self._radius
+        self.kept = TipBendsKept()
+
+    def forget(self) -> None:
+        """The hand was found anew."""
+        self.kept = TipBendsKept()
+
+    # ---- what is known
+
+    def worn(self, gains: Array, aside: Array) -> tuple[Array, Array]:
+        """gains (k, 2) and aside (S,) of `Completion.wear` as the end joints were seen."""
+        if not len(self.kept.bend):
+            return gains, aside
+        gains, aside = gains.copy(), aside.copy()
+        for digit, bend in zip(self._distal.digits, self.kept.bend, strict=True):
+            gains[digit.link, 1] += bend[BEND]
+            aside[digit.segment] += bend[SIDE]
+        return gains, aside
+
+    def trusted(self, own: Synergies) -> tuple[Synergies, Array]:
+        """The wearer's synergies as the end joints were seen, and (d,) rad of what else they do."""
+        posture = self._distal.posture_sd
+        if not len(self.kept.bend):
+            return own, posture
+        value, P, posture = own.value.copy(), own.P.copy(), posture.copy()
+        value[:, [OFFSET, ASIDE]] += self.kept.bend
+        before = self._prior(own, self.kept.drive)
+        for k, now in enumerate(self.kept.P):
+            factor = np.ones(OWN)
+            factor[[RATIO, OFFSET]] = np.sqrt(now[BEND, BEND] / before[k, BEND, BEND])
+            factor[ASIDE] = np.sqrt(now[SIDE, SIDE] / before[k, SIDE, SIDE])
+            rows = slice(OWN * k, OWN * k + OWN)
+            P[rows], P[:, rows] = factor[:, None] * P[rows], P[:, rows] * factor
+            posture[k] *= factor[OFFSET]
+        return Synergies(value, P), posture
+
+    def _prior(self, own: Synergies, drive: Array) -> Array:
+        """(d, 2, 2) rad² of flexion and aside where no tip was seen, for the flexions ``drive``
+        (d,) rad of the joints before."""
+        P = np.zeros((len(drive), 2, 2))
+        for k, q in enumerate(drive):
+            of = own.P[OWN * k : OWN * k + OWN, OWN * k : OWN * k + OWN]
+            flexion = q * q * of[RATIO, RATIO] + 2 * q * of[RATIO, OFFSET] + of[OFFSET, OFFSET]
+            P[k, BEND, BEND] = flexion + self._distal.posture_sd[k] ** 2
+            P[k, SIDE, SIDE] = of[ASIDE, ASIDE]
+        return P
+
+    # ---- what an image shows
+
+    def image(self, state: ChainState, frame: BlobFrame, pose: CameraPose, own: Synergies) -> bool:
+        """Look for the tips of a hand that was just corrected; whether anything may have changed
+        what `worn` gives. ``own`` are the wearer's synergies without what was seen of tips."""
+        if 0.0 <= state.t - self.kept.t < APART:
+            return False
+        sides = [b.cloth if b is not None else None for b in (frame.left, frame.right)]
+        if not len(self._reach) or (sides == [None, None] and not len(self.kept.bend)):
+            return False
+        lay, ends = self._layout, self._shown.ends
+        driven = ends.driven_ends._replace(length=self._reach)
+        points, J, C, drive = driven_points(
+            lay.skeleton, lay.R_rest, lay.blocks, state.body, driven, ends.own, state.p, state.P
+        )
+        worn = self.kept.bend
+        self._age(state.t, own, drive[:, 0])
+        shift = np.zeros_like(J[..., 0, :]) if not len(worn) else worn - self.kept.bend
+        maps = [None if c is None else cloth_map(c) for c in sides]
+        view, there = PosedRig.of(self._rig, pose), self.in_sight(state, points[:, 1], pose)
+        for k in range(len(J)):
+            p_C = (points[k] - pose.p_GC) @ pose.R_GC
+            if p_C[:, 2].min() <= NEAREST:
+                continue
+            A = pixel_jacobians(np.ascontiguousarray(p_C[1:]), view)[:, 0]
+            radius = self._radius[k] * drive[k, 1] / p_C[1, 2] * self._rig.fx
+            along = (points[k, 1] - points[k, 0]) / self._reach[k] * END
+            tip = _Tip(p_C, A, radius, J[k], C[k] + np.outer(along, along), shift[k])
+            seen = [m if sees else None for m, sees in zip(maps, there[:, k], strict=True)]
+            self._correct(k, tip, seen)
+        return True
+
+    def in_sight(self, state: ChainState, middle: Array, pose: CameraPose) -> NDArray[np.bool_]:
+        """(2, d) whether a camera sees the tips whose middles are (d, 3) m in G: nothing of the
+        hand, as it is shown, stands before them."""
+        p_GB = segment_positions(state, self._layout)
+        R_all, p_all, *_ = self._shown.complete(state.R_GB, p_GB, state.scale3())
+        to_camera = pose.p_GC - middle
+        normal = to_camera / np.linalg.norm(to_camera, axis=1)[:, None]
+        segment = np.array([d.segment for d in self._distal.digits], np.int64)
+        tips = MarkerRows(middle + self._radius[:, None] * normal, normal, segment)
+        prior = visibility(PosedHand(self._shape, R_all, p_all), tips, self._rig, pose)
+        return prior >= LEAST_VISIBLE
+
+    def _age(self, t: float, own: Synergies, drive: Array) -> None:
+        """What was seen of an end joint holds for a while, then the joint before it tells again
+        (eq. 61)."""
+        kept, prior = self.kept, self._prior(own, drive)
+        if not len(kept.bend):
+            self.kept = TipBendsKept(np.zeros((len(drive), 2)), drive, prior, t)
+            return
+        left = float(np.exp(-max(t - kept.t, 0.0) / LASTS))
+        P = left**2 * kept.P + (1.0 - left**2) * prior
+        self.kept = TipBendsKept(left * kept.bend, drive, P, t)
+
+    def _correct(self, k: int, tip: _Tip, maps: list[ClothMap | None]) -> None:
+        """The digit ``k`` by what the images show of its tip (eq. 60)."""
+        x, P = self.kept.bend, self.kept.P
+        r, R, A = [], [], []
+        for c, (camera, cloth) in enumerate(
+            zip((self._rig.left, self._rig.right), maps, strict=True)
+        ):
+            if cloth is None:
+                continue
+            spread = tip.C + tip.J @ P[k] @ tip.J.T
+            S = tip.A[c] @ spread @ tip.A[c].T + PIXEL_PX**2 * np.eye(2)
+            seen = _seen(cloth, camera, self._rig.project(tip.p_C, right=bool(c)), tip.radius, S)
+            if seen is not None:
+                A.append(tip.A[c])
+                r.append(seen[0] + tip.A[c] @ tip.J @ tip.shift)
+                R.append(seen[1] + PIXEL_PX**2 * np.eye(2))
+        if not r:
+            return
+        H = np.concatenate(A) @ tip.J
+        innovation, noise = np.concatenate(r), block_diag(*R)
+        S = H @ P[k] @ H.T + np.concatenate(A) @ tip.C @ np.concatenate(A).T + noise
+        if innovation @ np.linalg.solve(S, innovation) > GATE * len(innovation):
+            return
+        K = np.linalg.solve(S, H @ P[k]).T
+        x[k] += K @ innovation
+        P[k] -= K @ H @ P[k]
+
+
+class _Tip(NamedTuple):
+    """Of a digit: joint and middle of the tip p_C (2, 3) m, A (2, 2, 3) of the latter in both
+    images, radius px, J (3, 2) and C (3, 3) of `driven_points`, shift (2,) rad of what was worn
+    from what is held now."""
+
+    p_C: Array
+    A: Array
+    radius: float
+    J: Array
+    C: Array
+    shift: Array
+
+
+def _seen(
+    cloth: ClothMap, camera: Camera, uv: Array, radius: float, S: Array
+) -> tuple[Array, Array] | None:
+    """Where a tip is from where it was expected (2,), and the variance (2, 2) of that, rectified
+    px; None where the image does not tell (eq. 59).
+
+    uv (2, 2) rectified px of joint and middle; an image is looked at as it was recorded.
+    """
+    joint, middle = uv
+    steps = np.array([joint, middle, middle + (STEP_PX, 0.0), middle + (0.0, STEP_PX)])
+    raw = camera.unrectify(steps)
+    B = (raw[2:] - raw[1]).T / STEP_PX
+    scale = float(np.sqrt(abs(np.linalg.det(B))))
+    expected = ExpectedTip(raw[1].copy(), raw[0].copy(), radius * scale, B @ S @ B.T)
+    told, u, v, uu, uv_, vv = scan_tip(cloth, expected)
+    if not told:
+        return None
+    back = np.linalg.inv(B)
+    return back @ (u, v), back @ np.array([[uu, uv_], [uv_, vv]]) @ back.T
