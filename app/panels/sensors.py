@@ -20,6 +20,7 @@ from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
+from app.viewmodels.names import spoken
 from app.viewmodels.sensors import (
     AngleHistory,
     Curves,
@@ -119,10 +120,10 @@ class SensorsPanel(Panel):
         self.choice.blockSignals(True)
         self.choice.clear()
         for name in setup.glove.imu_names:
-            self.choice.addItem(self.tr("IMU: {}").format(name.replace("_", " ")), f"imu {name}")
+            self.choice.addItem(self.tr("IMU: {}").format(spoken(name)), f"imu {name}")
         self.choice.insertSeparator(self.choice.count())
         for finger in self._fingers:
-            self.choice.addItem(self.tr("Angles: {}").format(finger), finger)
+            self.choice.addItem(self.tr("Angles: {}").format(spoken(finger)), finger)
         self.choice.setCurrentIndex(max(0, self.choice.findData(self._store.value.curves)))
         self.choice.blockSignals(False)
         for chip in self.chips:
@@ -143,7 +144,7 @@ class SensorsPanel(Panel):
         columns = self._chosen_angles()
         names: Sequence[str] = AXES
         if columns is not None:
-            names = [self._angle_names[c].split("_", 1)[-1].replace("_", " ") for c in columns]
+            names = [spoken(self._angle_names[c].split("_", 1)[-1]) for c in columns]
         for name, plot in self.plots.items():
             wanted = (name == "angles") == (columns is not None)
             plot.setVisible(wanted)
@@ -183,7 +184,7 @@ class SensorsPanel(Panel):
             view.setup.glove.imu_names, view.imu, view.running and view.packets_arrive
         )
         for chip, state in zip(self.chips, states, strict=True):
-            name = state.name.replace("_", " ")
+            name = spoken(state.name)
             text = name if state.look is GOOD else f"{name}: {state.text}"
             chip.show_state(state.look.colour, state.look.sign, text, state.text)
         self._figures = "   ".join(glove_figures(view.status, view.imu))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.viewmodels.names import spoken
 from app.words import mark, tr
 from tracker import GRAVITY
 from tracker.messages import Array, Calibration, Status
@@ -143,7 +144,7 @@ def calibration_view(c: Calibration, reference: Calibration | None = None) -> Ca
     """``reference``: an earlier fit that this one is compared with."""
     kinds = tuple(RANGES)
     rows = tuple(
-        CalibrationRow(segment.replace("_", " "), tuple(_cell(c, i, k, reference) for k in kinds))
+        CalibrationRow(spoken(segment), tuple(_cell(c, i, k, reference) for k in kinds))
         for i, segment in enumerate(c.segments)
     )
     shares = {k: [r.cells[j].convergence for r in rows] for j, k in enumerate(kinds)}

@@ -13,6 +13,7 @@ from app.engines.snapshot import Snapshot
 from app.viewmodels.calibration import SETTLED, calibration_view
 from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
+from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from app.words import mark, told, tr
 from tracker.messages import Tracking
@@ -106,7 +107,7 @@ def _samples(view: Snapshot | None) -> SetUpStep:
             name, False, tr("Waits for the glove."), "glove_setup", tr("Set up the glove")
         )
     valid = np.array([s.valid for s in list(view.imu)[-100:]]).mean(axis=0)
-    names = [n.replace("_", " ") for n in view.setup.glove.imu_names]
+    names = [spoken(n) for n in view.setup.glove.imu_names]
     silent = [n for n, v in zip(names, valid, strict=True) if v < 0.5]
     if silent:
         return SetUpStep(
@@ -219,18 +220,20 @@ def _colours(view: Snapshot | None, lately: Collection[str] | None) -> SetUpStep
     if view is None or view.blobs is None or not images_arrive(view):
         return SetUpStep(name, False, tr("Waits for images."))
     rows = seen_rows(view, view.setup.profile)
-    clashing = [r.name for r in rows if r.clash]
+    clashing = [spoken(r.name) for r in rows if r.clash]
     if clashing:
         reason = tr("The intervals of {} overlap.").format(", ".join(clashing))
         return SetUpStep(name, False, reason, "show_colours", tr("Tune colours"))
     found = hues_seen(view) if lately is None else set(lately)
-    unseen = [n for n in view.setup.glove.hues if n not in found]
+    unseen = [spoken(n) for n in view.setup.glove.hues if n not in found]
     if not found:
         return SetUpStep(name, False, tr("No marker is found."), "show_colours", tr("Tune colours"))
     if unseen:
         reason = tr("Not seen: {}. Turn the hand, or tune the colours.").format(", ".join(unseen))
         return SetUpStep(name, False, reason, "show_colours", tr("Tune colours"))
-    return SetUpStep(name, True, tr("seen: {}").format(", ".join(view.setup.glove.hues)))
+    return SetUpStep(
+        name, True, tr("seen: {}").format(", ".join(map(spoken, view.setup.glove.hues)))
+    )
 
 
 def _hand(view: Snapshot | None) -> SetUpStep:

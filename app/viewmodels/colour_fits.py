@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_images import Image
+from app.viewmodels.names import spoken
 from app.words import tr
 from tracker.calibration.colours_fit import FoundHue
 from tracker.calibration.colours_fit_markers import MarkerSamples, seen_sides
@@ -83,8 +84,8 @@ def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
     if not found:
         return tr("Nothing was fitted: no patches of these colours were found.")
     patches = tr("{} ({} patches)")
-    fitted = ", ".join(patches.format(f.range.name, f.patches) for f in found)
-    kept = [h.name for h in profile.hues if h.name not in {f.range.name for f in found}]
+    fitted = ", ".join(patches.format(spoken(f.range.name), f.patches) for f in found)
+    kept = [spoken(h.name) for h in profile.hues if h.name not in {f.range.name for f in found}]
     if not kept:
         return tr("Fitted {}.").format(fitted)
     return tr("Fitted {}. Kept {}: too few are seen.").format(fitted, ", ".join(kept))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from app.viewmodels.names import spoken
 from app.words import tr
 
 SHOWN = 0.005  # mm; less is not to be seen in the figures
@@ -59,9 +60,9 @@ def rows(c: Comparison) -> list[CompareRow]:
     ]
     for name, value in f["keypoints_mm"].items():
         errors = _mm(first.get(name, math.nan)), _mm(second.get(name, math.nan))
-        out.append(CompareRow(words(name), _mm(value), *errors))
+        out.append(CompareRow(spoken(name), _mm(value), *errors))
     for name, value in f["joints_rms_deg"].items():
-        out.append(CompareRow(words(name), _deg(value), "", ""))
+        out.append(CompareRow(spoken(name), _deg(value), "", ""))
     return out
 
 
@@ -79,11 +80,6 @@ def summary(c: Comparison) -> str:
         nearer = tr("{} is nearer to the truth: {} on average.")
         text = f"{text} {nearer.format(better, _mm(min(first, second)))}"
     return text
-
-
-def words(name: str) -> str:
-    """``index_mcp_flexion`` as ``index mcp flexion``."""
-    return name.replace("_", " ")
 
 
 def _mean(errors: dict[str, float]) -> float:

@@ -11,6 +11,7 @@ from enum import Enum
 
 import numpy as np
 
+from app.viewmodels.names import spoken
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
 from app.words import tr
 from tracker.calibration.still import StillParams, StillPose, still_pose
@@ -176,8 +177,3 @@ def motion_rows(samples: Sequence[ImuSample]) -> tuple[Array, list[int]]:
     """(n,) share of a full bar of each IMU, and the rows of those that move now."""
     motion = imu_motion(last(samples, GLANCE))
     return np.clip(np.nan_to_num(np.rad2deg(motion)) / FULL_DPS, 0, 1), moving(motion)
-
-
-def spoken(name: str) -> str:
-    """A name of a file as a person says it."""
-    return name.replace("_", " ")

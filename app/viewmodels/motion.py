@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.engines.engine import EngineSetup
+from app.viewmodels.names import spoken
 from tracker.messages import Array, Estimate, Tracking, Validity
 from tracker.session.motion import (
     APERTURE,
@@ -36,6 +37,11 @@ class MotionRow:
     value: float
     share: float
     state: int
+
+
+def shown_name(name: str) -> str:
+    """Of an angle or a distance, in the user's words."""
+    return " - ".join(spoken(part) for part in name.split(" - "))
 
 
 class MotionModel:

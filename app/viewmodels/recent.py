@@ -75,8 +75,12 @@ def look_back(
 
 def is_unfinished(path: Path) -> bool:
     """Whether it was cut off and nobody has recovered it yet."""
-    recovered = path.with_name(f"{path.stem}_recovered{SUFFIX}")
-    return not recovered.exists() and session_row(path).recoverable
+    return not recovered(path).exists() and session_row(path).recoverable
+
+
+def recovered(path: Path) -> Path:
+    """What a recording becomes when it is recovered."""
+    return path.with_name(f"{path.stem}_recovered{SUFFIX}")
 
 
 def age_text(when: datetime, now: datetime) -> str:

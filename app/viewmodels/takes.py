@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from app.storage.session_tags import move_tags
+from app.viewmodels.names import spoken
 from app.viewmodels.recording import duration_text
 from app.words import tr
 from tracker.errors import FileError
@@ -89,7 +90,7 @@ def _missing_imus(status: Status, samples: Sequence[ImuSample], imus: Sequence[s
     if not lately:
         return [tr("no packet comes from the glove")]
     heard = np.any([s.valid for s in lately], axis=0)
-    silent = [name.replace("_", " ") for name, ok in zip(imus, heard, strict=True) if not ok]
+    silent = [spoken(name) for name, ok in zip(imus, heard, strict=True) if not ok]
     if not silent:
         return []
     if len(silent) == 1:

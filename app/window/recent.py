@@ -15,7 +15,7 @@ from app.panels.library.panel import LibraryPanel
 from app.panels.start_page import StartPage
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
-from app.viewmodels.recent import Earlier, look_back, newest, with_recent
+from app.viewmodels.recent import Earlier, look_back, newest, recovered, with_recent
 from app.window.message_bar import MessageBar
 
 
@@ -58,6 +58,16 @@ class RecentSessions(QObject):
         path = setup.player.path
         self._remember(path)
         if setup.cut_off:
+            self._offer_recovery(path)
+
+    def _offer_recovery(self, path: Path) -> None:
+        """Of one that was recovered before, the recovered one."""
+        whole = recovered(path)
+        if whole.exists():
+            text = self.tr("The recording {} was cut off. What it holds is whole in {}.")
+            show = (self.tr("Show it"), partial(self._library.replay.emit, whole))
+            self._messages.say(text.format(path.name, whole.name), show)
+        else:
             text = self.tr("The recording {} was cut off. What it holds can be recovered.")
             help_it = (self.tr("Recover"), partial(self.recover, path))
             self._messages.say(text.format(path.name), help_it)

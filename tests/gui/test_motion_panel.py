@@ -37,7 +37,7 @@ def test_each_angle_is_a_number_and_a_bar_in_its_range(motion, engine: ScriptedE
     estimate = engine.latest_estimate()
     for name in ("index_pip_flexion", "thumb_ip_flexion"):
         row = row_of(motion, name)
-        assert motion.table.item(row, 0).text() == name
+        assert motion.table.item(row, 0).text() == name.replace("_", " ")
         shown = float(motion.table.item(row, VALUE).text().split()[0])
         assert shown == pytest.approx(np.rad2deg(estimate.angles[row]), abs=0.06)
         low, high = motion.model.limits[row]
@@ -54,7 +54,7 @@ def test_the_aperture_is_there_and_any_distance_can_be_added(motion, engine: Scr
     assert float(motion.table.item(row, VALUE).text().split()[0]) == pytest.approx(true, abs=0.06)
     many = motion.table.rowCount()
     motion.controls.ends[0].setCurrentText("wrist")
-    motion.controls.ends[1].setCurrentText("middle_tip")
+    motion.controls.ends[1].setCurrentText("middle tip")
     motion.controls.measure.click()
     motion.controls.measure.click()  # the same once more is no second row
     assert motion.table.rowCount() == many + 1

@@ -143,3 +143,7 @@ def test_a_session_that_was_cut_off_says_so_when_it_is_opened(started, sessions,
     started.sources.open_session(sessions / "P01_pinch.mcap")
     qtbot.waitUntil(lambda: "P01_pinch" in started.windowTitle(), timeout=30_000)
     assert not started.banner.isVisible()
+    shutil.copy(sessions / "P01_pinch.mcap", sessions / "P02_fist_recovered.mcap")
+    started.sources.open_session(sessions / "P02_fist.mcap")
+    qtbot.waitUntil(lambda: "whole in P02_fist_recovered.mcap" in started.banner.text())
+    assert started.banner.buttons[0].text() == "Show it", "it has been recovered"

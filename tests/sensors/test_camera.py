@@ -21,6 +21,7 @@ from tracker.sensors.image_input import (
     StreamInput,
     TwoCameraInput,
     list_cameras,
+    open_capture,
     split,
 )
 from tracker.vision.rig import ideal_rig
@@ -182,6 +183,20 @@ def test_two_captures_stay_apart(tmp_path: Path) -> None:
     source.close()
     with pytest.raises(DeviceError, match="cannot be opened"):
         TwoCameraInput(a, str(tmp_path / "none.avi")).open()
+
+
+def test_opencv_is_not_asked_for_a_file_that_is_not_there(tmp_path: Path, monkeypatch) -> None:
+    """It is tried 2.5 times a second, and OpenCV writes a warning each time."""
+
+    def asked() -> None:
+        raise AssertionError("OpenCV was asked")
+
+    monkeypatch.setattr("tracker.sensors.image_input.cv2.VideoCapture", asked)
+    for source in (str(tmp_path / "none.avi"), "/dev/video97"):
+        with pytest.raises(DeviceError, match="it is not there"):
+            open_capture(source, CaptureFormat())
+    with pytest.raises(AssertionError):
+        open_capture("rtsp://127.0.0.1:1/none", CaptureFormat())
 
 
 def test_image_sequence(tmp_path: Path) -> None:

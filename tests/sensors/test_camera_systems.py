@@ -130,8 +130,8 @@ def test_a_camera_is_opened_by_the_backend_that_listed_it(camera: str, monkeypat
     [
         (0, True, 30.0, 30.0),
         (0, True, 0.0, 60.0),
-        ("pipe", True, 25.0, 0.0),
-        ("film", False, 24, 24),
+        ("rtsp://pipe", True, 25.0, 0.0),
+        ("film%d.png", False, 24, 24),
     ],
     ids=["a webcam that grants less", "a driver that is silent", "an address", "a film"],
 )

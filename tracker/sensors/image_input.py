@@ -195,6 +195,8 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
         cv2.CAP_PROP_READ_TIMEOUT_MSEC,
         want.timeout_ms,
     ]
+    if isinstance(source, str) and _is_missing(source):
+        raise DeviceError(f"The camera {source} cannot be opened: it is not there.")
     capture = cv2.VideoCapture()
     # Only FFMPEG knows the timeouts, and another backend refuses to open with them.
     if isinstance(source, str) and not is_device_path(source):
@@ -207,6 +209,14 @@ def open_capture(source: int | str, want: CaptureFormat) -> cv2.VideoCapture:
         )
     _apply(capture.set, want)
     return capture
+
+
+def _is_missing(source: str) -> bool:
+    """Of a file or a device; of addresses, and films as numbered images, OpenCV knows.
+
+    It is tried again all the time, and each time OpenCV would write a warning to the terminal.
+    """
+    return not any(sign in source for sign in ("://", "%", "!")) and not Path(source).exists()
 
 
 def _rate(capture: cv2.VideoCapture, wanted: float, live: bool, source: int | str) -> float:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.viewmodels.names import spoken
 from app.viewmodels.worn_calibration import HAND_MM
 from app.widgets.one_line import OneLine
 from app.widgets.question import answer
@@ -170,7 +171,7 @@ class WearerRow(OneLine):
         menu.addAction(self.tr("Everything"), partial(self.reset.emit, None))
         menu.addSeparator()
         for name in segments:
-            menu.addAction(name.replace("_", " "), partial(self.reset.emit, [name]))
+            menu.addAction(spoken(name), partial(self.reset.emit, [name]))
 
     def set_available(self, on: bool, guided: bool) -> None:
         """Off where no engine takes commands; ``guided``: it can be told of poses too."""

@@ -8,6 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QRadioButton, QWidget
 
 from app.viewmodels.colours import HueRow
+from app.viewmodels.names import spoken
 from app.widgets.chip import Chip
 from app.widgets.measures import TIGHT
 
@@ -39,7 +40,7 @@ class ColoursHues(QWidget):
             chip.deleteLater()
         self.chips = []
         for i, name in enumerate(names):
-            button, chip = QRadioButton(name), Chip()
+            button, chip = QRadioButton(spoken(name)), Chip()
             chip.setMinimumWidth(self.fontMetrics().horizontalAdvance(LONGEST) + 12)
             self._group.addButton(button, i)
             self.chips.append(chip)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.panels.library.take_pair import TakePair
-from app.viewmodels.compare import words
+from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, SKY, WARN
 from app.viewmodels.two_takes import TwoTakes, figures_text
 from tracker.errors import GlovetrackError
@@ -84,7 +84,7 @@ class TwoTakesDialog(QDialog):
         self.joint = QComboBox()
         self.joint.setAccessibleName(self.tr("Joint angle"))
         for name in self.takes.names:
-            self.joint.addItem(words(name), name)
+            self.joint.addItem(spoken(name), name)
         self.joint.currentIndexChanged.connect(lambda _i: self._show())
         self.offset = QDoubleSpinBox()
         self.offset.setRange(-LONGEST, LONGEST)
@@ -169,4 +169,4 @@ class TwoTakesDialog(QDialog):
         ):
             curve.setData(x, np.rad2deg(y), connect="finite")
         found = self.takes.figures(name, self._offset)
-        self.figures.setText(f"{words(name)}: {figures_text(found)}")
+        self.figures.setText(f"{spoken(name)}: {figures_text(found)}")

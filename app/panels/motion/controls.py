@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtWidgets import QComboBox, QPushButton, QWidget
 
+from app.viewmodels.names import spoken
 from app.widgets.one_line import OneLine
 
 
@@ -34,13 +35,14 @@ class MotionControls(OneLine):
         """Points between which distances can be measured; the first and the last are chosen."""
         for box in self.ends:
             box.clear()
-            box.addItems(list(names))
+            for name in names:
+                box.addItem(spoken(name), name)
         self.ends[1].setCurrentIndex(self.ends[1].count() - 1)
 
     @property
     def pair(self) -> tuple[str, str]:
         """The points chosen."""
-        return self.ends[0].currentText(), self.ends[1].currentText()
+        return self.ends[0].currentData(), self.ends[1].currentData()
 
     def enable(self, on: bool) -> None:
         for widget in (*self.ends, self.measure, self.remove, self.copy, self.save):

@@ -8,6 +8,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from app.viewmodels.motion import shown_name
 from app.viewmodels.states import BLUISH_GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
 from tracker.messages import Array
 
@@ -56,7 +57,7 @@ class MotionPlot(QWidget):
         for k, name in enumerate(names):
             style = STYLES[k // len(COLOURS) % len(STYLES)]
             pen = pg.mkPen(COLOURS[k % len(COLOURS)], width=1, style=style)
-            self.curves.append(self.plot.plot(name=name, pen=pen))
+            self.curves.append(self.plot.plot(name=shown_name(name), pen=pen))
 
     def show_curves(self, curves: Sequence[tuple[Array, Array]]) -> None:
         for curve, (t, values) in zip(self.curves, curves, strict=True):

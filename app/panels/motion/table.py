@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.viewmodels.motion import MotionRow
+from app.viewmodels.motion import MotionRow, shown_name
 from app.viewmodels.states import GREY, VALIDITY
 from app.words import tr
 
@@ -67,7 +67,9 @@ class MotionTable(QTableWidget):
         self.setRowCount(len(names))
         for row, name in enumerate(names):
             for column in range(self.columnCount()):
-                self.setItem(row, column, QTableWidgetItem(name if column == NAME else ""))
+                self.setItem(
+                    row, column, QTableWidgetItem(shown_name(name) if column == NAME else "")
+                )
 
     def show_rows(self, rows: Sequence[MotionRow]) -> None:
         for k, row in enumerate(rows):

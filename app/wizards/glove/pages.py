@@ -25,10 +25,10 @@ from app.viewmodels.glove_setup import (
     StillRun,
     WiggleRun,
     motion_rows,
-    spoken,
     still_rows,
     wiggle_rows,
 )
+from app.viewmodels.names import spoken
 from tracker.calibration.still import StillPose
 from tracker.calibration.wiggle import WiggleTest
 from tracker.glove.model import GloveModel

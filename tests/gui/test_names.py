@@ -1,0 +1,21 @@
+"""Names of files, as a person says them."""
+
+from __future__ import annotations
+
+from app import words
+from app.viewmodels.motion import shown_name
+from app.viewmodels.names import spoken
+
+GERMAN = {"index": "Zeigefinger", "flexion": "Beugung", "tip": "Spitze", "red": "Rot"}
+
+
+def test_names_are_said_in_the_users_language_and_foreign_ones_stay():
+    assert spoken("index_mcp_flexion") == "index mcp flexion"
+    words.use(GERMAN.get)
+    try:
+        assert spoken("index_mcp_flexion") == "Zeigefinger mcp Beugung"
+        assert spoken("red") == "Rot"
+        assert spoken("tentacle_4") == "tentacle 4"
+        assert shown_name("thumb_tip - index_tip") == "thumb Spitze - Zeigefinger Spitze"
+    finally:
+        words.use(None)
