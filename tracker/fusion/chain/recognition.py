@@ -27,6 +27,7 @@ from tracker.vision.rig import StereoRig
 from tracker.vision.stereo import StereoMatches, all_pairs
 
 FOLLOWED_PX = 4.0  # median, of one camera's blobs from where they were expected
+EXPLAINED_SHARE = 0.4  # of one camera's blobs, that are the hand's where it is called measured
 NOBODY = -2  # whose blob one is that no marker is matched with
 
 
@@ -166,13 +167,19 @@ class Recognition:
         S = found.prediction.S[1 if len(image.blobs[0].uv) == 0 else 0]
         return len(S) > 0 and float(np.median(np.log(np.linalg.det(S)))) > USUAL_LN_DET
 
-    def is_followed(self, image: SeenImage, found: Recognised) -> bool:
-        """Whether one camera's blobs are where they were expected; two cameras are asked nothing.
+    def is_likely(self, image: SeenImage, found: Recognised, seen: Evidence, is_sure: bool) -> bool:
+        """Whether an image supports the hand so well that it may be called measured; ``is_sure``:
+        whether it is already. Two cameras are asked no more than a part of the markers.
 
         One camera tells distance by how far markers are apart, posture and size taken for granted:
-        while these do not fit, distance and its speed are wrong by more than the filter believes.
+        while these do not fit, distance and its speed are wrong by more than the filter believes,
+        so its blobs must be where they were expected. And a hand that leaves most of the image's
+        blobs to nobody, and finds fewer of its markers than a start asks for, is there by chance.
         """
-        return not image.is_mono or self.misfit_px(image, found) <= FOLLOWED_PX
+        if not image.is_mono:
+            return seen.is_likely
+        explains = is_sure or seen.matched >= EXPLAINED_SHARE * image.most_blobs or seen.is_start
+        return seen.is_likely and explains and self.misfit_px(image, found) <= FOLLOWED_PX
 
     def rows(self, state: ChainState, image: SeenImage, found: Recognised) -> Rows:
         """What the recognised blobs say of ``state``."""

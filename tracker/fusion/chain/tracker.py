@@ -126,7 +126,7 @@ class ChainTracker:
             self.shown.held(frame.t)
             self._look_for_tips(image)
         self._judge.judge(frame.t, enough)
-        likely = seen.is_likely and self._recognition.is_followed(image, found)
+        likely = self._recognition.is_likely(image, found, seen, self._judge.is_sure)
         sure = self._judge.support(frame.t, enough and likely)
         self.shown.supported(frame.t, seen, sure)
         result = self._finish(image, found)

@@ -93,7 +93,12 @@ class TrackingJudge:
             now.supported_since = min(now.supported_since, t)
         elif t - now.last_supported > DOUBT_AFTER:
             now.supported_since = np.inf
-        return now.last_supported - now.supported_since >= SURE_AFTER
+        return self.is_sure
+
+    @property
+    def is_sure(self) -> bool:
+        """Whether images have supported the pose for long enough, and lately."""
+        return self.kept.last_supported - self.kept.supported_since >= SURE_AFTER
 
     def found(self, t: float, p: Array) -> Array | None:
         """A search has found the hand at p (3,) m: its velocity (3,) m/s, if another one found it
