@@ -1369,6 +1369,11 @@
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
+      <source>Rename {}</source>
+      <translation>{} umbenennen</translation>
+    </message>
+    <message>
+      <location filename="app/panels/library/session_files.py" />
       <source>Tags of {}</source>
       <translation>Schlagwörter von {}</translation>
     </message>
@@ -1386,11 +1391,6 @@
       <location filename="app/panels/library/session_files.py" />
       <source>Cropping {}</source>
       <translation>{} wird zugeschnitten</translation>
-    </message>
-    <message>
-      <location filename="app/panels/library/session_files.py" />
-      <source>Rename {}</source>
-      <translation>{} umbenennen</translation>
     </message>
     <message>
       <location filename="app/panels/library/session_files.py" />
@@ -3640,6 +3640,76 @@ change {}: {}</source>
       <translation>geändert in: {}</translation>
     </message>
     <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>wrist</source>
+      <translation>Handgelenk</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>dorsum</source>
+      <translation>Handrücken</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>palm</source>
+      <translation>Handfläche</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>metacarpal</source>
+      <translation>Mittelhand</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>proximal</source>
+      <translation>proximal</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>intermediate</source>
+      <translation>medial</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>distal</source>
+      <translation>distal</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>tip</source>
+      <translation>Spitze</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>flexion</source>
+      <translation>Beugung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>abduction</source>
+      <translation>Abspreizung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>red</source>
+      <translation>Rot</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>green</source>
+      <translation>Grün</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>blue</source>
+      <translation>Blau</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
+      <source>yellow</source>
+      <translation>Gelb</translation>
+    </message>
+    <message>
       <location filename="app/viewmodels/recent.py" />
       <source>just now</source>
       <translation>gerade eben</translation>
@@ -4651,6 +4721,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/recent.py" />
+      <source>The recording {} was cut off. What it holds is whole in {}.</source>
+      <translation>Die Aufnahme {} ist abgebrochen. Was sie enthält, ist heil in {}.</translation>
+    </message>
+    <message>
+      <location filename="app/window/recent.py" />
       <source>Show it</source>
       <translation>Zeigen</translation>
     </message>
@@ -4736,13 +4811,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/window/takes.py" />
-      <source>What happened?</source>
-      <translation>Was ist geschehen?</translation>
+      <source>Name of the recording</source>
+      <translation>Name der Aufnahme</translation>
     </message>
     <message>
       <location filename="app/window/takes.py" />
-      <source>Name of the recording</source>
-      <translation>Name der Aufnahme</translation>
+      <source>What happened?</source>
+      <translation>Was ist geschehen?</translation>
     </message>
     <message>
       <location filename="app/window/takes.py" />
@@ -7028,6 +7103,11 @@ change {}: {}</source>
       <location filename="tracker/sensors/image_input.py" />
       <source>The stereo image is {} pixels wide and has no two halves.</source>
       <translation>Das Stereobild ist {} Bildpunkte breit und hat keine zwei Hälften.</translation>
+    </message>
+    <message>
+      <location filename="tracker/sensors/image_input.py" />
+      <source>The camera {} cannot be opened: it is not there.</source>
+      <translation>Die Kamera {} lässt sich nicht öffnen: Sie ist nicht da.</translation>
     </message>
     <message>
       <location filename="tracker/sensors/image_input.py" />

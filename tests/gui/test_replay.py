@@ -125,6 +125,15 @@ def test_speed_is_kept(replay, qtbot):
     assert 0.5 < replay.player.position < 0.5 + 0.5 * 2.0
 
 
+def test_a_session_of_a_glove_alone_says_that_there_was_no_camera(sessions, tmp_path):
+    alone = tmp_path / "alone.mcap"
+    simulate(alone, SimulateOptions(seed=3, duration=0.3, lenses="none"))
+    for path, has_camera in ((alone, False), (sessions["vist"], True)):
+        setup = open_replay(path, lambda *_: None)
+        setup.close()
+        assert setup.has_camera == has_camera
+
+
 def test_a_session_without_blobs_steps_by_estimates(sessions, qtbot):
     with SessionReader(sessions["vist"]) as reader:
         instants = [m.t for m in reader.messages((Estimate,))]

@@ -23,6 +23,9 @@ from tracker.vision.rig import StereoRig, ideal_rig
 
 MAX_EVENTS = 5000
 
+FROM_IMAGES = ("/image/compressed", "/blobs")
+"""Endings of the topics that a camera has."""
+
 
 class ReplayEngine:
     """A `LiveEngine` of a file; its ``player`` moves through it."""
@@ -43,6 +46,13 @@ class ReplayEngine:
     def rig(self) -> StereoRig | None:
         """None where the session has no camera, or none that was calibrated."""
         return self.info.rig
+
+    @property
+    def has_camera(self) -> bool:
+        """Whether there was one: described, or with its images or what was found in them."""
+        return self.rig is not None or any(
+            t.endswith(FROM_IMAGES) for t in self._reader.topic_names
+        )
 
     @property
     def is_finished(self) -> bool:
@@ -118,6 +128,7 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
             hand=seen.hand,
             glove=seen.glove,
             rig=rig or ideal_rig(),
+            has_camera=engine.has_camera,
             camera_calibrated=rig is not None,
             profile=profile,
             anchor=info.anchor,
