@@ -23,6 +23,7 @@ from app.viewmodels.colour_images import (
 )
 from app.viewmodels.colour_live import LiveImages
 from app.viewmodels.colours import HueRow, blob_counts, hue_rows, seen_rows
+from app.viewmodels.names import spoken
 from app.widgets.image_shapes import Ring
 from app.words import tr
 from tracker import library
@@ -194,7 +195,7 @@ class ColourTuning:
         """Take a profile out of a file. Raises GlovetrackError where it is none of this glove."""
         loaded = load_profile(path)
         if loaded.hue_names != self.profile.hue_names:
-            names = ", ".join(self.profile.hue_names)
+            names = ", ".join(map(spoken, self.profile.hue_names))
             raise ConfigError(
                 tr("{} must have the hues {} for this glove.").format(path.name, names)
             )

@@ -127,7 +127,7 @@ def test_speed_is_kept(replay, qtbot):
 
 def test_a_session_of_a_glove_alone_says_that_there_was_no_camera(sessions, tmp_path):
     alone = tmp_path / "alone.mcap"
-    simulate(alone, SimulateOptions(seed=3, duration=0.3, lenses="none"))
+    simulate(alone, SimulateOptions(seed=3, duration=1.0, lenses="none"))
     for path, has_camera in ((alone, False), (sessions["vist"], True)):
         setup = open_replay(path, lambda *_: None)
         setup.close()
