@@ -198,7 +198,8 @@ class FrameResult(_Frozen):
 
     predicted_left/right (M, 2) px of each marker (raw image), NaN outside; predicted_cov (M, 2, 2)
     of the left image; visible (M,) prior probability; match_left/right (M,) blob index or -1;
-    residual (M, 4) px (left u, v, right u, v), NaN where unmatched.
+    residual (M, 4) px (left u, v, right u, v), NaN where unmatched. ``another``: the hand was given
+    up, since most of its patches were other markers than they seemed.
     """
 
     t: float
@@ -211,6 +212,7 @@ class FrameResult(_Frozen):
     match_right: IntArray
     residual: Array
     stereo_points: int  # markers matched in both images
+    another: bool = False
 
     @staticmethod
     def nothing(t: float, tracking: Tracking, markers: int) -> FrameResult:

@@ -36,6 +36,11 @@ from tracker.settings import ENGINES, WITHOUT_IMAGES, Settings
 from tracker.vision.lenses import check_lenses, through
 from tracker.vision.rig import StereoRig, ideal_rig
 
+ANOTHER = (
+    "The hand was given up: patches on it are not where the glove's markers of their hues would "
+    "be. Fit the colours, or look whether two of their hues are exchanged."
+)
+
 
 def build_engine(
     hand: HandModel, glove: GloveModel, rig: StereoRig | None, settings: Settings
@@ -186,6 +191,8 @@ class Pipeline:
         """Learn from results as they come, so that it does not matter when they are taken."""
         for result in self.engine.take_results():
             self._watch.check(result)
+            if result.another and ANOTHER not in self._words:
+                self._words.append(ANOTHER)
             restored = self.timing.restored(result)
             self.pair_offset.learn(restored)
             self._results.append(restored)

@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from tracker.fusion.chain.params import MatchParams
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.params import ChainParams, MatchParams
+from tracker.fusion.chain.pixels import SeenBlobs
+from tracker.fusion.chain.recognition import Recognised, Recognition, SeenImage
+from tracker.fusion.chain.state import initial_state
 from tracker.fusion.chain.tracking import (
     DOUBT_AFTER,
     EAGER,
     PLACES_APART,
     SPARING,
+    STRANGE_FOR,
     SURE_AFTER,
     TrackingJudge,
 )
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import ImuSample, Validity
-from tracker.pipeline import Pipeline
+from tracker.messages import BlobFrame, Blobs, FrameResult, ImuSample, Tracking, Validity
+from tracker.pipeline import ANOTHER, Pipeline
 from tracker.simulation.random_postures import RandomPostures, leaving
 from tracker.simulation.scenario import Simulation
+from tracker.vision.rig import ideal_rig
 
 APART = 1 / 30  # s between two images
 
@@ -48,6 +56,17 @@ def test_a_hand_searched_for_in_vain_is_searched_for_less_often(judge: TrackingJ
     assert max(np.diff(again)) < 0.14
 
 
+def test_a_hand_that_images_do_not_show_for_long_is_forgotten(judge: TrackingJudge) -> None:
+    judge.judge(0.0, enough=True)
+    images = [judge.is_another(t, followed=False) for t in np.arange(0.0, STRANGE_FOR, APART)]
+    images += [judge.is_another(STRANGE_FOR, followed=True)]
+    images += [judge.is_another(STRANGE_FOR + APART, followed=False)]
+    assert not any(images) and judge.tracking == Tracking.TRACKING
+    assert judge.is_another(2 * STRANGE_FOR + APART, followed=False)
+    assert judge.tracking == Tracking.SEARCHING
+    assert not judge.should_start(2 * STRANGE_FOR + 2 * APART)  # nor found again in that instant
+
+
 def test_two_places_tell_how_fast_the_hand_moves(judge: TrackingJudge) -> None:
     assert judge.found(5.0, np.array([0.1, 0.2, 0.3])) is None
     v = judge.found(5.0 + APART, np.array([0.1, 0.25, 0.3]))
@@ -74,3 +93,42 @@ def test_a_hand_that_comes_back_fast_is_not_measured_elsewhere(
     measured = np.array([e.keypoint_state for e in back]) == int(Validity.MEASURED)
     assert measured[-1].sum() > 8
     assert error[measured].max() < 0.05
+
+
+@pytest.mark.parametrize(
+    ("off_px", "strangers", "followed"),
+    [(0.0, 0, True), (0.0, 12, True), (9.0, 0, True), (9.0, 12, False)],
+)
+def test_a_hand_dragged_along_among_strange_patches_is_another(
+    hand: HandModel, glove: GloveModel, off_px: float, strangers: int, followed: bool
+) -> None:
+    """Its blobs are not where they were expected, and others are on it that are no marker's."""
+    layout, rig, rng = ChainLayout(hand, glove), ideal_rig(), np.random.default_rng(2)
+    state = initial_state(layout)
+    state.P = 1e-5 * np.eye(len(state.P))
+    state.p = rig.pose.p_GC + 0.4 * rig.pose.R_GC[:, 2]
+    recognition = Recognition(layout, rig, ChainParams())
+    nothing = BlobFrame(0.0, 0.0, (), Blobs.empty(), Blobs.empty())
+    expected = recognition.look(state, recognition.image(nothing)).prediction
+    shown = np.flatnonzero(expected.prior.min(axis=0) > 0.5)
+    match = np.full_like(expected.uv[..., 0], -1, np.int64)
+    match[:, shown] = np.arange(len(shown))
+    sides = []
+    for uv in expected.uv[:, shown]:
+        more = rng.uniform(uv.min(axis=0), uv.max(axis=0), (strangers, 2))
+        all_uv = np.concatenate([uv + (off_px, 0.0), more])
+        number = np.arange(len(all_uv))
+        sides.append(SeenBlobs(all_uv, np.zeros_like(number), number))
+    image = SeenImage(nothing, tuple(sides), rig.pose)
+    assert len(shown) > 8
+    assert recognition.is_followed(image, Recognised(expected, match)) is followed
+
+
+def test_that_another_hand_was_followed_is_said(hand: HandModel, glove: GloveModel) -> None:
+    pipeline = Pipeline(hand, glove, ideal_rig())
+    nothing = BlobFrame(0.0, 0.0, (), Blobs.empty(), Blobs.empty())
+    given_up = replace(FrameResult.nothing(0.0, Tracking.TRACKING, 37), another=True)
+    pipeline.engine.take_results = lambda: [given_up]  # type: ignore[method-assign]
+    pipeline.feed_frame(nothing)
+    assert pipeline.take_words() == [ANOTHER]
+    assert pipeline.take_words() == []

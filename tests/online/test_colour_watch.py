@@ -11,7 +11,7 @@ MARKERS = 37
 def blobs(t: float, count: int) -> BlobFrame:
     uv = np.zeros((count, 2))
     one = Blobs.empty()
-    fields = {n: getattr(one, n) for n in one.__dataclass_fields__}
+    fields = {n: getattr(one, n) for n in ("uv", "size", "hue", "score")}
     many = {n: np.zeros((count, *a.shape[1:]), a.dtype) for n, a in fields.items()}
     assert many["uv"].shape == uv.shape
     return BlobFrame(t, t, ("red",), Blobs(**many), None)

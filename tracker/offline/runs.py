@@ -29,7 +29,7 @@ from tracker.offline.report import Counter, StatusClock, TrackReport, TruthCheck
 from tracker.offline.smooth import Smoother
 from tracker.online.camera_tilt import CameraTilt
 from tracker.online.colour_watch import ColourWatch
-from tracker.pipeline import Pipeline
+from tracker.pipeline import ANOTHER, Pipeline
 from tracker.session import engine_state
 from tracker.session.decode_sensors import Sensed
 from tracker.session.images import PackedFrame
@@ -227,7 +227,8 @@ class LiveRun:
         if not isinstance(message, BlobFrame):
             return
         self._watch.look(message, self._tracking)
-        events = [Event(message.t, "tracking", text) for text in self._watch.take_words()]
+        texts = [ANOTHER for r in results if r.another] + self._watch.take_words()
+        events = [Event(message.t, "tracking", text) for text in texts]
         if self._colours is not None:
             self._colours.looked(message, self._tracking)
             events += self._colours.take_words()

@@ -20,7 +20,7 @@ from tracker.fusion.chain.prediction import Prediction
 from tracker.fusion.chain.previous import PreviousPrediction
 from tracker.fusion.chain.reports import frame_result
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.chain.support import Evidence, digit_of, evidence
+from tracker.fusion.chain.support import LIKELY, Evidence, digit_of, evidence
 from tracker.messages import Array, BlobFrame, CameraPose, FrameResult, IntArray, Tracking
 from tracker.records import record
 from tracker.vision.rig import StereoRig
@@ -28,6 +28,8 @@ from tracker.vision.stereo import StereoMatches, all_pairs
 
 FOLLOWED_PX = 4.0  # median, of one camera's blobs from where they were expected
 EXPLAINED_SHARE = 0.4  # of one camera's blobs, that are the hand's where it is called measured
+STRANGE_PX = 5.0  # the same of two cameras' blobs
+STRANGE_SHARE = 0.2  # of blobs on a hand, that are no marker's, to those that are
 NOBODY = -2  # whose blob one is that no marker is matched with
 
 
@@ -180,6 +182,30 @@ class Recognition:
             return seen.is_likely
         explains = is_sure or seen.matched >= EXPLAINED_SHARE * image.most_blobs or seen.is_start
         return seen.is_likely and explains and self.misfit_px(image, found) <= FOLLOWED_PX
+
+    def is_followed(self, image: SeenImage, found: Recognised) -> bool:
+        """Whether two cameras' recognised blobs are where they were expected, or the blobs on the
+        hand are recognised.
+
+        A hand that is another than it seems, as where hues are exchanged, is dragged along by some
+        of its blobs, and does not explain the others.
+        """
+        misfit_px = self.misfit_px(image, found)
+        return misfit_px <= STRANGE_PX or self._strangers(image, found) <= STRANGE_SHARE
+
+    def _strangers(self, image: SeenImage, found: Recognised) -> float:
+        """Blobs on the hand that are no marker's, for each that is one."""
+        own = others = 0
+        prediction = found.prediction
+        for c, (side, match) in enumerate(zip(image.blobs, found.match, strict=True)):
+            uv = prediction.uv[c][prediction.prior[c] >= LIKELY]
+            if len(uv) == 0:
+                continue
+            on = np.all((side.uv >= uv.min(axis=0)) & (side.uv <= uv.max(axis=0)), axis=1)
+            matched = match[match >= 0]
+            on[matched] = False
+            own, others = own + len(matched), others + int(np.count_nonzero(on))
+        return others / max(own, 1)
 
     def rows(self, state: ChainState, image: SeenImage, found: Recognised) -> Rows:
         """What the recognised blobs say of ``state``."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from tracker.fusion.chain.calibration.wearer import WearerKept
 from tracker.fusion.chain.distal import DistalSegments
@@ -126,10 +126,14 @@ class ChainTracker:
             self.shown.held(frame.t)
             self._look_for_tips(image)
         self._judge.judge(frame.t, enough)
-        likely = self._recognition.is_likely(image, found, seen, self._judge.is_sure)
+        followed = image.is_mono or self._recognition.is_followed(image, found)
+        likely = followed and self._recognition.is_likely(image, found, seen, self._judge.is_sure)
         sure = self._judge.support(frame.t, enough and likely)
         self.shown.supported(frame.t, seen, sure)
+        another = self._judge.is_another(frame.t, followed or not enough)
         result = self._finish(image, found)
+        if another:
+            return replace(result, another=True)
         self._judge.looked(frame.t, image.most_blobs)
         # 4. Now and then the calibration is solved for anew.
         self.wearer.calibration.refine(self.state, image, found, self._buffer, self.wearer.guided)

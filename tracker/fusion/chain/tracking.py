@@ -20,6 +20,7 @@ DOUBTFUL_SHARE = 0.35  # of the expected markers
 ENOUGH_SHARE = 0.6  # of the few markers that can be seen of a hand edge-on
 DOUBT_AFTER = 0.08  # s without support, after which nothing is called measured
 SURE_AFTER = 0.08  # s with support, after which it is again
+STRANGE_FOR = 0.4  # s of images without a break
 DIGIT_PERIOD = 0.09  # s between two searches for digits
 PLACES_APART = 0.12  # s at most between two searches whose places tell how fast the hand moves
 BELIEVABLE_SHARE = 0.5  # of the expected markers, for a hand that was out of sight
@@ -39,6 +40,7 @@ class TrackingKept:
     doubtful_since: float = np.inf
     supported_since: float = np.inf  # images show more of the hand than chance does
     last_supported: float = -np.inf
+    strange_since: float = np.inf  # images show another hand than the one that is followed
     last_digits: float = -np.inf  # last search for digits
     last_found: float = -np.inf  # last search that found the hand, at last_place (3,) m in G
     last_place: Array = field(default_factory=lambda: np.zeros(3))
@@ -99,6 +101,17 @@ class TrackingJudge:
     def is_sure(self) -> bool:
         """Whether images have supported the pose for long enough, and lately."""
         return self.kept.last_supported - self.kept.supported_since >= SURE_AFTER
+
+    def is_another(self, t: float, followed: bool) -> bool:
+        """After an image in which the hand was ``followed`` or not: whether what is tracked is
+        another hand than the images show, which is then forgotten."""
+        now = self.kept
+        now.strange_since = np.inf if followed else min(now.strange_since, t)
+        another = t - now.strange_since >= STRANGE_FOR
+        if another:
+            self.forget()
+            self.kept.last_start = t
+        return another
 
     def found(self, t: float, p: Array) -> Array | None:
         """A search has found the hand at p (3,) m: its velocity (3,) m/s, if another one found it
