@@ -132,7 +132,7 @@ def test_a_thumb_bends_as_its_outline_does(
     end = np.array([layout.hand.segments[worn.distal.digits[0].segment].length, 0, 0])
     true = worn.distal.point(flat, own, "thumb", end).p
     for k in range(6):
-        flat.t = 0.1 * k
+        flat.t = 1.1 * APART * k
         worn.look(flat, seen(worn, rig, flat, 0, BENT, flat.t))
     off = np.linalg.norm(worn.tip(flat, 0) - true)
     assert np.linalg.norm(before - true) > 0.009  # 20° of 29 mm

@@ -29,7 +29,7 @@ from tracker.vision.tip_scan import ExpectedTip, scan_tip
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility
 
 LASTS = 1.0  # s for which an end joint stays as it was seen
-APART = 0.03  # s between two images that are looked at
+APART = 0.15  # s between two images that are looked at: where a glove ends is no news in each
 CLOTH = 0.001  # m, of the glove's cloth on the skin
 LEAST_VISIBLE = 0.5  # probability that a camera sees a tip which is looked for
 END = 0.005  # m along the finger: gloves end a little before a fingertip or beyond it
