@@ -32,9 +32,10 @@ class Chip(QWidget):
             self.setAccessibleDescription(tip)
         if (colour, sign, text) == self._shown:
             return  # a label repaints even when nothing changes
+        if self._shown[:2] != (colour, sign):  # a style sheet costs more than all the rest
+            self._sign.setText(sign)
+            self._sign.setStyleSheet(f"color: {colour}")
         self._shown = (colour, sign, text)
-        self._sign.setText(sign)
-        self._sign.setStyleSheet(f"color: {colour}")
         self._text.setText(text)
         self.setAccessibleName(text)
 

@@ -10,11 +10,17 @@ from collections.abc import Sequence
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, Signal
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
 
 from tracker.messages import Array
 
 MARGIN = 0.05  # of the range, above and below curves whose range follows them
+
+
+def keep_axes(plot: pg.PlotWidget) -> None:
+    """Draw its axes only when they change; they cost more than the curves that move over them."""
+    for side in ("left", "bottom"):
+        plot.getAxis(side).setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)
 
 
 class ScrollPlot(QWidget):
@@ -39,6 +45,7 @@ class ScrollPlot(QWidget):
         self.plot.setMouseEnabled(x=False, y=False)
         self.plot.hideButtons()
         self.plot.showGrid(y=True, alpha=0.2)
+        keep_axes(self.plot)
         if limits is not None:
             self.plot.setYRange(*limits, padding=0)
         self.curves: list[pg.PlotDataItem] = []

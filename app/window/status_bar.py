@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from PySide6.QtCore import QElapsedTimer
 from PySide6.QtWidgets import QProgressBar, QPushButton, QStatusBar, QToolTip, QWidget
 
 from app.platform.tasks import RunningJob, TaskOwner
@@ -14,6 +15,9 @@ from tracker.messages import Status
 
 RATES = ("imu_rate_hz", "frame_rate_hz", "estimate_rate_hz")
 """Fields that are cut last: what arrives, and how often, is asked for most."""
+
+
+PROGRESS_MS = 100  # between two values of a job's progress
 
 
 NARROW = 1200  # px, with everything in it
@@ -42,6 +46,7 @@ class StatusBar(QStatusBar):
         for widget in (self.recording, self._task_name, self._bar, self._cancel):
             self.addPermanentWidget(widget)
         self._watched: RunningJob | None = None
+        self._shown_at = QElapsedTimer()
         tasks.changed.connect(self._watch)
         self._watch()
 
@@ -92,11 +97,15 @@ class StatusBar(QStatusBar):
         if self._watched is not None:
             self._task_name.setText(self._watched.title)
             self._bar.setRange(0, 0)
+            self._shown_at.invalidate()
             self._watched.progressed.connect(self._progressed)
 
     def _progressed(self, fraction: float, text: str) -> None:
         if self.sender() is not self._watched or self._watched is None:
             return
+        if self._shown_at.isValid() and self._shown_at.elapsed() < PROGRESS_MS:
+            return  # each value has the window painted at once
+        self._shown_at.start()
         self._bar.setRange(0, 0 if fraction < 0 else 100)
         self._bar.setValue(round(100 * max(0.0, fraction)))
         self._task_name.setText(f"{self._watched.title}: {text}" if text else self._watched.title)

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.viewmodels.motion import shown_name
 from app.viewmodels.states import BLUISH_GREEN, ORANGE, PURPLE, SKY, VERMILLION, YELLOW
+from app.widgets.scroll_plot import keep_axes
 from tracker.messages import Array
 
 COLOURS = (ORANGE, SKY, BLUISH_GREEN, PURPLE, VERMILLION, YELLOW)
@@ -28,6 +29,7 @@ class MotionPlot(QWidget):
         self.plot.hideButtons()
         self.plot.setMouseEnabled(x=False, y=False)
         self.plot.showGrid(y=True, alpha=0.2)
+        keep_axes(self.plot)
         self.plot.setLabel("bottom", "s")
         self.plot.getAxis("bottom").enableAutoSIPrefix(False)
         self.plot.addLegend(offset=(1, 1))
