@@ -169,7 +169,7 @@ class PairOffset:
         nearest = apart.argmin(axis=1)
         near = apart.min(axis=1) <= self._params.near_px
         uv[near] -= (after - before)[nearest[near]]
-        return replace(blobs, uv=rig.right.unrectify(uv))
+        return replace(blobs, uv=rig.right.unrectify(uv), cloth=None)  # of another instant
 
     # ---- results
 
