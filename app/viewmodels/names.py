@@ -20,6 +20,7 @@ WORDS = {
     "tip": mark("tip"),
     "flexion": mark("flexion"),
     "abduction": mark("abduction"),
+    "twist": mark("twist"),
     "red": mark("red"),
     "green": mark("green"),
     "blue": mark("blue"),

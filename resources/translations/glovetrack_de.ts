@@ -3691,6 +3691,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/names.py" />
+      <source>twist</source>
+      <translation>Drehung</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/names.py" />
       <source>red</source>
       <translation>Rot</translation>
     </message>
@@ -6848,6 +6853,11 @@ change {}: {}</source>
       <location filename="tracker/online/rig_watch.py" />
       <source>The two images fit the stereo calibration again.</source>
       <translation>Die beiden Bilder passen wieder zur Stereo-Kalibrierung.</translation>
+    </message>
+    <message>
+      <location filename="tracker/pipeline.py" />
+      <source>The hand was given up: patches on it are not where the glove's markers of their hues would be. Fit the colours, or look whether two of their hues are exchanged.</source>
+      <translation>Die Hand wurde aufgegeben: Flecken auf ihr liegen nicht dort, wo die Marker des Handschuhs in ihren Farben wären. Die Farben anpassen, oder nachsehen, ob zwei von ihnen vertauscht sind.</translation>
     </message>
     <message>
       <location filename="tracker/pipeline.py" />

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from app import words
 from app.viewmodels.motion import shown_name
-from app.viewmodels.names import spoken
+from app.viewmodels.names import WORDS, spoken
+from resources import folder
+from tracker.hand.files import load_hand
 
+ABBREVIATED = {"cmc", "mcp", "pip", "dip", "ip"}
 GERMAN = {"index": "Zeigefinger", "flexion": "Beugung", "tip": "Spitze", "red": "Rot"}
 
 
@@ -19,3 +22,9 @@ def test_names_are_said_in_the_users_language_and_foreign_ones_stay():
         assert shown_name("thumb_tip - index_tip") == "thumb Spitze - Zeigefinger Spitze"
     finally:
         words.use(None)
+
+
+def test_all_words_of_the_hands_that_come_with_the_program_are_known():
+    for path in sorted((folder("hands")).glob("*.toml")):
+        parts = {part for name in load_hand(path).joint_names for part in name.split("_")}
+        assert parts - set(WORDS) <= ABBREVIATED, path.name
