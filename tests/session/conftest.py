@@ -15,6 +15,7 @@ from tracker.messages import (
     Blobs,
     Calibration,
     CameraPose,
+    Cloth,
     Estimate,
     Event,
     ImuSample,
@@ -72,7 +73,14 @@ class MessageMaker:
 
     def blobs(self, n: int) -> Blobs:
         uv, size = self.rng.uniform(1, 60, (2, n, 2))
-        return Blobs(uv, size, self.rng.integers(0, 3, n), self.rng.uniform(size=n))
+        hue, score = self.rng.integers(0, 3, n), self.rng.uniform(size=n)
+        return Blobs(uv, size, hue, score, self.cloth() if n % 2 else None)
+
+    def cloth(self) -> Cloth:
+        """Of an image of 640 by 480 px."""
+        first, second = sorted(self.rng.integers(0, 590, 2).tolist())
+        tile = np.r_[first : first + 9, 600 + second : 609 + second]
+        return Cloth(40, 30, tile, self.rng.integers(-(2**63), 2**63 - 1, len(tile)))
 
     def pose(self) -> CameraPose:
         return CameraPose(so3.exp(self.rng.normal(size=3)), self.rng.normal(size=3))

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from tests.session.ros_types import typestore
-from tracker.messages import Blobs
+from tracker.messages import Blobs, Cloth
 from tracker.session.ros import motion, sensors
-from tracker.session.ros.cdr import CdrError
+from tracker.session.ros.cdr import CdrError, CdrWriter
 from tracker.session.ros.definitions import definition
 from tracker.vision.rig import ideal_rig
 
@@ -15,6 +15,7 @@ RNG = np.random.default_rng(3)
 BLOBS = Blobs(
     RNG.normal(size=(3, 2)), RNG.uniform(1, 9, (3, 2)), np.array([1, 0, 1]), RNG.uniform(size=3)
 )
+CLOTH = Cloth(80, 45, np.array([3, 4, 5, 90, 200, 201]), RNG.integers(-(2**63), 2**63 - 1, 6))
 
 PACKED = {
     sensors.IMU: sensors.pack_imu(sensors.ImuMessage(NS, "dorsum", RNG.normal(size=3), np.ones(3))),
@@ -26,6 +27,7 @@ PACKED = {
     sensors.DETECTIONS: sensors.pack_detections(
         sensors.Detections(NS, "camera_left", BLOBS, ("red", "blue"))
     ),
+    sensors.CLOTH: sensors.pack_cloth(CLOTH),
     motion.TF: motion.pack_transforms(
         [motion.Transform(NS, "world", c, RNG.normal(size=3), RNG.normal(size=4)) for c in "ab"]
     ),
@@ -49,6 +51,7 @@ UNPACK = {
     sensors.CAMERA_INFO: sensors.unpack_camera_info,
     sensors.TIME_REFERENCE: sensors.unpack_time_reference,
     sensors.DETECTIONS: sensors.unpack_detections,
+    sensors.CLOTH: sensors.unpack_cloth,
     motion.TF: motion.unpack_transforms,
     motion.POSES: motion.unpack_poses,
     motion.JOINTS: motion.unpack_joints,
@@ -101,6 +104,37 @@ def test_unpacking_gives_the_identical_floats() -> None:
     assert np.array_equal(blobs.blobs.uv, BLOBS.uv)
     assert np.array_equal(blobs.blobs.score, BLOBS.score)
     assert [blobs.names[h] for h in blobs.blobs.hue] == ["blue", "red", "blue"]
+
+
+@pytest.mark.parametrize("tile", [[], [0], [3599], [3598, 3599], list(range(3600))])
+def test_a_map_of_cloth_comes_back_whichever_tiles_it_has(tile: list[int]) -> None:
+    bits = RNG.integers(-(2**63), 2**63 - 1, len(tile))
+    back = sensors.unpack_cloth(sensors.pack_cloth(Cloth(80, 45, np.array(tile, int), bits)))
+    assert (back.columns, back.rows) == (80, 45)
+    assert back.tile.tolist() == tile and back.bits.tolist() == bits.tolist()
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        [],
+        [80, 45],
+        [80, 45, 1, 3599, 2, 0, 0],  # the second is beyond the image
+        [80, 45, 1, -1, 1, 0],
+        [80, 45, 1, 0, 2, 0],  # bits of one
+        [80, 45, 2, 0, 5, -1, 3, 0, 0],
+        [80, 45, 9, 0, 1, 0],
+        [1 << 40, 1 << 40, 0],
+        [80, 45, 1, 2**62, 2**62, 0],
+    ],
+)
+def test_a_damaged_map_of_cloth_is_an_error(values: list[int]) -> None:
+    out = CdrWriter()
+    out.u32(0)
+    out.u32(0)
+    out.long_list(values)
+    with pytest.raises(CdrError):
+        sensors.unpack_cloth(out.done())
 
 
 @pytest.mark.parametrize("name", PACKED)

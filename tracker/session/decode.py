@@ -76,7 +76,10 @@ class MessageDecoder:
             ImuSample: [*imus, topics.packets(side)],
             CameraImuSample: [topics.CAMERA_IMU],
             StereoFrame: [*(topics.image(c) for c in topics.SIDES), *camera],
-            BlobFrame: [*(topics.blobs(c) for c in topics.SIDES), *camera],
+            BlobFrame: [
+                *(f(c) for c in topics.SIDES for f in (topics.cloth, topics.blobs)),
+                *camera,
+            ],
             Estimate: [*hand, topics.TF],
             Calibration: [topics.hand(side, "calibration")],
             Status: [topics.STATUS],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from tracker.messages import (
     Blobs,
     CameraImuSample,
     CameraPose,
+    Cloth,
     ImuSample,
 )
 from tracker.session.description import SessionInfo
@@ -24,7 +25,7 @@ from tracker.session.rigs import exact_pose, is_camera, pose_of
 from tracker.session.ros import motion, sensors, topics
 from tracker.session.ros.cdr import CdrReader, in_words
 
-_POSES_KEPT = 64
+_KEPT = 64
 _FOREIGN_PATIENCE = NS // 10  # images in a foreign file may be this late against their IMUs
 
 
@@ -81,6 +82,7 @@ class SensorDecoder:
         self._images = Grouper[sensors.ImageMessage](both, timing.frame_tolerance, timing.patience)
         self._blobs = Grouper[sensors.Detections](both, timing.frame_tolerance, timing.patience)
         self._poses: dict[int, CameraPose] = {}
+        self._cloth: dict[tuple[str, int], Cloth] = {}  # of blobs that come next, by their stamp
         self._pose_tolerance = timing.frame_tolerance
 
     def handlers(self) -> dict[str, Callable[[RawMessage], list[Sensed]]]:
@@ -93,6 +95,7 @@ class SensorDecoder:
         }
         table |= {topics.imu(side, name): self._imu for name in self._info.glove.imu_names}
         table |= {topics.image(camera): self._image for camera in topics.SIDES}
+        table |= {topics.cloth(camera): self._keep_cloth for camera in topics.SIDES}
         table |= {topics.blobs(camera): self._detections for camera in topics.SIDES}
         return table
 
@@ -155,6 +158,12 @@ class SensorDecoder:
         self._blobs.add(_camera(raw.topic), part.stamp, raw.log_time, raw.sequence, part)
         return []
 
+    def _keep_cloth(self, raw: RawMessage) -> list[Sensed]:
+        self._cloth[_camera(raw.topic), raw.publish_time] = sensors.unpack_cloth(raw.data)
+        while len(self._cloth) > _KEPT:
+            del self._cloth[next(iter(self._cloth))]
+        return []
+
     def _frame(self, group: Group[sensors.ImageMessage]) -> PackedFrame:
         return PackedFrame(
             self._t(group.stamp),
@@ -167,7 +176,10 @@ class SensorDecoder:
     def _blob_frame(self, group: Group[sensors.Detections]) -> BlobFrame:
         found = [n for p in group.parts.values() for n in p.names]
         names = tuple(dict.fromkeys([*self._info.hue_names, *found]))
-        sides = {c: _with_hues(p, names) for c, p in group.parts.items()}
+        sides = {
+            c: replace(_with_hues(p, names), cloth=self._cloth.pop((c, p.stamp), None))
+            for c, p in group.parts.items()
+        }
         return BlobFrame(
             self._t(group.stamp),
             self._t(group.log_time),
@@ -193,7 +205,7 @@ class SensorDecoder:
 
     def _keep_pose(self, stamp: int, pose: CameraPose) -> None:
         self._poses[stamp] = pose
-        while len(self._poses) > _POSES_KEPT:
+        while len(self._poses) > _KEPT:
             del self._poses[next(iter(self._poses))]
 
 

@@ -170,6 +170,9 @@ class Encoder:
             frame = topics.camera_frame(camera)
             data = sensors.pack_detections(sensors.Detections(stamp, frame, found, m.hue_names))
             sequence = (m.index + 1) % 2**32
+            if found.cloth is not None:
+                worn = sensors.pack_cloth(found.cloth)
+                yield Out(topics.cloth(camera), sensors.CLOTH, log, stamp, worn)
             yield Out(topics.blobs(camera), sensors.DETECTIONS, log, stamp, data, sequence)
 
     def estimate(self, m: Estimate) -> Iterator[Out]:

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from tracker.clock import NS
 from tracker.errors import FileError
-from tracker.messages import Array
+from tracker.messages import Array, IntArray
 
 LITTLE_ENDIAN = b"\x00\x01\x00\x00"
 _END_OF_TIME = 2**31 * NS
@@ -82,6 +82,14 @@ class CdrWriter:
         self.u32(len(values))
         self.doubles(values)
 
+    def long_list(self, values: ArrayLike) -> None:
+        """An int64 sequence."""
+        values = np.asarray(values, "<i8").ravel()
+        self.u32(len(values))
+        if len(values):
+            self._align(8)
+            self._body += values.tobytes()
+
     def text_list(self, values: Iterable[str]) -> None:
         values = list(values)
         self.u32(len(values))
@@ -148,6 +156,13 @@ class CdrReader:
 
     def double_list(self) -> Array:
         return self.doubles(self.count(8))
+
+    def long_list(self) -> IntArray:
+        """(n,) int64, writable."""
+        n = self.count(8)
+        if n == 0:
+            return np.zeros(0, np.int64)
+        return np.frombuffer(self._take(8 * n, 8), self._order + "i8").astype(np.int64)
 
     def text_list(self) -> list[str]:
         return [self.text() for _ in range(self.count(4))]

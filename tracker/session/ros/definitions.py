@@ -43,6 +43,7 @@ _FIELDS = {
     "string source",
     "std_msgs/Float64MultiArray": "std_msgs/MultiArrayLayout layout, float64[] data",
     "std_msgs/Header": "builtin_interfaces/Time stamp, string frame_id",
+    "std_msgs/Int64MultiArray": "std_msgs/MultiArrayLayout layout, int64[] data",
     "std_msgs/MultiArrayDimension": "string label, uint32 size, uint32 stride",
     "std_msgs/MultiArrayLayout": "std_msgs/MultiArrayDimension[] dim, uint32 data_offset",
     "std_msgs/String": "string data",

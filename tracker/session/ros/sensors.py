@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.messages import Array, Blobs
-from tracker.session.ros.cdr import CdrReader, CdrWriter
+from tracker.messages import Array, Blobs, Cloth
+from tracker.session.ros.cdr import CdrError, CdrReader, CdrWriter
 from tracker.vision.rig import Camera
 
 IMU = "sensor_msgs/msg/Imu"
@@ -18,6 +18,8 @@ IMAGE = "sensor_msgs/msg/CompressedImage"
 CAMERA_INFO = "sensor_msgs/msg/CameraInfo"
 TIME_REFERENCE = "sensor_msgs/msg/TimeReference"
 DETECTIONS = "vision_msgs/msg/Detection2DArray"
+CLOTH = "std_msgs/msg/Int64MultiArray"
+LONGEST_IMAGE = 1 << 16  # px
 
 _NO_ORIENTATION = np.array([0.0, 0, 0, 1, -1, 0, 0, 0, 0, 0, 0, 0, 0])
 _IMU_AT_REST = np.r_[_NO_ORIENTATION, np.zeros(3 + 9 + 3 + 9)]
@@ -155,6 +157,40 @@ def unpack_detections(data: bytes) -> Detections:
     hue = np.array([names.index(name) for name, _, _ in rows], np.int64)
     score = np.array([s for _, s, _ in rows], float)
     return Detections(stamp, frame, Blobs(box[:, :2].copy(), box[:, 3:].copy(), hue, score), names)
+
+
+def pack_cloth(cloth: Cloth) -> bytes:
+    """columns, rows, number of runs of tiles; the runs' first tiles, their lengths; all bits."""
+    begins = np.flatnonzero(np.diff(cloth.tile, prepend=-2) != 1)
+    lengths = np.diff(begins, append=len(cloth.tile))
+    head = [cloth.columns, cloth.rows, len(begins)]
+    out = CdrWriter()
+    out.u32(0)  # dimensions
+    out.u32(0)  # offset
+    out.long_list(np.concatenate([head, cloth.tile[begins], lengths, cloth.bits]))
+    return out.done()
+
+
+def unpack_cloth(data: bytes) -> Cloth:
+    source = CdrReader(data)
+    for _ in range(source.count(12)):
+        source.text()
+        source.u32()
+        source.u32()
+    source.u32()
+    values = source.long_list()
+    if len(values) < 3:
+        raise CdrError("a map of cloth says how large it is")
+    columns, rows, n = values[:3].tolist()
+    if not (0 <= columns < LONGEST_IMAGE and 0 <= rows < LONGEST_IMAGE and 0 <= n < len(values)):
+        raise CdrError("a map of cloth is larger than any image")
+    first, length, bits = np.split(values[3:], [n, 2 * n])
+    inside = (first >= 0) & (length > 0) & (length <= len(bits)) & (first < columns * rows)
+    if not inside.all() or length.sum() != len(bits) or (first + length > columns * rows).any():
+        raise CdrError("a map of cloth has parts that are not in its image")
+    before = np.cumsum(length) - length
+    tile = np.arange(len(bits)) + np.repeat(first - before, length)
+    return Cloth(columns, rows, tile, bits.copy())
 
 
 def _best_hypothesis(source: CdrReader) -> tuple[str, float] | None:

@@ -33,6 +33,11 @@ def blobs(camera: str) -> str:
     return f"/camera/{camera}/blobs"
 
 
+def cloth(camera: str) -> str:
+    """The glove's own colours around the blobs, before these; where colours know them."""
+    return f"/camera/{camera}/cloth"
+
+
 def camera_frame(camera: str) -> str:
     return f"camera_{camera}"
 
