@@ -33,6 +33,7 @@ from tracker.records import record
 
 MEASURED_SD = 0.016  # m, beyond which nothing is called measured: three of them are 5 cm
 BIAS_LASTS = 2.0  # s for which an error of the gyro's bias stays about the vertical
+SILENT = 0.5  # s without any IMU after which images alone measure nothing
 RETURN_AFTER = 0.15  # s of silence after which a segment is doubted
 
 
@@ -136,6 +137,8 @@ class ShownHand:
         )
         if len(now.doubted):
             segments[now.doubted] = 0
+        if SILENT < t - now.felt.max(initial=-np.inf) < np.inf:
+            segments[:] = 0  # a glove that was there is not: a few blobs bend a hand as they like
         return Sensed(segments, tracking)
 
     # ---- how sure
