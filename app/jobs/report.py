@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
+from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress
 
 
@@ -13,13 +15,18 @@ def report_job(sessions: Sequence[Path]) -> Job:
     takes = sorted(sessions)
 
     def run(progress: JobProgress) -> Path:
-        from tracker.session.report.write import write_report
-
-        out = free_page(takes[0].parent)
-        write_report(takes, out, watch=lambda share: progress(share, out.name))
+        out: Path = aside("report", partial(_write, takes), progress)
         return out
 
     return run
+
+
+def _write(takes: Sequence[Path], progress: Callable[..., None]) -> Path:
+    from tracker.session.report.write import write_report
+
+    out = free_page(takes[0].parent)
+    write_report(takes, out, watch=progress)
+    return out
 
 
 def free_page(folder: Path) -> Path:

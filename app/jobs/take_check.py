@@ -2,36 +2,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
+from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress
 from app.viewmodels.takes import TakeReport
 from app.words import told
+from tracker.errors import GlovetrackError
 
 
 def check_job(path: Path) -> Job:
-    """A job that reads all of the file and gives its `TakeReport`."""
+    """A job that reads all of the file and gives its `TakeReport`; in a process of its own, for the
+    hand is tracked meanwhile."""
 
     def run(progress: JobProgress) -> TakeReport:
-        from tracker.errors import GlovetrackError
-        from tracker.session.glance import quality
-        from tracker.session.reader import SessionReader
-        from tracker.session.verify import verify
-
         try:
-            findings = verify(path, progress)
-            errors = [f"{f.where}: {f.what}" for f in findings if f.severity == "error"]
-            with SessionReader(path) as reader:
-                q, duration = quality(reader), reader.duration
+            report: TakeReport = aside("check", partial(_report, path), progress)
         except GlovetrackError as error:
             return TakeReport(path, told(str(error)))
-        problem = errors[0] if errors else ""
-        glove, camera = (
-            sum(f.silence for f in findings if f.where.startswith(device))
-            for device in ("/glove", "/camera")
-        )
-        return TakeReport(
-            path, problem, duration, q.packets_lost, q.tracked, q.by_imus, glove, camera
-        )
+        return report
 
     return run
+
+
+def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
+    """Raises FileError where it cannot be read."""
+    from tracker.session.glance import quality
+    from tracker.session.reader import SessionReader
+    from tracker.session.verify import verify
+
+    findings = verify(path, progress)
+    errors = [f"{f.where}: {f.what}" for f in findings if f.severity == "error"]
+    with SessionReader(path) as reader:
+        q, duration = quality(reader), reader.duration
+    problem = errors[0] if errors else ""
+    glove, camera = (
+        sum(f.silence for f in findings if f.where.startswith(device))
+        for device in ("/glove", "/camera")
+    )
+    return TakeReport(path, problem, duration, q.packets_lost, q.tracked, q.by_imus, glove, camera)
