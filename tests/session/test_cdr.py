@@ -130,8 +130,7 @@ def test_a_map_of_cloth_comes_back_whichever_tiles_it_has(tile: list[int]) -> No
 )
 def test_a_damaged_map_of_cloth_is_an_error(values: list[int]) -> None:
     out = CdrWriter()
-    out.u32(0)
-    out.u32(0)
+    out.no_layout()
     out.long_list(values)
     with pytest.raises(CdrError):
         sensors.unpack_cloth(out.done())

@@ -90,6 +90,11 @@ class CdrWriter:
             self._align(8)
             self._body += values.tobytes()
 
+    def no_layout(self) -> None:
+        """std_msgs/MultiArrayLayout of one row of numbers, which needs none."""
+        self.u32(0)  # dimensions
+        self.u32(0)  # offset
+
     def text_list(self, values: Iterable[str]) -> None:
         values = list(values)
         self.u32(len(values))
@@ -163,6 +168,14 @@ class CdrReader:
         if n == 0:
             return np.zeros(0, np.int64)
         return np.frombuffer(self._take(8 * n, 8), self._order + "i8").astype(np.int64)
+
+    def skip_layout(self) -> None:
+        """std_msgs/MultiArrayLayout, whatever it says."""
+        for _ in range(self.count(12)):
+            self.text()
+            self.u32()
+            self.u32()
+        self.u32()
 
     def text_list(self) -> list[str]:
         return [self.text() for _ in range(self.count(4))]

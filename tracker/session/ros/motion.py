@@ -146,17 +146,12 @@ def unpack_string(data: bytes) -> str:
 def pack_numbers(values: Array) -> bytes:
     """One row of numbers, without dimensions."""
     out = CdrWriter()
-    out.u32(0)  # dimensions
-    out.u32(0)  # offset
+    out.no_layout()
     out.double_list(values)
     return out.done()
 
 
 def unpack_numbers(data: bytes) -> Array:
     source = CdrReader(data)
-    for _ in range(source.count(12)):
-        source.text()
-        source.u32()
-        source.u32()
-    source.u32()
+    source.skip_layout()
     return source.double_list()

@@ -165,19 +165,14 @@ def pack_cloth(cloth: Cloth) -> bytes:
     lengths = np.diff(begins, append=len(cloth.tile))
     head = [cloth.columns, cloth.rows, len(begins)]
     out = CdrWriter()
-    out.u32(0)  # dimensions
-    out.u32(0)  # offset
+    out.no_layout()
     out.long_list(np.concatenate([head, cloth.tile[begins], lengths, cloth.bits]))
     return out.done()
 
 
 def unpack_cloth(data: bytes) -> Cloth:
     source = CdrReader(data)
-    for _ in range(source.count(12)):
-        source.text()
-        source.u32()
-        source.u32()
-    source.u32()
+    source.skip_layout()
     values = source.long_list()
     if len(values) < 3:
         raise CdrError("a map of cloth says how large it is")
