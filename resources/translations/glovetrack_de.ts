@@ -6270,6 +6270,11 @@ change {}: {}</source>
       <translation>Die für {} markierten Bildpunkte haben jeden Farbton: nur einen Stoff markieren.</translation>
     </message>
     <message>
+      <location filename="tracker/calibration/colours_follow.py" />
+      <source>The light is not the one that the colours were made for: the colours follow it.</source>
+      <translation>Das Licht ist nicht das, für das die Farben gemacht wurden: die Farben folgen ihm.</translation>
+    </message>
+    <message>
       <location filename="tracker/calibration/colours_image.py" />
       <source>Nothing was fitted: no glove with its patches is seen for sure. Hold the hand flat before the camera, in more or whiter light.</source>
       <translation>Nichts wurde angepasst: kein Handschuh mit seinen Flecken ist sicher zu sehen. Die Hand flach vor die Kamera halten, in mehr oder weißerem Licht.</translation>
@@ -6703,11 +6708,6 @@ change {}: {}</source>
       <location filename="tracker/library.py" />
       <source>There is no {} among the {}; there are {}, or give the path of a file.</source>
       <translation>{1}: {0} gibt es nicht; es gibt {2}, oder den Pfad einer Datei angeben.</translation>
-    </message>
-    <message>
-      <location filename="tracker/live/colours.py" />
-      <source>The light has changed: the colours follow it.</source>
-      <translation>Das Licht hat sich geändert: die Farben folgen ihm.</translation>
     </message>
     <message>
       <location filename="tracker/live/exchange_watch.py" />

@@ -22,6 +22,9 @@ from tracker.messages import Array, BlobFrame, FrameResult, StereoFrame, Trackin
 from tracker.vision.colours import ColourProfile
 from tracker.vision.detector import Detector
 
+FOLLOWED = "The light is not the one that the colours were made for: the colours follow it."
+"""Said of each new profile: it has changed, or the first colours were of another room."""
+
 APART = 0.2  # s between two images that are looked at
 KEPT, LEAST = 6, 3  # of them: a second, over which hands turn and shade evens out
 LEAST_MARKERS = 6  # matched in an image that counts

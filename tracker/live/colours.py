@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tracker.calibration.colours_follow import ColourFollower
+from tracker.calibration.colours_follow import FOLLOWED, ColourFollower
 from tracker.channels import Latest
 from tracker.live.frame_results import ShownFrame
 from tracker.live.journal import Journal
@@ -42,5 +42,4 @@ class FollowedColours:
             return
         self._vision.profile = new
         text = profile_to_toml(replace(new, name="followed"))
-        words = "The light has changed: the colours follow it."
-        self._journal.add(Event(frame.t, KIND, words, {"colours": text}))
+        self._journal.add(Event(frame.t, KIND, FOLLOWED, {"colours": text}))

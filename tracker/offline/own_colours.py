@@ -11,7 +11,7 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from tracker.calibration.colours_follow import ColourFollower
+from tracker.calibration.colours_follow import FOLLOWED, ColourFollower
 from tracker.errors import GlovetrackError
 from tracker.messages import BlobFrame, Event, FrameResult, ImuSample, StereoFrame, Tracking
 from tracker.offline.colours_fit import Sensed, Worn, fit_messages
@@ -71,7 +71,7 @@ class OwnColours:
                 continue
             new = self._follower.look(frame.unpack(), blobs, result)
             if new is not None:
-                self._take(new, frame.t, "The light has changed: the colours follow it.")
+                self._take(new, frame.t, FOLLOWED)
 
     def looked(self, frame: BlobFrame, tracking: Tracking) -> None:
         """An image was fed, and how tracking stands then."""
