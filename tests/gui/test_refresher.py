@@ -1,12 +1,18 @@
 """How often panels are refreshed, on a clock that is given."""
 
+from types import SimpleNamespace
+
+import numpy as np
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 
 from app.engines.engine_host import EngineHost
 from app.engines.snapshot import Snapshot
 from app.panels.panel import Panel
+from app.platform.courtesy import PAINTING
 from app.platform.tasks import TaskOwner
+from app.widgets.image_shapes import Cross
+from app.widgets.image_view import ImageView
 from app.window.refresher import SPARING, Refresher
 from tracker.messages import Shed
 
@@ -57,3 +63,20 @@ def test_only_what_can_be_spared_waits_on_a_slow_computer(host, qtbot):
     spared, other = refreshed(host, qtbot, float(Shed.VIEW_RATE))
     assert other == both[1]
     assert spared == pytest.approx(other / SPARING, rel=0.1)
+
+
+def test_panels_and_shapes_give_way_before_they_are_painted(host, qtbot, monkeypatch):
+    given: list[str] = []
+    monkeypatch.setattr(PAINTING, "to", SimpleNamespace(give=lambda: given.append("way")))
+    panel = Counting(host, "one", None)
+    qtbot.addWidget(panel)
+    panel.show()
+    host.adopt(scripted_setup(ScriptedEngine()))
+    Refresher([panel], TICK, lambda text: None).refresh(host.snapshot())
+    assert panel.times == 1 and len(given) == 1
+    view = ImageView("left", "no image")
+    qtbot.addWidget(view)
+    view.show_image(np.zeros((90, 160), np.uint8), [Cross(1.0, 1.0, "#ffffff")] * 5)
+    given.clear()
+    view.grab()
+    assert len(given) == 5

@@ -170,3 +170,13 @@ def test_images_wait_three_at_a_time_and_packets_all(sim):
     assert all(isinstance(i, DetectedFrame) for i in taken[-3:]), "packets go before images"
     inbox.put_frame(item(next(m for m in messages if isinstance(m, BlobFrame))))
     assert isinstance(inbox.get(0.0), DetectedFrame), "there is room again"
+
+
+def test_what_paints_has_to_wait_while_a_message_is_worked_on(sim) -> None:
+    loop, _clock = loop_on(sim)
+    taken: list[bool] = []
+    loop.seen["right"].followers = (lambda *_: taken.append(loop.way.is_taken),)
+    for message in messages_of(sim)[:20]:
+        loop.feed(item(message))
+        assert not loop.way.is_taken
+    assert taken and all(taken)

@@ -15,7 +15,7 @@ def test_who_gives_way_waits_until_all_hurried_work_is_over():
         way.give()
         order.append("painted")
 
-    painter = threading.Thread(target=paint)
+    painter, began = threading.Thread(target=paint), time.monotonic()
     with way:
         with way:
             painter.start()
@@ -23,16 +23,17 @@ def test_who_gives_way_waits_until_all_hurried_work_is_over():
         order.append("worked")
     painter.join(PLENTY)
     assert order == ["worked", "painted"]
+    assert time.monotonic() - began < PLENTY / 2  # woken, not out of patience
 
 
 def test_nobody_waits_where_nothing_hurries():
-    way = RightOfWay()
+    way = RightOfWay(patience=PLENTY)
     with way:
-        pass
+        assert way.is_taken
+    assert not way.is_taken
     began = time.monotonic()
-    for _ in range(100):
-        way.give()
-    assert time.monotonic() - began < 100 * PATIENCE
+    way.give()
+    assert time.monotonic() - began < PLENTY / 2
 
 
 def test_a_painter_who_has_waited_in_vain_gets_on():

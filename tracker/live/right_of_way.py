@@ -38,10 +38,15 @@ class RightOfWay:
             if not self._at_work:
                 self._clear.set()
 
+    @property
+    def is_taken(self) -> bool:
+        """Whether anybody is at hurried work."""
+        return not self._clear.is_set()
+
     def give(self) -> None:
         """Wait while anybody is at hurried work, ``patience`` s at most; where that was too little
         go on for as long."""
-        if self._clear.is_set() or self._clock() < self._impatient_until:
+        if not self.is_taken or self._clock() < self._impatient_until:
             return
         if not self._clear.wait(self._patience):
             self._impatient_until = self._clock() + self._patience
