@@ -75,6 +75,23 @@ def test_centroids_of_images_are_those_of_blobs(flat: SimulatedScene) -> None:
     assert np.median(errors) < 0.35 and np.max(errors) < 1.2
 
 
+def test_a_glove_ends_with_its_fingers(flat: SimulatedScene) -> None:
+    """A fingertip is a ball that ends where its segment does, with a millimetre of cloth: so wide
+    it is drawn in the finger's direction, within a millimetre."""
+    dark = Renderer(flat, RenderParams(noise=0.0)).pair(1.0)[0].max(axis=2) < 110
+    hand, now, rig = flat.wearer.hand, flat.instant(1.0), flat.rig
+    for name in ("index", "middle", "ring", "little"):
+        row = hand.index[f"{name}_distal"]
+        last, along = hand.segments[row], now.R_CB[row, :, 0]
+        middle = now.p_CB[row] + (last.length - last.radius) * along
+        start, ahead = rig.project(np.stack([middle, middle + 0.001 * along]))
+        way = (ahead - start) / np.linalg.norm(ahead - start)
+        px = np.arange(0.0, 40.0, 0.2)
+        u, v = np.round(start + px[:, None] * way).astype(int).T
+        radius = px[dark[v, u]].max() * middle[2] / rig.fx
+        assert radius == pytest.approx(last.radius + 0.001, abs=0.001), name
+
+
 def test_flat_hand_shows_its_back_and_hides_its_palm(flat: SimulatedScene) -> None:
     left, right = flat.visible(1.0)
     markers = flat.wearer.glove.markers

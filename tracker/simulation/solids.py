@@ -95,7 +95,8 @@ SLEEVE_BGR = (96.0, 90.0, 84.0)
 
 @dataclass(frozen=True)
 class BodyShape:
-    """The gloved hand's surface: radius (S,) m of each segment, the slab's edges, the forearm."""
+    """The gloved hand's surface: radius (S,) m of each segment, length (S,) m of its axis, the
+    slab's edges, the forearm."""
 
     radius: Array
     length: Array
@@ -104,7 +105,8 @@ class BodyShape:
 
     @staticmethod
     def of(wearer: Wearer) -> BodyShape:
-        """The cloth's surface lies where the glove file has its markers, else 1 mm above skin."""
+        """The cloth's surface lies where the glove file has its markers, else 1 mm above skin; a
+        finger's skin ends where its last segment does."""
         hand, glove = wearer.hand, wearer.glove
         nominal = np.array([_surface(hand.segments[i].radius, glove, s) for i, s in
                             enumerate(hand.segment_names)])  # fmt: skip
@@ -112,6 +114,9 @@ class BodyShape:
         girth = wearer.scale[:, 1]
         length = np.array([s.length for s in hand.segments]) * wearer.scale[:, 0]
         radius = nominal * girth
+        ends = np.setdiff1d(np.arange(len(length)), [root, *hand.parent])  # round, as fingers end
+        skin = np.array([hand.segments[i].radius for i in ends]) * girth[ends]
+        length[ends] = np.maximum(length[ends] - skin, 0.0)
         half_width = max(hand.segments[root].width / 2 * girth[root] - radius[root], 1e-4)
         return BodyShape(radius, length, (float(length[root] - radius[root]), half_width), root)
 
