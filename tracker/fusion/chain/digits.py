@@ -38,6 +38,15 @@ BETTER = 0.3  # markers by which another posture must be supported more, to be t
 MOST_TURN = 1.2  # rad by which a posture is turned to the tilt that is felt
 
 
+class SupportPoints(NamedTuple):
+    """Stereo points p_G (n, 3) m of hue (n,), each of which supports a marker of its hue within
+    ``radius`` m."""
+
+    p_G: Matrix
+    hue: IntVector
+    radius: float
+
+
 class DigitPostures(NamedTuple):
     """K postures of one digit in the root's B, its base joint at the origin: marker (K, m, 3) m,
     normal (K, m, 3), up to scale; R (K, a, 3, 3) of its segments; rows of both in the layout;
@@ -65,6 +74,11 @@ class SeenPoints:
         """Those at most ``reach`` m from p (3,) m."""
         near = np.einsum("ni,ni->n", self.p_G - p, self.p_G - p) <= reach * reach
         return SeenPoints(self.p_G[near], self.hue[near], self.fresh[near], self.p_GC)
+
+    @property
+    def support(self) -> SupportPoints:
+        """As `posture_scores` takes them."""
+        return SupportPoints(self.p_G, self.hue, RADIUS)
 
     def way(self, p: Array) -> Array:
         """(3,) unit vector from p (3,) m to the camera."""
@@ -95,7 +109,7 @@ class DigitSearch:
         if _at_most(hue, seen.hue) <= least:
             return None
         score = posture_scores(
-            grid.marker * length, grid.normal, root, base, seen.way(base), hue, seen.p_G, seen.hue
+            grid.marker * length, grid.normal, root, base, seen.way(base), hue, seen.support
         )
         score -= TILT_WEIGHT * self._tilt_errors(state, grid, root)
         best = int(np.argmax(score))
@@ -117,9 +131,7 @@ class DigitSearch:
         normal = np.ascontiguousarray(normal)[None]
         hue, origin = self._layout.glove.marker_hue[grid.markers], np.zeros(3)
         way = seen.way(base)
-        return float(
-            posture_scores(p_G, normal, np.eye(3), origin, way, hue, seen.p_G, seen.hue)[0]
-        )
+        return float(posture_scores(p_G, normal, np.eye(3), origin, way, hue, seen.support)[0])
 
     def _tilt_errors(self, state: ChainState, grid: DigitPostures, root: Array) -> Array:
         """(K,) sum of squares, in sd, of what the digit's IMUs feel against each posture."""
@@ -226,11 +238,11 @@ def posture_scores(
     base: Vector,
     way: Vector,
     hue: IntVector,
-    points: Matrix,
-    point_hue: IntVector,
+    points: SupportPoints,
 ) -> Vector:
     """(K,) markers that points support: marker and normal (K, m, 3) in axes R (3, 3) about base
     (3,), ``way`` (3,) the unit vector to the camera; a marker turned away has no say."""
+    p_G, point_hue, reach2 = points.p_G, points.hue, points.radius * points.radius
     out = np.zeros(len(marker))
     for k in range(len(marker)):
         for j in range(marker.shape[1]):
@@ -245,12 +257,12 @@ def posture_scores(
             weight = min(max((facing - FACING_COS) / 0.3, 0.0), 1.0)
             if weight <= 0.0:
                 continue
-            best = RADIUS * RADIUS
-            for i in range(len(points)):
+            best = reach2
+            for i in range(len(p_G)):
                 if point_hue[i] == hue[j]:
                     d2 = 0.0
                     for r in range(3):
-                        d2 += (points[i, r] - at[r]) ** 2
+                        d2 += (p_G[i, r] - at[r]) ** 2
                     best = min(best, d2)
-            out[k] += weight * (1.0 - best / (RADIUS * RADIUS))
+            out[k] += weight * (1.0 - best / reach2)
     return out

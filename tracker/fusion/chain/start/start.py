@@ -27,6 +27,7 @@ from tracker.fusion.chain.start.search import (
     postures_from_gravity,
     vote,
 )
+from tracker.fusion.chain.start.spread import spread
 from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.time.imu_buffer import ImuBuffer
 from tracker.messages import Array, CameraPose, ImuSample
@@ -83,7 +84,9 @@ class Starter:
         for best in self._best(state, postures, headings, seen, pose, self._search)[:CANDIDATES]:
             moved = state.copy()
             moved.R_GB, moved.p = best.R_GB, best.p
-            if any(len(s.uv) == 0 for s in seen):
+            if all(len(s.uv) for s in seen):
+                moved.R_GB = spread(moved, self._layout, self.points(seen, pose))
+            else:
                 along_the_ray(moved.P, moved.p, pose, self._mono.distance_sd)
                 keep_size(moved.P, self._layout)
             out.append(moved)

@@ -1,0 +1,70 @@
+"""Fingers that are spread otherwise than expected stand where their markers are."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tracker.fusion.chain.kinematics import marker_positions
+from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.start.search import StereoPoints
+from tracker.fusion.chain.start.spread import BETTER, spread
+from tracker.fusion.chain.state import ChainState, initial_state
+from tracker.fusion.chain.support import digit_of
+from tracker.geometry import so3
+from tracker.glove.model import GloveModel
+from tracker.hand.model import HandModel
+
+INDEX, MIDDLE = 1, 2
+
+
+@pytest.fixture
+def layout(hand: HandModel, glove: GloveModel) -> ChainLayout:
+    return ChainLayout(hand, glove)
+
+
+def aside(layout: ChainLayout, degrees: dict[int, float]) -> ChainState:
+    """A flat hand whose digits are turned about the palm's normal, G's z, by ``degrees``."""
+    state = initial_state(layout)
+    for digit, angle in degrees.items():
+        rows = np.flatnonzero(digit_of(layout) == digit)
+        state.R_GB[rows] = so3.rz(np.deg2rad(angle)) @ state.R_GB[rows]
+    return state
+
+
+def seen(state: ChainState, layout: ChainLayout) -> StereoPoints:
+    """A point at each marker, from above."""
+    p_G = marker_positions(state, layout)
+    return StereoPoints(p_G, layout.glove.marker_hue, np.array([0.05, 0.0, 0.5]))
+
+
+def test_fingers_stand_where_their_markers_are(layout: ChainLayout) -> None:
+    """12° aside, the middle finger's end is 2 cm away; turns of 5° leave 2.5° at most."""
+    true, flat = aside(layout, {INDEX: -12.0, MIDDLE: 12.0}), aside(layout, {})
+    R = spread(flat, layout, seen(true, layout))
+    turned = np.flatnonzero(np.isin(digit_of(layout), (INDEX, MIDDLE)))
+    others = np.setdiff1d(np.arange(len(R)), turned)
+    np.testing.assert_array_equal(R[others], flat.R_GB[others])
+    off = so3.log(R[turned].swapaxes(1, 2) @ true.R_GB[turned])
+    assert np.rad2deg(np.linalg.norm(off, axis=1)).max() < 2.6
+
+
+def test_fingers_that_stand_right_stay(layout: ChainLayout) -> None:
+    flat = aside(layout, {})
+    np.testing.assert_array_equal(spread(flat, layout, seen(flat, layout)), flat.R_GB)
+
+
+def test_one_stray_point_turns_nothing(layout: ChainLayout) -> None:
+    """A thing in a marker's colour where a turned finger would have it is half a marker's worth at
+    most, once the others are where they should be."""
+    flat = aside(layout, {})
+    points = seen(flat, layout)
+    stray = marker_positions(aside(layout, {INDEX: 15.0}), layout)
+    row = np.flatnonzero(digit_of(layout)[layout.marker_segment] == INDEX)[0]
+    more = StereoPoints(
+        np.vstack([points.p_G, stray[row]]),
+        np.append(points.hue, points.hue[row]),
+        points.p_GC,
+    )
+    assert BETTER > 0
+    np.testing.assert_array_equal(spread(flat, layout, more), flat.R_GB)
