@@ -38,6 +38,12 @@ def with_recent(known: Sequence[str], path: Path) -> list[str]:
     return [name, *(p for p in known if p != name)][:MOST]
 
 
+def renamed(known: Sequence[str], before: Path, path: Path) -> list[str]:
+    """The paths used last, where the session ``before`` is ``path`` now."""
+    names = {str(before.absolute()): str(path.absolute())}
+    return list(dict.fromkeys(names.get(p, p) for p in known))
+
+
 def newest(folder: Path) -> list[Path]:
     """Sessions of a folder, newest first."""
     try:

@@ -15,7 +15,7 @@ from app.panels.library.panel import LibraryPanel
 from app.panels.start_page import StartPage
 from app.platform.tasks import JobProgress, TaskOwner
 from app.storage.settings import SettingsStore, sessions_folder
-from app.viewmodels.recent import Earlier, look_back, newest, recovered, with_recent
+from app.viewmodels.recent import Earlier, look_back, newest, recovered, renamed, with_recent
 from app.window.message_bar import MessageBar
 
 
@@ -39,6 +39,8 @@ class RecentSessions(QObject):
         page.recover.connect(self.recover)
         page.recent_asked.connect(library.replay)
         library.files.made.connect(self.offer)
+        library.files.renamed.connect(self._renamed)
+        library.files.changed.connect(self._changed)
         self.look()
 
     def look(self) -> None:
@@ -74,6 +76,14 @@ class RecentSessions(QObject):
 
     def _remember(self, path: Path) -> None:
         self._store.update(recent=with_recent(self._store.value.recent, path))
+
+    def _renamed(self, before: Path, path: Path) -> None:
+        self._store.update(recent=renamed(self._store.value.recent, before, path))
+
+    def _changed(self) -> None:
+        """The library can stand beside the start page."""
+        if not self._page.isHidden():
+            self.look()
 
     def recover(self, path: Path) -> None:
         """Make a whole file of it, in the background; the original stays."""

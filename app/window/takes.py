@@ -13,11 +13,10 @@ from app.engines.engine_host import EngineHost
 from app.jobs.take_check import check_job
 from app.panels.library.panel import LibraryPanel
 from app.platform.tasks import RunningJob, TaskOwner
-from app.viewmodels.takes import TakeReport, missing_text, rename, report_text
+from app.viewmodels.takes import TakeReport, missing_text, report_text
 from app.widgets.question import question
 from app.window.message_bar import MessageBar
 from app.words import told
-from tracker.errors import GlovetrackError
 
 ABOUT = "take"
 STARTING_MS = 2000  # after its start an engine's rates say nothing yet
@@ -121,10 +120,6 @@ class Takes(QObject):
 
     def rename(self, report: TakeReport, name: str) -> None:
         """Give it another name and offer the rest again."""
-        try:
-            path = rename(report.path, name)
-        except GlovetrackError as error:
-            self._host.error.emit(str(error))
-            return
-        self._library.rescan()
-        self._checked(replace(report, path=path))
+        path = self._library.files.rename(report.path, name)
+        if path is not None:
+            self._checked(replace(report, path=path))

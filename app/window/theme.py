@@ -142,6 +142,8 @@ def _frame(c: Colours) -> str:
     return f"""
     QMainWindow::separator {{ background: {c.window}; width: {TIGHT}px; height: {TIGHT}px; }}
     QMainWindow::separator:hover {{ background: {c.accent}; }}
+    QMainWindow > QTabBar {{ qproperty-elideMode: ElideNone; }}
+    QTabBar QToolButton {{ padding: 0px; background: {c.raised}; }}
     QTabBar::tab {{ color: {c.faint}; padding: {TIGHT}px {APART}px; border: none;
         border-bottom: 2px solid transparent; }}
     QTabBar::tab:selected {{ color: {c.text}; border-bottom-color: {c.accent}; }}

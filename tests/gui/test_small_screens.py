@@ -3,7 +3,7 @@
 import pytest
 from gui_fakes import ScriptedEngine, scripted_setup
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QTabBar, QToolButton, QVBoxLayout, QWidget
 
 from app.panels.colours.panel import TWO_COLUMNS
 from app.widgets.scrolled import Scrolled
@@ -52,6 +52,27 @@ def test_at_1366_by_768_sessions_stand_above_the_transport_of_a_replay(window, q
     qtbot.waitUntil(lambda: window.library.transport.height() > 50)
     qtbot.waitUntil(lambda: area.verticalScrollBar().maximum() == 0)
     assert window.library.table.viewport().height() >= 44  # a session
+
+
+def test_tabs_of_panels_show_their_whole_names_and_arrows_lead_to_the_rest(window, qtbot):
+    """At 150 % on a laptop's screen five names do not fit beside each other."""
+    window.host.adopt(scripted_setup(ScriptedEngine()))
+    window.resize(911, 464)
+    window.run_command("job_all")
+    qtbot.wait(50)
+    direct = Qt.FindChildOption.FindDirectChildrenOnly
+    bars = [b for b in window.findChildren(QTabBar, options=direct) if b.isVisible()]
+    assert {bar.tabText(0) for bar in bars} == {"Hand", "Calibration", "Sensors"}
+    with_arrows = 0
+    for bar in bars:
+        needed = [bar.fontMetrics().horizontalAdvance(bar.tabText(i)) for i in range(bar.count())]
+        widths = [bar.tabRect(i).width() for i in range(bar.count())]
+        assert bar.elideMode() == Qt.TextElideMode.ElideNone
+        assert all(map(int.__ge__, widths, needed)), widths
+        arrows = [b for b in bar.findChildren(QToolButton) if b.isVisible()]
+        assert len(arrows) == (2 if sum(widths) > bar.width() else 0)
+        with_arrows += bool(arrows)
+    assert with_arrows
 
 
 @pytest.mark.parametrize("size", [(911, 464), (960, 500), (1280, 672), (1366, 720)])

@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QFrame
 
-from app.viewmodels.recent import age_text, look_back, with_recent
+from app.viewmodels.recent import age_text, look_back, renamed, with_recent
 from app.window.main_window import MainWindow
 from tracker.offline.simulate import SimulateOptions, simulate
 
@@ -105,6 +105,26 @@ def test_what_is_used_last_comes_first_and_once():
     for name in "abcdefa":
         known = with_recent(known, Path(f"/x/{name}.mcap"))
     assert [p[-6] for p in known] == ["a", "f", "e", "d", "c"]
+
+
+def test_a_session_with_another_name_stays_where_it_was_among_the_recent_ones():
+    known = ["/x/a.mcap", "/x/b.mcap", "/x/c.mcap"]
+    after = renamed(known, Path("/x/b.mcap"), Path("/x/d.mcap"))
+    assert after == ["/x/a.mcap", "/x/d.mcap", "/x/c.mcap"]
+    taken = renamed(known, Path("/x/b.mcap"), Path("/x/c.mcap"))  # one of that name was there once
+    assert taken == ["/x/a.mcap", "/x/c.mcap"]
+    assert renamed(known, Path("/x/e.mcap"), Path("/x/f.mcap")) == known
+
+
+def test_a_session_renamed_in_the_library_is_offered_under_its_new_name(started, sessions, qtbot):
+    """From a folder that is no longer looked into: nothing else would find it again."""
+    other = sessions.parent / "other"
+    other.mkdir()
+    path = shutil.copy(sessions / "P01_pinch.mcap", other / "P03_point.mcap")
+    started.store.update(recent=[str(path)])
+    started.library.files.rename(path, "Z9_last")
+    qtbot.waitUntil(lambda: any(t.startswith("Z9_last") for t in texts(started)), timeout=20_000)
+    assert started.store.value.recent == [str(other / "Z9_last.mcap")]
 
 
 def test_a_session_that_is_gone_is_not_offered(tmp_path, sessions):

@@ -303,6 +303,7 @@ def test_it_is_renamed_and_shown_from_there(recorded, qtbot):
     [path] = recorded.plan.folder.glob("*.mcap")
     assert path.name == "pinch-of-salt.mcap"
     assert recorded.banner.text().startswith("pinch-of-salt is whole")
+    assert recorded.store.value.recent == [str(path)]
     button(recorded, "Show it").click()
     qtbot.waitUntil(lambda: recorded.host.setup.player is not None, timeout=30_000)
     assert recorded.host.setup.player.path == path

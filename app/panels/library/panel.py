@@ -71,7 +71,7 @@ class LibraryPanel(Panel):
     def _connect(self) -> None:
         self.exports.changed.connect(self._name_exports)
         self.exporting.begun.connect(lambda: self.pages.bar.setCurrentIndex(1))
-        self.files.renamed.connect(self.table.choose)
+        self.files.renamed.connect(lambda _before, path: self.table.choose(path))
         self.files.changed.connect(self.rescan)
         self.host.opened.connect(self._opened)
         self.host.closed.connect(lambda: self._set_player(None))

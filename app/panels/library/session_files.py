@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TypeVar
 
 from PySide6.QtCore import QFile, QObject, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
@@ -21,12 +22,14 @@ from app.widgets.question import question
 from app.words import tr
 from tracker.errors import FileError, GlovetrackError
 
+T = TypeVar("T")
+
 
 class SessionFiles(QObject):
     """Asks and does it; ``changed`` when the folder is another one now."""
 
     changed = Signal()
-    renamed = Signal(object)  # the new Path
+    renamed = Signal(object, object)  # the Path that was, and the new one
     made = Signal(object, str)  # the Path of a new session, and a sentence about it
 
     def __init__(self, host: EngineHost, tasks: TaskOwner, parent: QWidget) -> None:
@@ -49,9 +52,16 @@ class SessionFiles(QObject):
         dialog.textValueSelected.connect(lambda text: self.tag(paths, text))
         dialog.open()
 
-    def rename(self, path: Path, name: str) -> None:
-        """Give it another name in its folder; it stays the one that is chosen."""
-        self._try(lambda: self.renamed.emit(rename(self._free(path), name)))
+    def rename(self, path: Path, name: str) -> Path | None:
+        """Give it another name in its folder; it stays the one that is chosen. Where that cannot
+        be, why is said, and None comes back."""
+
+        def work() -> Path:
+            new = rename(self._free(path), name)
+            self.renamed.emit(path, new)
+            return new
+
+        return self._try(work)
 
     def tag(self, paths: Sequence[Path], text: str) -> None:
         """Put these words on all of them, instead of those they had."""
@@ -101,12 +111,14 @@ class SessionFiles(QObject):
             raise FileError(tr("{} is open: close it first (Ctrl+W).").format(path.name))
         return path
 
-    def _try(self, work: Callable[[], object]) -> None:
+    def _try(self, work: Callable[[], T]) -> T | None:
+        made = None
         try:
-            work()
+            made = work()
         except GlovetrackError as error:
             self._host.error.emit(str(error))
         self.changed.emit()
+        return made
 
 
 def to_bin(path: Path) -> None:
