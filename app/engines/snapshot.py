@@ -21,6 +21,7 @@ from tracker.messages import (
 )
 
 AT_FRAME = 0.1  # s between an image and an estimate that is shown over it
+FEW_MISSED = 0.05  # share of images never searched that is no want of time yet
 SILENT_AFTER = 0.7  # s: with a panel's own period a silence is seen within about a second
 
 
@@ -58,6 +59,14 @@ class Snapshot:
         if self.setup.player is not None or self.status is None:
             return Shed.NOTHING
         return Shed(int(self.status.values.get("load_shed", 0.0)))
+
+    @property
+    def is_strained(self) -> bool:
+        """Whether a live engine leaves out images, or more, for want of time."""
+        if self.setup.player is not None or self.status is None:
+            return False
+        missed = self.status.values.get("images_missed", 0.0)
+        return self.shed > Shed.NOTHING or missed > FEW_MISSED
 
     def _silent(self, last_arrival: float) -> bool:
         """Whether nothing of a stream has come lately; a session is not judged by when it is

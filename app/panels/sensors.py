@@ -24,7 +24,7 @@ from app.viewmodels.names import spoken
 from app.viewmodels.sensors import (
     AngleHistory,
     Curves,
-    curves,
+    ImuCurves,
     finger_angles,
     glove_figures,
     imu_states,
@@ -56,6 +56,7 @@ class SensorsPanel(Panel):
         self.chips: list[Chip] = []
         self.toggles: list[QCheckBox] = []
         self._history = AngleHistory(SPAN)
+        self._curves = ImuCurves(SPAN)
         self._fingers: dict[str, list[int]] = {}
         self._angle_names: tuple[str, ...] = ()
         self._shown: dict[str, Curves] = {}
@@ -115,6 +116,7 @@ class SensorsPanel(Panel):
     def _open(self, setup: EngineSetup) -> None:
         """The IMUs of this glove and the angles of this hand."""
         self._history.clear()
+        self._curves.clear()
         self._angle_names = setup.hand.joint_names
         self._fingers = finger_angles(self._angle_names)
         self.choice.blockSignals(True)
@@ -191,17 +193,18 @@ class SensorsPanel(Panel):
         self.figures.setToolTip(link_tip(view.status))
         if view.estimate is not None:
             self._history.take(view.estimate)
+        self._curves.take(view.imu)
         if not self.hold.isChecked():
-            self._draw(view)
+            self._draw()
         self._read()
 
-    def _draw(self, view: Snapshot) -> None:
+    def _draw(self) -> None:
         columns = self._chosen_angles()
         if columns is not None:
             self._shown = {"angles": self._history.curves(columns)}
         else:
             imu = max(0, self.choice.currentIndex())
-            self._shown = {k: curves(view.imu, imu, k, SPAN) for k in ("gyro", "accel")}
+            self._shown = {k: self._curves.of(imu, k) for k in ("gyro", "accel")}
         for name, data in self._shown.items():
             self.plots[name].show_values(data.t, data.values)
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 
 import numpy as np
 
 from app.viewmodels.states import BAD, GOOD, IDLE, WARN, StateLook
+from app.viewmodels.timed_rows import TimedRows
 from app.words import mark, tr
 from tracker import GRAVITY
 from tracker.messages import Array, Estimate, ImuSample, Status
@@ -46,15 +47,36 @@ class ImuState:
     text: str
 
 
-def curves(samples: Sequence[ImuSample], imu: int, kind: str, span: float) -> Curves:
-    """The last ``span`` s of one IMU: kind "gyro" in °/s or "accel" in g."""
-    if not samples:
-        return Curves(np.zeros(0), np.zeros((0, 3)))
-    now = samples[-1].t
-    recent = [s for s in samples if s.t >= now - span]
-    t = np.array([s.t - now for s in recent])
-    rows = np.array([(s.gyro if kind == "gyro" else s.accel)[imu] for s in recent])
-    return Curves(t, np.rad2deg(rows) if kind == "gyro" else rows / GRAVITY)
+class ImuCurves:
+    """What all IMUs measured in the last ``span`` s, as packets come in."""
+
+    def __init__(self, span: float) -> None:
+        self._taken = TimedRows(span)
+
+    def clear(self) -> None:
+        self._taken.clear()
+
+    def take(self, samples: Sequence[ImuSample]) -> None:
+        """The last packets, oldest first, of which those that are new are added.
+
+        Where a replay went back, or on past all of them, curves begin anew.
+        """
+        last = float(self._taken.t[-1]) if len(self._taken) else -np.inf
+        if not samples or samples[-1].t < last or samples[0].t > last:
+            self._taken.clear()
+            last = -np.inf
+        new = list(takewhile(lambda sample: sample.t > last, reversed(samples)))
+        for s in reversed(new):
+            self._taken.add(s.t, np.stack([s.gyro, s.accel]).ravel())
+
+    def of(self, imu: int, kind: str) -> Curves:
+        """One IMU's three axes: kind "gyro" in °/s or "accel" in g."""
+        if not len(self._taken):
+            return Curves(np.zeros(0), np.zeros((0, 3)))
+        t = self._taken.t
+        both = self._taken.rows.reshape(len(t), 2, -1, 3)
+        rows = both[:, 0 if kind == "gyro" else 1, imu]
+        return Curves(t - t[-1], np.rad2deg(rows) if kind == "gyro" else rows / GRAVITY)
 
 
 def imu_states(
@@ -64,7 +86,7 @@ def imu_states(
     if not samples or not running:
         return [ImuState(n, IDLE, tr("no samples")) for n in names]
     now = samples[-1].t
-    recent = [s for s in samples if s.t >= now - 1.0]
+    recent = takewhile(lambda sample: sample.t >= now - 1.0, reversed(samples))
     valid = np.array([s.valid for s in recent]).mean(axis=0)
     return [_state(name, float(share)) for name, share in zip(names, valid, strict=True)]
 
@@ -81,7 +103,7 @@ def jitter_ms(samples: Sequence[ImuSample]) -> float:
     """Standard deviation of the arrival intervals, ms; NaN below three samples."""
     if len(samples) < 3:
         return float("nan")
-    arrivals = np.array([s.t_arrival for s in list(samples)[-100:]])
+    arrivals = np.array([s.t_arrival for s in samples[-100:]])
     return float(1000 * np.diff(arrivals).std())
 
 
@@ -165,34 +187,30 @@ class AngleHistory:
     """The hand's angles of the last ``span`` s, as often as they are taken."""
 
     def __init__(self, span: float) -> None:
-        self._span = span
-        self._rows: deque[tuple[float, Array]] = deque()
+        self._taken = TimedRows(span)
 
     def clear(self) -> None:
-        self._rows.clear()
+        self._taken.clear()
 
     def take(self, estimate: Estimate) -> None:
         """One more instant. After a gap (the panel was hidden, a replay has jumped) lines break."""
-        if self._rows:
-            step = estimate.t - self._rows[-1][0]
+        if len(self._taken):
+            last = float(self._taken.t[-1])
+            step = estimate.t - last
             if step == 0:
                 return
             if step < 0:
-                self._rows.clear()
+                self._taken.clear()
             elif step > LARGEST_STEP:
-                gap = np.full_like(estimate.angles, np.nan)
-                self._rows.append((self._rows[-1][0] + step / 2, gap))
-        self._rows.append((estimate.t, estimate.angles))
-        while self._rows[-1][0] - self._rows[0][0] > self._span:
-            self._rows.popleft()
+                self._taken.add(last + step / 2, np.full_like(estimate.angles, np.nan))
+        self._taken.add(estimate.t, estimate.angles)
 
     def curves(self, columns: Sequence[int]) -> Curves:
         """t (n,) s before the last instant and angles (n, len(columns)) in degrees."""
-        if not self._rows:
+        if not len(self._taken):
             return Curves(np.zeros(0), np.zeros((0, len(columns))))
-        t = np.array([row[0] for row in self._rows])
-        angles = np.array([row[1][list(columns)] for row in self._rows])
-        return Curves(t - t[-1], np.rad2deg(angles))
+        t = self._taken.t
+        return Curves(t - t[-1], np.rad2deg(self._taken.rows[:, list(columns)]))
 
 
 def values_at(shown: Curves, t: float) -> tuple[float, Array] | None:

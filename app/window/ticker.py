@@ -13,15 +13,12 @@ from app.panels.panel import Panel
 from app.platform.courtesy import PAINTING
 from app.viewmodels.recording import duration_text
 from app.viewmodels.states import BAD, WARN
+from app.window.pace import Pace
 from app.window.refresher import Refresher
 from app.window.status_bar import StatusBar
 from tracker.messages import Tracking
 
 TICK_MS = 16
-DUTY = 0.6
-"""Share of a processor that the window takes, painting included, where a motor or a robot waits
-for the hand. What tracks it shares Python's lock: a window that paints all the time holds up every
-packet. Where only people look it may take all there is."""
 STATUS_PERIOD = 0.25  # s
 RATE_OVER_S = 1.0
 NO_HAND_AFTER = 3.0  # s
@@ -56,7 +53,7 @@ class Ticker(QObject):
         host.opened.connect(self._begin)
         host.closed.connect(self._clear)
         self.is_waited_for: Callable[[], bool] = lambda: False
-        self._last = (0.0, 0.0)  # when panels were refreshed, and this thread's time (s) by then
+        self._pace = Pace()
         self._counted = (0.0, 0)  # when, and how many ticks there had been
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -78,13 +75,11 @@ class Ticker(QObject):
         self._bar.show_status(None, False)
 
     def _tick(self) -> None:
-        now, spent = time.monotonic(), time.thread_time()
-        much = spent - self._last[1] > DUTY * (now - self._last[0])
+        now = time.monotonic()
         setup, hurried = self._host.setup, self.is_waited_for()
         PAINTING.to = setup.right_of_way if setup is not None and hurried else None
-        if much and hurried:
+        if not self._pace.is_due(now, time.thread_time(), hurried):
             return
-        self._last = now, spent
         self.ticks += 1
         view = self._host.snapshot()
         if view is not None:
@@ -123,6 +118,7 @@ class Ticker(QObject):
         hands = (view, view.other) if view is not None and view.other is not None else ()
         self._bar.show_hands({v.setup.side: v.status for v in hands}, self._host.running)
         values = view.status.values if view is not None and view.status is not None else {}
+        self._pace.look(view is not None and view.is_strained)
         unfit = bool(values.get("colours_unfit", 0.0))
         if unfit != self._unfit:
             self._unfit = unfit

@@ -68,6 +68,7 @@ class LoadWatch:
         self._params = params = params or LoadParams()
         self._packets, self._images, self._missed = (_Mean(params.memory) for _ in range(3))
         self._quiet_since = self._strained_since = math.inf
+        self._judged = -math.inf
         self.level = Shed.NOTHING
         self._words: list[str] = []
 
@@ -99,11 +100,13 @@ class LoadWatch:
         return words
 
     def figures(self) -> dict[str, float]:
-        """How far it has gone, as a number of `Shed`."""
-        return {"load_shed": float(self.level)}
+        """How far it has gone, as a number of `Shed`, and the share of images missed of late."""
+        missed = self._missed.value(self._judged)
+        return {"load_shed": float(self.level), "images_missed": missed}
 
     def _judge(self, now: float) -> None:
         """One step at a time, up soon and down late, so that nothing flickers."""
+        self._judged = now
         p, strain = self._params, self.strain(now)
         self._strained_since = min(self._strained_since, now) if strain > 1 else math.inf
         self._quiet_since = min(self._quiet_since, now) if strain < p.little else math.inf

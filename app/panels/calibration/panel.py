@@ -34,6 +34,7 @@ class CalibrationPanel(Panel):
         self, host: EngineHost, store: SettingsStore, parent: QWidget | None = None
     ) -> None:
         super().__init__(host, parent)
+        self._drawn_frozen = False
         self._make_widgets()
         self.profiles = WearerProfiles(host, store, self.wearer)
         self._lay_out()
@@ -108,12 +109,16 @@ class CalibrationPanel(Panel):
         if view is None or view.calibration is None:
             return
         self.camera_time.setText(camera_time(view.status))
+        frozen = self.wearer.frozen.isChecked()
+        if view.calibration is self.profiles.worn.latest and frozen == self._drawn_frozen:
+            return  # it is new once a second, and to write all its figures takes 10 ms
         self.profiles.worn.latest = view.calibration
         self.wearer.set_segments(view.calibration.segments)
         self._draw()
 
     def _draw(self) -> None:
         comparing, frozen = self.wearer.comparing.isChecked(), self.wearer.frozen.isChecked()
+        self._drawn_frozen = frozen
         shown = self.profiles.worn.shown(comparing, frozen)
         if shown is None:
             return

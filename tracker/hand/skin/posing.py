@@ -35,25 +35,39 @@ class Rest(NamedTuple):
 def rest_of(skin: Skin, hand: HandModel, scale: Array | None = None) -> Rest:
     """The skin of a wearer whose segments are ``scale`` (S, 3) times the file's along each B."""
     contiguous = np.ascontiguousarray
-    if scale is None:
-        points, R, p = skin.points, skin.bind_R, skin.bind_p
-    else:
-        R, p = hand.forward(bind_angles(hand), np.eye(3), np.zeros(3), scale)
-        points = _scaled(skin, scale, R, p)
-    return Rest(
-        contiguous(points), contiguous(skin.normals), contiguous(skin.bones),
-        contiguous(skin.shares), contiguous(R), contiguous(p),
+    bound = Rest(
+        contiguous(skin.points), contiguous(skin.normals), contiguous(skin.bones),
+        contiguous(skin.shares), contiguous(skin.bind_R), contiguous(skin.bind_p),
     )  # fmt: skip
+    if scale is None:
+        return bound
+    R, p = map(contiguous, hand.forward(bind_angles(hand), np.eye(3), np.zeros(3), scale))
+    points = np.empty_like(bound.points)
+    scale_skin(bound, contiguous(scale, float), R, p, points)
+    return bound._replace(points=points, R=R, p=p)
 
 
-def _scaled(skin: Skin, scale: Array, R: Array, p: Array) -> Array:
-    """(V, 3) where the blend of the scaled segments, still in the bind pose, carries the points."""
-    out = np.zeros_like(skin.points)
-    for k in range(skin.bones.shape[1]):
-        i = skin.bones[:, k]
-        local = np.einsum("vji,vj->vi", skin.bind_R[i], skin.points - skin.bind_p[i]) * scale[i]
-        out += skin.shares[:, k, None] * (p[i] + np.einsum("vij,vj->vi", R[i], local))
-    return out
+@kernel(error_model="numpy")
+def scale_skin(bound: Rest, scale: Matrix, R: Stack, p: Matrix, points: Written[Matrix]) -> None:
+    """Fill points (V, 3): where the blend of segments ``scale`` (S, 3) times as large, at R, p in
+    the root and still in the bind pose, carries those of ``bound``."""
+    local = np.empty(3)
+    for v in range(len(points)):
+        points[v] = 0.0
+        for k in range(bound.bones.shape[1]):
+            share, i = bound.shares[v, k], bound.bones[v, k]
+            if share == 0.0:
+                continue
+            for a in range(3):
+                local[a] = 0.0
+                for b in range(3):
+                    local[a] += bound.R[i, b, a] * (bound.points[v, b] - bound.p[i, b])
+                local[a] *= scale[i, a]
+            for a in range(3):
+                moved = p[i, a]
+                for b in range(3):
+                    moved += R[i, a, b] * local[b]
+                points[v, a] += share * moved
 
 
 def posed(rest: Rest, R_GB: Array, p_GB: Array) -> tuple[Array, Array]:

@@ -1,0 +1,55 @@
+"""Figures of the last seconds, instant by instant, as arrays that need not be built anew."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tracker.messages import Array
+
+FIRST_CAPACITY = 256
+
+
+class TimedRows:
+    """Rows (k,) at growing instants, none more than ``span`` s before the last one."""
+
+    def __init__(self, span: float) -> None:
+        self._span = span
+        self.clear()
+
+    def clear(self) -> None:
+        """Forget all."""
+        self._t = np.empty(0)
+        self._rows = np.empty((0, 0))
+        self._begin = self._end = 0
+
+    def __len__(self) -> int:
+        return self._end - self._begin
+
+    @property
+    def t(self) -> Array:
+        """(n,) s; valid until the next row is added."""
+        return self._t[self._begin : self._end]
+
+    @property
+    def rows(self) -> Array:
+        """(n, k); valid until the next row is added."""
+        return self._rows[self._begin : self._end]
+
+    def add(self, t: float, row: Array) -> None:
+        """One more, later than the last."""
+        if self._end == len(self._t):
+            self._make_room(len(row))
+        self._t[self._end], self._rows[self._end] = t, row
+        self._end += 1
+        while t - self._t[self._begin] > self._span:
+            self._begin += 1
+
+    def _make_room(self, width: int) -> None:
+        """Move what is left to the front; where it fills half, into twice the room."""
+        kept = len(self)
+        t = np.empty(max(2 * kept, FIRST_CAPACITY))
+        rows = np.empty((len(t), width))
+        if kept:
+            t[:kept], rows[:kept] = self.t, self.rows
+        self._t, self._rows = t, rows
+        self._begin, self._end = 0, kept

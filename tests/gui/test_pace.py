@@ -1,0 +1,69 @@
+"""How often the window is drawn: less where images are left out, never so seldom that it sticks."""
+
+import numpy as np
+
+from app.viewmodels.timed_rows import FIRST_CAPACITY, TimedRows
+from app.window.pace import HURRIED, LEAST, SLOWEST, Pace
+
+COST = 0.02  # s of processor time a drawing, at 60 calls a second
+
+
+def drawings(pace, seconds, hurried=False, cost=COST):
+    """How many a second there are, and the share of a processor that they take."""
+    now = spent = 100.0
+    pace.is_due(now, spent, hurried)
+    count = 0
+    while now < 100.0 + seconds:
+        now += 1 / 60
+        if pace.is_due(now, spent, hurried):
+            count += 1
+            spent += cost
+            now += cost
+    return count / seconds, count * cost / seconds
+
+
+def test_where_nothing_is_left_out_it_is_drawn_at_each_call():
+    rate, _ = drawings(Pace(), 10.0)
+    assert rate > 25.0  # 20 ms of work and 17 ms of waiting each
+
+
+def test_images_that_are_left_out_take_the_window_back_and_it_comes_again():
+    pace = Pace()
+    for _ in range(20):
+        pace.look(True)
+    assert pace.share == LEAST
+    _, share = drawings(pace, 10.0)
+    assert share <= LEAST + 0.05  # a drawing lasts 0.02 s, of the 0.067 s that it may take
+    for _ in range(36):
+        pace.look(False)
+    assert pace.share == 1.0
+
+
+def test_a_dear_window_is_drawn_as_often_as_it_must_not_to_look_stuck():
+    pace = Pace()
+    for _ in range(20):
+        pace.look(True)
+    rate, _ = drawings(pace, 10.0, cost=0.035)
+    assert rate > 0.9 / (SLOWEST + 1 / 60)
+
+
+def test_beside_a_robot_the_share_is_held_whatever_the_rate():
+    _, share = drawings(Pace(), 10.0, hurried=True, cost=0.1)
+    assert share <= HURRIED
+
+
+def test_rows_of_the_last_seconds_are_kept_whatever_the_room():
+    rows, t, span = TimedRows(5.0), 0.0, 5.0
+    rng = np.random.default_rng(3)
+    wanted = []
+    for i in range(5 * FIRST_CAPACITY):
+        t += rng.uniform(0.001, 0.02)
+        rows.add(t, np.array([i, -i]))
+        wanted = [w for w in (*wanted, (t, i)) if t - w[0] <= span]
+        assert len(rows) == len(wanted)
+    np.testing.assert_array_equal(rows.t, [w[0] for w in wanted])
+    np.testing.assert_array_equal(rows.rows[:, 1], [-w[1] for w in wanted])
+    rows.clear()
+    assert len(rows) == 0
+    rows.add(1.0, np.zeros(3))
+    assert rows.rows.shape == (1, 3)
