@@ -4,6 +4,7 @@ If only this fails after an upgrade of numba, then numba.pycc has changed or gon
 tracker/kernels/README.md, and keep numba below that version in pyproject.toml until `aot` follows.
 """
 
+import builtins
 import importlib.util
 import shutil
 import threading
@@ -122,3 +123,22 @@ def test_other_threads_wait_where_it_keeps_the_lock(compiled):
     """Nobody has a turn for at least as long as it computed, however busy the machine is."""
     turns, kept = turns_during(lambda: compiled.undisturbed(20_000_000))
     assert np.diff(turns).max() > 0.9 * kept
+
+
+def test_what_is_pickled_is_made_once(compiled, monkeypatch):
+    """Arrays come out without an import each: in a process with Qt that is PySide's, in Python."""
+    x = np.arange(3.0)
+    compiled.lengths(x)
+    asked, real = [], builtins.__import__
+
+    def counted(name, *args, **kwargs):
+        asked.append(name)
+        return real(name, *args, **kwargs)
+
+    monkeypatch.setattr(builtins, "__import__", counted)
+    for _ in range(10):
+        _, twice = compiled.lengths(x)
+        with pytest.raises(ValueError, match="nothing to sum"):
+            compiled.lengths(x[:0])
+    assert "numpy" not in asked
+    assert type(twice) is np.ndarray and twice[-1] == 2.0

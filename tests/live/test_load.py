@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
-from tracker.live.load import BEGINS, ENDS, LoadParams, LoadWatch
+from tracker.live.load import BEGINS, ENDS, IMAGE_INTERVALS, LoadParams, LoadWatch
 from tracker.messages import Shed
 
 P = LoadParams()
@@ -83,3 +84,30 @@ def test_silence_and_another_clock_are_no_load() -> None:
     other = LoadWatch()
     fed(other, 0.0, 5.0, 1e5)
     assert other.level == Shed.NOTHING
+
+
+def test_images_are_thinned_step_by_step_and_come_back_so() -> None:
+    watch = LoadWatch()
+    assert watch.image_interval == 0.0 and watch.figures()["images_missed"] == 0.0
+    fed(watch, 0.0, 2.3, 1.0)  # four steps of half a second
+    assert watch.level == Shed.IMAGES and watch.image_interval == IMAGE_INTERVALS[0]
+    fed(watch, 2.3, 5.0, 1.0)
+    assert watch.image_interval == IMAGE_INTERVALS[-1]
+    assert len(watch.take_words()) == len(BEGINS)  # thinner still is nothing new to say
+    seen = []
+    for k in range(600):
+        watch.packet(7.3 + 0.05 * k, 0.001)
+        if not seen or seen[-1] != watch.image_interval:
+            seen.append(watch.image_interval)
+    assert tuple(seen) == (*reversed(IMAGE_INTERVALS), 0.0)
+    assert watch.level == Shed.NOTHING
+
+
+def test_the_share_of_images_missed_is_of_the_last_moments() -> None:
+    watch = LoadWatch()
+    for k in range(60):
+        watch.image(k / 30, 0.01, 1)  # every second one
+    assert watch.figures()["images_missed"] == pytest.approx(0.5)
+    for k in range(60):
+        watch.image(2.0 + k / 60, 0.01, 0)
+    assert watch.figures()["images_missed"] < 0.1

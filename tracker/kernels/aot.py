@@ -16,12 +16,15 @@ from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
+from llvmlite import ir
 from llvmlite.binding import Linkage
+from numba.core import cgutils
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Flags, compile_extra
 from numba.core.cpu import CPUContext
 from numba.core.dispatcher import _FunctionCompiler  # type: ignore[attr-defined]
 from numba.core.environment import lookup_environment
+from numba.core.pythonapi import PythonAPI
 from numba.core.registry import cpu_target
 from numba.core.runtime import nrtdynmod
 
@@ -55,7 +58,7 @@ class ExtensionModule(CC):
         compiler.external_init_function = self._init_function
         compiler.options = self._options
         path = str(Path(build_dir, f"{self._basename}.o"))
-        with _not_made_runnable():
+        with _not_made_runnable(), _unpickled_once():
             compiler.write_native_object(path, wrap=True)
         return [path], compiler.dll_exports
 
@@ -82,6 +85,34 @@ def _not_made_runnable() -> Iterator[None]:
         patch.object(CPUContext, "get_executable", key),
         patch.object(JITCodeLibrary, "_finalize_specific", lambda _library: None),
     ):
+        yield
+
+
+@contextmanager
+def _unpickled_once() -> Iterator[None]:
+    """What a module keeps as a pickle is unpickled once, not whenever it is used, as numba has it.
+
+    Each array that a kernel returns asks for the type of arrays: 2 µs and an import, which in a
+    process with Qt, where imports are PySide's, is 10 µs of Python.
+    """
+    unpickle = PythonAPI.unserialize
+
+    def unserialize(api: Any, pickled: Any) -> Any:
+        """Code that puts out the object, as a new reference; Python's lock is held."""
+        if not isinstance(pickled, ir.GlobalVariable):
+            return unpickle(api, pickled)
+        name = f"{pickled.name}.kept"
+        kept = api.module.globals.get(name)
+        if kept is None:
+            kept = cgutils.add_global_variable(api.module, api.pyobj, name)
+            kept.linkage, kept.initializer = "internal", ir.Constant(api.pyobj, None)
+        with api.builder.if_then(cgutils.is_null(api.builder, api.builder.load(kept))):
+            api.builder.store(unpickle(api, pickled), kept)
+        made = api.builder.load(kept)
+        api.incref(made)
+        return made
+
+    with patch.object(PythonAPI, "unserialize", unserialize):
         yield
 
 

@@ -25,6 +25,9 @@ ENDS = {
     Shed.WHOLE_SEARCHES: "Images are searched as a whole again.",
     Shed.IMAGES: "All images are searched again.",
 }
+IMAGE_INTERVALS = (0.03, 0.045, 0.09)
+"""s at least between images that are searched at `Shed.IMAGES`, one after the other while it is too
+much all the same: of 60 images a second every second, third and sixth."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +40,7 @@ class LoadParams:
     memory: float = 0.4
     begin: float = 0.5  # of too much, before more is shed
     end: float = 3.0  # of little, before the last is taken up again
+    thicken: float = 0.5  # of little, before images are searched more often again
     little: float = 0.5  # share of the limits above
     other_clock: float = 60.0  # a lag beyond it is between two clocks, not in this computer
 
@@ -56,7 +60,7 @@ class _Mean:
 
     def value(self, now: float) -> float:
         """0 where nothing has come for long: silence is a device's affair."""
-        if now - self._last > 5 * self._memory:
+        if not self._weight or now - self._last > 5 * self._memory:
             return 0.0
         return self._sum / self._weight
 
@@ -69,6 +73,7 @@ class LoadWatch:
         self._packets, self._images, self._missed = (_Mean(params.memory) for _ in range(3))
         self._quiet_since = self._strained_since = math.inf
         self._judged = -math.inf
+        self._thinned = 0  # of `IMAGE_INTERVALS`
         self.level = Shed.NOTHING
         self._words: list[str] = []
 
@@ -94,6 +99,11 @@ class LoadWatch:
             self._missed.value(now) / p.missed,
         )
 
+    @property
+    def image_interval(self) -> float:
+        """s at least between two images that are searched; any thread may ask."""
+        return IMAGE_INTERVALS[self._thinned] if self.level >= Shed.IMAGES else 0.0
+
     def take_words(self) -> list[str]:
         """Sentences since the last call, for the log."""
         words, self._words = self._words, []
@@ -110,11 +120,23 @@ class LoadWatch:
         p, strain = self._params, self.strain(now)
         self._strained_since = min(self._strained_since, now) if strain > 1 else math.inf
         self._quiet_since = min(self._quiet_since, now) if strain < p.little else math.inf
-        if now - self._strained_since >= p.begin and self.level < Shed.IMAGES:
+        if now - self._strained_since >= p.begin:
+            self._strained_since = now
+            self._leave_out_more()
+        elif now - self._quiet_since >= (p.thicken if self._thinned else p.end):
+            self._quiet_since = now
+            self._leave_out_less()
+
+    def _leave_out_more(self) -> None:
+        if self.level < Shed.IMAGES:
             self.level = Shed(self.level + 1)
             self._words.append(BEGINS[self.level])
-            self._strained_since = now
-        elif now - self._quiet_since >= p.end and self.level > Shed.NOTHING:
+        else:
+            self._thinned = min(self._thinned + 1, len(IMAGE_INTERVALS) - 1)
+
+    def _leave_out_less(self) -> None:
+        if self._thinned:
+            self._thinned -= 1
+        elif self.level > Shed.NOTHING:
             self._words.append(ENDS[self.level])
             self.level = Shed(self.level - 1)
-            self._quiet_since = now

@@ -15,7 +15,6 @@ from tracker.vision.detector import DetectionHints, Detector, detect_frame
 from tracker.vision.region_prediction import SearchPlan
 
 WAIT = 0.05  # s that a step waits for an image
-SHED_INTERVAL = 0.09  # s between images that are searched, where the image rate is shed
 
 
 class Vision:
@@ -58,7 +57,7 @@ class Vision:
 
     def _is_shed(self, frame: StereoFrame) -> bool:
         """Whether this image is left out because the computer is too slow."""
-        if self._loop.load.level >= Shed.IMAGES and 0 <= frame.t - self._last < SHED_INTERVAL:
+        if 0 <= frame.t - self._last < self._loop.load.image_interval:
             self._shed += 1
             return True
         self._last = frame.t
