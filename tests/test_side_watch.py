@@ -55,6 +55,7 @@ def test_a_left_glove_on_a_right_ones_files_is_said_once(worn, not_found, expect
             watch.frame(message)
         words += watch.take_words()
     assert len(words) == len(expected)
+    assert watch.is_other == bool(expected)
     assert all(
         f"a glove of the {side} hand" in text for side, text in zip(expected, words, strict=True)
     )

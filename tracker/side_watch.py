@@ -7,12 +7,13 @@ mirrored glove and hand.
 
 from __future__ import annotations
 
-from tracker.glove.mirror import mirrored_glove, mirrored_hand
+from tracker.glove.mirror import OTHER, mirrored_glove, mirrored_hand
+from tracker.glove.model import GloveModel
 from tracker.messages import BlobFrame, ImuSample, Tracking
 from tracker.pipeline import Pipeline
 
 ENOUGH = 8  # blobs in each image, of a glove that is there to be found
-PATIENCE = 3.0  # s of search with as many, before the mirrored glove is tried
+PATIENCE = 2.0  # s of search with as many, before the mirrored glove is tried
 TRIAL = 8.0  # s that it is tried for; again only after a hand was found meanwhile
 SURE = 1.0  # s for which the mirrored hand has to be tracked, and ours not found
 
@@ -29,6 +30,7 @@ class SideWatch:
         self._over = False
         self._sees_many = False
         self._words: list[str] = []
+        self.is_other = False  # said, and our hand was not found since
 
     def packet(self, sample: ImuSample, tracking: Tracking) -> None:
         """A packet, and what our own pipeline knows after it."""
@@ -56,7 +58,7 @@ class SideWatch:
         return words
 
     def _begin_anew(self) -> None:
-        self._trial, self._over = None, False
+        self._trial, self._over, self.is_other = None, False, False
         self._waited = self._tried = self._sure = 0.0
 
     def _try(self, trial: Pipeline, sample: ImuSample, step: float) -> None:
@@ -64,13 +66,19 @@ class SideWatch:
         self._tried += step
         self._sure = self._sure + step if found else 0.0
         if self._sure >= SURE:
-            side, other = self._pipeline.glove.side, trial.glove.side
-            self._words.append(
-                f"This looks like a glove of the {other} hand: its patches are mirrored. The file "
-                f"{self._pipeline.glove.name} is of the {side} hand; choose a {other} one."
-            )
+            self.is_other = True
+            self._words.append(other_side_words(self._pipeline.glove))
         if self._sure >= SURE or self._tried >= TRIAL:
             self._trial, self._over = None, True
+
+
+def other_side_words(glove: GloveModel) -> str:
+    """Said of what is taken for ``glove`` and is its mirror image."""
+    side, other = glove.side, OTHER[glove.side]
+    return (
+        f"This looks like a glove of the {other} hand: its patches are mirrored. The file "
+        f"{glove.name} is of the {side} hand; choose a {other} one."
+    )
 
 
 def sees(blobs: BlobFrame, least: int) -> bool:

@@ -9,7 +9,7 @@ from gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_live import ENOUGH, GAP, MOST_IMAGES, LiveImages
 from tracker.errors import GlovetrackError
-from tracker.messages import ImuSample, Tracking
+from tracker.messages import ImuSample, Status, Tracking
 
 SETUP = scripted_setup(ScriptedEngine())
 
@@ -93,6 +93,21 @@ def test_a_start_that_finds_no_hand_fits_by_itself_out_of_sight(window, qtbot):
     assert window.colours.works_unseen
     assert window.banner.text() == ""
     assert tuning.profile is before
+
+
+def test_colours_are_not_fitted_by_themselves_to_a_glove_of_the_other_hand(window, qtbot):
+    searching = ScriptedEngine(tracking=Tracking.SEARCHING)
+    searching.values["glove_of_other_side"] = 1.0
+    window.host.adopt(scripted_setup(searching))
+    tuning = window.colours.tuning
+    status = Status(10.0, Tracking.SEARCHING, searching.values)
+    window.colours.fitting.fit_by_itself()
+    assert tuning.live.wanted
+    for k in range(ENOUGH):
+        look = dataclasses.replace(view(10.0 + 0.125 * k), status=status)
+        window.colours.fitting.gather(look)
+    assert not tuning.live.wanted
+    assert "Fitting the colours" not in [job.title for job in window.tasks.tasks]
 
 
 def test_a_fit_that_nobody_asked_for_is_refused_in_silence() -> None:

@@ -10,6 +10,7 @@ import pytest
 from tests.benchmarks.desk import detection, folder, load, tracked
 from tracker import library
 from tracker.calibration.colours_image import learn_image
+from tracker.errors import GlovetrackError
 from tracker.messages import ImuSample, StereoFrame
 from tracker.offline.colours import check_session, fit_session
 from tracker.offline.colours_fit import Sensed, Worn, fit_messages
@@ -109,3 +110,15 @@ def test_one_camera_is_enough_to_fit_to(cameras: str) -> None:
     assert fit.after.sure > 15
     assert fit.after.sure > fit.before.sure + 0.5
     assert fit.after.tracked == fit.after.images >= 6
+
+
+def test_nothing_is_learned_from_a_glove_of_the_other_hand() -> None:
+    """A left glove on right files: no colours are to blame, and none are learned from a hand that
+    is found among mirrored patches by mistake."""
+    hand, glove = library.load("vist-small-left", "reference-left")
+    sim = Simulation(hand, glove, RandomPostures(hand, 2, duration=0.9), 2, fps=10)
+    messages: list[Sensed] = [
+        m for m in sim.feed(images=True) if isinstance(m, ImuSample | StereoFrame)
+    ]
+    with pytest.raises(GlovetrackError, match="a glove of the left hand"):
+        fit_messages(messages, Worn(*library.load(), sim.rig), FACTORY)

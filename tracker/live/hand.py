@@ -75,10 +75,14 @@ class LiveHand:
         self._begun = clock()
         self.telemetry.ask(self.history.figures)
         self.telemetry.ask(self.applications.figures)
+        self.telemetry.ask(self._side_figures)
 
     def watch_side(self, pipeline: Pipeline) -> None:
         """Whether the glove is made for the other hand; the other hand's own blobs would say so."""
         self.sides = SideWatch(pipeline) if self._alone else None
+
+    def _side_figures(self) -> dict[str, float]:
+        return {"glove_of_other_side": float(self.sides is not None and self.sides.is_other)}
 
     @property
     def tracking(self) -> Tracking:

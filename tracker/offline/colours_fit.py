@@ -18,6 +18,7 @@ from tracker import library
 from tracker.calibration.colours_learn import ColourSamples, learn, wide_profiles
 from tracker.calibration.colours_sample import known_sides, samples_of
 from tracker.errors import GlovetrackError
+from tracker.glove.mirror import mirrored_glove, mirrored_hand
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import (
@@ -31,6 +32,7 @@ from tracker.messages import (
 )
 from tracker.pipeline import Pipeline
 from tracker.settings import Settings
+from tracker.side_watch import other_side_words
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.detector import Detector, DetectorParams, detect_frame
 from tracker.vision.rig import StereoRig
@@ -129,15 +131,18 @@ class Looked:
 def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile) -> SessionFit:
     """Colours for these packets and images, in the order of feeding.
 
-    Raises GlovetrackError where no hand is found for sure, or nothing better than ``profile``.
+    Raises GlovetrackError where no hand is found for sure, or the other one, or nothing better than
+    ``profile``.
     """
     before = look(messages, worn, profile)
     best = before
     if _is_poor(before):
+        _refuse_other_side(messages, worn, profile, before)
         for wide in _starts(profile):
             tried = look(_beginning(messages), worn, wide)
             if tried.matched > best.matched:
                 best = tried
+                _refuse_other_side(messages, worn, wide, tried)
             if not _is_poor(best):
                 break
     fitted = profile
@@ -160,6 +165,17 @@ def fit_messages(messages: Sequence[Sensed], worn: Worn, profile: ColourProfile)
             f"and {new.clashing:.1f} other things, these {old.sure:.1f} and {old.clashing:.1f}."
         )
     return SessionFit(fitted, old, new, patches)
+
+
+def _refuse_other_side(
+    messages: Sequence[Sensed], worn: Worn, profile: ColourProfile, own: Looked
+) -> None:
+    """Raises GlovetrackError where the first images show more of a glove of the other hand than of
+    ours: of mirrored patches a hand that is found by mistake would have learned the colours."""
+    hand, glove = mirrored_hand(worn.hand), mirrored_glove(worn.glove)
+    mirrored = look(_beginning(messages), Worn(hand, glove, worn.rig), profile)
+    if not _is_poor(mirrored) and mirrored.matched > own.matched:
+        raise GlovetrackError(other_side_words(worn.glove))
 
 
 def _starts(profile: ColourProfile) -> Iterator[ColourProfile]:

@@ -84,4 +84,12 @@ class ColoursFitting(QObject):
         tuning.live.watch(view)
         if tuning.live.wanted and tuning.live.is_enough:
             unasked, self._unasked = self._unasked, False
+            if unasked and _is_other_side(view):
+                tuning.live.wanted = False  # it is not the colours that no hand is found by
+                return
             self.fit(lambda t: t.live.fit(t.profile, refuse=not unasked))
+
+
+def _is_other_side(view: Snapshot) -> bool:
+    """Whether the glove was found to be the other hand's."""
+    return view.status is not None and bool(view.status.values.get("glove_of_other_side"))
