@@ -15,6 +15,7 @@ from app.viewmodels.colours import seen_rows
 from app.viewmodels.light import LightWatch
 from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
+from app.viewmodels.status import images_alone
 from app.words import mark, told, tr
 from tracker.messages import Tracking
 
@@ -254,6 +255,8 @@ def _calibration(view: Snapshot | None) -> SetUpStep:
     name = tr("Calibration settled")
     if view is None or view.calibration is None:
         return SetUpStep(name, False, tr("Waits for tracking."))
+    if view.status is not None and images_alone(view.status):
+        return SetUpStep(name, False, tr("Waits for the glove."))
     shown = calibration_view(view.calibration)
     share = 0.0 if np.isnan(shown.convergence) else shown.convergence
     if share >= SETTLED:

@@ -44,6 +44,8 @@ def tracking_look(status: Status | None, running: bool, has_place: bool = True) 
         return StateLook(IDLE.colour, IDLE.sign, tr("Stopped"))
     if nothing_arrives(status):
         return StateLook(BAD.colour, BAD.sign, tr("Nothing arrives"))
+    if images_alone(status):
+        return StateLook(IDLE.colour, IDLE.sign, tr("No glove sends"))
     look = TRACKING[status.tracking]
     if status.tracking != Tracking.LOST:
         return replace(look, word=tr(look.word))
@@ -56,6 +58,13 @@ def nothing_arrives(status: Status) -> bool:
     """Of what once came, neither packets nor images; the state of tracking is of before."""
     rates = [status.values[key] for key in ("imu_rate_hz", "frame_rate_hz") if key in status.values]
     return bool(rates) and not any(rate > 0 for rate in rates) and status.tracking in STALE
+
+
+def images_alone(status: Status) -> bool:
+    """Whether images come and no packets: then no hand was found, and none can be."""
+    values = status.values
+    searching = status.tracking == Tracking.SEARCHING
+    return searching and "frame_rate_hz" in values and not values.get("imu_rate_hz", 0.0) > 0
 
 
 def _drifting(word: str, heading_sd_deg: float) -> str:

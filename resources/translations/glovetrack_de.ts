@@ -4161,6 +4161,11 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/status.py" />
+      <source>No glove sends</source>
+      <translation>Kein Handschuh sendet</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/status.py" />
       <source>{}, heading within {:.0f}°</source>
       <translation>{}, Richtung auf {:.0f}° genau</translation>
     </message>

@@ -313,3 +313,12 @@ def test_tracking_is_not_said_while_nothing_arrives():
     half = Status(5.0, Tracking.TRACKING, {**silent, "imu_rate_hz": 100.0})
     assert tracking_look(half, True).word == "Tracking"
     assert tracking_look(Status(0.0, Tracking.SEARCHING, {}), True).word != "Nothing arrives"
+
+
+def test_a_camera_alone_searches_for_no_hand():
+    alone = {"frame_rate_hz": 30.0}
+    assert tracking_look(Status(5.0, Tracking.SEARCHING, alone), True).word == "No glove sends"
+    silent = {**alone, "imu_rate_hz": 0.0}
+    assert tracking_look(Status(5.0, Tracking.SEARCHING, silent), True).word == "No glove sends"
+    both = {**alone, "imu_rate_hz": 100.0}
+    assert tracking_look(Status(5.0, Tracking.SEARCHING, both), True).word.startswith("Searching")

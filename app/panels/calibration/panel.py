@@ -21,6 +21,7 @@ from app.panels.calibration.wearer_row import WearerRow
 from app.panels.panel import Panel
 from app.storage.settings import SettingsStore
 from app.viewmodels.calibration import camera_time
+from app.viewmodels.status import images_alone
 from app.widgets.elided_label import ElidedLabel
 from app.widgets.measures import APART, NEAR
 
@@ -108,6 +109,8 @@ class CalibrationPanel(Panel):
     def refresh(self, view: Snapshot | None) -> None:
         if view is None or view.calibration is None:
             return
+        if view.status is not None and images_alone(view.status):
+            return  # of a camera alone nothing is estimated
         self.camera_time.setText(camera_time(view.status))
         frozen = self.wearer.frozen.isChecked()
         if view.calibration is self.profiles.worn.latest and frozen == self._drawn_frozen:
