@@ -13,7 +13,12 @@ from tracker.fusion.chain.driven_ends import EndsSureness
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions
 from tracker.fusion.chain.layout import ChainLayout, V
 from tracker.fusion.chain.params import NoiseParams
-from tracker.fusion.chain.start.mono_start import KNOWN_SIZE_SD, SIZE_SD, with_unsure_distance
+from tracker.fusion.chain.start.mono_start import (
+    KNOWN_SIZE_SD,
+    SIZE_SD,
+    measured_sd,
+    with_unsure_distance,
+)
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.support import Evidence, digit_of
 from tracker.fusion.chain.tracking import DOUBT_AFTER
@@ -50,6 +55,7 @@ class ShownKept:
     """(A,) markers do not speak for where each segment is; none in what older versions kept"""
     poor_since: Array = field(default_factory=lambda: np.zeros(0))
     """(D,) s since when a digit's markers are not where they should be; as above"""
+    most_sd: float = MEASURED_SD  # m, beyond which nothing is called measured
     heading_drift: float = 0.0  # rad by which the heading may be off since images held it
     heading_at: float = np.inf  # s until when that was added up
 
@@ -150,8 +156,10 @@ class ShownHand:
 
     def unsure(self, state: ChainState, pose: CameraPose, size_is_known: bool) -> None:
         """Take how sure each segment's end is; one camera alone does not know the distance."""
-        self.kept.tip_sd = self.ends(state)
+        self.kept.tip_sd, self.kept.most_sd = self.ends(state), MEASURED_SD
         if self.kept.one_camera:
+            if not size_is_known:
+                self.kept.most_sd = min(measured_sd(state.p, pose), MEASURED_SD)
             size_sd = KNOWN_SIZE_SD if size_is_known else SIZE_SD
             self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
 
@@ -189,7 +197,8 @@ class ShownHand:
         """The hand of a nominal state at ``t``, which was carried there from ``past``."""
         ahead = ahead_variance(past, self._layout, self._noise, max(t - past.t, 0.0))
         sd = np.sqrt(self.tip_sd**2 + ahead + behind_variance(state.t, t))
-        return called_measured(self.estimate_of(state, t, self.sensed(t, tracking), sd))
+        estimate = self.estimate_of(state, t, self.sensed(t, tracking), sd)
+        return called_measured(estimate, self.kept.most_sd)
 
     def estimate_of(self, state: ChainState, t: float, sensed: Sensed, sd: Array) -> Estimate:
         """The hand of a nominal state whose segments' ends are as sure as sd (A,) m."""
@@ -221,10 +230,10 @@ def _mean_variance(P: Array, first: int) -> float:
     return float(P[first, first] + P[first + 1, first + 1] + P[first + 2, first + 2]) / 3
 
 
-def called_measured(estimate: Estimate) -> Estimate:
-    """What is too unsure to be called measured is inferred, whatever saw it lately."""
+def called_measured(estimate: Estimate, most_sd: float = MEASURED_SD) -> Estimate:
+    """What is less sure than ``most_sd`` (m) is inferred, whatever saw it lately."""
     state = estimate.keypoint_state
-    unsure = (estimate.keypoint_sd > MEASURED_SD) & (state == MEASURED)
+    unsure = (estimate.keypoint_sd > most_sd) & (state == MEASURED)
     if not unsure.any():
         return estimate
     return replace(estimate, keypoint_state=np.where(unsure, INFERRED, state))

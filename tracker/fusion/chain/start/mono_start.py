@@ -27,6 +27,8 @@ from tracker.messages import Array, CameraPose, IntArray
 SIZE_KEPT = 0.1  # of the size's standard deviation at a start with one camera
 SIZE_SD = 0.05  # share, among people: what the distance is unsure by after such a start
 KNOWN_SIZE_SD = 0.015  # the same with a wearer's profile
+WRONG = 0.05  # m that nothing measured may be wrong by
+SIZE_SHARE, POSE_SDS = 0.06, 4.0  # of the distance, and of a pose's standard deviation, within that
 
 
 @dataclass(frozen=True)
@@ -106,6 +108,18 @@ def with_unsure_distance(sd: Array, p: Array, pose: CameraPose, size_sd: float) 
     ray = float(np.linalg.norm(p - pose.p_GC))
     out: Array = np.sqrt(sd**2 + (size_sd * ray) ** 2 / 3)  # eq. 44
     return out
+
+
+def measured_sd(p: Array, pose: CameraPose) -> float:
+    """m, of what `with_unsure_distance` gives for a stranger's hand at p (3,) m in G: what is less
+    sure may be wrong by more than `WRONG`.
+
+    A hand is another size for as long as it is looked at, and errors of its pose are along the ray,
+    too, so they add up.
+    """
+    ray = float(np.linalg.norm(p - pose.p_GC))
+    sd = max(WRONG - SIZE_SHARE * ray, 0.0) / POSE_SDS
+    return float(np.sqrt(sd**2 + (SIZE_SD * ray) ** 2 / 3)) if sd > 0.0 else 0.0
 
 
 def _rank(pose: Pose) -> float:
