@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from typing import TYPE_CHECKING
 
 from app.engines.engine import EngineSetup
 from app.engines.snapshot import Snapshot
@@ -12,6 +13,9 @@ from tracker.calibration.colours_fit import FoundHue
 from tracker.errors import ConfigError, GlovetrackError
 from tracker.messages import ImuSample, StereoFrame
 from tracker.vision.colours import ColourProfile
+
+if TYPE_CHECKING:
+    from tracker.offline.colours_fit import SessionFit, Worn
 
 MOST_IMAGES = 20  # pairs, 110 MB at 720p
 ENOUGH = 10  # of them, for a fit
@@ -81,23 +85,68 @@ class LiveImages:
         """The fit to what was gathered, for another thread; raises GlovetrackError there where it
         is refused, or finds nothing in silence unless told to ``refuse``."""
         self.wanted = False
-        first = self._frames[0].t - GAP if self._frames else 0.0
-        messages: list[ImuSample | StereoFrame] = [p for p in self._packets if p.t >= first]
-        messages += self._frames
-        messages.sort(key=lambda m: m.t_arrival)
-        setup = self._setup
+        messages, setup = self._messages(), self._setup
 
         def work() -> Fit:
-            from tracker.offline.colours_fit import Worn, fit_messages
-
             try:
-                fit = fit_messages(messages, Worn(setup.hand, setup.glove, setup.rig), profile)
+                return _of_session(_fitted(messages, setup, profile))
             except GlovetrackError:
                 if refuse:
                     raise
                 return profile, ()
-            hues = [h for h in fit.profile.hues if fit.patches.get(h.name)]
-            found = tuple(FoundHue(h, fit.patches[h.name], 0) for h in hues)
-            return fit.profile, found
 
         return work
+
+    def after(self, picked: FitWork, before: ColourProfile) -> FitWork:
+        """``picked``, learned from what was pointed at in one image, and then what the images
+        gathered make of it, or of the colours ``before``: whichever finds more of the hand there.
+
+        Raises GlovetrackError in that thread where ``picked`` does.
+        """
+        if not (self._setup.whole and self.is_enough):
+            return picked
+        messages, setup = self._messages(), self._setup
+
+        def work() -> Fit:
+            from tracker.offline.colours_fit import check_messages
+
+            best = picked()
+            sure = check_messages(messages, _worn(setup), best[0]).sure
+            for start in (best[0], before):
+                try:
+                    fit = _fitted(messages, setup, start)
+                except GlovetrackError:
+                    continue  # refused: ``start`` serves as well
+                if fit.after.sure > sure:
+                    best, sure = _of_session(fit), fit.after.sure
+            return best
+
+        return work
+
+    def _messages(self) -> list[ImuSample | StereoFrame]:
+        """In the order of feeding."""
+        first = self._frames[0].t - GAP if self._frames else 0.0
+        messages: list[ImuSample | StereoFrame] = [p for p in self._packets if p.t >= first]
+        messages += self._frames
+        messages.sort(key=lambda m: m.t_arrival)
+        return messages
+
+
+def _fitted(
+    messages: list[ImuSample | StereoFrame], setup: EngineSetup, profile: ColourProfile
+) -> SessionFit:
+    from tracker.offline.colours_fit import fit_messages
+
+    return fit_messages(messages, _worn(setup), profile)
+
+
+def _worn(setup: EngineSetup) -> Worn:
+    from tracker.offline.colours_fit import Worn
+
+    return Worn(setup.hand, setup.glove, setup.rig)
+
+
+def _of_session(fit: SessionFit) -> Fit:
+    """As other fits are told."""
+    hues = [h for h in fit.profile.hues if fit.patches.get(h.name)]
+    return fit.profile, tuple(FoundHue(h, fit.patches[h.name], 0) for h in hues)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -174,10 +175,12 @@ class ColourTuning:
         return self._picks.keys() == set(self.profile.hue_names)
 
     def picked_fit(self) -> FitWork:
-        """Learn from the markers that were pointed at, in another thread."""
+        """Learn from the markers that were pointed at, and from the images around them where there
+        are some, in another thread."""
         picks, self._picks = list(self._picks.values()), {}
         profile, size = self.profile, float(self.setup.glove.marker_size.mean())
-        return lambda: learn_picked(picks, profile, size, self.setup.rig.fx)
+        learned = partial(learn_picked, picks, profile, size, self.setup.rig.fx)
+        return self.live.after(learned, self.setup.profile)
 
     def take(self, profile: ColourProfile, words: str) -> None:
         """Another profile as one step that can be taken back, and a sentence about it."""

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from tracker.fusion.chain.kinematics import marker_jacobians, marker_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.pixel_rows import point_rows, stack_rows
 from tracker.fusion.chain.pixels import (
+    DISPUTED,
     USUAL_LN_DET,
     PixelModel,
     SeenBlobs,
@@ -22,7 +23,7 @@ from tracker.fusion.chain.state import ChainState, initial_state, inject
 from tracker.fusion.kalman import update
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
-from tracker.messages import IntArray
+from tracker.messages import Array, IntArray
 from tracker.vision.correspondence import GateParams, assign_gated
 from tracker.vision.rig import ideal_rig
 
@@ -75,18 +76,58 @@ def blobs(case: Case, seed: int) -> tuple[SeenBlobs, ...]:
 
 
 def test_matches_are_those_of_the_assignment(case: Case) -> None:
-    """Image by image, with a price of no match that grows with the covariance."""
+    """Image by image, with a price of no match that grows with the covariance; but for blobs that
+    would suit another digit's marker as well."""
     layout, _, e = case
     seen = blobs(case, 1)
     match = PixelModel(layout, RIG, NOISE).match(e, seen)
+    of_digit = digit_of(layout)[layout.marker_segment]
     for c in range(2):
         alone = GateParams().dummy_cost + max(0.0, median_ln_det(e.S[c]) - USUAL_LN_DET)
         found = assign_gated(
             seen[c].uv, seen[c].hue, e.uv[c, e.rows], e.S[c], layout.glove.marker_hue[e.rows],
             e.prior[c, e.rows], GateParams(dummy_cost=alone),
         )  # fmt: skip
-        assert np.array_equal(match[c, e.rows], found)
+        for i, blob in enumerate(found):
+            if match[c, e.rows[i]] == blob:
+                continue
+            own, *rivals = distances(e, c, seen[c].uv[blob], i, found, of_digit[e.rows], layout)
+            assert match[c, e.rows[i]] == -1 and min(rivals) < own + DISPUTED
         assert (found >= 0).sum() > 5 and np.all(np.delete(match[c], e.rows) == -1)
+
+
+def distances(
+    e: Prediction, c: int, uv: Array, i: int, found: IntArray, digit: IntArray, layout: ChainLayout
+) -> list[float]:
+    """Of a blob from the marker that got it, and from those of other digits that got none."""
+    hue = layout.glove.marker_hue[e.rows]
+    free = (found < 0) & (hue == hue[i]) & (digit != digit[i]) & (e.prior[c, e.rows] >= 0.01)
+    out = []
+    for k in (i, *np.flatnonzero(free)):
+        apart, S = uv - e.uv[c, e.rows[k]], e.S[c, k]
+        out.append(float(apart @ np.linalg.solve(S, apart) + np.log(np.linalg.det(S))))
+    return out
+
+
+def test_a_blob_between_two_fingers_is_nobodys(case: Case) -> None:
+    """Two markers of a hue on neighbouring fingers, and one blob in the middle between them; near
+    either of them it is that one's."""
+    layout, _, e = case
+    of_digit, hue = digit_of(layout)[layout.marker_segment], layout.glove.marker_hue
+    pairs = [
+        (a, b)
+        for a in e.rows
+        for b in e.rows
+        if hue[a] == hue[b] and 0 <= of_digit[a] < of_digit[b] and e.prior[0, [a, b]].min() > 0.5
+    ]
+    a, b = min(pairs, key=lambda p: float(np.linalg.norm(e.uv[0, p[0]] - e.uv[0, p[1]])))
+    wide = e._replace(S=e.S + 200.0 * np.eye(2))
+    none = SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))
+    for share, whose in ((0.5, -1), (0.0, a), (1.0, b)):
+        uv = (1.0 - share) * e.uv[0, a] + share * e.uv[0, b]
+        blob = SeenBlobs(uv[None], hue[[a]], np.zeros(1, np.int64))
+        match = PixelModel(layout, RIG, NOISE).match(wide, (blob, none))
+        assert np.flatnonzero(match[0] >= 0).tolist() == ([] if whose < 0 else [whose]), share
 
 
 def some_matched(case: Case) -> IntArray:

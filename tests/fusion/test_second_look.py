@@ -8,9 +8,9 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from tracker.fusion.chain.digits import RADIUS, DigitSearch, SeenPoints, digit_of
+from tracker.fusion.chain.digits import RADIUS, DigitSearch, SeenPoints
 from tracker.fusion.chain.kinematics import marker_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.state import ChainState, initial_state
 from tracker.fusion.chain.support import Evidence
 from tracker.geometry import so3

@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 from tracker.fusion.chain.kinematics import marker_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.start.search import StereoPoints
 from tracker.fusion.chain.start.spread import BETTER, spread
 from tracker.fusion.chain.state import ChainState, initial_state
-from tracker.fusion.chain.support import digit_of
 from tracker.geometry import so3
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel

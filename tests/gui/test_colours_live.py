@@ -1,6 +1,7 @@
 """Images and packets gathered for a fit of the colours to what is seen."""
 
 import dataclasses
+from functools import partial
 
 import numpy as np
 import pytest
@@ -8,10 +9,17 @@ from gui_fakes import ScriptedEngine, frame_and_blobs, scripted_setup
 
 from app.engines.snapshot import Snapshot
 from app.viewmodels.colour_live import ENOUGH, GAP, MOST_IMAGES, LiveImages
+from tests.benchmarks.desk import detection, folder, load
+from tracker import library
+from tracker.calibration.colours_image import Pick, learn_picked
 from tracker.errors import GlovetrackError
 from tracker.messages import ImuSample, Status, Tracking
+from tracker.vision.colours import parse_profile
 
 SETUP = scripted_setup(ScriptedEngine())
+SCENES = folder()
+FACTORY = parse_profile(library.text("colours", library.DEFAULT_COLOURS))
+needs_data = pytest.mark.skipif(SCENES is None, reason="needs the photographs of a desk")
 
 
 def packet(t: float) -> ImuSample:
@@ -119,3 +127,30 @@ def test_a_fit_that_nobody_asked_for_is_refused_in_silence() -> None:
     profile, found = live.fit(SETUP.profile, refuse=False)()
     assert profile is SETUP.profile
     assert found == ()
+
+
+@needs_data
+def test_clicks_learn_from_the_images_around_them_as_a_fit_does() -> None:
+    """In lamp light one image of a bent hand shows few patches of each hue, and none of their other
+    sides."""
+    assert SCENES is not None
+    scene = load(SCENES / "lamp")
+    info = scene.info
+    setup = dataclasses.replace(SETUP, hand=info.hand, glove=info.glove, rig=info.rig)
+    live = LiveImages(setup)
+    imu = [m for m in scene.messages if isinstance(m, ImuSample)]
+    for frame in scene.frames[: 2 * ENOUGH + 2]:
+        packets = tuple(p for p in imu if frame.t - 0.5 < p.t < frame.t + 0.05)
+        live.watch(Snapshot(setup=setup, running=True, frame=frame, imu=packets))
+    k, seen = 8, scene.visible
+    image = scene.frames[k].left
+    assert image is not None and info.rig is not None
+    picks = []
+    for name in FACTORY.hue_names:
+        rows = [j for j, m in enumerate(info.glove.markers) if m.hue == name]
+        best = max(rows, key=lambda j: (seen["frac"][k, 0, j] > 0.9) - seen["angle"][k, 0, j] / 100)
+        picks.append(Pick(image, seen["uv_vis"][k, 0, best], name))
+    picked = partial(learn_picked, picks, FACTORY, 0.012, info.rig.fx)
+    profile, _ = live.after(picked, FACTORY)()
+    assert detection(scene, profile, 6).recall > detection(scene, picked()[0], 6).recall + 0.02
+    assert detection(scene, profile, 6).recall >= 0.96

@@ -14,9 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.chain.support import digit_of
 from tracker.geometry import so3
 from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolVector, IntVector, Matrix, Stack, Vector

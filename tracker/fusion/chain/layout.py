@@ -147,3 +147,15 @@ class ChainLayout(EstimatedSegments):
         marker = joint + 3 * int(np.sum(self.base_of >= 0))
         size = marker + 3 * len(self.glove.markers)
         return Blocks(THETA, bg, phi, ba, scale, joint, marker, size)
+
+
+def digit_of(layout: ChainLayout) -> IntArray:
+    """(A,) number of the digit that each active segment belongs to, -1 for the root."""
+    out = np.full(len(layout.active), -1, np.int64)
+    digits = 0
+    for a, parent in enumerate(layout.parent):
+        if parent == 0:
+            out[a], digits = digits, digits + 1
+        elif parent > 0:
+            out[a] = out[parent]
+    return out

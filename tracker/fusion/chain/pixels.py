@@ -12,14 +12,14 @@ from typing import NamedTuple
 import numpy as np
 
 from tracker.fusion.chain.kinematics import marker_points
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.pixel_rows import point_rows
 from tracker.fusion.chain.prediction import PosedRig, Prediction, expected, pixel_jacobians, viewed
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.output.completion import Completion
 from tracker.kernels import kernel
-from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack
+from tracker.kernels.arrays import IntMatrix, IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
 from tracker.vision.colours import hue_rows
 from tracker.vision.correspondence import ExpectedPixels, GateParams, assigned
@@ -31,6 +31,7 @@ SIDES = ("left", "right")
 GATE = GateParams()
 GATE_SQUARED, GATE_PX = GATE.gate, GATE.gate_px
 ALONE, LEAST_PRIOR = GATE.dummy_cost, GATE.min_prior
+RIVAL, DISPUTED = 0.01, 2.0  # least prior of another marker, and how much worse the blob suits it
 USUAL_LN_DET = 10.0  # of an innovation covariance in px⁴ that the default gate is made for
 
 
@@ -82,6 +83,7 @@ class PixelModel:
         self._layout, self._rig, self._noise = layout, rig, noise
         self._shape = HandShape.of(layout.hand)
         self._segment = layout.glove.marker_segment(layout.hand)
+        self._digit = digit_of(layout)[layout.marker_segment]
         self._complete = Completion(layout)
 
     def wear(self, gains: Array, aside: Array) -> None:
@@ -111,7 +113,7 @@ class PixelModel:
     def match(self, prediction: Prediction, seen: tuple[SeenBlobs, ...]) -> IntArray:
         """(2, M) row of `seen` for each marker, -1 for none."""
         left, right = seen
-        return matched(prediction, left, right, self._layout.glove.marker_hue)
+        return matched(prediction, left, right, self._layout.glove.marker_hue, self._digit)
 
     def rows(
         self, prediction: Prediction, seen: tuple[SeenBlobs, ...], match: IntArray
@@ -149,14 +151,20 @@ def counted(match: IntMatrix, prior: Matrix) -> tuple[int, float]:
 
 @kernel(nogil=False)
 def matched(
-    prediction: Prediction, left: SeenBlobs, right: SeenBlobs, marker_hue: IntVector
+    prediction: Prediction,
+    left: SeenBlobs,
+    right: SeenBlobs,
+    marker_hue: IntVector,
+    marker_digit: IntVector,
 ) -> IntMatrix:
-    """(2, M) row of the blobs of left and right for each marker, -1 for none.
+    """(2, M) row of the blobs of left and right for each marker, -1 for none; marker_digit (M,).
 
     Limits as in `tracker.vision.correspondence.GateParams`; costs as in eq. 23. The cost of no
-    match grows with the innovation covariance, or an unsure filter would match nothing.
+    match grows with the innovation covariance, or an unsure filter would match nothing. A blob that
+    is as near to another digit's marker is nobody's.
     """
     rows, S = prediction.rows, prediction.S
+    digit = marker_digit[rows]
     out = np.full((2, prediction.uv.shape[1]), -1)
     for c in range(2):
         blobs = HuedPixels(right.uv, right.hue) if c else HuedPixels(left.uv, left.hue)
@@ -167,8 +175,36 @@ def matched(
         alone = ALONE + max(0.0, median_ln_det(S[c]) - USUAL_LN_DET)  # eq. 24
         found = assigned(blobs, markers, GATE_SQUARED, GATE_PX, alone)
         for i in range(len(rows)):
-            out[c, rows[i]] = found[i]
+            if found[i] >= 0 and not _is_disputed(i, found, blobs.uv, markers, digit):
+                out[c, rows[i]] = found[i]
     return out
+
+
+@kernel
+def _is_disputed(
+    i: int, found: IntVector, uv: Matrix, markers: ExpectedPixels, digit: IntVector
+) -> bool:
+    """Whether the blob of marker ``i`` would suit another digit's that has none as well, were both
+    in sight: which finger hides which hangs on millimetres that nobody knows of a bent hand."""
+    own = _distance(uv[found[i]], markers.uv[i], markers.S[i])
+    for k in range(len(found)):
+        rival = found[k] < 0 and markers.prior[k] >= RIVAL and digit[k] != digit[i]
+        if (
+            rival
+            and markers.hue[k] == markers.hue[i]
+            and _distance(uv[found[i]], markers.uv[k], markers.S[k]) < own + DISPUTED
+        ):
+            return True
+    return False
+
+
+@kernel
+def _distance(uv: Vector, expected: Vector, S: Matrix) -> float:
+    """Mahalanobis² + ln det S between a blob and a marker (2,) px each."""
+    a, b, c = S[0, 0], S[0, 1], S[1, 1]
+    det = a * c - b * b
+    du, dv = uv[0] - expected[0], uv[1] - expected[1]
+    return float((c * du * du - 2.0 * b * du * dv + a * dv * dv) / det + np.log(det))
 
 
 @kernel

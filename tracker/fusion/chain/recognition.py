@@ -12,7 +12,7 @@ import numpy as np
 
 from tracker.fusion.chain.digits import SeenPoints
 from tracker.fusion.chain.filter import Rows
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.loose import LooseRows
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.pixels import USUAL_LN_DET, PixelModel, SeenBlobs, Tally, seen_blobs
@@ -20,7 +20,7 @@ from tracker.fusion.chain.prediction import Prediction
 from tracker.fusion.chain.previous import PreviousPrediction
 from tracker.fusion.chain.reports import frame_result
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.chain.support import LIKELY, Evidence, digit_of, evidence
+from tracker.fusion.chain.support import LIKELY, Evidence, evidence
 from tracker.messages import Array, BlobFrame, CameraPose, FrameResult, IntArray, Tracking
 from tracker.records import record
 from tracker.vision.rig import StereoRig

@@ -11,7 +11,7 @@ from tracker import GRAVITY
 from tracker.fusion.chain.distal import DistalSegments, Synergies
 from tracker.fusion.chain.driven_ends import EndsSureness
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions
-from tracker.fusion.chain.layout import ChainLayout, V
+from tracker.fusion.chain.layout import ChainLayout, V, digit_of
 from tracker.fusion.chain.params import NoiseParams
 from tracker.fusion.chain.start.mono_start import (
     KNOWN_SIZE_SD,
@@ -20,7 +20,7 @@ from tracker.fusion.chain.start.mono_start import (
     with_unsure_distance,
 )
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.chain.support import Evidence, digit_of
+from tracker.fusion.chain.support import Evidence
 from tracker.fusion.chain.tracking import DOUBT_AFTER
 from tracker.fusion.output.completion import Completion
 from tracker.fusion.output.output import INFERRED, MEASURED, HandOutput, Sensed, sensed_lately

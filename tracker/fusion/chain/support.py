@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.pixels import GATE_PX, GATE_SQUARED, SeenBlobs, Tally
 from tracker.fusion.chain.prediction import Prediction
 from tracker.kernels import kernel
@@ -83,18 +82,6 @@ class Evidence(NamedTuple):
         """Digits of which markers are seen as they should be."""
         rich = self.digit_matched >= DIGIT_SHARE * self.digit_expected
         return np.flatnonzero(rich & (self.digit_matched > 0))
-
-
-def digit_of(layout: ChainLayout) -> IntArray:
-    """(A,) number of the digit that each active segment belongs to, -1 for the root."""
-    out = np.full(len(layout.active), -1, np.int64)
-    digits = 0
-    for a, parent in enumerate(layout.parent):
-        if parent == 0:
-            out[a], digits = digits, digits + 1
-        elif parent > 0:
-            out[a] = out[parent]
-    return out
 
 
 @kernel(nogil=False)

@@ -11,10 +11,9 @@ import numpy as np
 
 from tracker.fusion.chain.digits import SupportPoints, posture_scores
 from tracker.fusion.chain.kinematics import marker_positions, segment_positions
-from tracker.fusion.chain.layout import ChainLayout
+from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.start.search import StereoPoints
 from tracker.fusion.chain.state import ChainState
-from tracker.fusion.chain.support import digit_of
 from tracker.geometry import so3
 from tracker.messages import Array
 
