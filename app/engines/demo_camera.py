@@ -90,9 +90,14 @@ def _texts(side: str) -> WornTexts:
     return WornTexts(library.text("hands", hand), library.text("gloves", glove))
 
 
-def start_camera(seed: int = SEED, choice: DemoChoice | None = None) -> DemoCamera:
-    """A process that draws, where there is a camera; whoever gets it has to close it."""
+def start_camera(seed: int = SEED, choice: DemoChoice | None = None, drawn: int = 0) -> DemoCamera:
+    """A process that draws, where there is a camera; whoever gets it has to close it.
+
+    ``drawn``: see `SimulatedCamera`.
+    """
     from tracker.simulation.camera_device import NoSimulatedCamera, SimulatedCamera
 
     choice = choice or DemoChoice()
-    return SimulatedCamera(demo_spec(seed, choice)) if choice.has_camera else NoSimulatedCamera()
+    if not choice.has_camera:
+        return NoSimulatedCamera()
+    return SimulatedCamera(demo_spec(seed, choice), drawn=drawn)

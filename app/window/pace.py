@@ -10,10 +10,10 @@ HURRIED = 0.6
 """Share of a processor that the window takes, painting included, where a motor or a robot waits
 for the hand. What tracks it shares Python's lock: a window that paints all the time holds up every
 packet. Where only people look it may take all there is."""
-LEAST, LESS, MORE = 0.25, 0.8, 0.005
+LEAST, LESS, MORE = 0.3, 0.8, 0.01
 """While images are left out the share shrinks by `LESS` at each look, down to `LEAST`; else it
-grows by `MORE`: back within half a minute, so that it does not swing."""
-SLOWEST = 1 / 16  # s between two drawings that hold it to no share: it must not look stuck
+grows by `MORE`: back within twenty seconds, so that it does not swing."""
+SLOWEST = 1 / 20  # s between two drawings that hold it to no share: it must not look stuck
 
 
 class Pace:

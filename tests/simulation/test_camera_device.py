@@ -3,6 +3,7 @@
 import time
 
 import numpy as np
+import pytest
 
 from tests.conftest import RESOURCES
 from tracker.simulation.camera_device import SimulatedCamera
@@ -17,8 +18,9 @@ SPEC = DemoSpec(
 )
 
 
-def test_images_come_in_time_and_are_those_of_the_simulation() -> None:
-    camera = SimulatedCamera(SPEC)
+@pytest.mark.parametrize("drawn", [0, 4], ids=["drawn in time", "drawn before"])
+def test_images_come_in_time_and_are_those_of_the_simulation(drawn: int) -> None:
+    camera = SimulatedCamera(SPEC, drawn=drawn)
     try:
         assert camera.wait_ready(60.0)
         t_0 = time.monotonic() + 0.1
@@ -30,6 +32,9 @@ def test_images_come_in_time_and_are_those_of_the_simulation() -> None:
             if frame is not None:
                 assert time.monotonic() >= frame.t_arrival - 1e-3
                 frames.append(frame)
+        if drawn:
+            while not camera.take_events() and time.monotonic() < deadline:
+                assert camera.read(0.2) is None  # it had no more
     finally:
         camera.close()
         camera.close()

@@ -11,6 +11,7 @@ import contextlib
 import time
 from collections import deque
 from collections.abc import Sequence
+from itertools import islice
 from multiprocessing.connection import Connection
 from typing import NamedTuple
 
@@ -27,6 +28,7 @@ from tracker.simulation.demo import DemoSpec, ask, build_scene
 
 SLOTS = 6
 READY = "ready"
+AHEAD = 0.01  # s before their arrival that images which were all drawn before are handed over
 LATE = 0.06  # s behind its arrival at which an image is not drawn any more
 
 
@@ -42,18 +44,22 @@ class _Drawn(NamedTuple):
 class SimulatedCamera:
     """Images of a `DemoSpec` in real time, from `begin` on. Raises NoSharedMemory.
 
-    Getting ready takes the process a second or two; meanwhile others may get ready too.
+    Getting ready takes the process a second or two; meanwhile others may get ready too. With
+    ``drawn`` it draws that many images first, gives these, which then cost no more than those of a
+    camera's own hardware, and ends.
     """
 
-    def __init__(self, spec: DemoSpec, width: int = 1280, height: int = 720) -> None:
+    def __init__(
+        self, spec: DemoSpec, width: int = 1280, height: int = 720, drawn: int = 0
+    ) -> None:
         cameras = 1 if spec.one_camera else 2
-        self._t_0, self._shape = 0.0, (SLOTS, cameras, height, width, 3)
+        self._t_0, self._shape = 0.0, (drawn or SLOTS, cameras, height, width, 3)
         self._memory = new_memory(int(np.prod(self._shape)))
         self._events: list[Event] = []
         self._asked: deque[Asked] = deque()  # of other threads, to be sent by the one that reads
         self._closed = False
         self._pipe, self._process = start_child(
-            "glovetrack-camera", _draw_for_ever, spec, self._memory.name, self._shape
+            "glovetrack-camera", _draw_for_ever, spec, self._memory.name, self._shape, drawn
         )
 
     def wait_ready(self, timeout: float) -> bool:
@@ -160,12 +166,14 @@ class NoSimulatedCamera(NoCamera):
 DemoCamera = SimulatedCamera | NoSimulatedCamera
 
 
-def _draw_for_ever(pipe: Connection, spec: DemoSpec, name: str, shape: tuple[int, ...]) -> None:
-    """The other process: draws until the pipe closes."""
+def _draw_for_ever(
+    pipe: Connection, spec: DemoSpec, name: str, shape: tuple[int, ...], drawn: int
+) -> None:
+    """The other process: draws until the pipe closes, or first all that it gives."""
     memory = attached(name)
     try:
         images: NDArray[np.uint8] = np.ndarray(shape, np.uint8, buffer=memory.buf)
-        _draw(spec, images, pipe)
+        (_draw_before if drawn else _draw)(spec, images, pipe)
     except (EOFError, BrokenPipeError, ConnectionResetError, KeyboardInterrupt):
         return
     finally:
@@ -191,3 +199,18 @@ def _draw(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
         slot = free.pop(0)
         sim.renderer.images(t, list(images[slot]))
         pipe.send(_Drawn(slot, index, t, arrival))
+
+
+def _draw_before(spec: DemoSpec, images: NDArray[np.uint8], pipe: Connection) -> None:
+    """As many as there are places, then each at its time."""
+    sim = build_scene(spec)
+    drawn = [_Drawn(slot, *one) for slot, one in enumerate(islice(sim.exposures(), len(images)))]
+    for one in drawn:
+        sim.renderer.images(one.t, list(images[one.slot]))
+    pipe.send(READY)
+    t_0: float = pipe.recv()
+    for one in drawn:
+        time.sleep(max(t_0 + one.arrival - AHEAD - time.monotonic(), 0.0))
+        while pipe.poll():
+            pipe.recv()  # places that are free again, and what a wearer is asked for: too late
+        pipe.send(one)
