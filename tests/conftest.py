@@ -1,5 +1,6 @@
 """Fixtures that many folders share, and where real recordings are."""
 
+import functools
 import gc
 import os
 import tempfile
@@ -18,11 +19,15 @@ from tracker.glove.files import load_glove
 from tracker.glove.model import GloveModel
 from tracker.hand.files import load_hand
 from tracker.hand.model import HandModel
+from tracker.vision import detector
 
 ROOT = Path(__file__).resolve().parents[1]
 RESOURCES = ROOT / "resources"
 DATA = Path(os.environ.get("GLOVETRACK_DATA", ROOT / "data"))
 """Real recordings and images, which are not part of the project; few tests need them."""
+
+detector.hue_table = functools.lru_cache(maxsize=16)(detector.hue_table)
+"""Hundreds of tests make detectors of the same few profiles, and a table takes 0.1 s to fill."""
 
 
 def pytest_configure(config: pytest.Config) -> None:

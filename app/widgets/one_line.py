@@ -39,14 +39,16 @@ class OneLine(QWidget):
         self._row.addStretch(1)
 
     def add(self, widget: QWidget) -> None:
-        """The next one."""
+        """The next one. What finds room is asked when the line is seen."""
         self._widgets.append(widget)
         widget.installEventFilter(self)
         self._lay_out(len(self._widgets))
-        self._share()
+        if self.isVisible():
+            self._share()
 
     def take_out(self, widget: QWidget) -> None:
         """Forget one; it is the caller's again."""
+        self._inside -= self._widgets.index(widget) < self._inside
         self._widgets.remove(widget)
         widget.removeEventFilter(self)
         widget.setParent(None)
@@ -82,8 +84,8 @@ class OneLine(QWidget):
         """The first ``count`` in the line, the others in the leaf."""
         if count == self._inside and self._row.count() == count + 2:
             return
-        self._inside = count
-        for i, widget in enumerate(self._widgets):
+        stay, self._inside = min(count, self._inside), count
+        for i, widget in enumerate(self._widgets[stay:], stay):
             hidden = is_hidden(widget)
             if i < count:
                 self._row.insertWidget(i, widget)

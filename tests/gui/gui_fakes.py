@@ -42,6 +42,12 @@ def simulation() -> Simulation:
     return Simulation(hand, glove, RandomPostures(hand, 4, duration=6.0), 4, fps=30.0)
 
 
+@lru_cache(maxsize=256)
+def truth_at(t: float):
+    """The simulated hand; the window asks for one instant again and again."""
+    return simulation().truth(t)
+
+
 @lru_cache
 def frame_and_blobs(i: int):
     """The i-th image pair and what is in it."""
@@ -75,7 +81,7 @@ class ScriptedEngine:
     def latest_estimate(self) -> Estimate:
         hand, glove, _ = models()
         image, _ = frame_and_blobs(self.frame)
-        truth = simulation().truth(image.t)
+        truth = truth_at(image.t)
         k = len(glove.keypoint_names(hand))
         state = np.full(k, Validity.MEASURED, np.int64)
         state[list(self.lost)] = Validity.LOST
@@ -213,7 +219,7 @@ def scripted_setup(engine: ScriptedEngine, recorders: list | None = None) -> Eng
         return made[-1]
 
     def truth(t: float) -> ReferenceHand:
-        true = simulation().truth(t)
+        true = truth_at(t)
         return ReferenceHand(true.keypoints, true.R_GB, true.p_GB)
 
     return EngineSetup(
