@@ -260,9 +260,9 @@ class ColourTuning:
         return hue_rows(self.profile, counts, None, self.room)
 
     def words(self, rows: list[HueRow]) -> str:
-        """What stands in the way of a hue, else what was done last."""
+        """What was done last, and what stands in the way of a hue."""
         clashing = [f"▲ {row.name}: {row.clash}" for row in rows if row.clash]
-        return "\n".join(clashing) if clashing else self.last_words
+        return "\n".join([*([self.last_words] if self.last_words else []), *clashing])
 
     def mask(self, shown: ShownImage, rows: list[HueRow]) -> MaskShown | None:
         """None without an image."""

@@ -353,6 +353,9 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
     monkeypatch.setattr(colours.image.source, "image", lambda: room)
     colours.check_room()
     assert "green: the room has this colour" in colours.ranges.words.text()
+    colours.start_again()
+    said = colours.ranges.words.text()
+    assert said.startswith("These are the colours from the start.\n▲ green: the room has this")
     assert room_shares(room, models()[2])["green"] == pytest.approx(
         100 * 200 / (720 * 1280), rel=0.1
     )
