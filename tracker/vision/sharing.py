@@ -8,19 +8,34 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
+from tracker.kernels import kernel
+from tracker.kernels.arrays import IntVector, Matrix, Stack, Vector
 from tracker.messages import Array, BlobFrame, Blobs, CameraPose, IntArray
-from tracker.vision.correspondence import FORBIDDEN, GateParams, assign_gated
-from tracker.vision.rig import Camera, StereoRig
+from tracker.vision.correspondence import FORBIDDEN, ExpectedPixels, GateParams, assigned
+from tracker.vision.cpd import HuedPixels
+from tracker.vision.rig import StereoIntrinsics, StereoRig, projected
 from tracker.vision.visibility import HandShape, MarkerRows, PosedHand, visibility
 
 EVERYONE = -1
 """Owner of a blob that no hand expects: each may look at it."""
 OTHERS = -1
 """Hue of a blob that belongs to another hand: no glove wears it."""
+
+
+class _Limits(NamedTuple):
+    """`SharingParams` as the kernels take them."""
+
+    pixel_sd_px: float
+    gate: float
+    gate_px: float
+    dummy_cost: float
+    min_prior: float
+    near: float
 
 
 @dataclass(frozen=True)
@@ -31,6 +46,12 @@ class SharingParams:
     pixel_sd_px: float = 1.0
     gate: GateParams = field(default_factory=GateParams)
     near: float = 72.0  # Mahalanobis² of a marker, within which a blob has its hand at least
+
+    @cached_property
+    def limits(self) -> _Limits:
+        """What the kernels take of it."""
+        g = self.gate
+        return _Limits(self.pixel_sd_px, g.gate, g.gate_px, g.dummy_cost, g.min_prior, self.near)
 
 
 class HandInView(NamedTuple):
@@ -47,14 +68,13 @@ class HandInView(NamedTuple):
 
 
 class _Markers(NamedTuple):
-    """Markers of all hands in one image: uv (m, 2) rectified px, S (m, 2, 2) px², hue, prior (m,)
+    """Markers of all hands: p_C (m, 3) m where they are expected and variance (m,) m² of that, hue
     and the hand (m,) of each."""
 
-    uv: Array
-    S: Array
-    hue: IntArray
-    prior: Array
-    hand: IntArray
+    p_C: Matrix
+    variance: Vector
+    hue: IntVector
+    hand: IntVector
 
 
 def share(
@@ -73,11 +93,7 @@ def share(
     if not known:
         return [frame for _ in hands]
     prior = _priors([hand for _, hand in known], rig, pose)
-    left, right = _expected(known, prior, rig, pose, params)
-    owners = (
-        owners_of(frame.left, left, rig.left, params),
-        owners_of(frame.right, right, rig.right, params),
-    )
+    owners = _owners(frame, known, prior, rig, pose, params)
     out = [
         replace(frame, left=_own(frame.left, owners[0], i), right=_own(frame.right, owners[1], i))
         for i in range(len(hands))
@@ -110,77 +126,106 @@ def _own(blobs: Blobs | None, owner: IntArray, hand: int) -> Blobs | None:
     return blobs if mine.all() else replace(blobs, hue=np.where(mine, blobs.hue, OTHERS))
 
 
-def owners_of(
-    blobs: Blobs | None, markers: _Markers, camera: Camera, params: SharingParams
-) -> IntArray:
-    """(n,) the hand of each blob of one image, `EVERYONE` where none is near."""
-    if blobs is None or len(blobs) == 0:
-        return np.zeros(0, np.int64)
-    uv = camera.rectify(np.array(blobs.uv))
-    owner = np.full(len(uv), EVERYONE, np.int64)
-    if len(markers.hue) == 0:  # each hand that is known lies wholly under another
-        return owner
-    # 1. The markers of all hands compete for all blobs.
-    row = assign_gated(
-        uv, blobs.hue, markers.uv, markers.S, markers.hue, markers.prior, params.gate
-    )
-    found = row >= 0
-    owner[row[found]] = markers.hand[found]
-    # 2. What is no one's marker for sure stays with the hand that is likeliest to have it there.
-    rest = np.flatnonzero(owner == EVERYONE)
-    cost = _costs(uv[rest], blobs.hue[rest], markers, params)
-    nearest = cost.argmin(axis=1)
-    near = cost[np.arange(len(rest)), nearest] < FORBIDDEN
-    owner[rest[near]] = markers.hand[nearest[near]]
-    return owner
-
-
-def _costs(uv: Array, hue: IntArray, markers: _Markers, params: SharingParams) -> Array:
-    """(n, m) Mahalanobis² + ln det S - 2 ln p, FORBIDDEN between hues and far away."""
-    apart = uv[:, None] - markers.uv
-    inverse = np.linalg.inv(markers.S)
-    d2 = np.einsum("nmi,mij,nmj->nm", apart, inverse, apart)
-    prior = np.maximum(markers.prior, params.gate.min_prior)
-    cost = d2 + np.log(np.linalg.det(markers.S)) - 2.0 * np.log(prior)
-    out: Array = np.where((d2 < params.near) & (hue[:, None] == markers.hue), cost, FORBIDDEN)
-    return out
-
-
-def _expected(
+def _owners(
+    frame: BlobFrame,
     known: Sequence[tuple[int, HandInView]],
     priors: Sequence[Array],
     rig: StereoRig,
     pose: CameraPose,
     params: SharingParams,
-) -> tuple[_Markers, _Markers]:
-    """The markers of all hands in the left and the right image, with their ``priors`` (2, m)."""
+) -> list[IntArray]:
+    """(n,) of the left and of the right image the hand of each blob, `EVERYONE` where none is near;
+    ``priors`` (2, m) of each hand's markers."""
     hands = [hand for _, hand in known]
-    number = np.concatenate([np.full(len(h.hue), i, np.int64) for i, h in known])
-    hue = np.concatenate([h.hue for h in hands])
-    prior = np.concatenate(priors, axis=1)
-    p_C = (np.concatenate([h.markers.p_G for h in hands]) - pose.p_GC) @ pose.R_GC
-    variance = np.concatenate([h.sd for h in hands]) ** 2 + params.placement_sd**2
-    out = []
-    for c in range(2):
-        uv = rig.project(p_C, right=bool(c))
-        J = _jacobians(p_C - [rig.baseline * c, 0.0, 0.0], rig)
-        S = variance[:, None, None] * J @ J.swapaxes(1, 2) + params.pixel_sd_px**2 * np.eye(2)
-        there = np.isfinite(uv[:, 0])
-        out.append(_Markers(uv[there], S[there], hue[there], prior[c][there], number[there]))
-    return out[0], out[1]
-
-
-def _jacobians(p_C: Array, rig: StereoRig) -> Array:
-    """(m, 2, 3) of rectified pixels against points (m, 3) in the camera's own frame."""
-    x, y, z = p_C.T
-    none = np.zeros(len(p_C))
-    return np.stack(
-        [
-            np.stack([rig.fx / z, none, -rig.fx * x / z**2], axis=1),
-            np.stack([none, rig.fy / z, -rig.fy * y / z**2], axis=1),
-        ],
-        axis=1,
+    p_G, sd = np.concatenate([h.markers.p_G for h in hands]), np.concatenate([h.sd for h in hands])
+    markers = _Markers(
+        np.ascontiguousarray((p_G - pose.p_GC) @ pose.R_GC),
+        sd**2 + params.placement_sd**2,
+        np.concatenate([h.hue for h in hands]),
+        np.concatenate([np.full(len(h.hue), i, np.int64) for i, h in known]),
     )
+    prior = np.concatenate(priors, axis=1)
+    out = []
+    for c, (blobs, camera) in enumerate(((frame.left, rig.left), (frame.right, rig.right))):
+        if blobs is None or len(blobs) == 0:
+            out.append(np.zeros(0, np.int64))
+            continue
+        seen = HuedPixels(camera.rectify(np.array(blobs.uv)), blobs.hue)
+        out.append(owners_in(seen, markers, prior[c], c, rig.intrinsics, params.limits))
+    return out
+
+
+@kernel(nogil=False)
+def owners_in(
+    seen: HuedPixels,
+    markers: _Markers,
+    prior: Vector,
+    camera: int,
+    rig: StereoIntrinsics,
+    limits: _Limits,
+) -> IntVector:
+    """(n,) the hand of each blob of the left (0) or the right ``camera``, `EVERYONE` where none is
+    near; prior (m,) of the markers to be seen by it."""
+    owner = np.full(len(seen.uv), EVERYONE)
+    shift = rig.baseline if camera else 0.0
+    uv = projected(markers.p_C, shift, rig.fx, rig.fy, rig.cx, rig.cy)
+    rows = np.flatnonzero(np.isfinite(uv[:, 0]))
+    if len(rows) == 0:  # each hand that is known lies wholly under another
+        return owner
+    # 1. The markers of all hands compete for all blobs.
+    there = ExpectedPixels(
+        uv[rows],
+        _innovations(markers, rows, shift, rig, limits.pixel_sd_px),
+        markers.hue[rows],
+        np.maximum(prior[rows], limits.min_prior),
+    )
+    found = assigned(seen, there, limits.gate, limits.gate_px, limits.dummy_cost)
+    for k in range(len(rows)):
+        if found[k] >= 0:
+            owner[found[k]] = markers.hand[rows[k]]
+    # 2. What is no one's marker for sure stays with the hand that is likeliest to have it there.
+    for i in range(len(owner)):
+        if owner[i] == EVERYONE:
+            k = _likeliest(seen.uv[i], seen.hue[i], there, limits.near)
+            owner[i] = markers.hand[rows[k]] if k >= 0 else EVERYONE
+    return owner
+
+
+@kernel
+def _innovations(
+    markers: _Markers, rows: IntVector, shift: float, rig: StereoIntrinsics, pixel_sd_px: float
+) -> Stack:
+    """(k, 2, 2) px² of the markers ``rows`` (k,), seen from ``shift`` m to the right."""
+    S = np.empty((len(rows), 2, 2))
+    for k in range(len(rows)):
+        x, y, z = markers.p_C[rows[k]]
+        u, v = rig.fx / z, rig.fy / z
+        u_z, v_z = -rig.fx * (x - shift) / z**2, -rig.fy * y / z**2
+        variance = markers.variance[rows[k]]
+        S[k, 0, 0] = variance * (u * u + u_z * u_z) + pixel_sd_px**2
+        S[k, 1, 1] = variance * (v * v + v_z * v_z) + pixel_sd_px**2
+        S[k, 0, 1] = S[k, 1, 0] = variance * u_z * v_z
+    return S
+
+
+@kernel
+def _likeliest(uv: Vector, hue: int, markers: ExpectedPixels, near: float) -> int:
+    """The marker of a blob's hue with the least Mahalanobis² + ln det S - 2 ln p, of those whose
+    Mahalanobis² is below ``near``; -1 where there is none."""
+    best, least = -1, FORBIDDEN
+    for j in range(len(markers.uv)):
+        if markers.hue[j] != hue:
+            continue
+        a, b, c = markers.S[j, 0, 0], markers.S[j, 0, 1], markers.S[j, 1, 1]
+        det = a * c - b * b
+        du, dv = uv[0] - markers.uv[j, 0], uv[1] - markers.uv[j, 1]
+        d2 = (c * du * du - 2.0 * b * du * dv + a * dv * dv) / det
+        if not d2 < near:
+            continue
+        cost = d2 + np.log(det) - 2.0 * np.log(markers.prior[j])
+        if cost < least:
+            best, least = j, cost
+    return best
 
 
 def _together(hands: Sequence[HandInView]) -> tuple[MarkerRows, PosedHand]:
