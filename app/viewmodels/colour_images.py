@@ -15,6 +15,7 @@ from tracker.vision.colours import HUES, ColourProfile, HueRange
 
 Image = NDArray[np.uint8]
 DIMMED = 0.35
+DIMMED_COLOUR = 0.55  # the same while something is to be pointed at
 ROOM_STEP = 4
 HAND_MARGIN_PX = 60
 ROOM_SHARE = 2e-4
@@ -43,9 +44,14 @@ def hue_histogram(image: Image, step: int = 4) -> Array:
     return counts / max(1.0, counts.max())
 
 
-def mask_image(image: Image, hue: HueRange, step: int = 2) -> Image:
-    """The image with everything outside the range dimmed to grey, ``step`` times smaller."""
+def mask_image(image: Image, hue: HueRange, step: int = 2, coloured: bool = False) -> Image:
+    """The image with everything outside the range dimmed to grey, ``step`` times smaller; with
+    ``coloured`` dimmed only, so that what the range lacks can be told and pointed at."""
     small = np.ascontiguousarray(image[::step, ::step])
+    if coloured:
+        out = cv2.convertScaleAbs(small, alpha=DIMMED_COLOUR)
+        cv2.copyTo(small, in_range(to_hsv(small), hue), out)
+        return np.asarray(out, np.uint8)
     return _over_grey(small, small, in_range(to_hsv(small), hue))
 
 

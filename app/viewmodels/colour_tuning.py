@@ -264,13 +264,15 @@ class ColourTuning:
         clashing = [f"▲ {row.name}: {row.clash}" for row in rows if row.clash]
         return "\n".join([*([self.last_words] if self.last_words else []), *clashing])
 
-    def mask(self, shown: ShownImage, rows: list[HueRow]) -> MaskShown | None:
-        """None without an image."""
+    def mask(
+        self, shown: ShownImage, rows: list[HueRow], picking: bool = False
+    ) -> MaskShown | None:
+        """None without an image; ``picking``: with an eyedropper in hand."""
         if shown.image is None:
             return None
         pairs = zip(self.profile.hues, rows, strict=True)
         return MaskShown(
-            mask_image(shown.image, self.hue_range, MASK_STEP),
+            mask_image(shown.image, self.hue_range, MASK_STEP, picking),
             self._rings(shown, rows[self.hue].colour),
             hue_histogram(shown.image),
             [(*hue.hue, row.colour) for hue, row in pairs],

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QFileDialog
 from app.storage.colour_store import ColourStore
 from app.storage.image_folder import MOST, ImageFolder, KeptImage, read_image
 from app.viewmodels import colour_tuning
-from app.viewmodels.colour_images import in_range, masks_image, room_shares, to_hsv
+from app.viewmodels.colour_images import in_range, mask_image, masks_image, room_shares, to_hsv
 from app.viewmodels.colour_tuning import MASK_STEP, ROOM_EVERY
 from app.viewmodels.colours import hue_colours, seen_rows
 from app.widgets.hue_range import HueRangeSlider
@@ -93,6 +93,21 @@ def test_one_click_a_hue_learns_the_colours(colours, engine, qtbot):
     found = Detector(engine.profiles[-1]).detect(image.left)[0]
     shown = [np.linalg.norm(found.uv - uv, axis=1).min() < 4 for uv in blobs.left.uv]
     assert np.mean(shown) > 0.85
+
+
+def test_with_an_eyedropper_in_hand_what_is_outside_the_range_keeps_its_colour(colours, engine):
+    image, blobs = frame_and_blobs(engine.frame)
+    hue = colours.tuning.hue_range
+    other = next(k for k, name in enumerate(blobs.hue_names) if name != hue.name)
+    u, v = (np.round(blobs.left.uv[blobs.left.hue == other][0] / 2)).astype(int)
+    masks = [mask_image(image.left, hue, 2, on)[v, u].astype(int) for on in (False, True)]
+    assert np.ptp(masks[0]) == 0
+    assert np.ptp(masks[1]) > 40
+    colours.tools.pick.click()
+    assert colours.tools.is_picking
+    colours.tools.drop.click()
+    colours.tools.drop.click()
+    assert not colours.tools.is_picking
 
 
 def test_the_other_eyedropper_leaves_a_pixel_out(colours, engine, qtbot):

@@ -66,7 +66,7 @@ class ColoursPanel(Panel):
 
     def _connect_tools(self) -> None:
         tools = self.tools
-        tools.picking.connect(lambda on: self.image.mask_view.set_picking(on))
+        tools.picking.connect(self._pick)
         tools.undo.connect(self.undo)
         tools.redo.connect(self.redo)
         image = self.image.source.image
@@ -154,6 +154,11 @@ class ColoursPanel(Panel):
             self.tuning.move(channel, (low, high), held)
             self._apply()
 
+    def _pick(self, on: bool) -> None:
+        """An eyedropper is taken up or put down."""
+        self.image.mask_view.set_picking(on)
+        self._draw()
+
     def _picked(self, u: float, v: float, modifiers: Qt.KeyboardModifier) -> None:
         image = self.image.source.image()
         if self.tuning is not None and image is not None:
@@ -194,7 +199,7 @@ class ColoursPanel(Panel):
         shown = self.image.shown()
         rows = self.tuning.rows(shown)
         self.ranges.show_rows(rows, self.tuning.words(rows))
-        mask = self.tuning.mask(shown, rows)
+        mask = self.tuning.mask(shown, rows, self.tools.is_picking)
         if mask is not None:
             mask.rings.extend(self.light.rings())
         self.image.show_mask(mask)

@@ -52,7 +52,12 @@ class ColoursTools(OneLine):
         """One eyedropper at a time."""
         if on:
             other.setChecked(False)
-        self.picking.emit(self.pick.isChecked() or self.drop.isChecked())
+        self.picking.emit(self.is_picking)
+
+    @property
+    def is_picking(self) -> bool:
+        """With either eyedropper."""
+        return self.pick.isChecked() or self.drop.isChecked()
 
     @staticmethod
     def _toggle(text: str, tip: str) -> QToolButton:
