@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.vision.gated_assignment import assign_gated
 from tracker.fusion.chain.kinematics import marker_jacobians, marker_positions
 from tracker.fusion.chain.layout import ChainLayout, digit_of
 from tracker.fusion.chain.params import NoiseParams
@@ -24,7 +25,7 @@ from tracker.fusion.kalman import update
 from tracker.glove.model import GloveModel
 from tracker.hand.model import HandModel
 from tracker.messages import Array, IntArray
-from tracker.vision.correspondence import GateParams, assign_gated
+from tracker.vision.correspondence import GateParams
 from tracker.vision.rig import ideal_rig
 
 RIG, NOISE = ideal_rig(), NoiseParams()

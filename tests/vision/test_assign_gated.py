@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from scipy.optimize import linear_sum_assignment
 
+from tests.vision.gated_assignment import assign_gated
 from tracker.vision.assignment import assign
-from tracker.vision.correspondence import GateParams, assign_gated
+from tracker.vision.correspondence import GateParams
 
 S4 = np.diag([4.0, 4.0])
 

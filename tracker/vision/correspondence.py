@@ -1,6 +1,6 @@
 """Which blob is which marker, with the filter's prediction as guide.
 
-`assign_gated` works on one image: an optimal assignment under Mahalanobis distance.
+`assigned` works on one image: an optimal assignment under Mahalanobis distance.
 `match_translation` works on stereo points as Lee et al. 2021 do (eqs. 1 to 3): a 3-DOF CPD.
 """
 
@@ -45,34 +45,6 @@ class ExpectedPixels(NamedTuple):
     S: Stack
     hue: IntVector
     prior: Vector
-
-
-def assign_gated(
-    uv: Array,
-    hue: IntArray,
-    predicted_uv: Array,
-    S: Array,
-    marker_hue: IntArray,
-    prior: Array,
-    params: GateParams | None = None,
-) -> IntArray:
-    """The blob (M,) of each marker of one image, -1 for none.
-
-    uv (n, 2) px and hue (n,) of the blobs; predicted_uv (M, 2) px, innovation covariance
-    S (M, 2, 2) px², marker_hue (M,) and prior (M,). The sum over pairs of
-    Mahalanobis² + ln det S - 2 ln p is least, and a blob may stay alone at ``dummy_cost``.
-    """
-    params = params or GateParams()
-    if len(uv) == 0 or len(predicted_uv) == 0:
-        return np.full(len(predicted_uv), -1, np.int64)
-    markers = ExpectedPixels(
-        np.ascontiguousarray(predicted_uv, float),
-        np.ascontiguousarray(S, float),
-        marker_hue,
-        np.maximum(prior, params.min_prior),
-    )
-    blobs = HuedPixels(np.ascontiguousarray(uv, float), hue)
-    return assigned(blobs, markers, params.gate, params.gate_px, params.dummy_cost)
 
 
 @kernel
