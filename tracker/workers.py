@@ -12,7 +12,7 @@ import queue
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -159,7 +159,8 @@ def run_all(
                 shares[futures[future]] = 1.0
             progress(sum(t.weight * s for t, s in zip(tasks, shares, strict=True)) / total)
     except BaseException:
-        stop.set()  # what is under way ends at its next word
+        with suppress(OSError, EOFError):  # who keeps the flag may have been ended, too
+            stop.set()  # what is under way ends at its next word
         raise
     finally:
         for future in pending:

@@ -1,6 +1,7 @@
 """`evaluate hands`, small, and what its figures are made of."""
 
 import json
+from concurrent.futures import Future
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 from tracker.cli import main
 from tracker.evaluation.hands.command import summary, table
 from tracker.evaluation.hands.trial import HandFigures, longest
+from tracker.workers import WorkItem, run_all
 
 GOOD = HandFigures(1, "left", 4.0, 4.0, 4.0, 1.0, 1.0, 0.0)
 PULLED = HandFigures(1, "right", 6.0, 4.0, 5.0, 0.9, 0.8, 1.5)
@@ -44,3 +46,34 @@ def test_a_pair_is_tracked_by_the_command(tmp_path: Path) -> None:
 def test_an_unknown_engine_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["evaluate", "hands", "--engine", "none"]) != 0
     assert "There is no engine" in capsys.readouterr().err
+
+
+class NobodyLeft:
+    """Workers whose board and flag have been ended by the same signal that ends us."""
+
+    @property
+    def board(self) -> "NobodyLeft":
+        return self
+
+    @property
+    def stop(self) -> "NobodyLeft":
+        return self
+
+    def submit(self, *_: object) -> Future[None]:
+        return Future()
+
+    def get(self, timeout: float) -> tuple[int, float]:
+        raise KeyboardInterrupt
+
+    def put(self, note: tuple[int, float]) -> None: ...
+
+    def is_set(self) -> bool:
+        return False
+
+    def set(self) -> None:
+        raise BrokenPipeError
+
+
+def test_work_that_is_stopped_with_its_workers_is_no_disk_that_cannot_be_written() -> None:
+    with pytest.raises(KeyboardInterrupt):
+        run_all([WorkItem(print, ())], NobodyLeft(), lambda share: None)
