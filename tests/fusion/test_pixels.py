@@ -122,7 +122,7 @@ def test_a_blob_between_two_fingers_is_nobodys(case: Case) -> None:
         if hue[a] == hue[b] and 0 <= of_digit[a] < of_digit[b] and e.prior[0, [a, b]].min() > 0.5
     ]
     a, b = min(pairs, key=lambda p: float(np.linalg.norm(e.uv[0, p[0]] - e.uv[0, p[1]])))
-    wide = e._replace(S=e.S + 200.0 * np.eye(2))
+    wide = e._replace(S=np.full_like(e.S, 0.0) + 60.0 * np.eye(2))
     none = SeenBlobs(np.zeros((0, 2)), np.zeros(0, np.int64), np.zeros(0, np.int64))
     for share, whose in ((0.5, -1), (0.0, a), (1.0, b)):
         uv = (1.0 - share) * e.uv[0, a] + share * e.uv[0, b]

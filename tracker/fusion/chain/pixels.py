@@ -161,7 +161,7 @@ def matched(
 
     Limits as in `tracker.vision.correspondence.GateParams`; costs as in eq. 23. The cost of no
     match grows with the innovation covariance, or an unsure filter would match nothing. A blob that
-    is as near to another digit's marker is nobody's.
+    is as near to another digit's marker is nobody's, but for a hand that is not sure yet.
     """
     rows, S = prediction.rows, prediction.S
     digit = marker_digit[rows]
@@ -172,10 +172,11 @@ def matched(
             continue
         prior = np.maximum(prediction.prior[c][rows], LEAST_PRIOR)
         markers = ExpectedPixels(prediction.uv[c][rows], S[c], marker_hue[rows], prior)
-        alone = ALONE + max(0.0, median_ln_det(S[c]) - USUAL_LN_DET)  # eq. 24
-        found = assigned(blobs, markers, GATE_SQUARED, GATE_PX, alone)
+        unsure = max(0.0, median_ln_det(S[c]) - USUAL_LN_DET)
+        found = assigned(blobs, markers, GATE_SQUARED, GATE_PX, ALONE + unsure)  # eq. 24
         for i in range(len(rows)):
-            if found[i] >= 0 and not _is_disputed(i, found, blobs.uv, markers, digit):
+            disputed = unsure == 0.0 and _is_disputed(i, found, blobs.uv, markers, digit)
+            if found[i] >= 0 and not disputed:
                 out[c, rows[i]] = found[i]
     return out
 
@@ -186,6 +187,8 @@ def _is_disputed(
 ) -> bool:
     """Whether the blob of marker ``i`` would suit another digit's that has none as well, were both
     in sight: which finger hides which hangs on millimetres that nobody knows of a bent hand."""
+    if found[i] < 0:
+        return False
     own = _distance(uv[found[i]], markers.uv[i], markers.S[i])
     for k in range(len(found)):
         rival = found[k] < 0 and markers.prior[k] >= RIVAL and digit[k] != digit[i]
