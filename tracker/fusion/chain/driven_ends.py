@@ -23,9 +23,9 @@ from tracker.kernels import kernel
 from tracker.kernels.arrays import BoolMatrix, IntVector, Matrix, Stack, Vector, Written
 from tracker.messages import Array
 
-ONE_WAY = 2.2
-"""A joint that nothing senses moves its tip along one line, not three: three standard deviations
-of a third of its variance hold 92 % of such errors, of this many times that 99 %."""
+ONE_WAY = 1.2
+"""A joint that nothing senses moves its tip along one line, not three, so a third of its variance
+an axis is a little too small where that is all of the error."""
 
 STEP = 1e-5  # rad, of central differences
 BEYOND = MOST_COLUMNS + 6  # columns that an end adds to its segment's origin
