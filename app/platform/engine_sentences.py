@@ -19,6 +19,8 @@ from app.words import mark, tr
 ENGINE = "tracker/"
 """Where the sentences of the engine stand, as a ``.ts`` file locates them."""
 LEAST = 6  # letters of its own that a template needs: ": ." fits everything
+HUES = "red|green|blue|yellow"
+"""Words of colour files that the engine enumerates: "red, green and blue"."""
 SIDES = {"left": mark("Left"), "right": mark("Right")}
 
 
@@ -66,7 +68,16 @@ class EngineSentences:
         """A value is a name or a figure; or a word of ours, or another sentence."""
         if text in SIDES:
             return tr(SIDES[text]).lower()
-        return self._fit(text) or tr(text)
+        return self._fit(text) or _listed(text) or tr(text)
+
+
+def _listed(text: str) -> str | None:
+    """An enumeration of hues, word by word; None where it is none."""
+    if not re.fullmatch(rf"({HUES})(, ({HUES}))*( and ({HUES}))?", text):
+        return None
+    first, _, last = text.partition(" and ")
+    names = ", ".join(tr(name) for name in first.split(", "))
+    return tr("{} and {}").format(names, tr(last)) if last else names
 
 
 def own(template: str) -> int:

@@ -83,8 +83,10 @@ def fit_words(found: Sequence[FoundHue], profile: ColourProfile) -> str:
     """What a fit has done, hue by hue."""
     if not found:
         return tr("Nothing was fitted: no patches of these colours were found.")
-    patches = tr("{} ({} patches)")
-    fitted = ", ".join(patches.format(spoken(f.range.name), f.patches) for f in found)
+    one, more = tr("{} (1 patch)"), tr("{} ({} patches)")
+    fitted = ", ".join(
+        (one if f.patches == 1 else more).format(spoken(f.range.name), f.patches) for f in found
+    )
     kept = [spoken(h.name) for h in profile.hues if h.name not in {f.range.name for f in found}]
     if not kept:
         return tr("Fitted {}.").format(fitted)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.engines.snapshot import Snapshot
 from app.viewmodels.camera_overlay import project
 from tracker.messages import Array, Tracking
-from tracker.vision.colours import HUES, ColourProfile, HueRange
+from tracker.vision.colours import HUES, LEARNED_BITS, UNKNOWN, ColourProfile, HueRange
 
 Image = NDArray[np.uint8]
 DIMMED = 0.35
@@ -91,10 +91,24 @@ def pixel_hsv(image: Image, u: float, v: float) -> tuple[int, int, int]:
 
 
 def room_shares(image: Image, profile: ColourProfile) -> dict[str, float]:
-    """Hue name to its share of a BGR image of the room without the glove, where it matters."""
-    hsv = to_hsv(image[::ROOM_STEP, ::ROOM_STEP])
-    shares = {h.name: float((in_range(hsv, h) > 0).mean()) for h in profile.hues}
+    """Hue name to its share of a BGR image of the room without the glove, where it matters; without
+    what was learned to be the room's, the glove's or another hue's."""
+    small = image[::ROOM_STEP, ::ROOM_STEP]
+    hsv, known = to_hsv(small), _learned_classes(small, profile)
+    shares = {}
+    for k, h in enumerate(profile.hues):
+        own = (known == UNKNOWN) | (known == k + 1)
+        shares[h.name] = float(((in_range(hsv, h) > 0) & own).mean())
     return {name: share for name, share in shares.items() if share >= ROOM_SHARE}
+
+
+def _learned_classes(image: Image, profile: ColourProfile) -> Image:
+    """(h, w) of each pixel, as `LearnedColours` has them."""
+    if profile.learned is None:
+        return np.full(image.shape[:2], UNKNOWN, np.uint8)
+    b, g, r = np.moveaxis(image.astype(np.int64) >> (8 - LEARNED_BITS), 2, 0)
+    cells = (b << LEARNED_BITS | g) << LEARNED_BITS | r
+    return np.asarray(profile.learned.classes()[cells], np.uint8)
 
 
 def room_image(view: Snapshot) -> Image | None:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -48,53 +47,65 @@ ROOM_EVERY = 8  # refreshes
 CHANNELS = ("hue", "saturation", "value")
 
 
+@dataclass(frozen=True, eq=False)
+class Tuned:
+    """A profile, the sentence about how it came, and by hue the markers pointed at up to then."""
+
+    profile: ColourProfile
+    words: str = ""
+    picks: Mapping[str, Pick] = field(default_factory=dict)
+
+
 class ProfileHistory:
     """The profile being tuned, with undo and redo."""
 
-    def __init__(self, profile: ColourProfile, depth: int = 100) -> None:
-        self._past: list[ColourProfile] = []
-        self._future: list[ColourProfile] = []
+    def __init__(self, first: Tuned, depth: int = 100) -> None:
+        self._past: list[Tuned] = []
+        self._future: list[Tuned] = []
         self._depth = depth
-        self.profile = profile
+        self.now = first
 
-    def change(self, profile: ColourProfile, merge: bool = False) -> None:
+    @property
+    def profile(self) -> ColourProfile:
+        return self.now.profile
+
+    def change(self, new: Tuned, merge: bool = False) -> None:
         """Take a new profile; with ``merge`` (a slider still moving) no step of its own."""
-        if profile == self.profile:
-            return
-        if not (merge and self._past):
-            self._past = [*self._past, self.profile][-self._depth :]
-        self._future.clear()
-        self.profile = profile
+        if new.profile != self.profile:
+            if not (merge and self._past):
+                self._past = [*self._past, self.now][-self._depth :]
+            self._future.clear()
+        self.now = new
 
     def undo(self) -> bool:
         """Whether there was a step to take back."""
         if not self._past:
             return False
-        self._future.append(self.profile)
-        self.profile = self._past.pop()
+        self._future.append(self.now)
+        self.now = self._past.pop()
         return True
 
     def redo(self) -> bool:
         if not self._future:
             return False
-        self._past.append(self.profile)
-        self.profile = self._future.pop()
+        self._past.append(self.now)
+        self.now = self._future.pop()
         return True
 
 
 def with_range(profile: ColourProfile, changed: HueRange) -> ColourProfile:
     """``profile`` with the hue of the same name replaced."""
     hues = tuple(changed if h.name == changed.name else h for h in profile.hues)
-    return dataclasses.replace(profile, hues=hues)
+    return replace(profile, hues=hues)
 
 
 def with_channel(hue_range: HueRange, channel: str, interval: tuple[int, int]) -> HueRange:
     """``hue_range`` with its "hue", "saturation" or "value" interval replaced."""
     if channel == "hue":
-        return dataclasses.replace(hue_range, hue=interval)
+        return replace(hue_range, hue=interval)
     if channel == "saturation":
-        return dataclasses.replace(hue_range, saturation=interval)
-    return dataclasses.replace(hue_range, value=interval)
+        return replace(hue_range, saturation=interval)
+    return replace(hue_range, value=interval)
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,11 +143,10 @@ class ColourTuning:
         self.markers, self.live = MarkerWatch(setup), LiveImages(setup)
         self.last_words = tr("Colours of {}").format(setup.camera) if kept is not None else ""
         self.room: dict[str, float] = {}
-        self._history = ProfileHistory(kept or setup.profile)
+        self._history = ProfileHistory(Tuned(kept or setup.profile, self.last_words))
         self._dragging = False
         self._room_age = 0
         self._found: Blobs | None = None
-        self._picks: dict[str, Pick] = {}  # by hue, those pointed at lately
         self._searched: Image | None = None  # where ``_found`` was looked for
 
     @property
@@ -152,9 +162,20 @@ class ColourTuning:
 
     def move(self, channel: str, interval: tuple[int, int], held: bool) -> None:
         """Set an end of a range; all that a slider does while it is ``held`` is one step."""
-        changed = with_channel(self.hue_range, channel, interval)
-        self._history.change(with_range(self.profile, changed), merge=self._dragging)
+        changed = with_range(self.profile, with_channel(self.hue_range, channel, interval))
+        if changed != self.profile:
+            self._change(Tuned(changed, picks=self._picks), merge=self._dragging)
         self._dragging = held
+
+    def _change(self, new: Tuned, merge: bool = False) -> None:
+        """A step; what was said of the colours before is not said of these."""
+        self._history.change(new, merge)
+        if new.words or not self.live.wanted:  # it still says that a fit waits
+            self.last_words = new.words
+
+    @property
+    def _picks(self) -> Mapping[str, Pick]:
+        return self._history.now.picks
 
     def pick(self, image: Image, u: float, v: float, leave_out: bool) -> None:
         """Take a pixel of the mask into the range, or leave it out."""
@@ -162,12 +183,20 @@ class ColourTuning:
         changed = (
             remove_pixel(self.hue_range, pixel) if leave_out else add_pixel(self.hue_range, pixel)
         )
+        name, picks = self.hue_range.name, dict(self._picks)
         if not leave_out:
-            uv = np.array([u, v]) * MASK_STEP
-            self._picks[self.hue_range.name] = Pick(image, uv, self.hue_range.name)
+            picks[name] = Pick(image, np.array([u, v]) * MASK_STEP, name)
         bgr = pixel_bgr(image, u * MASK_STEP, v * MASK_STEP)
         learned = taught(self.profile, bgr, -1 if leave_out else self.hue)
-        self._history.change(with_range(learned, changed))
+        words = "" if leave_out else self._picked_words(picks)
+        self._change(Tuned(with_range(learned, changed), words, picks))
+
+    def _picked_words(self, picks: Mapping[str, Pick]) -> str:
+        """Which hues a marker is still to be pointed at of."""
+        missing = [spoken(h) for h in self.profile.hue_names if h not in picks]
+        words = tr("Clicked: {}. Still to be clicked before the colours are learned: {}.")
+        there = ", ".join(spoken(h) for h in self.profile.hue_names if h in picks)
+        return words.format(there, ", ".join(missing)) if missing else ""
 
     @property
     def all_picked(self) -> bool:
@@ -177,22 +206,27 @@ class ColourTuning:
     def picked_fit(self) -> FitWork:
         """Learn from the markers that were pointed at, and from the images around them where there
         are some, in another thread."""
-        picks, self._picks = list(self._picks.values()), {}
+        picks = list(self._picks.values())
+        self._history.now = replace(self._history.now, picks={})
         profile, size = self.profile, float(self.setup.glove.marker_size.mean())
         learned = partial(learn_picked, picks, profile, size, self.setup.rig.fx)
         return self.live.after(learned, self.setup.profile)
 
     def take(self, profile: ColourProfile, words: str) -> None:
         """Another profile as one step that can be taken back, and a sentence about it."""
-        self._history.change(profile)
-        self.last_words = words
+        self._change(Tuned(profile, words))
 
     def undo(self) -> bool:
         """Whether there was a step to take back."""
-        return self._history.undo()
+        return self._went(self._history.undo())
 
     def redo(self) -> bool:
-        return self._history.redo()
+        return self._went(self._history.redo())
+
+    def _went(self, there: bool) -> bool:
+        if there:
+            self.last_words = self._history.now.words
+        return there
 
     def load(self, path: Path) -> None:
         """Take a profile out of a file. Raises GlovetrackError where it is none of this glove."""
@@ -261,7 +295,7 @@ class ColourTuning:
 
     def words(self, rows: list[HueRow]) -> str:
         """What was done last, and what stands in the way of a hue."""
-        clashing = [f"▲ {row.name}: {row.clash}" for row in rows if row.clash]
+        clashing = [f"▲ {spoken(row.name)}: {row.clash}" for row in rows if row.clash]
         return "\n".join([*([self.last_words] if self.last_words else []), *clashing])
 
     def mask(

@@ -849,8 +849,8 @@
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
-      <source>Eyedropper: a click takes a pixel in, Ctrl+click leaves it out</source>
-      <translation>Pipette: Ein Klick nimmt ein Pixel auf, Strg+Klick lässt es aus</translation>
+      <source>Eyedropper: a click takes a pixel in, Ctrl+click leaves it out. With one marker of each colour clicked, the colours are learned.</source>
+      <translation>Pipette: Ein Klick nimmt ein Pixel auf, Strg+Klick lässt es aus. Ist je ein Marker jeder Farbe angeklickt, werden die Farben gelernt.</translation>
     </message>
     <message>
       <location filename="app/panels/colours/tools.py" />
@@ -2438,6 +2438,11 @@
       <translation>In Glovetrack ist etwas schiefgegangen ({}: {}).</translation>
     </message>
     <message>
+      <location filename="app/platform/engine_sentences.py" />
+      <source>{} and {}</source>
+      <translation>{} und {}</translation>
+    </message>
+    <message>
       <location filename="app/platform/tasks.py" />
       <source>{} failed: {}: {}</source>
       <translation>„{}“ ist gescheitert: {}: {}</translation>
@@ -2906,13 +2911,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
-      <source>{} ({} patches)</source>
-      <translation>{} (Flecken: {})</translation>
+      <source>Nothing was fitted: no patches of these colours were found.</source>
+      <translation>Nichts angepasst: Es wurden keine Flecken dieser Farben gefunden.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
-      <source>Nothing was fitted: no patches of these colours were found.</source>
-      <translation>Nichts angepasst: Es wurden keine Flecken dieser Farben gefunden.</translation>
+      <source>{} (1 patch)</source>
+      <translation>{} (Flecken: 1)</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_fits.py" />
+      <source>{} ({} patches)</source>
+      <translation>{} (Flecken: {})</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_fits.py" />
@@ -2938,6 +2948,11 @@ change {}: {}</source>
       <location filename="app/viewmodels/colour_live.py" />
       <source>Fitting to what is seen needs the glove and its camera, calibrated. Fit to one image instead.</source>
       <translation>Das Anpassen an das Gesehene braucht den Handschuh und seine Kamera, kalibriert. Stattdessen an ein Bild anpassen.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_tuning.py" />
+      <source>Clicked: {}. Still to be clicked before the colours are learned: {}.</source>
+      <translation>Angeklickt: {}. Noch anzuklicken, ehe die Farben gelernt werden: {}.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />

@@ -59,6 +59,17 @@ def test_an_image_gives_colours_that_find_the_patches(shift: int, gain: float) -
     assert (len(before) < 24) == (shift == 12)
 
 
+def test_a_hue_that_is_kept_is_not_told_as_found() -> None:
+    """One patch of a hue is too few to learn it from."""
+    image = glove_image()
+    for k in range(1, 24, 4):  # the yellow ones but the last
+        if k < 20:
+            cv2.circle(image, (110 + 50 * (k % 6), 100 + 50 * (k // 6)), 14, (110, 110, 110), -1)
+    fitted, found = learn_image(image, PROFILE, SIZE, FX)
+    assert [f.range.name for f in found] == ["red", "green", "blue"]
+    assert fitted.hues[1] == PROFILE.hues[1]
+
+
 def test_an_image_without_a_glove_is_refused() -> None:
     with pytest.raises(GlovetrackError, match="no glove with its patches is seen"):
         learn_image(np.full((60, 80, 3), 128, np.uint8), PROFILE, SIZE, FX)

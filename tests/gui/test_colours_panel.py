@@ -16,13 +16,22 @@ from PySide6.QtWidgets import QFileDialog
 from app.storage.colour_store import ColourStore
 from app.storage.image_folder import MOST, ImageFolder, KeptImage, read_image
 from app.viewmodels import colour_tuning
+from app.viewmodels.colour_fits import fit_words
 from app.viewmodels.colour_images import in_range, mask_image, masks_image, room_shares, to_hsv
 from app.viewmodels.colour_tuning import MASK_STEP, ROOM_EVERY
 from app.viewmodels.colours import hue_colours, seen_rows
 from app.widgets.hue_range import HueRangeSlider
 from app.window.main_window import MainWindow
+from tracker.calibration.colours_fit import FoundHue
 from tracker.messages import Tracking
-from tracker.vision.colours import HueRange
+from tracker.vision.colours import (
+    LEARNED_BITS,
+    LEARNED_CELLS,
+    ROOM,
+    UNKNOWN,
+    HueRange,
+    LearnedColours,
+)
 from tracker.vision.detector import Detector
 
 CAMERA = "Test Cam SN 0815"
@@ -93,6 +102,49 @@ def test_one_click_a_hue_learns_the_colours(colours, engine, qtbot):
     found = Detector(engine.profiles[-1]).detect(image.left)[0]
     shown = [np.linalg.norm(found.uv - uv, axis=1).min() < 4 for uv in blobs.left.uv]
     assert np.mean(shown) > 0.85
+
+
+def click(colours, qtbot, index: int, uv) -> None:
+    colours.choose_hue(index)
+    at = widget_point(colours.image.mask_view, *uv)
+    qtbot.mouseClick(colours.image.mask_view, Qt.MouseButton.LeftButton, pos=at)
+
+
+def test_clicks_say_which_hues_are_missing_and_one_that_is_taken_back_does_not_count(
+    colours, engine, qtbot
+):
+    _, blobs = frame_and_blobs(engine.frame)
+    names = colours.tuning.profile.hue_names
+    first = [blobs.left.uv[blobs.left.hue == blobs.hue_names.index(n)][0] for n in names]
+    said = colours.ranges.words.text
+    colours.tools.pick.click()
+    click(colours, qtbot, 0, (2.0, 2.0))  # no marker: a mistake
+    missing = ", ".join(names[1:])
+    assert said().startswith(
+        f"Clicked: {names[0]}. Still to be clicked before the colours are learned: {missing}."
+    )
+    colours.undo()
+    assert not said().startswith("Clicked")
+    for index in range(1, len(names)):
+        click(colours, qtbot, index, first[index])
+    assert f"are learned: {names[0]}." in said()
+    assert engine.profiles[-1].learned is None
+    click(colours, qtbot, 0, first[0])
+    qtbot.waitUntil(lambda: engine.profiles[-1].learned is not None, timeout=30_000)
+    assert said().startswith("Fitted")
+
+
+def test_what_is_said_of_colours_is_taken_back_with_them(colours):
+    said = colours.ranges.words.text
+    colours.ranges.rows["value"].low.setValue(33)
+    colours.factory()
+    assert said().startswith("These are the factory colours.")
+    colours.undo()
+    assert "factory" not in said()
+    colours.redo()
+    assert said().startswith("These are the factory colours.")
+    colours.ranges.rows["value"].low.setValue(44)
+    assert "factory" not in said()
 
 
 def test_with_an_eyedropper_in_hand_what_is_outside_the_range_keeps_its_colour(colours, engine):
@@ -376,6 +428,27 @@ def test_a_room_with_a_colour_of_the_glove_is_told(colours, engine, qtbot, monke
     )
 
 
+def test_what_was_learned_to_be_the_room_s_is_no_colour_of_the_room():
+    """Wood within red's range, as a fit leaves it where cloth and wood are of one hue."""
+    wood, cloth = (90, 90, 200), (20, 20, 200)
+    room = np.full((720, 1280, 3), wood, np.uint8)
+    room[:72] = cloth
+    plain = models()[2]
+    assert room_shares(room, plain)["red"] == 1
+    classes = np.full(LEARNED_CELLS, UNKNOWN, np.uint8)
+    b, g, r = (c >> 8 - LEARNED_BITS for c in wood)
+    classes[(b << LEARNED_BITS | g) << LEARNED_BITS | r] = ROOM
+    learned = dataclasses.replace(plain, learned=LearnedColours.of(classes))
+    assert room_shares(room, learned) == {"red": pytest.approx(0.1)}
+
+
+def test_a_single_patch_is_told_as_one():
+    profile = models()[2]
+    found = [FoundHue(h, n, 0) for n, h in enumerate(profile.hues[:2], start=1)]
+    said = fit_words(found, profile)
+    assert said.startswith("Fitted red (1 patch), yellow (2 patches). Kept green, blue:")
+
+
 def test_fast_masks_are_those_of_the_profile():
     image = frame_and_blobs(30)[0].left
     hsv, profile = to_hsv(image), models()[2]
@@ -400,7 +473,8 @@ def test_closing_in_the_middle_of_a_drag_keeps_the_last_values(window, engine, s
 
 def test_import_and_export_ask_for_a_file(colours, monkeypatch, tmp_path):
     path = tmp_path / "mine.toml"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    bare = str(path.with_suffix(""))  # as a person types it; the dialog to import shows *.toml
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (bare, ""))
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
     colours.ranges.rows["value"].low.setValue(33)
     tuned = colours.tuning.profile

@@ -233,6 +233,16 @@ def test_what_the_engine_says_is_translated_with_its_values(german, said, transl
     assert german(said) == translated
 
 
+def test_hues_that_the_engine_enumerates_are_translated(monkeypatch):
+    german = {"red": "rot", "blue": "blau", "green": "grün", "{} and {}": "{} und {}"}
+    monkeypatch.setattr(words._Catalogue, "look_up", staticmethod(german.get))
+    said = EngineSentences(place() / "glovetrack_de.ts").translate(
+        "The red, green and blue markers are too bright: shorten the exposure, or move the lamp "
+        "away."
+    )
+    assert "rot, grün und blau" in said and " and " not in said
+
+
 def test_every_translation_of_the_engine_takes_just_the_values_of_its_sentence():
     for path in place().glob("*.ts"):
         for source, target in templates_in(path):

@@ -12,7 +12,7 @@ from app.platform.tasks import TaskOwner
 from app.viewmodels.calibration import RANGES, calibration_view, convergence
 from app.viewmodels.camera_overlay import Layers, overlay
 from app.viewmodels.colour_images import hue_histogram, pixel_hsv
-from app.viewmodels.colour_tuning import ProfileHistory, with_range
+from app.viewmodels.colour_tuning import ProfileHistory, Tuned, with_range
 from app.viewmodels.colours import hue_rows, seen_rows
 from app.viewmodels.hand_scene import HandSceneModel, segment_states
 from app.viewmodels.sensors import ImuCurves, imu_states
@@ -115,26 +115,26 @@ def test_no_hand_is_drawn_before_there_is_one(view):
 
 def test_undo_and_redo_walk_the_same_steps():
     profile = models()[2]
-    history = ProfileHistory(profile)
+    history = ProfileHistory(Tuned(profile))
     second = with_range(profile, dataclasses.replace(profile.hues[0], value=(10, 255)))
     third = with_range(second, dataclasses.replace(second.hues[1], value=(20, 255)))
-    history.change(second)
-    history.change(third)
+    history.change(Tuned(second))
+    history.change(Tuned(third))
     assert history.undo() and history.profile == second
     assert history.undo() and history.profile == profile
     assert not history.undo()
     assert history.redo() and history.redo() and history.profile == third
     history.undo()
-    history.change(profile)
+    history.change(Tuned(profile))
     assert not history.redo()
 
 
 def test_a_dragged_slider_is_one_step_back():
     profile = models()[2]
-    history = ProfileHistory(profile)
+    history = ProfileHistory(Tuned(profile))
     for i, low in enumerate((50, 60, 70)):
         changed = dataclasses.replace(profile.hues[0], value=(low, 255))
-        history.change(with_range(profile, changed), merge=i > 0)
+        history.change(Tuned(with_range(profile, changed)), merge=i > 0)
     history.undo()
     assert history.profile == profile
 

@@ -61,7 +61,7 @@ def learn_image(
     found = [
         FoundHue(h, samples.patches[h.name], len(samples.pixels(h.name)))
         for h in fitted.hues
-        if samples.patches[h.name]
+        if samples.is_enough(h.name)
     ]
     return fitted, tuple(found)
 

@@ -57,6 +57,10 @@ class ColourSamples:
     def of(names: Sequence[str]) -> ColourSamples:
         return ColourSamples({name: [] for name in names}, patches=dict.fromkeys(names, 0))
 
+    def is_enough(self, name: str) -> bool:
+        """Whether a hue can be learned."""
+        return len(self.pixels(name)) >= LEAST_PIXELS and self.patches[name] >= LEAST_PATCHES
+
     def pixels(self, name: str) -> Image:
         """(n, 3) of one hue."""
         return np.concatenate([np.zeros((0, 3), np.uint8), *self.hues[name]])
@@ -74,11 +78,7 @@ class ColourSamples:
 def learn(profile: ColourProfile, samples: ColourSamples, cloth: bool = True) -> ColourProfile:
     """``profile`` with intervals and classes learned from ``samples``; hues with too few pixels
     stay as they are, by their intervals."""
-    enough = [
-        h.name
-        for h in profile.hues
-        if len(samples.pixels(h.name)) >= LEAST_PIXELS and samples.patches[h.name] >= LEAST_PATCHES
-    ]
+    enough = [h.name for h in profile.hues if samples.is_enough(h.name)]
     hues = []
     for old in profile.hues:
         if old.name not in enough:

@@ -33,7 +33,8 @@ class ColoursFiles(QObject):
         title = self.tr("Export the colours")
         path, _ = QFileDialog.getSaveFileName(self._parent, title, "colours.toml", "*.toml")
         if path:
-            self.save(Path(path))
+            chosen = Path(path)
+            self.save(chosen if chosen.suffix else chosen.with_suffix(".toml"))
 
     def load(self, path: Path) -> None:
         if self.tuning is None:

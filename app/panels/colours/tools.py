@@ -31,7 +31,10 @@ class ColoursTools(OneLine):
         super().__init__(parent)
         self.pick = self._toggle(
             self.tr("Pick +"),
-            self.tr("Eyedropper: a click takes a pixel in, Ctrl+click leaves it out"),
+            self.tr(
+                "Eyedropper: a click takes a pixel in, Ctrl+click leaves it out. "
+                "With one marker of each colour clicked, the colours are learned."
+            ),
         )
         self.drop = self._toggle(
             self.tr("Pick −"), self.tr("Eyedropper: a click leaves a pixel out")
