@@ -13,7 +13,7 @@ from app.widgets.image_shapes import Ring
 from app.widgets.more_button import MoreButton
 
 WIDTH = 320  # px, of the advice
-SAID = 100  # px, of the light in a word: each second another, and what stands beside it stays
+SAID = 132  # px, of the light in a word: each second another, and what stands beside it stays
 
 
 class ColoursLight(QWidget):
