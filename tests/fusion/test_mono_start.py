@@ -64,7 +64,8 @@ def simulation(hand: HandModel, glove: GloveModel, seed: int, duration: float) -
 
 @pytest.mark.parametrize("blind", ["right", "left"])
 def test_one_lens_tracks_and_says_how_unsure_it_is(hand, glove, blind: str) -> None:
-    _, shown, errors = run(simulation(hand, glove, 4, 6.0), blind)
+    sim = simulation(hand, glove, 4, 6.0)
+    pipeline, shown, errors = run(sim, blind)
     late = shown[10:]
     assert all(e.tracking == Tracking.TRACKING for e in late)
     error = np.array(errors[10:])
@@ -72,12 +73,17 @@ def test_one_lens_tracks_and_says_how_unsure_it_is(hand, glove, blind: str) -> N
     said = np.array([np.nanmean(e.keypoint_sd) for e in late])
     assert np.all(said > 0.008)  # 5 % of the distance, over three axes
     assert np.mean(error < 3 * np.sqrt(3) * said) > 0.95
+    found = pipeline.calibration()
+    assert found.hand_length_sd == pytest.approx(0.05 * found.hand_length, rel=0.01)
+    assert abs(found.hand_length - sim.wearer.hand_length) < 3 * found.hand_length_sd
+    assert np.nanmin(found.scale_sd) >= 0.05  # not what the filter holds fast
 
 
 def test_the_second_lens_makes_it_sure(hand, glove) -> None:
     pipeline, shown, errors = run(simulation(hand, glove, 4, 8.0), "right", until=3.0)
     assert np.nanmean(shown[25].keypoint_sd) > 0.008
     assert np.nanmean(shown[-1].keypoint_sd) < 0.006
+    assert pipeline.calibration().hand_length_sd < 0.02 * hand.length
     assert np.mean(errors[-15:]) < 0.010
     assert pipeline.calibration().hand_length_sd > 0.0005
 

@@ -61,7 +61,7 @@ class StereoWizard(QDialog):
         self._solving = Solving(tasks, self)
         self._fresh: list[StereoView] | None = None  # of images that do not come anew
         self._rig: StereoRig | None = None
-        self._imported = False
+        self._imported = ""  # name of the file that was read, or empty
         self._file: Path | None = None  # one that is used as it is
         self._usable = False
         self.board = BoardPage(spec or BoardSpec(), choices)
@@ -126,7 +126,7 @@ class StereoWizard(QDialog):
         page = self.pages.currentIndex()
         if page == VIEWS or self._imported:
             self.watching.stop()
-            self._imported, self._file = False, None
+            self._imported, self._file = "", None
             self._go(BOARD)
         elif page == CHECK:
             self._go(RESULT)
@@ -160,7 +160,7 @@ class StereoWizard(QDialog):
             found = self.check.found
             state = found.verdict()[0] if found is not None else "waiting"
             # a file of before may be used without the board at hand
-            on = state in ("good", "usable") or (state == "waiting" and self._imported)
+            on = state in ("good", "usable") or (state == "waiting" and bool(self._imported))
         self.next.setEnabled(on)
 
     def _simulated(self) -> bool:
@@ -250,6 +250,8 @@ class StereoWizard(QDialog):
             return
         choice, found = self.board.choice(), self.check.found
         title = choice.title if choice is not None else "camera"
+        if self._imported:
+            title = self._imported  # not of where images for a check come from
         note = tr("checked: {:.3f} px").format(found.rms_px) if found is not None else ""
         try:
             path = self._file or save_rig(self._folder, title, self._rig, note)
@@ -274,7 +276,7 @@ class StereoWizard(QDialog):
             self.board.trouble.show()
             return False
         self._rig, self._fresh = rig, None
-        self._imported, self._file = True, path if form is None else None
+        self._imported, self._file = path.stem, path if form is None else None
         self.check.set_rig(rig)
         choice = self.board.choice()
         if choice is not None and not choice.simulated:

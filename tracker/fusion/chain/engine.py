@@ -16,6 +16,7 @@ from tracker.fusion.chain.guided.holds import Hold
 from tracker.fusion.chain.layout import ChainLayout
 from tracker.fusion.chain.params import ChainParams
 from tracker.fusion.chain.profile import WearerProfile
+from tracker.fusion.chain.reports import with_unsure_size
 from tracker.fusion.chain.state import ChainState
 from tracker.fusion.chain.tape import Tape
 from tracker.fusion.chain.tracker import ChainTracker, TrackerKept
@@ -151,8 +152,10 @@ class ChainEngine:
     # ---- the wearer's calibration
 
     def calibration(self) -> Calibration:
-        """Estimated parameters with their uncertainty."""
-        return self.wearer.shown()
+        """Estimated parameters with their uncertainty; what one camera looks at is as large as it
+        was taken for at the start, whatever the images said since."""
+        found, size_sd = self.wearer.shown(), self._tracker.size_sd
+        return found if size_sd == 0.0 else with_unsure_size(found, size_sd)
 
     def profile(self) -> WearerProfile:
         """What has been learned of the wearer."""

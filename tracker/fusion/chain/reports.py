@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from tracker.fusion.chain.layout import ChainLayout
@@ -43,6 +45,15 @@ def calibration_of(layout: ChainLayout, state: ChainState) -> Calibration:
         hand_length=length,
         hand_length_sd=length_sd,
         **rows,
+    )
+
+
+def with_unsure_size(found: Calibration, size_sd: float) -> Calibration:
+    """With sizes at least as unsure as that of all together, a share; those of girths too."""
+    return replace(
+        found,
+        scale_sd=np.maximum(found.scale_sd, size_sd),
+        hand_length_sd=max(found.hand_length_sd, size_sd * found.hand_length),
     )
 
 

@@ -160,8 +160,14 @@ class ShownHand:
         if self.kept.one_camera:
             if not size_is_known:
                 self.kept.most_sd = min(measured_sd(state.p, pose), MEASURED_SD)
-            size_sd = KNOWN_SIZE_SD if size_is_known else SIZE_SD
+            size_sd = self.size_sd(size_is_known)
             self.kept.tip_sd = with_unsure_distance(self.kept.tip_sd, state.p, pose, size_sd)
+
+    def size_sd(self, size_is_known: bool) -> float:
+        """Share by which the hand's size is unsure beyond its state; 0 once both cameras saw it."""
+        if not self.kept.one_camera:
+            return 0.0
+        return KNOWN_SIZE_SD if size_is_known else SIZE_SD
 
     def held(self, t: float) -> None:
         """An image has shown how the hand is turned."""
