@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.platform.aside import aside
 from app.platform.tasks import Job, JobProgress
-from app.viewmodels.takes import TakeReport
+from app.viewmodels.takes import HandTake, TakeReport
 from app.words import told
 from tracker.errors import GlovetrackError
 
@@ -29,7 +29,7 @@ def check_job(path: Path) -> Job:
 
 def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
     """Raises FileError where it cannot be read."""
-    from tracker.session.glance import quality
+    from tracker.session.glance import HandShare, quality
     from tracker.session.reader import SessionReader
     from tracker.session.verify import verify
 
@@ -37,9 +37,11 @@ def _report(path: Path, progress: Callable[..., None]) -> TakeReport:
     errors = [f"{f.where}: {f.what}" for f in findings if f.severity == "error"]
     with SessionReader(path) as reader:
         q, duration = quality(reader), reader.duration
+        shares = q.hands or (HandShare(reader.info.side, q.tracked),)
     problem = errors[0] if errors else ""
-    glove, camera = (
-        sum(f.silence for f in findings if f.where.startswith(device))
-        for device in ("/glove", "/camera")
+    silent = {f.where: f.silence for f in findings}
+    camera = silent.get("/camera", 0.0)
+    hands = tuple(
+        HandTake(hand.side, hand.tracked, silent.get(f"/glove/{hand.side}", 0.0)) for hand in shares
     )
-    return TakeReport(path, problem, duration, q.packets_lost, q.tracked, q.by_imus, glove, camera)
+    return TakeReport(path, problem, duration, q.packets_lost, q.by_imus, camera, hands)

@@ -132,7 +132,10 @@ def quality_text(q: Quality) -> tuple[str, StateLook | None]:
         return f"{tr('by its IMUs alone')}, {packets_lost(lost)}", WARN if lost else GOOD
     share = f"{100 * q.tracked:.0f}"
     text = tr("tracked {} %").format(share)
+    if q.hands:
+        left, right = (f"{100 * (hand.tracked or 0.0):.0f}" for hand in q.hands)
+        text = tr("tracked left {}, right {} %").format(left, right)
     if q.packets_lost:
-        text = tr("tracked {} %, {} packets lost").format(share, q.packets_lost)
+        text = f"{text}, {packets_lost(q.packets_lost)}"
     good = q.tracked >= 0.95 and not q.packets_lost
     return text, GOOD if good else WARN if q.tracked >= 0.5 else BAD

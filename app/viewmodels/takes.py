@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -20,43 +21,67 @@ SILENT = 1.0  # s without a word after which a device or an IMU is called silent
 SLOW = 0.6  # of the images that the camera should give
 
 
+class HandTake(NamedTuple):
+    """``tracked`` 0..1 of the time; None where the file does not tell; ``glove_silent``: s for
+    which nothing came from its glove."""
+
+    side: str
+    tracked: float | None = None
+    glove_silent: float = 0.0
+
+
 @dataclass(frozen=True)
 class TakeReport:
     """``problem``: the worst that is wrong with the file, empty where it is whole. ``duration`` s;
-    ``tracked`` 0..1 of that time; None where the file does not tell; ``by_imus``: without a place,
-    so that it says nothing. ``glove_silent`` and ``camera_silent``: s for which nothing came.
+    ``by_imus``: without a place, so that how long it was tracked says nothing. ``camera_silent``:
+    s for which no image came.
     """
 
     path: Path
     problem: str = ""
     duration: float = 0.0
     packets_lost: int | None = None
-    tracked: float | None = None
     by_imus: bool = False
-    glove_silent: float = 0.0
     camera_silent: float = 0.0
+    hands: tuple[HandTake, ...] = ()  # that it holds, the left one first
 
 
 def report_text(report: TakeReport) -> str:
-    """One line: whole, so long, so much lost, tracked so much of the time."""
+    """One line: whole, so long, so much lost, tracked so much of the time, of two hands each."""
     name = report.path.stem
     if report.problem:
         return tr("{} is not whole: {}").format(name, report.problem)
     parts = [duration_text(report.duration)]
     if report.packets_lost is not None:
-        lost = report.packets_lost
-        parts.append(packets_lost(lost))
-    if report.glove_silent:
-        parts.append(tr("nothing from the glove for {:.1f} s").format(report.glove_silent))
+        parts.append(packets_lost(report.packets_lost))
     if report.camera_silent:
         parts.append(tr("no image for {:.1f} s").format(report.camera_silent))
-    if report.by_imus:
+    said = {hand.side: ", ".join(_hand_parts(hand, report.by_imus)) for hand in report.hands}
+    if len(said) < 2:
+        text = ", ".join([*parts, *said.values()])
+    else:
+        text = "; ".join([", ".join(parts), *(of_hand(*each) for each in said.items())])
+    return tr("{} is whole: {}.").format(name, text)
+
+
+def _hand_parts(hand: HandTake, by_imus: bool) -> list[str]:
+    """How long its glove was silent, if it was, and how long it was tracked."""
+    parts = []
+    if hand.glove_silent:
+        parts.append(tr("nothing from the glove for {:.1f} s").format(hand.glove_silent))
+    if by_imus:
         parts.append(tr("by its IMUs alone"))
-    elif report.tracked is None:
+    elif hand.tracked is None:
         parts.append(tr("not tracked"))
     else:
-        parts.append(tr("tracked {:.0f} % of the time").format(100 * report.tracked))
-    return tr("{} is whole: {}.").format(name, ", ".join(parts))
+        parts.append(tr("tracked {:.0f} % of the time").format(100 * hand.tracked))
+    return parts
+
+
+def of_hand(side: str, words: str) -> str:
+    """What is said of one hand of two."""
+    pattern = tr("left hand: {}") if side == "left" else tr("right hand: {}")
+    return pattern.format(words)
 
 
 def packets_lost(count: int) -> str:
@@ -65,14 +90,24 @@ def packets_lost(count: int) -> str:
     return tr("1 packet lost") if count == 1 else tr("{} packets lost").format(count)
 
 
-def missing_text(
-    status: Status, samples: Sequence[ImuSample], imus: Sequence[str], image_rate: float
-) -> str:
-    """What a recording that begins now will lack; empty where everything comes.
+class HandNow(NamedTuple):
+    """A hand at this instant: its status, the newest packets of its glove, the names of IMUs."""
+
+    side: str
+    status: Status
+    samples: Sequence[ImuSample]
+    imus: Sequence[str]
+
+
+def missing_text(hands: Sequence[HandNow], image_rate: float) -> str:
+    """What a recording of these that begins now will lack; empty where everything comes.
 
     ``image_rate``: images a second that the camera should give; 0 where that is not known.
     """
-    missing = [*_missing_images(status, image_rate), *_missing_imus(status, samples, imus)]
+    missing = _missing_images(hands[0].status, image_rate)
+    for hand in hands:
+        words = _missing_imus(hand)
+        missing += [of_hand(hand.side, w) for w in words] if len(hands) > 1 else words
     return tr("This recording lacks something: {}.").format("; ".join(missing)) if missing else ""
 
 
@@ -85,12 +120,12 @@ def _missing_images(status: Status, wanted: float) -> list[str]:
     return []
 
 
-def _missing_imus(status: Status, samples: Sequence[ImuSample], imus: Sequence[str]) -> list[str]:
-    lately = [s for s in samples if s.t_arrival > status.t - SILENT]
+def _missing_imus(hand: HandNow) -> list[str]:
+    lately = [s for s in hand.samples if s.t_arrival > hand.status.t - SILENT]
     if not lately:
         return [tr("no packet comes from the glove")]
     heard = np.any([s.valid for s in lately], axis=0)
-    silent = [spoken(name) for name, ok in zip(imus, heard, strict=True) if not ok]
+    silent = [spoken(name) for name, ok in zip(hand.imus, heard, strict=True) if not ok]
     if not silent:
         return []
     if len(silent) == 1:

@@ -62,7 +62,9 @@ class StatusBar(QStatusBar):
         """A job under way, with its *Cancel*, comes before what the rates leave unsaid."""
         return key in RATES or self._watched is None or self.width() > NARROW
 
-    def show_hands(self, hands: Mapping[str, Status | None], running: bool) -> None:
+    def show_hands(
+        self, hands: Mapping[str, Status | None], running: bool, has_place: bool = True
+    ) -> None:
         """Of two hands each by its name, that of the panels first; after `show_status`."""
         self.other_hand.setVisible(len(hands) > 1)
         if len(hands) < 2:
@@ -71,7 +73,7 @@ class StatusBar(QStatusBar):
         for chip, (side, status) in zip(
             (self.tracking, self.other_hand), hands.items(), strict=True
         ):
-            look = tracking_look(status, running)
+            look = tracking_look(status, running, has_place)
             chip.show_state(look.colour, look.sign, f"{names[side]}: {look.word}", hand_tip(status))
 
     def show_rate(self, rate_hz: float) -> None:

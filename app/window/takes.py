@@ -9,11 +9,12 @@ from pathlib import Path
 from PySide6.QtCore import QElapsedTimer, QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
+from app.engines.engine import EngineSetup
 from app.engines.engine_host import EngineHost
 from app.jobs.take_check import check_job
 from app.panels.library.panel import LibraryPanel
 from app.platform.tasks import RunningJob, TaskOwner
-from app.viewmodels.takes import TakeReport, missing_text, report_text
+from app.viewmodels.takes import HandNow, TakeReport, missing_text, report_text
 from app.widgets.question import question
 from app.window.message_bar import MessageBar
 from app.words import told
@@ -67,8 +68,7 @@ class Takes(QObject):
         if self._running.isValid() and self._running.elapsed() < STARTING_MS:
             return
         rate = setup.image_rate() if setup.image_rate is not None else 0.0
-        hand, names = setup.tracked, setup.glove.imu_names
-        text = missing_text(hand.status(), hand.recent_imu(), names, rate)
+        text = missing_text([_now(hand) for hand in setup.hands], rate)
         if not text:
             self._again.stop()
             self._messages.no_longer(ABOUT)
@@ -123,3 +123,9 @@ class Takes(QObject):
         path = self._library.files.rename(report.path, name)
         if path is not None:
             self._checked(replace(report, path=path))
+
+
+def _now(setup: EngineSetup) -> HandNow:
+    """Of the hand that it is seen from."""
+    hand = setup.tracked
+    return HandNow(setup.side, hand.status(), hand.recent_imu(), setup.glove.imu_names)

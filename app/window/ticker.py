@@ -116,7 +116,8 @@ class Ticker(QObject):
         placed = view is None or (view.setup.has_camera and view.setup.camera_calibrated)
         self._bar.show_status(view.status if view else None, self._host.running, placed)
         hands = (view, view.other) if view is not None and view.other is not None else ()
-        self._bar.show_hands({v.setup.side: v.status for v in hands}, self._host.running)
+        statuses = {v.setup.side: v.status for v in hands}
+        self._bar.show_hands(statuses, self._host.running, placed)
         values = view.status.values if view is not None and view.status is not None else {}
         self._pace.look(view is not None and view.is_strained)
         unfit = bool(values.get("colours_unfit", 0.0))

@@ -3526,8 +3526,8 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
-      <source>tracked {} %, {} packets lost</source>
-      <translation>verfolgt {} %, verlorene Pakete: {}</translation>
+      <source>tracked left {}, right {} %</source>
+      <translation>verfolgt links {}, rechts {} %</translation>
     </message>
     <message>
       <location filename="app/viewmodels/library.py" />
@@ -4391,6 +4391,16 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
+      <source>left hand: {}</source>
+      <translation>linke Hand: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
+      <source>right hand: {}</source>
+      <translation>rechte Hand: {}</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/takes.py" />
       <source>no packets lost</source>
       <translation>keine Pakete verloren</translation>
     </message>
@@ -4436,13 +4446,13 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
-      <source>nothing from the glove for {:.1f} s</source>
-      <translation>{:.1f} s lang nichts vom Handschuh</translation>
+      <source>no image for {:.1f} s</source>
+      <translation>{:.1f} s lang kein Bild</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />
-      <source>no image for {:.1f} s</source>
-      <translation>{:.1f} s lang kein Bild</translation>
+      <source>nothing from the glove for {:.1f} s</source>
+      <translation>{:.1f} s lang nichts vom Handschuh</translation>
     </message>
     <message>
       <location filename="app/viewmodels/takes.py" />

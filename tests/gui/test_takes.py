@@ -17,16 +17,17 @@ from app.engines.recording import recorder_maker
 from app.engines.replay.engine import open_replay
 from app.jobs.take_check import check_job
 from app.viewmodels.library import quality_text
-from app.viewmodels.states import GOOD
-from app.viewmodels.takes import TakeReport, missing_text, rename, report_text
+from app.viewmodels.states import BAD, GOOD
+from app.viewmodels.takes import HandNow, HandTake, TakeReport, missing_text, rename, report_text
 from resources import folder
+from tracker import library
 from tracker.clock import ClockAnchor, seconds
 from tracker.errors import FileError
 from tracker.live.inbox import DetectedFrame
 from tracker.live.runner import LiveTracker
 from tracker.messages import BlobFrame, Estimate, Status, StereoFrame, Tracking
 from tracker.pipeline import Pipeline
-from tracker.session.description import SessionInfo
+from tracker.session.description import SessionInfo, of_hands
 from tracker.session.glance import Quality, quality, session_summary
 from tracker.session.reader import SessionReader
 from tracker.session.verify import is_ok, verify
@@ -39,6 +40,7 @@ WATCHED = 100.0  # s from the engine's start to Record
 SEEN = 1.0  # s of them, the last, in which devices gave something
 LENGTH = 1.2  # s, of the recording
 LOST_BEFORE, LOST_IN_IT = 40, 3  # packets
+LEFT = (("hands", "reference-left"), ("gloves", "vist-small-left"))
 
 
 class Nothing:
@@ -174,11 +176,62 @@ def test_the_share_that_was_tracked_is_that_of_the_time(take, tmp_path):
 
 
 def test_the_silence_of_a_glove_is_said_beside_its_packets():
-    report = TakeReport(Path("a.mcap"), duration=20.0, packets_lost=0, tracked=0.8)
-    assert report_text(replace(report, glove_silent=5.04, camera_silent=2.0)) == (
-        "a is whole: 0:20, no packets lost, nothing from the glove for 5.0 s, "
-        "no image for 2.0 s, tracked 80 % of the time."
+    hand = HandTake("right", tracked=0.8, glove_silent=5.04)
+    report = TakeReport(Path("a.mcap"), "", 20.0, 0, camera_silent=2.0, hands=(hand,))
+    assert report_text(report) == (
+        "a is whole: 0:20, no packets lost, no image for 2.0 s, "
+        "nothing from the glove for 5.0 s, tracked 80 % of the time."
     )
+
+
+def test_of_both_hands_each_is_told():
+    hands = (HandTake("left", 0.61, 8.0), HandTake("right", 0.97))
+    report = TakeReport(Path("a.mcap"), "", 20.0, 3, hands=hands)
+    assert report_text(report) == (
+        "a is whole: 0:20, 3 packets lost; "
+        "left hand: nothing from the glove for 8.0 s, tracked 61 % of the time; "
+        "right hand: tracked 97 % of the time."
+    )
+
+
+@pytest.fixture(scope="module")
+def both_taken(tmp_path_factory) -> Path:
+    """4 s of both hands: the left one is tracked for a quarter, its glove silent from half on."""
+    path = tmp_path_factory.mktemp("both") / "both.mcap"
+    one = session_info()
+    texts = {kind: (folder(kind) / f"{name}.toml").read_text("utf-8") for kind, name in LEFT}
+    hand, glove = library.load("vist-small-left", "reference-left")
+    other = replace(
+        one, hand=hand, glove=glove, hand_text=texts["hands"], glove_text=texts["gloves"]
+    )
+    info, start = of_hands([one, other]), seconds(ENGINE_START.monotonic_ns)
+    sample = next(simulation().imu_samples())
+    with SessionRecorder(path, info, RecorderParams(sync=False)) as recorder:
+        for k in range(401):
+            t = start + 0.01 * k
+            recorder.write(replace(sample, t=t, t_arrival=t, seq=k), side="right")
+            if k < 200:
+                recorder.write(replace(sample, t=t, t_arrival=t, seq=k), side="left")
+            if k % 100 == 0:
+                was = Tracking.TRACKING if k < 100 else Tracking.LOST
+                lost = {"right": 3.0 * (k == 400), "left": float(k // 200)}
+                recorder.write(Status(t, was, {"imu_lost": lost["left"]}), side="left")
+                here = Status(t, Tracking.TRACKING, {"imu_lost": lost["right"]})
+                recorder.write(here, side="right")
+    return path
+
+
+def test_a_take_of_both_tells_of_each_hand_and_what_all_gloves_lost(both_taken):
+    report = check_job(both_taken)(lambda *_: None)
+    left, right = report.hands
+    assert (left.side, right.side) == ("left", "right")
+    assert left.tracked == pytest.approx(0.25, abs=0.01)
+    assert right.tracked == pytest.approx(1.0, abs=0.01)
+    assert left.glove_silent == pytest.approx(2.0, abs=0.05) and right.glove_silent == 0.0
+    assert report.packets_lost == 3 + 2
+    with SessionReader(both_taken) as reader:
+        text, look = quality_text(quality(reader))
+    assert text == "tracked left 25, right 100 %, 5 packets lost" and look == BAD
 
 
 @pytest.fixture(scope="module")
@@ -358,11 +411,15 @@ def test_what_is_missing_is_told_and_nothing_else():
     samples = list(simulation().imu_samples())[:100]
     now = samples[-1].t_arrival
     fine = Status(now, Tracking.TRACKING, {"frame_rate_hz": 29.0})
-    assert missing_text(fine, samples, names, 30.0) == ""
-    assert missing_text(fine, samples, names, 0.0) == ""
+    right = HandNow("right", fine, samples, names)
+    assert missing_text([right], 30.0) == ""
+    assert missing_text([right], 0.0) == ""
     gone = Status(now + 5.0, Tracking.TRACKING, {})
-    text = missing_text(gone, samples, names, 30.0)
-    assert "no image comes" in text and "no packet comes" in text
+    text = missing_text([HandNow("right", gone, samples, names)], 30.0)
+    assert "no image comes" in text and ": no packet comes" not in text
+    assert "no packet comes" in text
+    text = missing_text([right, HandNow("left", fine, [], names)], 30.0)
+    assert "lacks something: left hand: no packet comes from the glove." in text
 
 
 def test_images_that_were_never_searched_are_shown_all_the_same(take, tmp_path, qtbot):
@@ -407,7 +464,8 @@ def test_a_session_dragged_onto_the_window_is_opened(window, take, qtbot):
 
 
 def test_a_take_of_a_glove_alone_is_not_called_untracked(tmp_path):
-    both = TakeReport(tmp_path / "a.mcap", "", 6.0, 0, 0.0, by_imus=True)
+    hands = (HandTake("right", 0.0),)
+    both = TakeReport(tmp_path / "a.mcap", "", 6.0, 0, by_imus=True, hands=hands)
     assert report_text(both) == "a is whole: 0:06, no packets lost, by its IMUs alone."
     assert quality_text(Quality(0.0, 0, by_imus=True)) == (
         "by its IMUs alone, no packets lost",

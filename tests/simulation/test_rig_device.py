@@ -1,5 +1,6 @@
 """A simulated rig's devices: images that OpenCV reads as any camera's, gloves that come and go."""
 
+import re
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -8,6 +9,7 @@ import numpy as np
 import pytest
 
 from tracker import library
+from tracker.cli import main
 from tracker.errors import FileError
 from tracker.messages import StereoFrame
 from tracker.offline.simulate import GLOVES
@@ -77,6 +79,20 @@ def test_both_gloves_are_serial_lines_that_tell_their_numbers(both: SimulatedRig
     reports = find_gloves([str(path) for path in both.files.gloves.values()], patience=10.0)
     numbers = {report.path: report.hello.glove_id for report in reports if report.hello}
     assert numbers == {str(both.files.gloves[side]): n for side, n in GLOVE_IDS.items()}
+
+
+def test_the_rig_tells_where_its_devices_are_and_what_a_ruler_would_say(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(rig_device, "SimulatedCamera", lambda spec: NoSimulatedCamera())
+    monkeypatch.setattr("sys.stdin", None)
+    assert main(["rig", str(tmp_path), "--hands", "both", "--duration", "0.2"]) == 0
+    told = capsys.readouterr().out
+    for side in GLOVE_IDS:
+        assert str(tmp_path / f"glove_{side}") in told
+        (length_mm,) = re.findall(rf"{side} hand +(\d+) mm", told)
+        nominal_mm = 1000 * library.load(GLOVES[side])[0].length
+        assert abs(int(length_mm) / nominal_mm - 1) < 0.12  # people: 5 %, at most 10
 
 
 def test_a_glove_is_unplugged_and_plugged_by_words(both: SimulatedRig) -> None:

@@ -53,6 +53,18 @@ def test_bones_keep_their_length(hand: HandModel, glove: GloveModel) -> None:
             np.testing.assert_allclose(length, nominal, rtol=1e-9)
 
 
+def test_a_ruler_measures_the_wearers_own_hand(hand: HandModel, glove: GloveModel) -> None:
+    assert Wearer.exact(hand, glove).hand_length == pytest.approx(hand.length, rel=0.02)  # file's
+    names = ["wrist", "middle_mcp", "middle_pip", "middle_dip", "middle_tip"]
+    columns = [hand.keypoint_names.index(name) for name in names]
+    for seed in range(5):
+        wearer = Wearer(hand, glove, seed)
+        R, p, _ = wearer.segments(RandomPostures(hand, seed), T[:1])
+        bones = np.diff(hand.keypoints(R[0], p[0], wearer.scale)[columns], axis=0)
+        # the knuckle sits up to four standard deviations of 1.5 mm off, and beside the middle line
+        assert np.linalg.norm(bones, axis=1).sum() == pytest.approx(wearer.hand_length, abs=0.007)
+
+
 def test_people_have_the_spread_asked_for(hand: HandModel, glove: GloveModel) -> None:
     wearers = [Wearer(hand, glove, seed) for seed in range(150)]
     lengths = np.array([w.scale[:, 0] for w in wearers])

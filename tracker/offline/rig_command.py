@@ -49,7 +49,9 @@ def _rig(args: argparse.Namespace) -> int:
         for side, path in files.gloves.items():
             print(f"{side + ' glove':<13}{path}")
         print(f"camera       {files.camera}")
-        print(f"calibration  {calibration}", flush=True)
+        print(f"calibration  {calibration}")
+        for side, length in devices.hand_lengths.items():
+            print(f"{side + ' hand':<13}{1000 * length:.0f} mm long by a ruler", flush=True)
 
     def stop() -> bool:
         heard.take()

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import cv2
 import numpy as np
@@ -15,12 +15,15 @@ from numpy.typing import NDArray
 from tracker.errors import FileError, GlovetrackError
 from tracker.messages import Tracking
 from tracker.session.decode_estimate import tracking_of
+from tracker.session.encode import status_name
 from tracker.session.images import decode_image
+from tracker.session.mcap.input import RawMessage
 from tracker.session.mcap.ordering import last_before, ordered
 from tracker.session.reader import SessionReader
 from tracker.session.ros import motion, sensors, topics
 
 PLACELESS = "inertial"  # the engine that tracks no place
+OF_ALL_NS = 1_500_000_000  # within which each hand has told its status, once a second
 
 
 def sessions_in(sources: Sequence[Path], leave_out: Path | None = None) -> list[tuple[Path, Path]]:
@@ -92,33 +95,46 @@ def _counts(reader: SessionReader) -> dict[int, int]:
     return counts
 
 
+class HandShare(NamedTuple):
+    """``tracked``: share of the time in which this hand was tracked; None: not at all yet."""
+
+    side: str
+    tracked: float | None
+
+
 @dataclass(frozen=True)
 class Quality:
-    """``tracked``: share of the time in which the hand was tracked; None: not tracked at all yet.
-    ``packets_lost`` of the session itself; None where no status tells it. ``by_imus``:
-    the hand has no place, for want of a camera or by choice, so that ``tracked`` says nothing.
+    """``tracked`` as in `HandShare`, of ``hands``, if there are both, that of the one tracked less.
+    ``packets_lost`` of the session itself, by all gloves; None where no status tells it.
+    ``by_imus``: the hand has no place, for want of a camera or by choice, so that ``tracked`` says
+    nothing.
     """
 
     tracked: float | None
     packets_lost: int | None
     by_imus: bool = False
+    hands: tuple[HandShare, ...] = ()  # of a session of both, the left one first
 
 
 def quality(reader: SessionReader) -> Quality:
     """Reads what tells changes of the state alone: an hour takes little longer than a minute."""
-    states = topics.hand(reader.info.side, "states")  # at each change; a status is once a second
-    topic = states if states in reader.topic_names else topics.STATUS
+    hands = tuple(HandShare(h.side, _tracked(reader, h.side)) for h in reader.info.hands)
+    known = any(hand.tracked is not None for hand in hands)
+    least = min(hand.tracked or 0.0 for hand in hands) if known else None
     is_placeless = reader.metadata.get("engine") == PLACELESS
-    return Quality(_tracked(reader, topic), _packets_lost(reader), is_placeless)
+    both = hands if len(hands) > 1 else ()
+    return Quality(least, _packets_lost(reader), is_placeless, both)
 
 
-def _tracked(reader: SessionReader, topic: str) -> float | None:
+def _tracked(reader: SessionReader, side: str) -> float | None:
     """The share of the session's time; before the first word nothing was tracked."""
+    states = topics.hand(side, "states")  # at each change; a status is once a second
+    topic = states if states in reader.topic_names else topics.STATUS
     said = [
         (raw.log_time, tracking_of(words.message) == Tracking.TRACKING)
         for raw in ordered(reader.source, frozenset([topic]))
         for words in motion.unpack_diagnostics(raw.data)[1]
-        if words.name in ("tracker", "tracking")
+        if words.name in (status_name(reader.info, side), "tracking")
     ]
     if not said:
         return None
@@ -132,16 +148,25 @@ def _tracked(reader: SessionReader, topic: str) -> float | None:
 
 def _packets_lost(reader: SessionReader) -> int | None:
     """From the first status to the last: older recordings counted from the engine's start on."""
-    first = next(ordered(reader.source, frozenset([topics.STATUS])), None)
+    status = frozenset([topics.STATUS])
+    first = next(ordered(reader.source, status), None)
     last = last_before(reader.source, topics.STATUS, reader.span_ns[1] + 1)
-    counts = [
-        float(said.values["imu_lost"])
-        for raw in (first, last)
-        if raw is not None
-        for said in motion.unpack_diagnostics(raw.data)[1]
-        if "imu_lost" in said.values
-    ]
-    return round(counts[-1] - counts[0]) if counts else None
+    if first is None or last is None:
+        return None
+    early = ordered(reader.source, status, end=first.log_time + OF_ALL_NS)
+    before = dict(reversed(list(_lost_by_glove(early))))
+    after = dict(_lost_by_glove(ordered(reader.source, status, last.log_time - OF_ALL_NS)))
+    if not before and not after:
+        return None
+    return round(sum(lost - before.get(name, lost) for name, lost in after.items()))
+
+
+def _lost_by_glove(statuses: Iterable[RawMessage]) -> Iterator[tuple[str, float]]:
+    """The name that each status of a hand stands under, and the packets lost by then."""
+    for raw in statuses:
+        for said in motion.unpack_diagnostics(raw.data)[1]:
+            if "imu_lost" in said.values:
+                yield said.name, float(said.values["imu_lost"])
 
 
 def thumbnail(reader: SessionReader, width: int) -> NDArray[np.uint8] | None:

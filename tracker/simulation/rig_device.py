@@ -91,7 +91,7 @@ class ImagePipe:
 
 class SimulatedRig:
     """The gloves of a scene, and its camera, as files in ``folder``. A glove may be unplugged and
-    plugged in again."""
+    plugged in again. ``hand_lengths`` (m) are of the wearers' hands by a ruler, by side."""
 
     def __init__(self, spec: DemoSpec, folder: Path) -> None:
         """Raises DeviceError or FileError where there cannot be any."""
@@ -104,6 +104,7 @@ class SimulatedRig:
         links = {side: self._link(side) for side in hands}
         self.files = RigFiles(links, self._pipe.path)
         self.rig = spec.rig
+        self.hand_lengths = {side: hand.wearer.hand_length for side, hand in hands.items()}
 
     def run(self, stop: Callable[[], bool], ready: Callable[[RigFiles], None]) -> int:
         """Until ``stop()``; ``ready`` hears when all are there. How many images were taken.

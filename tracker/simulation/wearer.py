@@ -147,6 +147,13 @@ class Wearer:
         self._marker_offset = offset
         self._slip = SmoothNoise(rng, (len(self.hand.segments), 2), p.slip_time)
 
+    @property
+    def hand_length(self) -> float:
+        """m, as a ruler measures it."""
+        path = list(self.hand.length_path)
+        lengths = np.array([self.hand.segments[row].length for row in path])
+        return float(lengths @ self.scale[path, 0])
+
     def truth(self, motion: Motion, t: Array) -> TrueHand:
         """Segment poses at the times t (n,) s, with angles as the hand file defines them."""
         R, p, _ = self.segments(motion, t)
