@@ -169,6 +169,11 @@ class LatestJob(QObject):
         if not self._busy:
             self._begin()
 
+    @property
+    def is_busy(self) -> bool:
+        """Whether a job is under way."""
+        return self._busy
+
     def forget(self) -> None:
         """Nothing is wanted any more."""
         self._waiting = self._done = None

@@ -315,6 +315,24 @@ def test_a_replay_is_searched_with_the_colours_that_are_tuned(colours, qtbot):
     qtbot.waitUntil(lambda: chip.text() == "0", timeout=30_000)
 
 
+def test_a_replay_whose_images_come_faster_than_searches_shows_what_is_found(
+    colours, engine, qtbot, monkeypatch
+):
+    held, found = HeldDetector(), []
+    monkeypatch.setattr(colour_tuning, "Detector", held.detector)
+    monkeypatch.setattr(colours.tuning, "found", found.append)
+    colours.tuning.setup = dataclasses.replace(colours.tuning.setup, player=SimpleNamespace())
+    qtbot.waitUntil(lambda: len(held.begun) == 1, timeout=30_000)
+    engine.frame = 60
+    qtbot.waitUntil(
+        lambda: colours.image.source.image() is frame_and_blobs(60)[0].left, timeout=30_000
+    )
+    for _ in range(3):
+        colours.refresh(colours.host.snapshot())
+    held.go_on.set()
+    qtbot.waitUntil(lambda: len(found) == 2, timeout=30_000)  # the first one's, and the newest's
+
+
 def test_only_the_newest_profile_is_searched_with_and_shown(colours, held, qtbot):
     answers = []
     colours.image.changed.connect(

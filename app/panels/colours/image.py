@@ -49,8 +49,10 @@ class ColoursImage(QWidget):
         self.changed.emit()
 
     def refresh(self) -> None:
-        """A replay has gone on: its image is searched."""
-        if self.tuning is not None and self.tuning.is_new(self.shown()):
+        """A replay has gone on: its image is searched, once the one before has been: where images
+        come faster than they are searched none would ever be done."""
+        new = self.tuning is not None and self.tuning.is_new(self.shown())
+        if new and not self._search.is_busy:
             self.search()
 
     def search(self) -> None:

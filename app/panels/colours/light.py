@@ -7,13 +7,14 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QWidget
 
 from app.platform.tasks import LatestJob
 from app.viewmodels.colour_tuning import MASK_STEP, ColourTuning, ShownImage
-from app.viewmodels.light import LightWatch
+from app.viewmodels.light import SHORT, LightWatch
 from app.widgets.chip import Chip
 from app.widgets.image_shapes import Ring
+from app.widgets.measures import NEAR, TIGHT
 from app.widgets.more_button import MoreButton
+from app.words import tr
 
 WIDTH = 320  # px, of the advice
-SAID = 132  # px, of the light in a word: each second another, and what stands beside it stays
 
 
 class ColoursLight(QWidget):
@@ -28,7 +29,9 @@ class ColoursLight(QWidget):
         self._job = LatestJob(self.tr("Reading the light"), self)
         self._job.failed.connect(self.failed)
         self.chip = Chip()
-        self.chip.setFixedWidth(SAID)
+        # each second another word, and what stands beside it stays
+        said = self.fontMetrics().horizontalAdvance("● " + tr(SHORT["missed"]))
+        self.chip.setFixedWidth(said + 2 * NEAR + TIGHT)
         self.advice = QLabel()
         self.advice.setWordWrap(True)
         self.advice.setFixedWidth(WIDTH)
