@@ -2,6 +2,7 @@
 
 import sys
 from collections import Counter
+from dataclasses import replace
 from itertools import islice
 from pathlib import Path
 
@@ -10,8 +11,15 @@ import numpy as np
 import pytest
 
 import resources
-from tracker.calibration.light_meter import LightMeter, near_hues, noise_of, widened
-from tracker.vision.colours import HUES, load_profile
+from tracker.calibration.light_meter import LightMeter, any_colours, near_hues, noise_of
+from tracker.vision.colours import (
+    HUES,
+    LEARNED_CELLS,
+    ROOM,
+    ColourProfile,
+    LearnedColours,
+    load_profile,
+)
 
 sys.path.append(str(Path(__file__).parents[1] / "simulation"))
 import desk_scores
@@ -133,11 +141,40 @@ def test_hues_that_nearly_meet_are_named() -> None:
     assert near_hues(pixel, hue, gap - 1.5) == []
 
 
-def test_wide_colours_share_the_circle_and_keep_their_own() -> None:
-    wide = widened(PROFILE)
-    covered = sum(h.width + 1 for h in wide.hues)
-    assert HUES - 4 <= covered <= HUES
-    for narrow, broad in zip(PROFILE.hues, wide.hues, strict=True):
-        middle = np.array([round(narrow.centre) % HUES, 200, 200])
-        assert narrow.name == broad.name
-        assert broad.contains(middle)
+def test_any_colours_are_all_there_are_however_they_are_divided() -> None:
+    for first in (0, 22):
+        hues = any_colours(first).hues
+        assert sum(h.width + 1 for h in hues) == HUES
+        for hue in range(HUES):
+            assert sum(bool(h.contains(np.array([hue, 200, 200]))) for h in hues) == 1
+
+
+def fitted_otherwise() -> list[ColourProfile]:
+    """Colours that other light, a slider or a wrong click has left."""
+    turned = [
+        replace(
+            PROFILE,
+            hues=tuple(replace(h, hue=tuple((x + by) % HUES for x in h.hue)) for h in PROFILE.hues),
+        )
+        for by in (-12, 9)
+    ]
+    wide = replace(PROFILE.hues[2], hue=(45, 118), saturation=(20, 255))
+    swollen = replace(PROFILE, hues=(*PROFILE.hues[:2], wide, PROFILE.hues[3]))
+    none = LearnedColours.of(np.full(LEARNED_CELLS, ROOM, np.uint8), cloth=0.9, smoothing_px=5)
+    return [*turned, swollen, replace(PROFILE, learned=none)]
+
+
+@pytest.mark.parametrize("light", EXPECTED)
+def test_what_is_said_of_the_light_does_not_hang_on_the_colours_fitted(light: str) -> None:
+    images = desk_scores.simulated(light, 3, np.array([1.0]), desk_scores.SURFACES[light])
+    image = next(images).image
+    reading = LightMeter(PROFILE).read(image)
+    assert len(reading.uv) >= 8
+    for profile in fitted_otherwise():
+        other = LightMeter(profile).read(image)
+        assert [a for a in other.advice if a.kind in ABOUT_LIGHT - {"clipped"}] == [
+            a for a in reading.advice if a.kind in ABOUT_LIGHT - {"clipped"}
+        ]
+        assert other.good == reading.good
+        assert (other.level, other.noise) == (reading.level, reading.noise)
+        assert other.warmth == pytest.approx(reading.warmth)

@@ -1,7 +1,8 @@
 """A light meter for markers: what of an image's light will cost markers, and what to change.
 
-An image is read on its own: patches are looked for with colours much wider than the profile's, and
-told from the room by the dark cloth around them. Their pixels and the cloth's say what light it is.
+An image is read on its own: patches of any colour are looked for, and told from the room by the
+dark cloth around them. Their pixels and the cloth's say what light it is, whatever colours were
+fitted; these say which patch is of which hue, and which are missed.
 """
 
 from __future__ import annotations
@@ -15,10 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracker.messages import Array, Blobs, IntArray
-from tracker.vision.colours import HUES, ColourProfile
+from tracker.vision.colours import HUES, ColourProfile, HueRange
 from tracker.vision.detector import Detector, smoothed
 
 Image = NDArray[np.uint8]
+QUARTERS = 4
 NOISY = 2.9  # levels, standard deviation where an image is smooth, above which it is noisy
 LIGHT = ("clipped", "dark", "noisy", "warm", "cold")
 """Kinds of advice that are about lamp and exposure; the others are about colours and the room."""
@@ -90,7 +92,9 @@ class LightMeter:
     ) -> None:
         self.profile, self.params = profile, params or MeterParams()
         self._narrow = Detector(profile, fx=fx)
-        self._wide = Detector(widened(profile), fx=fx)
+        # a patch whose hues lie astride one's quarters is whole in the other
+        shift = HUES // QUARTERS // 2
+        self._any = tuple(Detector(any_colours(at), fx=fx) for at in (0, shift))
 
     def read(self, image: Image) -> LightReading:
         """The light in a BGR image (h, w, 3) uint8 of the gloved hand."""
@@ -98,7 +102,8 @@ class LightMeter:
         blobs, noise = self._narrow.detect(image)[0], noise_of(image)
         # the noise of dark cloth has every colour that is wide enough
         calm = smoothed(image) if noise > p.noise else image
-        seen = _of_one_hand(_patches(calm, self._wide.detect(calm)[0], p), p)
+        both = [_patches(calm, wide.detect(calm)[0], p) for wide in self._any]
+        seen = _of_one_hand(_named(_whole(*both), self.profile), p)
         others = _beside(blobs, seen)
         names = enumerate(self.profile.hue_names)
         reading = LightReading(
@@ -115,18 +120,12 @@ class LightMeter:
         return replace(reading, advice=tuple(_advice(reading, seen, self.profile, p)))
 
 
-def widened(profile: ColourProfile) -> ColourProfile:
-    """Each hue reaching half-way to its neighbours, at any brightness and little saturation."""
-    order = sorted(profile.hues, key=lambda h: h.centre)
-    out = {}
-    for before, hue, after in zip(
-        order[-1:] + order[:-1], order, order[1:] + order[:1], strict=True
-    ):
-        low = hue.centre - ((hue.centre - before.centre) % HUES or HUES) / 2
-        high = hue.centre + ((after.centre - hue.centre) % HUES or HUES) / 2
-        arc = int(np.ceil(low)) % HUES, int(np.ceil(high) - 1) % HUES
-        out[hue.name] = replace(hue, hue=arc, saturation=(80, 255), value=(30, 255))
-    return replace(profile, hues=tuple(out[h.name] for h in profile.hues))
+def any_colours(first: int) -> ColourProfile:
+    """All the hues there are at any brightness, in quarters of the circle from ``first`` on."""
+    arc = HUES // QUARTERS
+    starts = [(first + k * arc) % HUES for k in range(QUARTERS)]
+    hues = (HueRange(str(at), (at, (at + arc - 1) % HUES), (80, 255), (30, 255)) for at in starts)
+    return ColourProfile("any", tuple(hues))
 
 
 def noise_of(image: Image, block: int = 16) -> float:
@@ -173,6 +172,25 @@ def _patches(image: Image, blobs: Blobs, p: MeterParams) -> _Patches:
     )
     keep = dark & grey & inside
     return _Patches(blobs.uv[keep], blobs.hue[keep], radius[keep], pixel[keep], cloth[keep])
+
+
+def _whole(one: _Patches, other: _Patches) -> _Patches:
+    """Those of two searches, each once: the larger where both have found it."""
+    gap = np.linalg.norm(one.uv[:, None] - other.uv[None], axis=2)
+    same = gap < np.maximum(one.radius[:, None], other.radius[None])
+    smaller = same & (one.radius[:, None] < other.radius[None])
+    first, second = ~smaller.any(axis=1), ~(same & ~smaller).any(axis=0)
+    pairs = zip(one, other, strict=True)
+    return _Patches(*(np.concatenate([a[first], b[second]]) for a, b in pairs))
+
+
+def _named(seen: _Patches, profile: ColourProfile) -> _Patches:
+    """With the profile's hue nearest to each."""
+    if len(seen.uv) == 0:
+        return seen
+    hsv = cv2.cvtColor(np.round(seen.pixel).astype(np.uint8)[None], cv2.COLOR_BGR2HSV)[0]
+    apart = hsv[:, :1].astype(float) - np.array([h.centre for h in profile.hues])
+    return seen._replace(hue=np.argmin(np.abs((apart + HUES / 2) % HUES - HUES / 2), axis=1))
 
 
 def _of_one_hand(seen: _Patches, p: MeterParams) -> _Patches:
