@@ -58,6 +58,10 @@ class LiveEngine(Protocol):
 
     def take_events(self) -> list[Event]: ...
 
+    @property
+    def profile(self) -> ColourProfile:
+        """The colours that are looked for now; they may follow the light by themselves."""
+
     def set_profile(self, profile: ColourProfile) -> None: ...
 
     def set_engine(self, name: str) -> None: ...

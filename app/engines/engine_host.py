@@ -35,6 +35,7 @@ class EngineHost(QObject):
     closed = Signal()
     running_changed = Signal(bool)
     profile_changed = Signal(object)  # ColourProfile
+    profile_followed = Signal()  # the engine has changed it by itself; ``setup`` has it
     engine_changed = Signal(str)
     happened = Signal(object)  # Event
     error = Signal(str)
@@ -189,6 +190,16 @@ class EngineHost(QObject):
             self._setup = self._setup.with_profile(profile)
         self.profile_changed.emit(profile)
 
+    def _follow_colours(self, setup: EngineSetup) -> EngineSetup:
+        """Take over colours that the engine has changed by itself."""
+        profile = setup.engine.profile
+        if profile == setup.profile:
+            return setup
+        self._setup = setup.with_profile(profile)
+        self.profile_changed.emit(profile)
+        self.profile_followed.emit()
+        return self._setup
+
     def set_engine(self, name: str) -> None:
         """Track with another engine from now on."""
         if self._setup is None:
@@ -233,6 +244,7 @@ class EngineHost(QObject):
         setup = self._setup
         if setup is None:
             return None
+        setup = self._follow_colours(setup)
         for event in setup.engine.take_events():
             self.happened.emit(event)
         if self._spent and setup.player is None:

@@ -196,7 +196,8 @@ class CamerasPanel(Panel):
         view = self._view
         if view is None or view.frame is None:
             return
-        key = (view.frame, self._drawn_layers(view), self._shown_hues(), self.sides.currentIndex())
+        colours, side = view.setup.profile.hues, self.sides.currentIndex()
+        key = (view.frame, self._drawn_layers(view), self._shown_hues(), colours, side)
         if key != self._shown:
             self._shown = key
             self._show(view, view.frame)

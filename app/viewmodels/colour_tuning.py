@@ -22,7 +22,7 @@ from app.viewmodels.colour_images import (
     room_shares,
 )
 from app.viewmodels.colour_live import LiveImages
-from app.viewmodels.colours import HueRow, blob_counts, hue_rows, seen_rows
+from app.viewmodels.colours import HueRow, blob_counts, hue_rows, likely_hue, seen_rows
 from app.viewmodels.names import spoken
 from app.widgets.image_shapes import Ring
 from app.words import tr
@@ -45,6 +45,7 @@ from tracker.vision.detector import Detector
 MASK_STEP = 2
 ROOM_EVERY = 8  # refreshes
 CHANNELS = ("hue", "saturation", "value")
+SAME = 8.0  # px of the mask between two clicks on one marker
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +55,7 @@ class Tuned:
     profile: ColourProfile
     words: str = ""
     picks: Mapping[str, Pick] = field(default_factory=dict)
+    followed: bool = False  # nobody has asked for it: the engine followed the light
 
 
 class ProfileHistory:
@@ -75,6 +77,13 @@ class ProfileHistory:
             if not (merge and self._past):
                 self._past = [*self._past, self.now][-self._depth :]
             self._future.clear()
+        self.now = new
+
+    def follow(self, new: Tuned, own_step: bool) -> None:
+        """Take what nobody has asked for; a light that goes on changing is one step, and without
+        an ``own_step`` it is none."""
+        if own_step and not self.now.followed:
+            self.change(new)
         self.now = new
 
     def undo(self) -> bool:
@@ -145,6 +154,7 @@ class ColourTuning:
         self.room: dict[str, float] = {}
         self._history = ProfileHistory(Tuned(kept or setup.profile, self.last_words))
         self._dragging = False
+        self._asked: tuple[str, float, float] | None = None  # hue, u, v of a click in question
         self._room_age = 0
         self._found: Blobs | None = None
         self._searched: Image | None = None  # where ``_found`` was looked for
@@ -177,9 +187,15 @@ class ColourTuning:
     def _picks(self) -> Mapping[str, Pick]:
         return self._history.now.picks
 
-    def pick(self, image: Image, u: float, v: float, leave_out: bool) -> None:
-        """Take a pixel of the mask into the range, or leave it out."""
+    def pick(self, image: Image, u: float, v: float, leave_out: bool) -> bool:
+        """Take a pixel of the mask into the range, or leave it out.
+
+        False where it looks like another hue than the chosen one: that is said, and a second click
+        there takes it.
+        """
         pixel = np.array(pixel_hsv(image, u * MASK_STEP, v * MASK_STEP))
+        if not leave_out and self._questions(pixel, u, v):
+            return False
         changed = (
             remove_pixel(self.hue_range, pixel) if leave_out else add_pixel(self.hue_range, pixel)
         )
@@ -190,6 +206,24 @@ class ColourTuning:
         learned = taught(self.profile, bgr, -1 if leave_out else self.hue)
         words = "" if leave_out else self._picked_words(picks)
         self._change(Tuned(with_range(learned, changed), words, picks))
+        return True
+
+    def _questions(self, pixel: Array, u: float, v: float) -> bool:
+        """Whether a click is more likely a mistake: on a marker of a hue that is not chosen."""
+        name, other = self.hue_range.name, likely_hue(self.profile, pixel)
+        before, self._asked = self._asked, None
+        if other in ("", name) or self.hue_range.contains(pixel):
+            return False
+        if (
+            before is not None
+            and before[0] == name
+            and np.hypot(u - before[1], v - before[2]) < SAME
+        ):
+            return False
+        self._asked = name, u, v
+        words = tr("That is {0} by the colours so far, not {1}. Choose {0} first, or click again.")
+        self.last_words = words.format(spoken(other), spoken(name))
+        return True
 
     def _picked_words(self, picks: Mapping[str, Pick]) -> str:
         """Which hues a marker is still to be pointed at of."""
@@ -215,6 +249,19 @@ class ColourTuning:
     def take(self, profile: ColourProfile, words: str) -> None:
         """Another profile as one step that can be taken back, and a sentence about it."""
         self._change(Tuned(profile, words))
+
+    def follow(self, profile: ColourProfile) -> None:
+        """The engine has changed the colours by itself: with the light, or on a replay's way.
+
+        What is changed from now on are these. A marker that was pointed at stays so.
+        """
+        live, before = self.setup.player is None, self._history.now
+        words = tr("The colours follow the light.") if live else ""
+        if before.picks or self.live.wanted:
+            words = self.last_words  # it still says what is waited for
+        self._history.follow(Tuned(profile, words, before.picks, followed=True), live)
+        self._dragging = False  # what a hand at a slider does next is a step of its own
+        self.last_words = words
 
     def undo(self) -> bool:
         """Whether there was a step to take back."""

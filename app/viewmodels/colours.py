@@ -13,8 +13,10 @@ from app.viewmodels.names import spoken
 from app.viewmodels.states import GOOD, IDLE, WARN, StateLook
 from app.words import tr
 from tracker.calibration.colours_fit import clashes
-from tracker.messages import Blobs, Tracking
+from tracker.messages import Array, Blobs, Tracking
 from tracker.vision.colours import HUES, ColourProfile
+
+COLOURED, LIT = 80, 30  # saturation and value that a marker has at least
 
 
 def hue_hex(hue: float) -> str:
@@ -26,6 +28,15 @@ def hue_hex(hue: float) -> str:
 def hue_colours(profile: ColourProfile) -> dict[str, str]:
     """Hue name to the colour it is drawn in."""
     return {h.name: hue_hex(h.centre) for h in profile.hues}
+
+
+def likely_hue(profile: ColourProfile, hsv: Array) -> str:
+    """The hue that a pixel (3,) most likely is of; empty where it is too grey or dark to tell."""
+    if hsv[1] < COLOURED or hsv[2] < LIT:
+        return ""
+    inside = [h.name for h in profile.hues if h.contains(hsv)]
+    apart = {h.name: abs((hsv[0] - h.centre + HUES / 2) % HUES - HUES / 2) for h in profile.hues}
+    return min(inside or apart, key=apart.__getitem__)
 
 
 @dataclass(frozen=True)

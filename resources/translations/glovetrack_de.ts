@@ -2951,8 +2951,18 @@ change {}: {}</source>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />
+      <source>That is {0} by the colours so far, not {1}. Choose {0} first, or click again.</source>
+      <translation>Das ist nach den bisherigen Farben {0}, nicht {1}. Erst {0} wählen oder noch einmal klicken.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_tuning.py" />
       <source>Clicked: {}. Still to be clicked before the colours are learned: {}.</source>
       <translation>Angeklickt: {}. Noch anzuklicken, ehe die Farben gelernt werden: {}.</translation>
+    </message>
+    <message>
+      <location filename="app/viewmodels/colour_tuning.py" />
+      <source>The colours follow the light.</source>
+      <translation>Die Farben folgen dem Licht.</translation>
     </message>
     <message>
       <location filename="app/viewmodels/colour_tuning.py" />

@@ -63,6 +63,7 @@ class ScriptedEngine:
         self.frame = frame
         self.tracking = tracking
         self.profiles: list = []
+        self.followed = None
         self.engines: list[str] = []
         self.kept_states = 0
         self.values: dict[str, float] = {}  # of the status, beside what is always there
@@ -165,8 +166,15 @@ class ScriptedEngine:
         events, self.events = self.events, []
         return events
 
+    @property
+    def profile(self):
+        """A test may put ``followed`` colours in place of those that were set."""
+        set_last = self.profiles[-1] if self.profiles else models()[2]
+        return set_last if self.followed is None else self.followed
+
     def set_profile(self, profile) -> None:
         self.profiles.append(profile)
+        self.followed = None
 
     def set_engine(self, name) -> None:
         self.engines.append(name)

@@ -31,6 +31,7 @@ from tracker.vision.colours import (
     UNKNOWN,
     HueRange,
     LearnedColours,
+    load_profile,
 )
 from tracker.vision.detector import Detector
 
@@ -522,3 +523,81 @@ def test_the_light_is_read_and_missed_markers_get_rings(colours, qtbot):
     before = missed()
     colours.undo()
     qtbot.waitUntil(lambda: missed() < before, timeout=30_000)
+
+
+def warmer(profile):
+    """What the light has made of a profile: every hue a little on."""
+    hues = tuple(
+        dataclasses.replace(h, hue=((h.hue[0] - 5) % 180, (h.hue[1] - 5) % 180))
+        for h in profile.hues
+    )
+    return dataclasses.replace(profile, hues=hues)
+
+
+def test_colours_that_follow_the_light_are_those_that_are_shown_kept_and_moved(
+    colours, engine, qtbot, tmp_path
+):
+    """A slider moved afterwards changes the colours of this light, not of the one before."""
+    old = colours.tuning.profile
+    engine.followed = new = warmer(old)
+    qtbot.waitUntil(lambda: colours.tuning.profile == new, timeout=30_000)
+    row = colours.ranges.rows["hue"]
+    assert row.values() == new.hues[colours.tuning.hue].hue != old.hues[colours.tuning.hue].hue
+    assert colours.host.setup.profile == new  # overlays and the checklist go by it
+    assert engine.profiles == []  # nobody has given the engine other colours
+    assert colours.ranges.words.text().startswith("The colours follow the light.")
+    colours.keeper.write()
+    assert colours.keeper.store.load(CAMERA, old) == new
+    colours.files.save(tmp_path / "out.toml")
+    assert load_profile(tmp_path / "out.toml") == new
+    colours.ranges.rows["saturation"].low.setValue(66)
+    moved = engine.profiles[-1]
+    assert moved.hues[0].saturation[0] == 66
+    assert [h.hue for h in moved.hues] == [h.hue for h in new.hues]
+    colours.undo()
+    assert engine.profiles[-1] == new
+    colours.undo()
+    assert engine.profiles[-1] == old  # who wants the light's colours no more has a way back
+
+
+def test_a_light_that_goes_on_changing_is_one_step_back(colours, engine, qtbot):
+    old = colours.tuning.profile
+    for _ in range(3):
+        engine.followed = new = warmer(colours.tuning.profile)
+        qtbot.waitUntil(lambda new=new: colours.tuning.profile == new, timeout=30_000)
+    colours.undo()
+    assert colours.tuning.profile == old
+    colours.redo()
+    assert colours.tuning.profile == new
+
+
+def test_a_light_that_changes_while_markers_are_clicked_takes_no_click_back(colours, engine, qtbot):
+    _, blobs = frame_and_blobs(engine.frame)
+    first = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("red")][0]
+    colours.tools.pick.click()
+    click(colours, qtbot, 0, first)
+    engine.followed = new = warmer(colours.tuning.profile)
+    qtbot.waitUntil(lambda: colours.tuning.profile == new, timeout=30_000)
+    assert colours.ranges.words.text().startswith("Clicked: red.")
+
+
+def test_a_click_on_a_marker_of_another_hue_is_questioned(colours, engine, qtbot):
+    """It would make one colour of two. Who means it clicks again, and Undo takes it back."""
+    _, blobs = frame_and_blobs(engine.frame)
+    green = blobs.left.uv[blobs.left.hue == blobs.hue_names.index("green")][0]
+    red = colours.tuning.profile.hue_names.index("red")
+    before, said = colours.tuning.profile, colours.ranges.words.text
+    colours.tools.pick.click()
+    click(colours, qtbot, red, green)
+    assert said().startswith("That is green by the colours so far, not red.")
+    assert colours.tuning.profile == before and engine.profiles == []
+    assert not colours.tuning.all_picked
+    click(colours, qtbot, red, green)
+    assert said().startswith("Clicked: red.")
+    assert engine.profiles[-1] == colours.tuning.profile != before
+    colours.undo()
+    assert engine.profiles[-1] == colours.tuning.profile == before
+    click(colours, qtbot, red, green)
+    assert said().startswith("That is green")  # asked anew each time
+    click(colours, qtbot, colours.tuning.profile.hue_names.index("green"), green)
+    assert said().startswith("Clicked: green.")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from types import SimpleNamespace
 from typing import Any
 
@@ -75,6 +76,52 @@ def test_the_user_has_the_last_word() -> None:
     colours.used.put(USED)
     colours.step()
     assert follower.profile is USERS  # these are followed from now on
+
+
+class Kept:
+    """A recorder that keeps what it is given."""
+
+    def __init__(self) -> None:
+        self.messages: list[Any] = []
+
+    def write(self, message: Any, overloaded: bool = False, side: str = "") -> bool:
+        self.messages.append(message)
+        return True
+
+    def flush(self) -> None: ...
+
+    def close(self) -> None: ...
+
+
+def used_at(t: float) -> Any:
+    return dataclasses.replace(USED[0], t=t), *USED[1:]
+
+
+def test_colours_that_someone_sets_are_recorded_once_they_stand() -> None:
+    """A slider moves through many; the log, which its user reads, has none of them."""
+    colours, vision, _, journal = made(None)
+    recorder = Kept()
+    journal.open(recorder)
+    passed = dataclasses.replace(USERS, name="on the way")
+    for t, profile in (
+        (10.0, FACTORY),
+        (10.1, passed),
+        (10.2, USERS),
+        (10.6, USERS),
+        (10.8, USERS),
+    ):
+        vision.profile = profile
+        colours.used.put(used_at(t))
+        colours.step()
+    colours.used.put(used_at(12.0))
+    colours.step()
+    disk = journal.detach()
+    assert disk is not None
+    disk.finish()
+    (event,) = recorder.messages
+    assert (event.kind, event.t, event.text) == (KIND, pytest.approx(10.2), "")
+    assert parse_profile(str(event.data["colours"])).hues == USERS.hues
+    assert KIND not in [said.kind for said in journal.take_events()]
 
 
 def test_it_ends_when_images_do() -> None:

@@ -10,21 +10,24 @@ from tracker.live.frame_results import ShownFrame
 from tracker.live.journal import Journal
 from tracker.live.vision import Vision
 from tracker.messages import Event
-from tracker.vision.colours import profile_to_toml
+from tracker.vision.colours import ColourProfile, profile_to_toml
 
 WAIT = 0.05  # s that a step waits for an image
-KIND = "colours"  # of the events that tell what was learned
+KIND = "colours"  # of the events that tell what is looked for from then on
+STAND = 0.5  # s after which colours that someone has set are recorded: a slider moves through many
 
 
 class FollowedColours:
     """Gives ``vision`` colours for the light as it is; learning them takes a good part of a second.
 
-    Who sets other colours meanwhile has the last word: these are followed from then on.
+    Who sets other colours meanwhile has the last word: these are followed from then on. A recording
+    is told of both.
     """
 
     def __init__(self, follower: ColourFollower, vision: Vision, journal: Journal) -> None:
         self.used: Latest[ShownFrame] = Latest()  # images that the filter has used
         self._follower, self._vision, self._journal = follower, vision, journal
+        self._set_at: float | None = None  # t of the first image since someone has set colours
 
     def step(self) -> None:
         """Look at the newest image, if one comes within `WAIT`. Raises Closed at the end."""
@@ -32,14 +35,22 @@ class FollowedColours:
         if used is None:
             return
         now = self._vision.profile
+        frame = used[0]
         if now is not self._follower.profile:
             self._follower.take(now)
-        frame = used[0]
+            self._set_at = frame.t
+        elif self._set_at is not None and frame.t - self._set_at >= STAND:
+            self._journal.record(_event(self._set_at, "", now))
+            self._set_at = None
         if not self._follower.is_due(frame.t):
             return
         new = self._follower.look(*used)
         if new is None or self._vision.profile is not now:
             return
         self._vision.profile = new
-        text = profile_to_toml(replace(new, name="followed"))
-        self._journal.add(Event(frame.t, KIND, FOLLOWED, {"colours": text}))
+        self._set_at = None
+        self._journal.add(_event(frame.t, FOLLOWED, replace(new, name="followed")))
+
+
+def _event(t: float, words: str, profile: ColourProfile) -> Event:
+    return Event(t, KIND, words, {"colours": profile_to_toml(profile)})

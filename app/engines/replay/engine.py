@@ -7,6 +7,7 @@ from itertools import islice
 from pathlib import Path
 
 from app.engines.engine import EngineSetup, seen_from_main
+from app.engines.replay.colours import ColoursOfFile
 from app.engines.replay.hands import HandsInFile, holds
 from app.engines.replay.sights import first_sight
 from app.engines.replay.thread import ReplayThread
@@ -17,6 +18,7 @@ from resources import folder
 from tracker.errors import FileError, GlovetrackError
 from tracker.live.recording import Recorder
 from tracker.messages import Event
+from tracker.session.description import SessionInfo
 from tracker.session.notes import standing
 from tracker.vision.colours import ColourProfile, parse_profile
 from tracker.vision.rig import StereoRig, ideal_rig
@@ -36,6 +38,11 @@ class ReplayEngine:
         tracked = holds(self._reader, "/hand/")
         self.player = ReplayPlayer(path, self._reader.duration, self.hands.references, tracked)
         self._thread = ReplayThread(self.hands, self.player)
+        try:
+            self._colours = ColoursOfFile(_first_colours(self.info, path), ())
+        except GlovetrackError:
+            self.hands.close()
+            raise
 
     @property
     def start_t(self) -> float:
@@ -70,6 +77,7 @@ class ReplayEngine:
             self.hands.tell(Event(0.0, "error", str(error)))
         where = self.player.clamped
         self.player.events = tuple((where(e.t - self.start_t), e) for e in standing(found))
+        self._colours = ColoursOfFile(self._colours.at(0.0), self.player.events)
         sight = first_sight(self._reader)
         if sight is not None:
             self.player.seek(sight - self.start_t)
@@ -87,8 +95,14 @@ class ReplayEngine:
     def take_events(self) -> list[Event]:
         return self.hands.take_events()
 
+    @property
+    def profile(self) -> ColourProfile:
+        """The colours that were looked for where it stands, or those that are tried."""
+        return self._colours.at(self.player.position)
+
     def set_profile(self, profile: ColourProfile) -> None:
-        """A replay shows what was found when it was recorded."""
+        """A replay shows what was found when it was recorded; the colours panel searches anew."""
+        self._colours.tried(profile)
 
     def set_engine(self, name: str) -> None:
         """A replay shows what was tracked when it was recorded."""
@@ -106,6 +120,12 @@ class ReplayEngine:
         self.hands.tell(Event(self.start_t + self.player.position, "note", text))
 
 
+def _first_colours(info: SessionInfo, path: Path) -> ColourProfile:
+    """Those that a session began with. Raises FileError."""
+    default = (folder("colours") / "fabric-default.toml").read_text("utf-8")
+    return parse_profile(info.colours_text or default, f"{path.name}, colours.toml")
+
+
 def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
     """Open a session file for the window. Raises FileError in words."""
     progress(-1.0, path.name)
@@ -118,8 +138,6 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
     except GlovetrackError:
         engine.close()
         raise
-    default = (folder("colours") / "fabric-default.toml").read_text("utf-8")
-    profile = parse_profile(info.colours_text or default, f"{path.name}, colours.toml")
     setups = [
         EngineSetup(
             name=path.name,
@@ -130,7 +148,7 @@ def open_replay(path: Path, progress: JobProgress) -> EngineSetup:
             rig=rig or ideal_rig(),
             has_camera=engine.has_camera,
             camera_calibrated=rig is not None,
-            profile=profile,
+            profile=engine.profile,
             anchor=info.anchor,
             close=engine.close,
             truth=engine.hands.references[seen.side].truth(),

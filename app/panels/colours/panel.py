@@ -93,6 +93,7 @@ class ColoursPanel(Panel):
         for part in (self.keeper, self.image, self.files, self.light, self.fitting):
             part.failed.connect(self.host.error)
         self.host.opened.connect(self._open)
+        self.host.profile_followed.connect(self._follow)
 
     # --- the profile
 
@@ -118,10 +119,21 @@ class ColoursPanel(Panel):
         """Give the profile to the engine: the next image is searched with it."""
         if self.tuning is not None:
             self.host.set_profile(self.tuning.profile)
-            self.keeper.changed(self.tuning.profile)
-            self.ranges.show_range(self.tuning)
-            self.image.search()
-            self._draw()
+            self._took_over(self.tuning)
+
+    def _took_over(self, tuning: ColourTuning) -> None:
+        """The engine has the tuning's profile: keep and show it."""
+        self.keeper.changed(tuning.profile)
+        self.ranges.show_range(tuning)
+        self.image.search()
+        self._draw()
+
+    def _follow(self) -> None:
+        """The engine has other colours without anybody's doing: they are tuned from now on."""
+        setup = self.host.setup
+        if self.tuning is not None and setup is not None:
+            self.tuning.follow(setup.profile)
+            self._took_over(self.tuning)
 
     def undo(self) -> None:
         if self.tuning is not None and self.tuning.undo():
@@ -163,7 +175,9 @@ class ColoursPanel(Panel):
         image = self.image.source.image()
         if self.tuning is not None and image is not None:
             with_control = bool(modifiers & Qt.KeyboardModifier.ControlModifier)
-            self.tuning.pick(image, u, v, with_control or self.tools.leaving_out)
+            if not self.tuning.pick(image, u, v, with_control or self.tools.leaving_out):
+                self._draw()  # what it asks
+                return
             self._apply()
             if self.tuning.all_picked:
                 self.fitting.fit(lambda t: t.picked_fit())
